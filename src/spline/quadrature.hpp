@@ -1,0 +1,85 @@
+// Gauss-Legendre quadrature: nodes and weights worked out for the scalar at hand.
+//
+// Source: G. H. Golub, J. H. Welsch, "Calculation of Gauss quadrature rules", doi:10.1090/S0025-5718-69-99647-1.
+// Differs: the roots of P_n are found by bisection between those of P_(n-1), which interlace with them,
+//   then Newton steps, so that no trigonometric function is needed and any scalar will do.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "spline/scalar.hpp"
+
+namespace tcb::spline {
+
+/// An N-point rule on [0, 1]: the integral of f is about the sum of weight[i] f(node[i]).
+template <class S, std::size_t N>
+struct GaussRule {
+  std::array<S, N> node{};
+  std::array<S, N> weight{};
+};
+
+/// The Legendre polynomial P_n and its derivative at x in (-1, 1).
+template <class W>
+struct Legendre {
+  W value, slope;
+};
+template <class W>
+constexpr Legendre<W> legendre(std::size_t n, const W& x) {
+  W before(1);
+  W value = x;
+  for (std::size_t k = 2; k <= n; ++k) {
+    const W next = (W(static_cast<double>(2 * k - 1)) * x * value - W(static_cast<double>(k - 1)) * before) /
+                   W(static_cast<double>(k));
+    before = value;
+    value = next;
+  }
+  return {value, W(static_cast<double>(n)) * (x * value - before) / (x * x - W(1))};
+}
+
+/// The one root of P_n in (low, high).
+template <class W>
+constexpr W legendre_root(std::size_t n, W low, W high) {
+  const bool rising = legendre(n, high).value > W(0);
+  W middle = (low + high) * W(0.5);
+  for (int halving = 0; halving < 20; ++halving) {
+    ((legendre(n, middle).value > W(0)) == rising ? high : low) = middle;
+    middle = (low + high) * W(0.5);
+  }
+  for (int step = 0; step < 6; ++step) {  // from 2^-20, quadratically to below any scalar's precision
+    const auto at = legendre(n, middle);
+    middle = middle - at.value / at.slope;
+  }
+  return middle;
+}
+
+template <class S, std::size_t N>
+constexpr GaussRule<S, N> make_gauss_rule() {
+  using W = working_t<S>;
+  std::array<W, N + 2> fence{};  // -1, the roots of P_n, 1
+  fence[0] = W(-1);
+  fence[1] = W(0);
+  fence[2] = W(1);
+  for (std::size_t n = 2; n <= N; ++n) {
+    const auto previous = fence;
+    for (std::size_t i = 1; i <= n; ++i) fence[i] = legendre_root(n, previous[i - 1], previous[i]);
+    fence[n + 1] = W(1);
+  }
+  GaussRule<S, N> rule;
+  for (std::size_t i = 0; i < N; ++i) {
+    const W& x = fence[i + 1];
+    const W slope = legendre(N, x).slope;
+    rule.node[i] = narrow<S>((x + W(1)) * W(0.5));
+    rule.weight[i] = narrow<S>(W(1) / ((W(1) - x * x) * slope * slope));
+  }
+  return rule;
+}
+
+/// The rule, made once.
+template <class S, std::size_t N>
+const GaussRule<S, N>& gauss_rule() {
+  static const GaussRule<S, N> rule = make_gauss_rule<S, N>();
+  return rule;
+}
+
+}  // namespace tcb::spline

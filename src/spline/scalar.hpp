@@ -1,0 +1,116 @@
+// The arithmetic of the core: a scalar type, and a working type with twice its precision.
+//
+// Source: T. J. Dekker, "A floating-point technique for extending the available precision",
+//   Numer. Math. 18 (1971), doi:10.1007/BF01397083; D. E. Knuth, TAOCP vol. 2, 4.2.2.
+// Differs: the factors of a product are split by masking bits, which cannot overflow.
+// Requires: round to nearest, no contraction (-ffp-contract=off), no -ffast-math.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+
+namespace tcb::spline {
+
+/// A rounded result and the error that the rounding made: value + error is exact.
+template <class S>
+struct Rounded {
+  S value, error;
+};
+
+/// a + b and its rounding error, for any magnitudes.
+template <class S>
+constexpr Rounded<S> two_sum(const S& a, const S& b) {
+  const S sum = a + b;
+  const S b_part = sum - a;
+  return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/// a * b and its rounding error (exact to 2^-105 of the product, and while nothing underflows).
+constexpr Rounded<double> two_product(double a, double b) {
+  constexpr std::uint64_t upper_26_bits = 0xFFFF'FFFF'F800'0000;
+  const double a1 = std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) & upper_26_bits);
+  const double b1 = std::bit_cast<double>(std::bit_cast<std::uint64_t>(b) & upper_26_bits);
+  const double a2 = a - a1;
+  const double b2 = b - b1;
+  const double product = a * b;
+  return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
+}
+
+/// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: some 106 bits.
+/// Promises: + - * / are right to 2^-100 of the larger operand or better.
+struct Twice {
+  double hi = 0;
+  double lo = 0;
+
+  constexpr Twice() = default;
+  constexpr Twice(double value) : hi(value) {}  // NOLINT(google-explicit-constructor): a double is one
+  constexpr Twice(double high, double low) : hi(high), lo(low) {}
+
+  friend constexpr Twice operator-(const Twice& a) { return {-a.hi, -a.lo}; }
+  friend constexpr Twice operator+(const Twice& a, const Twice& b) {
+    const auto high = two_sum(a.hi, b.hi);
+    const auto low = two_sum(a.lo, b.lo);
+    const Twice sum = normalized(high.value, high.error + low.value);
+    return normalized(sum.hi, sum.lo + low.error);
+  }
+  friend constexpr Twice operator-(const Twice& a, const Twice& b) { return a + -b; }
+  friend constexpr Twice operator*(const Twice& a, const Twice& b) {
+    const auto product = two_product(a.hi, b.hi);
+    return normalized(product.value, product.error + (a.hi * b.lo + a.lo * b.hi));
+  }
+  friend constexpr Twice operator/(const Twice& a, const Twice& b) {
+    const double quotient = a.hi / b.hi;
+    const Twice rest = a - b * Twice(quotient);
+    return normalized(quotient, rest.hi / b.hi);
+  }
+  friend constexpr bool operator==(const Twice&, const Twice&) = default;
+  friend constexpr auto operator<=>(const Twice& a, const Twice& b) {
+    return a.hi == b.hi ? a.lo <=> b.lo : a.hi <=> b.hi;
+  }
+
+  /// high + low as a Twice. Requires: |high| >= |low|, or high = 0.
+  static constexpr Twice normalized(double high, double low) {
+    const double sum = high + low;
+    return {sum, low - (sum - high)};
+  }
+};
+
+/// The type in which tangents and local parameters are worked out before they are rounded to S.
+template <class S>
+struct Working {
+  using type = S;
+};
+template <>
+struct Working<double> {
+  using type = Twice;
+};
+template <class S>
+using working_t = typename Working<S>::type;
+
+/// A time. For double it holds every integer up to 2^106 exactly, so nanoseconds since 1970 do.
+template <class S>
+using Time = working_t<S>;
+
+/// A working value rounded to the scalar.
+template <class S>
+constexpr S narrow(const working_t<S>& value) {
+  if constexpr (std::is_same_v<S, double>) {
+    return value.hi;
+  } else {
+    return value;
+  }
+}
+
+/// What narrow() rounded away, itself rounded to the scalar.
+template <class S>
+constexpr S rest(const working_t<S>& value) {
+  if constexpr (std::is_same_v<S, double>) {
+    return value.lo;
+  } else {
+    return S(0);
+  }
+}
+
+}  // namespace tcb::spline

@@ -1,0 +1,75 @@
+// Segments: the cubic between two keys, one channel at a time, and its derivatives.
+//
+//   X(u) = P0 + u (out + u (c + u d))          c = 3 D - 2 out - in,   D = P1 - P0
+//        = P1 + w (in  + w (e + w d))          e = out + 2 in - 3 D,   w = u - 1
+//   d = out + in - 2 D
+// The same cubic twice, expanded about either end; the nearer one is used, so |u| or |w| is at most
+// 1/2 and both keys are met bit for bit.
+// Source: the Hermite form of D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", section 2.
+#pragma once
+
+#include "spline/scalar.hpp"
+
+namespace tcb::spline {
+
+/// A place on a segment: u from its start, and w = u - 1 from its end, each rounded once.
+template <class S>
+struct Local {
+  S u{};
+  S w{-1};
+  bool near_start() const { return u <= S(0.5); }
+};
+
+/// One channel of a segment.
+template <class S>
+struct Cubic {
+  S p0, out, c, c_rest;  ///< about the start; c_rest is what rounding took from c
+  S p1, in, e, e_rest;   ///< about the end
+  S d;
+};
+
+/// The cubic from p0 to p1 with the given local tangents.
+template <class S>
+Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
+  using W = working_t<S>;
+  const W chord = W(p1) - W(p0);
+  const W out_bend = out - chord;
+  const W in_bend = in - chord;
+  const W d = out_bend + in_bend;
+  const W c = -(out_bend + d);
+  const W e = in_bend + d;
+  return {p0, narrow<S>(out), narrow<S>(c), rest<S>(c), p1, narrow<S>(in), narrow<S>(e), rest<S>(e), narrow<S>(d)};
+}
+
+/// base + x (a + x (b + x d)): Horner's rule with the rounding errors of its two inner sums carried along.
+template <class S>
+S compensated_cubic(const S& base, const S& a, const S& b, const S& b_rest, const S& d, const S& x) {
+  const auto inner = two_sum<S>(b, x * d);
+  const auto slope = two_sum<S>(a, x * inner.value);
+  return base + (x * slope.value + x * (x * (inner.error + b_rest) + slope.error));
+}
+
+/// X. Promises: within 3 ulp of the largest of |P0|, |P1|, |out|, |in|; exact at both ends.
+template <class S>
+S position(const Cubic<S>& x, const Local<S>& at) {
+  if (at.u == S(0)) return x.p0;
+  if (at.w == S(0)) return x.p1;
+  return at.near_start() ? compensated_cubic(x.p0, x.out, x.c, x.c_rest, x.d, at.u)
+                         : compensated_cubic(x.p1, x.in, x.e, x.e_rest, x.d, at.w);
+}
+
+/// dX/du.
+template <class S>
+S first_derivative(const Cubic<S>& x, const Local<S>& at) {
+  return at.near_start() ? x.out + at.u * (S(2) * x.c + at.u * (S(3) * x.d))
+                         : x.in + at.w * (S(2) * x.e + at.w * (S(3) * x.d));
+}
+
+/// The place at time t of a segment. Requires: start <= t <= end, start < end.
+template <class S>
+Local<S> locate(const Time<S>& start, const Time<S>& end, const Time<S>& t) {
+  const auto h = end - start;
+  return {narrow<S>((t - start) / h), narrow<S>((t - end) / h)};
+}
+
+}  // namespace tcb::spline
