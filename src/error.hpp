@@ -1,0 +1,57 @@
+// What went wrong, where, and the exit code that it deserves.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace tcb {
+
+enum class Exit : int {
+  done = 0,
+  data = 1,   ///< the data was rejected
+  usage = 2,  ///< wrong usage, or a file that cannot be opened or written
+};
+
+/// A place in an input; line and column count from 1, column in characters, 0 where there is none.
+struct Place {
+  std::string file;
+  std::uint64_t line = 0;
+  std::uint64_t column = 0;
+};
+
+/// The one exception of the program, thrown by the layer that knows what is wrong and caught in main.
+/// The message says what is wrong, what was expected, and the remedy, in this order, parted by "; ".
+class Error : public std::exception {
+ public:
+  Error(Exit exit, std::string message) : Error(exit, Place{}, std::move(message)) {}
+  Error(Exit exit, Place place, std::string message)
+      : exit_(exit), place_(std::move(place)), message_(std::move(message)) {}
+
+  Exit exit() const { return exit_; }
+  const char* what() const noexcept override { return message_.c_str(); }
+
+  /// The same error, said of this file unless it already names one.
+  Error in(const std::string& file) const {
+    Error error = *this;
+    if (error.place_.file.empty()) error.place_.file = file;
+    return error;
+  }
+
+  /// "FILE:LINE:COLUMN: error: message", or "tcbsample: error: message" where there is no file.
+  std::string text() const {
+    if (place_.file.empty()) return "tcbsample: error: " + message_;
+    std::string where = place_.file;
+    if (place_.line != 0) where += ":" + std::to_string(place_.line);
+    if (place_.line != 0 && place_.column != 0) where += ":" + std::to_string(place_.column);
+    return where + ": error: " + message_;
+  }
+
+ private:
+  Exit exit_;
+  Place place_;
+  std::string message_;
+};
+
+}  // namespace tcb

@@ -1,0 +1,43 @@
+// The exact grid: row j stands at start + j step, rounded once. It serves times and arc lengths alike.
+//
+// Counts follow from the same rule: a row is at or before T if its rounded place is.
+#pragma once
+
+#include <cstdint>
+
+#include "sampler/quotient.hpp"
+#include "sampler/rational.hpp"
+
+namespace tcb::sampler {
+
+class Grid {
+ public:
+  /// Requires: step >= 0; a step of 0 makes sense for a single row only.
+  Grid(const Rational& start, const Rational& step);
+
+  /// start + j step, rounded once.
+  Time time(std::uint64_t j) const;
+
+  /// How many rows stand before t, and how many at or before it. Requires: step > 0.
+  std::uint64_t rows_before(const Time& t) const;
+  std::uint64_t rows_through(const Time& t) const;
+
+  /// Row 0 and row 1 differ, and so do all rows at times no larger than t.
+  bool resolves(const Time& t) const;
+
+  const Rational& start() const { return start_; }
+  const Rational& step() const { return step_; }
+
+ private:
+  /// A row number that is right or a little off, for the exact search to start from.
+  std::uint64_t estimate(const Time& t) const;
+
+  Rational start_, step_;
+  Integer first_, increment_, denominator_;  ///< row j is (first + j increment) / denominator
+  Int128 small_first_ = 0, small_increment_ = 0, small_denominator_ = 1;
+  std::uint64_t double_rows_ = 0;  ///< up to this row numerator and denominator are exact doubles
+  std::uint64_t small_rows_ = 0;   ///< up to this row 128 bits are enough
+  Time rounded_start_, rounded_step_;
+};
+
+}  // namespace tcb::sampler

@@ -1,0 +1,82 @@
+// Exact rationals: parsing, and rounding once.
+#include "sampler/rational.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "sampler/quotient.hpp"
+
+namespace tcb::sampler {
+namespace {
+
+constexpr int largest_exponent = 10'000;
+
+bool take_digits(std::string_view& text, std::string& digits) {
+  std::size_t count = 0;
+  while (count < text.size() && text[count] >= '0' && text[count] <= '9') ++count;
+  digits += text.substr(0, count);
+  text.remove_prefix(count);
+  return count > 0;
+}
+
+/// The exponent after the digits, 0 where there is none; nothing where it is malformed or too large.
+std::optional<int> take_exponent(std::string_view text) {
+  if (text.empty()) return 0;
+  if (text[0] != 'e' && text[0] != 'E') return std::nullopt;
+  text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  int exponent = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (std::abs(exponent) > largest_exponent) return std::nullopt;
+  return exponent;
+}
+
+Rational scaled_by_ten(const Integer& digits, int exponent) {
+  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  return exponent < 0 ? Rational(digits, power) : Rational(digits * power);
+}
+
+std::optional<Rational> parse_decimal(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  std::string digits;
+  bool any = take_digits(text, digits);
+  int scale = 0;
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    const std::size_t whole = digits.size();
+    any = take_digits(text, digits) || any;
+    scale = static_cast<int>(digits.size() - whole);
+  }
+  const auto exponent = take_exponent(text);
+  if (!any || !exponent || digits.size() > largest_exponent) return std::nullopt;
+  digits.erase(0, digits.find_first_not_of('0'));  // a leading 0 would mean octal
+  const Rational value = scaled_by_ten(digits.empty() ? Integer(0) : Integer(digits), *exponent - scale);
+  return negative ? Rational(-value) : value;
+}
+
+}  // namespace
+
+std::optional<Rational> parse_rational(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return parse_decimal(text);
+  const auto above = parse_decimal(text.substr(0, slash));
+  const auto below = parse_decimal(text.substr(slash + 1));
+  if (!above || !below || *below == 0) return std::nullopt;
+  return Rational(*above / *below);
+}
+
+Rational exact_time(const Time& time) {
+  constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+  if (std::abs(time.hi) >= whole_from) return Rational(Integer(time.hi) + Integer(time.lo));
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), time.hi).ptr;
+  return *parse_decimal({text.data(), end});
+}
+
+Time nearest_time(const Rational& value) { return nearest_quotient<Integer>(numerator(value), denominator(value)); }
+
+}  // namespace tcb::sampler

@@ -1,0 +1,28 @@
+// Exact rationals: what the text of a step, a rate or a time says, without rounding.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <optional>
+#include <string_view>
+
+#include "spline/scalar.hpp"
+
+namespace tcb::sampler {
+
+using Time = spline::Time<double>;
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
+                                  boost::multiprecision::et_off>;
+
+/// A decimal such as "-0.25" or "1e-3", or a ratio of two such as "1001/30000"; nothing else.
+/// Exponents beyond 10,000 are refused: no time needs them, and they would fill the memory.
+std::optional<Rational> parse_rational(std::string_view text);
+
+/// The exact value of a time: a whole number as it is, any other double as its shortest decimal.
+Rational exact_time(const Time& time);
+
+/// The time nearest to a rational, ties to even: a double, or beyond 2^53 the nearest whole number.
+Time nearest_time(const Rational& value);
+
+}  // namespace tcb::sampler

@@ -1,0 +1,67 @@
+// A sampler says which samples lie on a piece of the curve, and where exactly.
+//
+// It sees the pieces once, in order; locating sample j on its piece is then a pure function, so that
+// samples can be worked out anywhere, in any order.
+// To add a sampler: a file beside this one, and a line in make_sampler.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sampler/request.hpp"
+#include "spline/segment.hpp"
+
+namespace tcb::sampler {
+
+/// A segment with its place in the curve. Lengths are 0 where nobody asked for them.
+struct Piece {
+  Time start, end;                                ///< times of its two keys
+  spline::Twice s_start, s_end;                   ///< arc lengths of its two keys, from the curve's first
+  std::span<const spline::Cubic<double>> cubics;  ///< one a channel
+  std::span<const std::size_t> metric;            ///< the channels that lengths are over; empty: all
+  bool last = false;                              ///< the curve ends here
+};
+
+/// Samples [first, last).
+struct Run {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+
+/// Where a sample is: its time, and its place on the segment.
+struct Sample {
+  Time t;
+  spline::Local<double> at;
+};
+
+class Sampler {
+ public:
+  Sampler() = default;
+  Sampler(const Sampler&) = delete;
+  Sampler& operator=(const Sampler&) = delete;
+  virtual ~Sampler() = default;
+
+  /// The samples on the next piece. Throws: Error if the request leaves the curve or asks too much.
+  virtual Run place(const Piece& piece) = 0;
+
+  /// Sample j, which place() put on this piece. Threads: any number at once.
+  virtual Sample locate(const Piece& piece, std::uint64_t j) const = 0;
+
+  /// No later piece can hold a sample: reading may stop.
+  virtual bool done() const = 0;
+};
+
+/// What is known of a curve before its samples are placed.
+struct Extent {
+  Time first;
+  std::optional<Time> last;      ///< needed where needs_end(mode)
+  std::optional<double> length;  ///< needed where needs_end(mode) and by_length(mode)
+};
+
+/// Throws: Error where the request does not fit the curve.
+std::unique_ptr<Sampler> make_sampler(const Request& request, const Extent& extent);
+
+}  // namespace tcb::sampler
