@@ -1,0 +1,134 @@
+// Files: bytes in as they come; bytes out, whole or not at all.
+#include "file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t read_size = 256 * 1024;
+constexpr std::size_t write_size = 256 * 1024;
+
+/// An open file that closes itself; standard input stays open.
+struct Descriptor {
+  int number = 0;
+  explicit Descriptor(int opened) : number(opened) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number > 2) ::close(number);
+  }
+};
+
+[[noreturn]] void fail(const std::string& path, const char* what) {
+  throw Error(Exit::usage, Place{shown_name(path)}, fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+int open_for_reading(const std::string& path) {
+  if (path == "-") return STDIN_FILENO;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, "cannot be opened");
+  return descriptor;
+}
+
+}  // namespace
+
+std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+bool is_live(const std::string& path) {
+  struct stat status {};
+  const int failed = path == "-" ? ::fstat(STDIN_FILENO, &status) : ::stat(path.c_str(), &status);
+  return failed == 0 && !S_ISREG(status.st_mode);
+}
+
+Source<std::string> read_file(const std::string& path) {
+  const auto file = std::make_shared<Descriptor>(open_for_reading(path));
+  return [file, path]() -> std::optional<std::string> {
+    std::string bytes(read_size, '\0');
+    ssize_t count = 0;
+    do {
+      count = ::read(file->number, bytes.data(), bytes.size());
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) fail(path, "cannot be read");
+    if (count == 0) return std::nullopt;
+    bytes.resize(static_cast<std::size_t>(count));
+    return bytes;
+  };
+}
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw Error(Exit::usage, Place{path}, fmt::format("cannot be made: {}", error.message()));
+}
+
+Output::Output(std::string path) : path_(std::move(path)) {
+  if (path_ == "-") return;
+  std::error_code none;
+  const auto kind = std::filesystem::status(path_, none).type();
+  if (kind == std::filesystem::file_type::regular) path_ = std::filesystem::canonical(path_);  // behind any link
+  const bool device = kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found;
+  if (device) {  // /dev/null or a pipe: written to as it is
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("cannot be written");
+    return;
+  }
+  temporary_ = path_ + ".XXXXXX";
+  descriptor_ = ::mkostemp(temporary_.data(), O_CLOEXEC);
+  if (descriptor_ < 0) {
+    temporary_.clear();
+    fail("cannot be written");
+  }
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  if (::fchmod(descriptor_, 0666 & ~mask) != 0) fail("cannot be written");
+}
+
+Output::~Output() {
+  if (descriptor_ > 2) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void Output::fail(const char* what) const {
+  const std::string name = path_ == "-" ? "standard output" : path_;
+  throw Error(Exit::usage, Place{name}, fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+void Output::write(std::string_view text) {
+  pending_ += text;
+  if (live_ || pending_.size() >= write_size) flush();
+}
+
+void Output::flush() {
+  for (std::string_view left = pending_; !left.empty();) {
+    const ssize_t count = ::write(descriptor_, left.data(), left.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("cannot be written");
+    left.remove_prefix(static_cast<std::size_t>(count));
+  }
+  pending_.clear();
+}
+
+void Output::commit() {
+  flush();
+  if (path_ == "-") return;
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot be written");
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be written");
+  temporary_.clear();
+}
+
+}  // namespace tcb

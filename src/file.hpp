@@ -1,0 +1,51 @@
+// Files: bytes in as they come; bytes out, whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "stream.hpp"
+
+namespace tcb {
+
+/// The bytes of a file in pieces as they arrive, each 256 KiB at most; "-" is standard input.
+/// Throws: Error (usage) if it cannot be opened or read.
+Source<std::string> read_file(const std::string& path);
+
+/// The name of a file for messages.
+std::string shown_name(const std::string& path);
+
+/// Reads from a pipe, a socket or a terminal: rows should be written as soon as they are known.
+bool is_live(const std::string& path);
+
+/// Makes a folder and those above it, where they are not there yet. Throws: Error (usage).
+void make_folder(const std::string& path);
+
+/// Where output goes: standard output, or a file that appears under its name only when it is complete.
+class Output {
+ public:
+  /// "-" is standard output. Throws: Error (usage) if the folder cannot be written to.
+  explicit Output(std::string path);
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  /// Removes what was written if commit() was not reached.
+  ~Output();
+
+  /// Text goes out in large pieces, or with each call once `live` is set.
+  void write(std::string_view text);
+  void set_live(bool live) { live_ = live; }
+
+  /// Everything is out, and the file stands under its name. Throws: Error (usage) if it cannot be.
+  void commit();
+
+ private:
+  void flush();
+  [[noreturn]] void fail(const char* what) const;
+
+  std::string path_, temporary_;
+  std::string pending_;
+  int descriptor_ = 1;
+  bool live_ = false;
+};
+
+}  // namespace tcb

@@ -1,0 +1,164 @@
+// Columns: which cell of a record is time, position, tension, continuity or bias.
+#include "format/columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "error.hpp"
+
+namespace tcb::format {
+namespace {
+
+struct RoleName {
+  std::string_view name;
+  Role role;
+  bool any_case;
+};
+
+/// Names that give a column its role; the first name of each role is also its name in --columns.
+constexpr std::array role_names{
+    RoleName{"time", Role::time, true},       RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true}, RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},       RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},      RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},    RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},   RoleName{"B", Role::bias, false},
+};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+
+bool same_name(std::string_view a, std::string_view b, bool any_case) {
+  return any_case ? std::ranges::equal(a, b, {}, lower, lower) : a == b;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// The cell that a name or number asks for.
+std::size_t find_cell(const std::string& wanted, std::span<const std::string> header, std::size_t cells) {
+  const auto exact = std::ranges::find(header, wanted);
+  if (exact != header.end()) return static_cast<std::size_t>(exact - header.begin());
+  const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_name(name, wanted, true); });
+  if (close != header.end()) return static_cast<std::size_t>(close - header.begin());
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
+  if (is_number && number >= 1 && number <= cells) return number - 1;
+  throw Error(
+      Exit::data,
+      header.empty()
+          ? fmt::format("no column {}; there are {}, without names; give numbers from 1 to {}", wanted, cells, cells)
+          : fmt::format("no column \"{}\"; the columns are {}; correct --columns", wanted, fmt::join(header, ", ")));
+}
+
+/// Sets the role of a cell, which must not have another.
+void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
+  if (columns.cells[cell].role != Role::left_out) {
+    throw Error(Exit::data,
+                fmt::format("column \"{}\" is named twice; a column has one role; correct --columns", name));
+  }
+  const bool single = role != Role::position;
+  if (single && columns.has(role)) {
+    throw Error(Exit::data, fmt::format("two columns could be the {} column, the second is \"{}\"; expected one; "
+                                        "choose with --columns",
+                                        role_names[static_cast<std::size_t>(role) - 1].name, name));
+  }
+  columns.cells[cell] = {role, columns.channels.size()};
+  if (role == Role::position) columns.channels.push_back(name);
+  if (role == Role::time) columns.time = name;
+}
+
+/// Roles by name, or without a header time first; positions only where none were asked for.
+void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric) {
+  const bool positions_given = columns.has(Role::position);
+  const auto asked = columns.cells;
+  for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
+    if (asked[cell].role != Role::left_out || !numeric[cell]) continue;
+    const bool first = cell == 0 && !columns.has(Role::time);
+    const Role role = !header.empty() ? role_of_name(header[cell]) : first ? Role::time : Role::position;
+    const bool asked_for = std::ranges::any_of(asked, [&](const auto& column) { return column.role == role; });
+    if (role == Role::position ? positions_given : asked_for) continue;
+    assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
+  }
+}
+
+}  // namespace
+
+bool Columns::has(Role role) const {
+  return std::ranges::any_of(cells, [&](const Column& column) { return column.role == role; });
+}
+
+std::vector<RoleRequest> parse_roles(std::string_view text) {
+  std::vector<RoleRequest> requests;
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string name = part.substr(0, equals);
+    const auto known = std::ranges::find_if(role_names, [&](const auto& row) { return row.name == name; });
+    if (equals == std::string::npos || equals + 1 == part.size() || known == role_names.end()) {
+      throw Error(Exit::usage, fmt::format("--columns: \"{}\" is no role with its columns; expected "
+                                           "time=NAME, position=NAME:NAME…, tension=, continuity= or bias=; "
+                                           "for example --columns time=frame,position=px:py",
+                                           part));
+    }
+    requests.push_back({known->role, split(std::string_view(part).substr(equals + 1), ':')});
+  }
+  return requests;
+}
+
+Role role_of_name(std::string_view name) {
+  const auto row = std::ranges::find_if(
+      role_names, [&](const RoleName& known) { return same_name(name, known.name, known.any_case); });
+  return row == role_names.end() ? Role::position : row->role;
+}
+
+Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                     std::span<const RoleRequest> requests) {
+  Columns columns;
+  columns.cells.resize(numeric.size());
+  columns.named = !header.empty();
+  for (const RoleRequest& request : requests) {
+    for (const std::string& name : request.columns) {
+      const std::size_t cell = find_cell(name, header, numeric.size());
+      assign(columns, cell, request.role, header.empty() ? name : header[cell]);
+    }
+  }
+  assign_the_rest(columns, header, numeric);
+  if (!columns.has(Role::time)) {
+    throw Error(Exit::data, fmt::format("no time column among {}; expected one named time, t, frame, timestamp or "
+                                        "seconds; name it with --columns time=NAME",
+                                        fmt::join(header, ", ")));
+  }
+  if (columns.channels.empty()) {
+    throw Error(Exit::data,
+                "no position column; expected at least one column of numbers beside the time; "
+                "name it with --columns position=NAME");
+  }
+  if (header.empty()) {
+    columns.time = "t";
+    columns.channels = default_channel_names(columns.channels.size());
+  }
+  return columns;
+}
+
+std::vector<std::string> default_channel_names(std::size_t channels) {
+  if (channels <= 3) {
+    const std::vector<std::string> names{"x", "y", "z"};
+    return {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(channels)};
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= channels; ++i) names.push_back(fmt::format("p{}", i));
+  return names;
+}
+
+}  // namespace tcb::format

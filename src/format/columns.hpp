@@ -1,0 +1,50 @@
+// Columns: which cell of a record is time, position, tension, continuity or bias.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tcb::format {
+
+enum class Role { left_out, time, position, tension, continuity, bias };
+
+/// Roles given by hand (--columns): each with the columns that have it, by name or by number from 1.
+struct RoleRequest {
+  Role role;
+  std::vector<std::string> columns;
+};
+
+/// "time=frame,position=px:py:pz". Throws: Error (usage).
+std::vector<RoleRequest> parse_roles(std::string_view text);
+
+/// What the records of an input mean.
+struct Columns {
+  struct Column {
+    Role role = Role::left_out;
+    std::size_t channel = 0;  ///< for positions
+  };
+  std::vector<Column> cells;          ///< one a cell of a record
+  bool named = false;                 ///< the input names its columns
+  std::string time = "t";             ///< name of the time column
+  std::vector<std::string> channels;  ///< names of the position channels
+
+  bool has(Role role) const;
+};
+
+/// The role that a column's name gives it, where nothing else says; otherwise position.
+/// Case does not matter, except that t is time and T, C, B are tension, continuity and bias.
+Role role_of_name(std::string_view name);
+
+/// The columns of delimited records. `header` is empty where the input has none; `numeric` says of
+/// each cell whether its column holds numbers. Throws: Error (data) for a missing or doubled column.
+Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                     std::span<const RoleRequest> requests);
+
+/// Names for channels without any: x, y, z, or p1, p2, … for more than three.
+std::vector<std::string> default_channel_names(std::size_t channels);
+
+}  // namespace tcb::format

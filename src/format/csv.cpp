@@ -1,0 +1,218 @@
+// Delimited text: from records to keys, by the header or by position.
+#include "format/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "error.hpp"
+#include "format/number.hpp"
+
+namespace tcb::format {
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+/// Text as it is quoted in messages: cut to a length that fits a line.
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  if (text.size() <= longest) return fmt::format("\"{}\"", text);
+  std::size_t end = longest;
+  while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a character
+  return fmt::format("\"{}…\"", text.substr(0, end));
+}
+
+std::vector<std::string> texts(const Cells& cells) {
+  std::vector<std::string> result;
+  std::ranges::transform(cells, std::back_inserter(result), unquoted);
+  return result;
+}
+
+/// The names in a comment line such as "# timestamp tx ty tz".
+std::vector<std::string> comment_names(std::string_view comment, const Dialect& dialect) {
+  comment.remove_prefix(dialect.comment.size());
+  const Chunk chunk{std::string(comment), 1, 0};
+  const Dialect no_comments{dialect.delimiter, ""};
+  Cells cells;
+  Records(chunk, no_comments).next(cells);
+  return texts(cells);
+}
+
+/// The first three records of an input, or as many as there are: enough to tell header and columns.
+struct FirstRecords {
+  struct Record {
+    std::vector<std::string> cells;
+    std::string comment;  ///< the comment line directly above
+    std::size_t offset = 0;
+    std::uint64_t line = 1;
+  };
+  std::vector<Record> records;
+};
+
+FirstRecords first_records(const Chunk& chunk, const Dialect& dialect) {
+  FirstRecords first;
+  Records records(chunk, dialect);
+  for (Cells cells; first.records.size() < 3 && records.next(cells);) {
+    first.records.push_back({texts(cells), std::string(records.comment()), records.offset(), records.line()});
+  }
+  return first;
+}
+
+bool is_header(const FirstRecords::Record& record) { return !std::ranges::all_of(record.cells, looks_numeric); }
+
+/// A column holds numbers unless both of the first two data records have text there.
+std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data) {
+  const auto& one = first.records[data].cells;
+  const auto& two = data + 1 < first.records.size() ? first.records[data + 1].cells : one;
+  std::vector<bool> numeric(one.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    numeric[i] = looks_numeric(one[i]) || (i < two.size() && looks_numeric(two[i]));
+  }
+  return numeric;
+}
+
+[[noreturn]] void refuse_cell(const Records& records, std::string_view cell, const std::string& column) {
+  const std::string text = unquoted(cell);
+  if (is_missing(text)) {
+    throw Error(Exit::data, records.place(cell),
+                fmt::format("{}: {} where a number was expected; fill it in, or take the row out", column,
+                            text.empty() ? "an empty cell" : shown(text)));
+  }
+  const bool too_large = looks_numeric(text);
+  throw Error(Exit::data, records.place(cell),
+              too_large
+                  ? fmt::format("{}: {} is not a finite double; expected less than 1.8e308 in size; correct the cell",
+                                column, shown(text))
+                  : fmt::format("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell",
+                                column, shown(text)));
+}
+
+/// Turns records into keys, one after another.
+class KeyParser {
+ public:
+  KeyParser(const Chunk& chunk, const DelimitedHead& head, const spline::Tcb<double>& tcb)
+      : head_(head), records_(chunk, head.dialect), tcb_(tcb) {
+    const Columns& columns = head.columns;
+    block_.keys.channels = columns.channels.size();
+    block_.keys.common_tcb = tcb;
+    carries_tcb_ = columns.has(Role::tension) || columns.has(Role::continuity) || columns.has(Role::bias);
+  }
+
+  KeyBlock parse() {
+    for (Cells cells; records_.next(cells);) add_key(cells);
+    return std::move(block_);
+  }
+
+ private:
+  void add_key(const Cells& cells) {
+    require_cells(cells);
+    spline::Keys<double>& keys = block_.keys;
+    spline::Tcb<double> tcb = tcb_;
+    keys.positions.resize(keys.positions.size() + keys.channels);
+    double* const position = keys.positions.data() + keys.positions.size() - keys.channels;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto [role, channel] = head_.columns.cells[i];
+      switch (role) {
+        case Role::left_out: break;
+        case Role::time: keys.times.push_back(time(cells[i])); break;
+        case Role::position: position[channel] = number(cells[i], head_.columns.channels[channel]); break;
+        case Role::tension: tcb.tension = number(cells[i], "tension"); break;
+        case Role::continuity: tcb.continuity = number(cells[i], "continuity"); break;
+        case Role::bias: tcb.bias = number(cells[i], "bias"); break;
+      }
+    }
+    if (carries_tcb_) keys.tcbs.push_back(tcb);
+    block_.lines.push_back(records_.line());
+  }
+
+  void require_cells(const Cells& cells) const {
+    const std::size_t expected = head_.columns.cells.size();
+    if (cells.size() == expected) return;
+    throw Error(
+        Exit::data, records_.place(cells[std::min(cells.size(), expected + 1) - 1]),
+        fmt::format("a row of {} {}; expected {} as in the rows above; complete or correct the row, or give the "
+                    "delimiter with -d",
+                    cells.size(), cells.size() == 1 ? "cell" : "cells", expected));
+  }
+
+  double number(std::string_view cell, const std::string& column) const {
+    const auto value = parse_number(bare(cell));
+    if (!value) refuse_cell(records_, cell, column);
+    return *value;
+  }
+
+  spline::Time<double> time(std::string_view cell) const {
+    const auto value = parse_time(bare(cell));
+    if (!value) refuse_cell(records_, cell, head_.columns.time);
+    return *value;
+  }
+
+  /// A number in quotes is a number all the same.
+  static std::string_view bare(std::string_view cell) {
+    return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+  }
+
+  const DelimitedHead& head_;
+  Records records_;
+  const spline::Tcb<double>& tcb_;
+  bool carries_tcb_ = false;
+  KeyBlock block_;
+};
+
+}  // namespace
+
+DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options, Chunk& rest) {
+  FirstRecords first;
+  rest = {};
+  while (first.records.size() < 3) {
+    std::optional<Chunk> more = chunks();
+    if (!more) break;
+    rest.text += more->text;
+    first = first_records(rest, dialect);
+  }
+  if (first.records.empty()) {
+    throw Error(Exit::data, "no keys: the input is empty; expected a row for each key; see --help");
+  }
+  const bool header = options.header.value_or(is_header(first.records[0]));
+  std::size_t data = header ? 1 : 0;
+  std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
+  if (data == first.records.size()) {
+    throw Error(Exit::data, Place{"", first.records[0].line, 1},
+                "no keys: there is a header and no row; expected a row for each key; see --help");
+  }
+  if (!header && !options.header && !first.records[0].comment.empty()) {
+    auto above = comment_names(first.records[0].comment, dialect);
+    if (above.size() == first.records[0].cells.size()) names = std::move(above);
+  }
+  const auto& row = first.records[data];
+  if (!names.empty() && names.size() != row.cells.size()) {
+    throw Error(Exit::data, Place{"", row.line, 1},
+                fmt::format("a row of {} cells; expected {} as in the header; correct the row, or give the delimiter "
+                            "with -d",
+                            row.cells.size(), names.size()));
+  }
+  rest.text.erase(0, row.offset);
+  rest.line = row.line;
+  return {dialect, find_columns(names, numeric_columns(first, data), options.roles)};
+}
+
+KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head, const spline::Tcb<double>& tcb) {
+  return KeyParser(chunk, head, tcb).parse();
+}
+
+Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
+  // The delimiter shows in the first record, but records are cut with any delimiter alike.
+  Source<Chunk> chunks = split_delimited(std::move(bytes), {',', options.comment});
+  std::optional<Chunk> beginning = chunks();
+  const char delimiter = options.delimiter.value_or(find_delimiter(beginning ? beginning->text : "", options.comment));
+  if (beginning) chunks = preceded_by(std::move(*beginning), std::move(chunks));
+  Chunk rest;
+  const auto head =
+      std::make_shared<const DelimitedHead>(read_head(chunks, {delimiter, options.comment}, options, rest));
+  const auto parse = [head, tcb = options.tcb](const Chunk& chunk) { return parse_delimited(chunk, *head, tcb); };
+  return {head->columns.named, head->columns.time, head->columns.channels,
+          ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse)};
+}
+
+}  // namespace tcb::format

@@ -1,0 +1,33 @@
+// The one table of formats: their names, their file endings, how they are read and written.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "format/input.hpp"
+#include "format/layout.hpp"
+#include "stream.hpp"
+
+namespace tcb::format {
+
+/// A format. To add one: a row of the table in format.cpp.
+struct Format {
+  std::string_view name;
+  std::string_view ending;  ///< of file names, with the point
+  /// Opens an input whose first bytes were seen; nothing for formats that are only written.
+  Input (*open)(Source<std::string> bytes, const InputOptions& options);
+  Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
+};
+
+/// All formats; the first is the default for output.
+const std::vector<Format>& formats();
+
+/// The index of a format by name; throws: Error (usage) naming the option.
+std::size_t find_format(std::string_view option, std::string_view name);
+
+/// Opens an input: the format is the given one, else by the file's ending, else by the first byte.
+/// Throws: Error (data), without a file name.
+Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options);
+
+}  // namespace tcb::format

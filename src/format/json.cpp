@@ -1,0 +1,234 @@
+// JSON: from the text of key objects to keys.
+#include "format/json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "error.hpp"
+#include "format/json_events.hpp"
+#include "format/json_split.hpp"
+
+namespace tcb::format {
+namespace {
+
+using Member = JsonColumns::Member;
+
+/// Collects the members of the first key, then stops.
+class FirstKey : public JsonEvents {
+ public:
+  struct Found {
+    std::string name;
+    bool array = false;
+    std::size_t numbers = 0;
+  };
+  using JsonEvents::JsonEvents;
+  std::vector<Found> members;
+
+ private:
+  bool on_member(const std::string& name) override {
+    members.push_back({name});
+    return true;
+  }
+  bool on_number(const spline::Time<double>&) override {
+    members.back().array = in_array();
+    ++members.back().numbers;
+    return true;
+  }
+  bool on_other(std::string_view text) override {
+    if (text == "null") members.back().numbers = 1;  // refused later, as a number that is missing
+    return true;
+  }
+  bool on_key_end() override { return false; }
+};
+
+/// Turns events into keys.
+class KeyBuilder : public JsonEvents {
+ public:
+  KeyBuilder(const Chunk& chunk, const JsonColumns& columns, const spline::Tcb<double>& tcb)
+      : JsonEvents(chunk), columns_(columns), tcb_(tcb), seen_(columns.members.size()) {
+    block_.keys.channels = columns.columns.channels.size();
+  }
+  KeyBlock take() { return std::move(block_); }
+
+ private:
+  bool on_key_start() override {
+    spline::Keys<double>& keys = block_.keys;
+    keys.times.emplace_back();
+    keys.tcbs.push_back(tcb_);
+    keys.positions.resize(keys.positions.size() + keys.channels);
+    block_.lines.push_back(line());
+    seen_.assign(seen_.size(), false);
+    expected_ = 0;
+    return true;
+  }
+
+  bool on_member(const std::string& name) override {
+    const auto& members = columns_.members;
+    if (expected_ == members.size() || members[expected_].name != name) {
+      expected_ = static_cast<std::size_t>(std::ranges::find(members, name, &Member::name) - members.begin());
+    }
+    current_ = expected_ < members.size() ? &members[expected_] : nullptr;
+    if (current_ == nullptr) return true;
+    if (seen_[expected_]) fail(fmt::format("{}: a second time in one key; expected once; take one out", path()));
+    seen_[expected_++] = true;
+    return true;
+  }
+
+  bool on_number(const spline::Time<double>& value) override {
+    if (current_ == nullptr) {
+      if (in_array()) return true;
+      fail(fmt::format("{}: not in the first key; expected the same members in every key; add it there", path()));
+    }
+    if (current_->cells == 0) return true;
+    if (current_->array != in_array()) refuse_shape();
+    const std::size_t index = in_array() ? element() : 0;
+    if (index < current_->cells) store(columns_.columns.cells[current_->cell + index], value);
+    return true;
+  }
+
+  bool on_other(std::string_view text) override {
+    if (current_ == nullptr || current_->cells == 0) return true;
+    if (text == "null")
+      fail(fmt::format("{}: null where a number was expected; fill it in, or take the key out", path()));
+    fail(fmt::format("{}: \"{}\" is not a number; expected one without quotes; correct it", path(), text));
+  }
+
+  bool on_array_end() override {
+    if (current_ == nullptr || current_->cells == 0) return true;
+    if (!current_->array) refuse_shape();
+    if (element() == current_->cells) return true;
+    fail(fmt::format("{}: an array of {}; expected {} numbers, as in the first key; correct it", path(), element(),
+                     current_->cells));
+  }
+
+  bool on_key_end() override {
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      const Member& member = columns_.members[i];
+      if (seen_[i] || !member.required) continue;
+      fail(fmt::format("a key without \"{}\"; expected the members of the first key; add it", member.name));
+    }
+    return true;
+  }
+
+  void store(Columns::Column column, const spline::Time<double>& value) {
+    spline::Keys<double>& keys = block_.keys;
+    switch (column.role) {
+      case Role::left_out: break;
+      case Role::time: keys.times.back() = value; break;
+      case Role::position: keys.positions[keys.positions.size() - keys.channels + column.channel] = value.hi; break;
+      case Role::tension: keys.tcbs.back().tension = value.hi; break;
+      case Role::continuity: keys.tcbs.back().continuity = value.hi; break;
+      case Role::bias: keys.tcbs.back().bias = value.hi; break;
+    }
+  }
+
+  [[noreturn]] void refuse_shape() {
+    fail(fmt::format("{}: expected {}, as in the first key; correct it", path(),
+                     current_->array ? "an array of numbers" : "a number"));
+  }
+
+  const JsonColumns& columns_;
+  const spline::Tcb<double>& tcb_;
+  std::vector<bool> seen_;
+  std::size_t expected_ = 0;  ///< the member that comes next if all keys look alike
+  const Member* current_ = nullptr;
+  KeyBlock block_;
+};
+
+/// Reads what stands beside the keys in the object around them.
+class Envelope : public JsonEvents {
+ public:
+  using JsonEvents::JsonEvents;
+  std::vector<std::string> channels;
+
+ private:
+  bool on_member(const std::string& name) override {
+    member_ = name;
+    return true;
+  }
+  bool on_number(const spline::Time<double>&) override { return on_other("a number"); }
+  bool on_other(std::string_view text) override {
+    if (member_ == "channels" && in_array()) channels.emplace_back(text);
+    return true;
+  }
+
+  std::string member_;
+};
+
+/// The names of a member's cells, as a table would have them.
+std::vector<std::string> cell_names(const FirstKey::Found& member, const std::vector<std::string>& channels) {
+  if (!member.array) return std::vector<std::string>(member.numbers, member.name);
+  if (member.name == "tcb") return {"tension", "continuity", "bias"};
+  if (member.name != "position") return {};
+  return channels.empty() ? default_channel_names(member.numbers) : channels;
+}
+
+bool is_required(const JsonColumns& columns, const Member& member) {
+  return std::any_of(columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell),
+                     columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell + member.cells),
+                     [](const auto& cell) { return cell.role == Role::time || cell.role == Role::position; });
+}
+
+}  // namespace
+
+JsonColumns find_members(const Chunk& chunk, const std::vector<RoleRequest>& roles,
+                         const std::vector<std::string>& channels) {
+  FirstKey first(chunk);
+  first.parse();
+  const bool has_array =
+      std::ranges::any_of(first.members, [](const auto& m) { return m.array && m.name == "position"; });
+  JsonColumns result;
+  std::vector<std::string> header;
+  std::vector<bool> numeric;
+  for (const auto& found : first.members) {
+    const auto names = cell_names(found, channels);
+    if (found.array && found.name == "position" && names.size() != found.numbers) {
+      throw Error(Exit::data,
+                  fmt::format("\"channels\" has {} names; expected {}, one for each number of \"position\"; "
+                              "correct it",
+                              names.size(), found.numbers));
+    }
+    result.members.push_back({found.name, found.array, header.size(), names.size()});
+    header.insert(header.end(), names.begin(), names.end());
+    // Beside an array of positions, a number that is nothing else is not a position.
+    const bool beside = has_array && !found.array && role_of_name(found.name) == Role::position;
+    numeric.resize(header.size(), !beside);
+  }
+  result.columns = find_columns(header, numeric, roles);
+  for (Member& member : result.members) member.required = is_required(result, member);
+  return result;
+}
+
+KeyBlock parse_json(const Chunk& chunk, const JsonColumns& columns, const spline::Tcb<double>& tcb) {
+  KeyBuilder builder(chunk, columns, tcb);
+  builder.parse();
+  return builder.take();
+}
+
+Input open_json(Source<std::string> bytes, const InputOptions& options) {
+  const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
+  Source<Chunk> chunks = [splitter] { return splitter->next(); };
+  std::vector<std::string> channels;
+  auto first = chunks();
+  if (splitter->wrapped()) {
+    // The settings may stand behind the keys, so all of the text is read before the first key is used.
+    std::vector<Chunk> kept;
+    for (; first; first = chunks()) kept.push_back(std::move(*first));
+    Envelope envelope(splitter->envelope());
+    envelope.parse_object();
+    channels = envelope.channels;
+    chunks = [kept = std::move(kept), next = std::size_t{0}]() mutable -> std::optional<Chunk> {
+      return next < kept.size() ? std::optional(std::move(kept[next++])) : std::nullopt;
+    };
+    first = chunks();
+  }
+  if (!first) throw Error(Exit::data, "no keys: the input is empty; expected an object for each key; see --help");
+  const auto columns = std::make_shared<const JsonColumns>(find_members(*first, options.roles, channels));
+  const auto parse = [columns, tcb = options.tcb](const Chunk& chunk) { return parse_json(chunk, *columns, tcb); };
+  return {true, columns->columns.time, columns->columns.channels,
+          ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse)};
+}
+
+}  // namespace tcb::format

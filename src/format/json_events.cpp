@@ -1,0 +1,177 @@
+// JSON text as events about key objects: a thin layer over nlohmann-json's events that knows where it is.
+#include "format/json_events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "format/number.hpp"
+
+namespace tcb::format {
+namespace {
+
+using nlohmann::json;
+
+/// Reads characters and leaves word of how far the reading is.
+struct Cursor {
+  using iterator_category = std::forward_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at;
+  const char** now;
+
+  reference operator*() const { return *at; }
+  Cursor& operator++() {
+    *now = ++at;
+    return *this;
+  }
+  friend bool operator==(const Cursor& a, const Cursor& b) { return a.at == b.at; }
+  friend bool operator!=(const Cursor& a, const Cursor& b) { return a.at != b.at; }
+};
+
+/// Where the token ends that was read last, and then where it begins, by looking back.
+const char* token_start(const char* begin, const char* now) {
+  constexpr std::string_view between = " \t\r\n,:]}";
+  const auto is_between = [&](char c) { return between.find(c) != std::string_view::npos; };
+  while (now != begin && is_between(now[-1])) --now;
+  if (now == begin) return now;
+  if (now[-1] == '"') {
+    for (--now; now != begin && (now[-1] != '"' || (now - 1 != begin && now[-2] == '\\'));) --now;
+    return now == begin ? now : now - 1;
+  }
+  while (now != begin && !is_between(now[-1]) && now[-1] != '[' && now[-1] != '{') --now;
+  return now;
+}
+
+/// What nlohmann-json says is wrong, without its own place.
+std::string reason(const std::string& message) {
+  const std::size_t start = message.find("syntax error");
+  return start == std::string::npos ? message.substr(message.find("] ") + 2) : message.substr(start);
+}
+
+}  // namespace
+
+/// nlohmann-json's events, with its names.
+struct JsonEvents::Adapter {
+  JsonEvents& events;
+
+  bool null() { return events.value(nullptr, "null"); }
+  bool boolean(bool value) { return events.value(nullptr, value ? "true" : "false"); }
+  bool number_integer(json::number_integer_t value) { return whole(value); }
+  bool number_unsigned(json::number_unsigned_t value) { return whole(value); }
+  bool number_float(json::number_float_t, const std::string& text) {
+    const auto number = parse_time(text);
+    if (!number)
+      events.fail(fmt::format("{} is not a finite double; expected less than 1.8e308 in size; correct it", text));
+    return events.value(&*number, text);
+  }
+  bool string(std::string& text) { return events.value(nullptr, text); }
+  bool binary(json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return events.open(true); }
+  bool key(std::string& name) {
+    if (events.depth_ != events.key_depth_ + 1) return true;
+    events.member_ = name;
+    return events.on_member(name);
+  }
+  bool end_object() { return events.close(true); }
+  bool start_array(std::size_t) { return events.open(false); }
+  bool end_array() { return events.close(false); }
+  bool parse_error(std::size_t, const std::string&, const json::exception& error) {
+    events.fail_at(std::max(events.now_ - 1, events.chunk_.text.data()),
+                   fmt::format("not JSON: {}; correct the text", reason(error.what())));
+  }
+
+  template <class Whole>
+  bool whole(Whole value) {
+    const spline::Time<double> number = whole_time(value);
+    return events.value(&number, {});
+  }
+};
+
+void JsonEvents::parse() {
+  const char* const begin = chunk_.text.data();
+  const char* const end = begin + chunk_.text.size();
+  if (chunk_.text.starts_with('[')) {
+    key_depth_ = 1;
+    (void)parse_range(begin, end);
+    if (keys_ == 0) fail_at(end - 1, "nothing where a key was expected; expected {…}; take the comma out");
+    return;
+  }
+  for (const char* line = begin; line != end;) {
+    const char* const line_end = std::find(line, end, '\n');
+    const bool blank = std::all_of(line, line_end, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+    if (!blank && !parse_range(line, line_end)) return;
+    line = line_end == end ? end : line_end + 1;
+  }
+}
+
+void JsonEvents::parse_object() { (void)parse_range(chunk_.text.data(), chunk_.text.data() + chunk_.text.size()); }
+
+/// Whether the events went on to the end.
+bool JsonEvents::parse_range(const char* begin, const char* end) {
+  depth_ = 0;
+  now_ = begin;
+  Adapter adapter{*this};
+  return json::sax_parse(Cursor{begin, &now_}, Cursor{end, &now_}, &adapter);
+}
+
+bool JsonEvents::value(const spline::Time<double>* number, std::string_view text) {
+  if (depth_ <= key_depth_)
+    fail(fmt::format("{} where a key was expected; expected {{…}}; correct it", number ? "a number" : text));
+  if (depth_ > key_depth_ + 2) return true;
+  const bool more = number != nullptr ? on_number(*number) : on_other(text);
+  if (in_array()) ++element_;
+  return more;
+}
+
+bool JsonEvents::open(bool object) {
+  const std::size_t outside = depth_++;
+  if (outside < key_depth_) return true;
+  if (outside == key_depth_) {
+    if (!object) fail("an array where a key was expected; expected {…}; correct it");
+    member_.clear();
+    return on_key_start();
+  }
+  if (outside == key_depth_ + 1) element_ = 0;
+  const bool nested = outside > key_depth_ + 1 || object;
+  return !nested || on_other(object ? "an object" : "an array");
+}
+
+bool JsonEvents::close(bool object) {
+  const bool array_of_member = !object && in_array();
+  const bool key = object && depth_ == key_depth_ + 1;
+  --depth_;
+  if (key) ++keys_;
+  return array_of_member ? on_array_end() : key ? on_key_end() : true;
+}
+
+std::uint64_t JsonEvents::line() {
+  line_ += static_cast<std::uint64_t>(std::count(counted_, now_, '\n'));
+  counted_ = now_;
+  return line_;
+}
+
+std::string JsonEvents::path() const {
+  return fmt::format("keys[{}].{}{}", chunk_.first + keys_, member_, in_array() ? fmt::format("[{}]", element_) : "");
+}
+
+void JsonEvents::fail(const std::string& message) const { fail_at(token_start(chunk_.text.data(), now_), message); }
+
+void JsonEvents::fail_at(const char* where, const std::string& message) const {
+  const std::string_view before(chunk_.text.data(), static_cast<std::size_t>(where - chunk_.text.data()));
+  const std::size_t last = before.rfind('\n');
+  const auto line = last == std::string_view::npos ? before : before.substr(last + 1);
+  const auto characters =
+      std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  throw Error(Exit::data,
+              Place{"", chunk_.line + static_cast<std::uint64_t>(std::ranges::count(before, '\n')),
+                    (last == std::string_view::npos ? chunk_.column : 1) + static_cast<std::uint64_t>(characters)},
+              message);
+}
+
+}  // namespace tcb::format

@@ -1,0 +1,69 @@
+// JSON text as events about key objects: a thin layer over nlohmann-json's events that knows where it is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "error.hpp"
+#include "format/input.hpp"
+
+namespace tcb::format {
+
+/// Hears about key objects, or any other objects on the same level. Returning false ends the parsing.
+/// A value is a member's own, or an element of the array that the member is; what lies deeper is passed over.
+class JsonEvents {
+ public:
+  explicit JsonEvents(const Chunk& chunk) : chunk_(chunk), now_(chunk.text.data()), counted_(now_), line_(chunk.line) {}
+  JsonEvents(const JsonEvents&) = delete;
+  JsonEvents& operator=(const JsonEvents&) = delete;
+  virtual ~JsonEvents() = default;
+
+  /// Parses the chunk: an array of objects, or an object a line.
+  /// Throws: Error (data) with its place, where the text is not JSON or holds something else than objects.
+  void parse();
+
+  /// Parses the chunk as one object, over as many lines as it has.
+  void parse_object();
+
+ protected:
+  virtual bool on_key_start() { return true; }
+  virtual bool on_key_end() { return true; }
+  virtual bool on_member(const std::string& name) = 0;
+  /// A number, as its nearest time, from which its nearest double follows.
+  virtual bool on_number(const spline::Time<double>& value) = 0;
+  /// A value that is no number, as it is shown in messages; strings without quotes.
+  virtual bool on_other(std::string_view text) = 0;
+  virtual bool on_array_end() { return true; }
+
+  bool in_array() const { return depth_ == key_depth_ + 2; }
+  /// Number of the array element at hand from 0; at the array's end, their count.
+  std::size_t element() const { return element_; }
+  /// The line of the text at hand. Requires: calls come in the order of the text.
+  std::uint64_t line();
+  /// Throws: Error (data) at the value that is being parsed.
+  [[noreturn]] void fail(const std::string& message) const;
+  /// The member at hand, as in "keys[17].position[1]".
+  std::string path() const;
+
+ private:
+  struct Adapter;
+  bool parse_range(const char* begin, const char* end);
+  bool value(const spline::Time<double>* number, std::string_view text);
+  bool open(bool object);
+  bool close(bool object);
+  [[noreturn]] void fail_at(const char* where, const std::string& message) const;
+
+  const Chunk& chunk_;
+  const char* now_;      ///< the parser has read up to here
+  const char* counted_;  ///< line_ is the line here
+  std::uint64_t line_;
+  std::size_t key_depth_ = 0;  ///< how many brackets are around a key object
+  std::size_t depth_ = 0;
+  std::size_t keys_ = 0;
+  std::size_t element_ = 0;
+  std::string member_;
+};
+
+}  // namespace tcb::format

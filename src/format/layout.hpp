@@ -1,0 +1,49 @@
+// How rows look as text: a layout is a value, and one loop prints them all.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spline/scalar.hpp"
+
+namespace tcb::format {
+
+/// What a column of the output holds, which decides how it is written.
+enum class CellKind { time, real, whole };
+
+struct OutputColumn {
+  std::string name;
+  CellKind kind = CellKind::real;
+};
+
+/// A number ready to be written. A time beyond 2^53 needs both parts.
+using Cell = spline::Twice;
+
+/// The texts around the cells of a table; `before` has one entry a column.
+struct Layout {
+  std::string head;
+  std::vector<std::string> before;
+  std::string row_end;
+  std::string between_rows;
+  std::string tail;
+  std::string no_rows;  ///< instead of `tail` where not one row was written
+};
+
+/// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each.
+/// `first` says that no row came before these.
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, bool first);
+
+/// Rows of cells with a delimiter between, and the names on top where wanted.
+Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header);
+
+/// An array of objects, one a line.
+Layout json_layout(const std::vector<OutputColumn>& columns);
+
+/// An object a line.
+Layout jsonl_layout(const std::vector<OutputColumn>& columns);
+
+}  // namespace tcb::format

@@ -1,0 +1,168 @@
+// Delimited records: where they end, and which cells they have.
+#include "format/records.hpp"
+
+#include <algorithm>
+
+namespace tcb::format {
+namespace {
+
+constexpr std::size_t longest_record = 64U * 1024 * 1024;
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+std::uint64_t count_lines(std::string_view text) { return static_cast<std::uint64_t>(std::ranges::count(text, '\n')); }
+
+/// Where the last whole record of a text ends, by its last line end outside quotes; 0 if there is none.
+std::size_t end_of_records(std::string_view text, const Dialect& dialect) {
+  const std::size_t last = text.rfind('\n');
+  if (last == std::string_view::npos) return 0;
+  if (text.find('"') == std::string_view::npos) return last + 1;
+  std::size_t end = 0;
+  for (std::size_t at = 0; at < text.size(); at = end) {
+    const bool comment = !dialect.comment.empty() && text.substr(at).starts_with(dialect.comment);
+    bool quoted = false;
+    for (; at < text.size() && (quoted || text[at] != '\n'); ++at) quoted ^= text[at] == '"' && !comment;
+    if (at == text.size()) break;
+    end = at + 1;
+  }
+  return end;
+}
+
+}  // namespace
+
+Source<Chunk> split_delimited(Source<std::string> bytes, Dialect dialect) {
+  return [bytes = std::move(bytes), dialect = std::move(dialect), rest = std::string(),
+          line = std::uint64_t{1}]() mutable -> std::optional<Chunk> {
+    for (;;) {
+      std::optional<std::string> more = bytes();
+      rest += more.value_or("");
+      const std::size_t end = more ? end_of_records(rest, dialect) : rest.size();
+      if (end == 0 && !more) return std::nullopt;
+      if (end == 0 && rest.size() > longest_record) {
+        throw Error(Exit::data, Place{"", line, 1},
+                    "a record of more than 64 MiB; a quote may have been opened and not closed; close it");
+      }
+      if (end == 0) continue;
+      Chunk chunk{rest.substr(0, end), line, 0};
+      rest.erase(0, end);
+      line += count_lines(chunk.text);
+      return chunk;
+    }
+  };
+}
+
+Records::Records(const Chunk& chunk, const Dialect& dialect)
+    : dialect_(dialect),
+      begin_(chunk.text.data()),
+      at_(begin_),
+      end_(begin_ + chunk.text.size()),
+      record_(begin_),
+      line_(chunk.line),
+      record_line_(chunk.line) {}
+
+void Records::pass_line_end() {
+  if (at_ != end_ && *at_ == '\r') ++at_;
+  if (at_ != end_) ++at_;
+  ++line_;
+}
+
+bool Records::skip_to_record() {
+  for (; at_ != end_; pass_line_end()) {
+    record_ = at_;
+    while (at_ != end_ && is_blank(*at_)) ++at_;
+    const std::string_view left(at_, static_cast<std::size_t>(end_ - at_));
+    if (!dialect_.comment.empty() && left.starts_with(dialect_.comment)) {
+      const std::size_t size = std::min(left.find('\n'), left.size());
+      comment_ = left.substr(0, size);
+      at_ += size;
+    } else if (!at_line_end()) {
+      at_ = record_;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Records::next(std::vector<std::string_view>& cells) {
+  cells.clear();
+  comment_ = {};
+  if (!skip_to_record()) return false;
+  record_line_ = line_;
+  const bool blanks = dialect_.delimiter == ' ';
+  for (;;) {
+    while (!at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
+    while (blanks && !at_line_end() && is_blank(*at_)) ++at_;
+    if (blanks && at_line_end()) break;
+    cells.push_back(take_cell());
+    if (at_line_end()) break;
+    ++at_;  // the delimiter
+    if (!blanks && at_line_end()) {
+      cells.emplace_back(at_, 0U);
+      break;
+    }
+  }
+  pass_line_end();
+  return true;
+}
+
+std::string_view Records::take_cell() {
+  const char* const start = at_;
+  if (*at_ == '"') return take_quoted();
+  const bool blanks = dialect_.delimiter == ' ';
+  while (!at_line_end() && *at_ != dialect_.delimiter && !(blanks && *at_ == '\t')) ++at_;
+  const char* last = at_;
+  while (last != start && is_blank(last[-1])) --last;
+  return {start, static_cast<std::size_t>(last - start)};
+}
+
+std::string_view Records::take_quoted() {
+  const char* const start = at_;
+  for (++at_; at_ != end_; ++at_) {
+    if (*at_ == '\n') ++line_;
+    if (*at_ != '"') continue;
+    if (at_ + 1 == end_ || at_[1] != '"') break;
+    ++at_;
+  }
+  if (at_ == end_) {
+    throw Error(Exit::data, place({start, 1}), "a quoted cell is not closed; expected \" at its end; add it");
+  }
+  const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
+  while (!at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
+  if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
+    throw Error(Exit::data, place({at_, 1}),
+                "text after a quoted cell; expected the delimiter or the line's end; double the quotes inside a cell");
+  }
+  return cell;
+}
+
+Place Records::place(std::string_view cell) const {
+  const std::string_view before(record_, static_cast<std::size_t>(cell.data() - record_));
+  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  const auto characters = std::ranges::count_if(
+      before.substr(line_start), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  return {"", record_line_ + count_lines(before), static_cast<std::uint64_t>(characters) + 1};
+}
+
+std::string unquoted(std::string_view cell) {
+  if (cell.size() < 2 || cell.front() != '"') return std::string(cell);
+  std::string text;
+  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+    text += cell[i];
+    if (cell[i] == '"') ++i;
+  }
+  return text;
+}
+
+char find_delimiter(std::string_view text, const std::string& comment) {
+  const Chunk chunk{std::string(text), 1, 0};
+  const Dialect whole_line{'\n', comment};
+  Records records(chunk, whole_line);
+  std::vector<std::string_view> cells;
+  if (!records.next(cells)) return ',';
+  for (const char delimiter : {'\t', ';', ','}) {
+    if (cells[0].find(delimiter) != std::string_view::npos) return delimiter;
+  }
+  return cells[0].find(' ') != std::string_view::npos ? ' ' : ',';
+}
+
+}  // namespace tcb::format

@@ -1,0 +1,68 @@
+// Delimited records: where they end, and which cells they have.
+//
+// Source: RFC 4180 for quotes: a cell that begins with a quote ends with one, holds delimiters and line
+//   ends as they are, and doubles each quote inside.
+// Differs: LF or CRLF ends a record, the last may lack it; comment lines and blank lines are skipped;
+//   where the delimiter is a blank, runs of blanks and tabs count as one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "error.hpp"
+#include "format/input.hpp"
+#include "stream.hpp"
+
+namespace tcb::format {
+
+/// How records are written.
+struct Dialect {
+  char delimiter = ',';       ///< ' ' stands for runs of blanks and tabs
+  std::string comment = "#";  ///< lines that begin with it are skipped; empty: none are
+};
+
+/// Cuts bytes into chunks of whole records. Requires: the bytes have no byte order mark.
+/// Throws: Error (data) for a record over 64 MiB, which only a quote left open makes.
+Source<Chunk> split_delimited(Source<std::string> bytes, Dialect dialect);
+
+/// Walks over the records of a chunk.
+class Records {
+ public:
+  Records(const Chunk& chunk, const Dialect& dialect);
+
+  /// The cells of the next record, as they stand in the text but for blanks around them; false at the
+  /// end. Comments and blank lines are skipped; the last comment skipped is in comment().
+  /// Throws: Error (data) for a quote out of place.
+  bool next(std::vector<std::string_view>& cells);
+
+  std::uint64_t line() const { return record_line_; }
+  std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
+  std::string_view comment() const { return comment_; }
+
+  /// The place of a cell of the current record: its line, and its column in characters.
+  Place place(std::string_view cell) const;
+
+ private:
+  bool skip_to_record();
+  std::string_view take_cell();
+  std::string_view take_quoted();
+  bool at_line_end() const {
+    return at_ == end_ || *at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] == '\n'));
+  }
+  void pass_line_end();
+
+  const Dialect& dialect_;
+  const char *begin_, *at_, *end_;
+  const char* record_;
+  std::uint64_t line_, record_line_;
+  std::string_view comment_;
+};
+
+/// The text of a cell without its quotes.
+std::string unquoted(std::string_view cell);
+
+/// The delimiter of the first record: the first of tab, ";", "," and blank that occurs in it.
+char find_delimiter(std::string_view text, const std::string& comment);
+
+}  // namespace tcb::format
