@@ -1,0 +1,127 @@
+// The command line: every option declared once.
+#include "cli/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/plan.hpp"
+#include "cli/reference.hpp"
+#include "error.hpp"
+#include "nearest.hpp"
+
+namespace tcb::cli {
+namespace {
+
+void declare_input(CLI::App& app, Typed& typed) {
+  app.add_option("FILE", typed.files, "Files of keys; without any, or for -, standard input")->group("");
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Input");
+  };
+  const auto flag = [&](const char* name, bool& value, const char* text) {
+    return app.add_flag(name, value, text)->group("Input");
+  };
+  option("-i,--input-format", typed.input_format,
+         "csv, tsv, ssv (runs of blanks), json or jsonl; by default what the file's ending says, else JSON if the text "
+         "begins with [ or {, else delimited text")
+      ->type_name("FORMAT");
+  option("-d,--delimiter", typed.delimiter,
+         "Between cells: one character, or tab, comma, semicolon, space or pipe; by default the first of tab, ; , and "
+         "blank that the first record has")
+      ->type_name("CHAR");
+  flag("--header", typed.header, "The first record names the columns; by default it does if a cell in it is no number");
+  flag("--no-header", typed.no_header, "The first record is a key");
+  option("--comment", typed.comment, "Lines that begin with this are skipped; none: no line is")->type_name("PREFIX");
+  option("--columns", typed.columns,
+         "Which columns are what, by name or number, as in time=frame,position=px:py:pz,tension=k; by default by the "
+         "header, or without one the time first and positions after it")
+      ->type_name("ROLE=NAME,...");
+  option("--tcb", typed.tcb, "Tension, continuity and bias of keys that carry none; default 0,0,0")->type_name("T,C,B");
+}
+
+void declare_sampling(CLI::App& app, Typed& typed) {
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Sampling");
+  };
+  option("-s,--step", typed.step, "Samples every H of time from the first key; H is a decimal or a ratio such as 1/24")
+      ->type_name("H");
+  option("--rate,--fps", typed.rate, "Samples this often per unit of time: a step of exactly 1/HZ")->type_name("HZ");
+  option("-n,--count", typed.count, "N samples equally spaced in time, the first and the last key among them")
+      ->type_name("N");
+  option("--segments", typed.segments, "N equal intervals of time, so N+1 samples")->type_name("N");
+  option("-a,--arc-step", typed.arc_step, "Samples every H of arc length from the first key")->type_name("H");
+  option("--arc-count", typed.arc_count, "N samples equally spaced in arc length, both ends among them")
+      ->type_name("N");
+  option("--from", typed.from,
+         "Where sampling begins, in time, or in arc length for the arc modes; default: the first key")
+      ->type_name("T");
+  option("--to", typed.to, "Where sampling ends; default: the last key")->type_name("T");
+}
+
+void declare_output(CLI::App& app, Typed& typed) {
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Output");
+  };
+  option("-o,--output", typed.output, "Writes to FILE, which appears when it is complete; -: standard output")
+      ->type_name("FILE");
+  option("--output-dir", typed.output_dir, "Writes a file for each input into this folder, with the format's ending")
+      ->type_name("DIR");
+  option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json or jsonl")->type_name("FORMAT");
+  option("--fields", typed.fields, "What a row shows, in order: time, position, s (arc length); default time,position")
+      ->type_name("FIELD,...");
+  app.add_flag("--no-output-header", typed.no_output_header,
+               "No names above the rows; the default where the input has none")
+      ->group("Output");
+}
+
+void declare_about(CLI::App& app, Typed& typed) {
+  app.add_option("--generate", typed.generate,
+                 "Prints the manual page, or completions for a shell: man, bash, zsh or fish")
+      ->type_name("KIND")
+      ->group("About");
+  app.add_flag("-V,--version", typed.version, "Prints the version")->group("About");
+  app.add_flag("-h,--help", typed.help, "Prints this help")->group("About");
+}
+
+/// CLI11's complaint as one of ours: what is wrong, and the remedy.
+[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error, const CLI::App& parsed) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    for (const auto& name : option->get_snames()) names.push_back("-" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto unknown = parsed.remaining();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unknown.empty()) {
+    const std::string name = unknown.front().substr(0, unknown.front().find('='));
+    throw Error(Exit::usage, "unknown option " + name + did_you_mean(name, known) + " (--help lists all options)");
+  }
+  throw Error(Exit::usage, std::string(error.what()) + "; see --help");
+}
+
+}  // namespace
+
+std::unique_ptr<CLI::App> declare(Typed& typed) {
+  auto app = std::make_unique<CLI::App>("Resamples curves through keys with tension, continuity and bias", "tcbsample");
+  app->set_help_flag();
+  declare_input(*app, typed);
+  declare_sampling(*app, typed);
+  declare_output(*app, typed);
+  declare_about(*app, typed);
+  return app;
+}
+
+Request parse(int argc, const char* const* argv) {
+  Typed typed;
+  const auto app = declare(typed);
+  try {
+    app->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    refuse(*app, error, *app);
+  }
+  if (typed.help) return {help_text(*app), {}};
+  if (typed.version) return {version_text(), {}};
+  if (!typed.generate.empty()) return {generated_text(*app, typed.generate), {}};
+  return {std::nullopt, make_plan(typed)};
+}
+
+}  // namespace tcb::cli

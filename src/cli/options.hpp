@@ -1,0 +1,42 @@
+// The command line: every option declared once, checked, and turned into a plan.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "resample.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tcb::cli {
+
+/// What was typed, option by option; what it means is a Plan.
+struct Typed {
+  std::vector<std::string> files;
+  std::string input_format, delimiter, comment = "#", columns, tcb;
+  bool header = false, no_header = false;
+  std::string step, rate, count, segments, arc_step, arc_count;
+  std::string from, to;
+  std::string output, output_dir, output_format, fields;
+  bool no_output_header = false;
+  std::string generate;
+  bool help = false, version = false;
+};
+
+/// All options, bound to the fields of `typed`: the one place where they are declared.
+std::unique_ptr<CLI::App> declare(Typed& typed);
+
+/// What the program is asked for: a text to print, or else a plan to carry out.
+struct Request {
+  std::optional<std::string> text;
+  Plan plan;
+};
+
+/// Throws: Error (usage) that names the option, what was expected, and the remedy.
+Request parse(int argc, const char* const* argv);
+
+}  // namespace tcb::cli

@@ -1,0 +1,31 @@
+// The whole path, from the bytes of keys to the bytes of samples.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "format/format.hpp"
+#include "pieces.hpp"
+#include "sampler/request.hpp"
+
+namespace tcb {
+
+/// Everything that one run of the program is to do.
+struct Plan {
+  std::vector<std::string> files;  ///< "-" is standard input
+  format::InputOptions input;
+  CurvePlan curve;
+  sampler::Request sampling;
+  std::vector<std::size_t> fields;  ///< indices into fields(), in output order
+  std::size_t output_format = 0;    ///< index into format::formats()
+  std::optional<bool> output_header;
+  std::string output = "-";                  ///< one output for all files, or
+  std::optional<std::string> output_folder;  ///< one for each, in this folder
+};
+
+/// Reads the keys of every file and writes the samples of their curves.
+/// Throws: Error, naming the file. An output that is not complete does not stand under its name.
+void resample(const Plan& plan);
+
+}  // namespace tcb
