@@ -19,8 +19,8 @@
 namespace tcb {
 namespace {
 
-constexpr std::size_t read_size = 256 * 1024;
-constexpr std::size_t write_size = 256 * 1024;
+constexpr std::size_t read_size = 256UL * 1024;
+constexpr std::size_t write_size = 256UL * 1024;
 
 /// An open file that closes itself; standard input stays open.
 struct Descriptor {

@@ -30,6 +30,10 @@ void append_position(std::vector<Cell>& row, const Piece& piece, const Sample& s
 
 /// The arc length from the curve's first key.
 void append_length(std::vector<Cell>& row, const Piece& piece, const Sample& sample) {
+  if (sample.s) {
+    row.emplace_back(*sample.s);
+    return;
+  }
   const double into = spline::length(spline::Speed<double>(piece.cubics, piece.metric), sample.at.u);
   row.emplace_back((piece.s_start + spline::Twice(into)).hi);
 }

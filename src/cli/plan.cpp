@@ -52,7 +52,7 @@ std::uint64_t positive_count(std::string_view option, const std::string& text) {
 
 std::optional<Rational> optional_rational(std::string_view option, const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const auto value = sampler::parse_rational(text);
+  auto value = sampler::parse_rational(text);
   if (!value) refuse(option, text, "a decimal or a ratio, such as 1.5 or 7/24");
   return value;
 }

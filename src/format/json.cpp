@@ -107,7 +107,7 @@ class KeyBuilder : public JsonEvents {
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       const Member& member = columns_.members[i];
       if (seen_[i] || !member.required) continue;
-      fail(fmt::format("a key without \"{}\"; expected the members of the first key; add it", member.name));
+      fail_key(fmt::format("a key without \"{}\"; expected the members of the first key; add it", member.name));
     }
     return true;
   }

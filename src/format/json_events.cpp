@@ -30,8 +30,7 @@ struct Cursor {
     *now = ++at;
     return *this;
   }
-  friend bool operator==(const Cursor& a, const Cursor& b) { return a.at == b.at; }
-  friend bool operator!=(const Cursor& a, const Cursor& b) { return a.at != b.at; }
+  bool operator==(const Cursor& other) const { return at == other.at; }
 };
 
 /// Where the token ends that was read last, and then where it begins, by looking back.
@@ -46,6 +45,13 @@ const char* token_start(const char* begin, const char* now) {
   }
   while (now != begin && !is_between(now[-1]) && now[-1] != '[' && now[-1] != '{') --now;
   return now;
+}
+
+/// Where the token begins that was read last, a bracket or comma among them.
+const char* last_token(const char* begin, const char* now) {
+  if (now == begin) return now;
+  const bool single = std::string_view(",:[]{}").find(now[-1]) != std::string_view::npos;
+  return single ? now - 1 : token_start(begin, now);
 }
 
 /// What nlohmann-json says is wrong, without its own place.
@@ -82,7 +88,7 @@ struct JsonEvents::Adapter {
   bool start_array(std::size_t) { return events.open(false); }
   bool end_array() { return events.close(false); }
   bool parse_error(std::size_t, const std::string&, const json::exception& error) {
-    events.fail_at(std::max(events.now_ - 1, events.chunk_.text.data()),
+    events.fail_at(last_token(events.chunk_.text.data(), events.now_),
                    fmt::format("not JSON: {}; correct the text", reason(error.what())));
   }
 
@@ -135,6 +141,7 @@ bool JsonEvents::open(bool object) {
   if (outside == key_depth_) {
     if (!object) fail("an array where a key was expected; expected {…}; correct it");
     member_.clear();
+    key_ = now_ - 1;
     return on_key_start();
   }
   if (outside == key_depth_ + 1) element_ = 0;
@@ -161,6 +168,8 @@ std::string JsonEvents::path() const {
 }
 
 void JsonEvents::fail(const std::string& message) const { fail_at(token_start(chunk_.text.data(), now_), message); }
+
+void JsonEvents::fail_key(const std::string& message) const { fail_at(key_, message); }
 
 void JsonEvents::fail_at(const char* where, const std::string& message) const {
   const std::string_view before(chunk_.text.data(), static_cast<std::size_t>(where - chunk_.text.data()));

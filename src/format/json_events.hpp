@@ -44,6 +44,8 @@ class JsonEvents {
   std::uint64_t line();
   /// Throws: Error (data) at the value that is being parsed.
   [[noreturn]] void fail(const std::string& message) const;
+  /// Throws: Error (data) at the beginning of the key that is being parsed.
+  [[noreturn]] void fail_key(const std::string& message) const;
   /// The member at hand, as in "keys[17].position[1]".
   std::string path() const;
 
@@ -56,8 +58,9 @@ class JsonEvents {
   [[noreturn]] void fail_at(const char* where, const std::string& message) const;
 
   const Chunk& chunk_;
-  const char* now_;      ///< the parser has read up to here
-  const char* counted_;  ///< line_ is the line here
+  const char* now_;            ///< the parser has read up to here
+  const char* key_ = nullptr;  ///< where the key at hand begins
+  const char* counted_;        ///< line_ is the line here
   std::uint64_t line_;
   std::size_t key_depth_ = 0;  ///< how many brackets are around a key object
   std::size_t depth_ = 0;

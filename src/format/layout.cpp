@@ -40,6 +40,7 @@ std::string json_name(const std::string& name) {
 /// The texts before the members of an object.
 std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
   std::vector<std::string> before;
+  before.reserve(columns.size());
   for (const OutputColumn& column : columns) {
     before.push_back((before.empty() ? "{" : ",") + json_name(column.name) + ":");
   }

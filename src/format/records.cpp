@@ -6,7 +6,7 @@
 namespace tcb::format {
 namespace {
 
-constexpr std::size_t longest_record = 64U * 1024 * 1024;
+constexpr std::size_t longest_record = 64UL * 1024 * 1024;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -83,6 +83,11 @@ bool Records::skip_to_record() {
   return false;
 }
 
+const char* Records::find_record() {
+  (void)skip_to_record();
+  return at_;
+}
+
 bool Records::next(std::vector<std::string_view>& cells) {
   cells.clear();
   comment_ = {};
@@ -154,15 +159,21 @@ std::string unquoted(std::string_view cell) {
 }
 
 char find_delimiter(std::string_view text, const std::string& comment) {
-  const Chunk chunk{std::string(text), 1, 0};
-  const Dialect whole_line{'\n', comment};
-  Records records(chunk, whole_line);
-  std::vector<std::string_view> cells;
-  if (!records.next(cells)) return ',';
-  for (const char delimiter : {'\t', ';', ','}) {
-    if (cells[0].find(delimiter) != std::string_view::npos) return delimiter;
+  const Chunk chunk{std::string(text)};
+  const Dialect any{'\n', comment};
+  const char* const record = Records(chunk, any).find_record();
+  std::string seen;
+  bool quoted = false;
+  for (const char c :
+       std::string_view(record, static_cast<std::size_t>(chunk.text.data() + chunk.text.size() - record))) {
+    if (c == '"') quoted = !quoted;
+    if (c == '\n' && !quoted) break;
+    if (!quoted) seen += c;
   }
-  return cells[0].find(' ') != std::string_view::npos ? ' ' : ',';
+  for (const char delimiter : {'\t', ';', ',', ' '}) {
+    if (seen.find(delimiter) != std::string::npos) return delimiter;
+  }
+  return ',';
 }
 
 }  // namespace tcb::format

@@ -36,6 +36,9 @@ class Records {
   /// Throws: Error (data) for a quote out of place.
   bool next(std::vector<std::string_view>& cells);
 
+  /// Where the next record begins, or the end of the text.
+  const char* find_record();
+
   std::uint64_t line() const { return record_line_; }
   std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
   std::string_view comment() const { return comment_; }

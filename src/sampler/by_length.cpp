@@ -42,11 +42,11 @@ Run ByLength::place(const Piece& piece) {
 
 Sample ByLength::locate(const Piece& piece, std::uint64_t j) const {
   const Time s = grid_.time(j);
-  if (s >= Time(piece.s_end.hi)) return {piece.end, {1, 0}};
+  if (s >= Time(piece.s_end.hi)) return {piece.end, {1, 0}, s.hi};
   const double total = (piece.s_end - piece.s_start).hi;
   const double u =
       spline::parameter_at(spline::Speed<double>(piece.cubics, piece.metric), (s - piece.s_start).hi, total);
-  return {rounded(piece.start + Time(u) * (piece.end - piece.start)), {u, u - 1}};
+  return {rounded(piece.start + Time(u) * (piece.end - piece.start)), {u, u - 1}, s.hi};
 }
 
 }  // namespace tcb::sampler

@@ -31,10 +31,11 @@ struct Run {
   std::uint64_t last = 0;
 };
 
-/// Where a sample is: its time, and its place on the segment.
+/// Where a sample is: its time, its place on the segment, and its arc length where that was asked for.
 struct Sample {
   Time t;
   spline::Local<double> at;
+  std::optional<double> s = std::nullopt;
 };
 
 class Sampler {

@@ -39,6 +39,11 @@ class Speed {
     return sqrt(sum);
   }
 
+  /// The segment is run through at constant speed.
+  bool is_constant() const {
+    return std::ranges::all_of(cubics_, [](const Cubic<S>& x) { return x.c == S(0) && x.d == S(0); });
+  }
+
   /// A power of two near the largest slope, so that squares neither overflow nor vanish; 0 for a hold.
   S scale() const { return scale_; }
 
@@ -89,6 +94,7 @@ S refined_length(const Speed<S>& speed, const S& a, const S& b, const S& whole, 
 template <class S>
 S scaled_length(const Speed<S>& speed, const S& a, const S& b) {
   if (speed.scale() == S(0) || a == b) return S(0);
+  if (speed.is_constant()) return speed(S(0)) * (b - a);
   const S whole = gauss_length(speed, a, b);
   return refined_length(speed, a, b, whole, whole);
 }
@@ -106,6 +112,7 @@ S parameter_at(const Speed<S>& speed, const S& s, const S& total) {
   using std::abs;
   if (s <= S(0)) return S(0);
   if (s >= total) return S(1);
+  if (speed.is_constant()) return s / total;
   const S target = s / speed.scale();
   const S enough = total / speed.scale() * S(1e-15);
   S low(0), high(1), u = s / total, from(0), reached(0);

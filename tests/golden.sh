@@ -1,0 +1,26 @@
+#!/bin/sh
+# Runs one golden case: golden.sh PROGRAM FOLDER.
+#
+# FOLDER holds cmd (a shell command, run in a scratch copy of the folder) and what must come of it:
+# expected (standard output, default none), errors (standard error, default none), status (exit code,
+# default 0). The numbers in `expected` come from arithmetic done by hand or with fractions, never
+# from the program.
+set -u
+program=$1 folder=$2
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cp -R "$folder/." "$scratch" && cd "$scratch" || exit 1
+PATH=$(dirname "$program"):$PATH
+
+sh ./cmd >"$scratch.out" 2>"$scratch.err" </dev/null
+status=$?
+trap 'rm -rf "$scratch" "$scratch.out" "$scratch.err"' EXIT
+
+failed=0
+[ -f expected ] || : >expected
+[ -f errors ] || : >errors
+[ -f status ] || echo 0 >status
+diff -u expected "$scratch.out" || failed=1
+diff -u errors "$scratch.err" || failed=1
+[ "$status" = "$(cat status)" ] || { echo "exit code $status, expected $(cat status)"; failed=1; }
+exit $failed

@@ -1,0 +1,69 @@
+// Arc length: curves whose length is known, cusps, holds, and the inverse.
+#include "spline/arc_length.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace tcb::spline {
+namespace {
+
+using Segment = std::array<Cubic<double>, 2>;
+
+Segment segment(std::array<double, 2> p0, std::array<double, 2> p1, std::array<double, 2> out,
+                std::array<double, 2> in) {
+  return {cubic<double>(p0[0], p1[0], out[0], in[0]), cubic<double>(p0[1], p1[1], out[1], in[1])};
+}
+
+/// y = x^2 for x from 0 to 1.
+const Segment parabola = segment({0, 0}, {1, 1}, {1, 0}, {1, 2});
+const double parabola_length = std::sqrt(5.0) / 2 + std::asinh(2.0) / 4;
+
+/// (u^2, u^3): a cusp at the start; its length is (13^1.5 - 8) / 27.
+const Segment cusp = segment({0, 0}, {1, 1}, {0, 0}, {2, 3});
+
+TEST(ArcLength, of_a_parabola) { EXPECT_NEAR(length(Speed<double>(parabola, {})), parabola_length, 1e-15 * 4); }
+
+TEST(ArcLength, of_a_cusp) { EXPECT_NEAR(length(Speed<double>(cusp, {})), (std::pow(13, 1.5) - 8) / 27, 1e-12); }
+
+TEST(ArcLength, of_a_hold_is_zero) {
+  const Segment hold = segment({3, 4}, {3, 4}, {0, 0}, {0, 0});
+  EXPECT_EQ(length(Speed<double>(hold, {})), 0);
+}
+
+TEST(ArcLength, of_a_reversal_counts_both_ways) {
+  const Segment back_and_forth = segment({0, 0}, {0, 0}, {4, 0}, {-4, 0});  // x = 4u - 4u^2, up to 1 and back
+  EXPECT_NEAR(length(Speed<double>(back_and_forth, {})), 2, 1e-12);
+}
+
+TEST(ArcLength, scales_exactly_by_powers_of_two) {
+  for (const int exponent : {-900, -40, 40, 900}) {
+    Segment scaled = parabola;
+    for (auto& x : scaled) {
+      for (double* value : {&x.p0, &x.out, &x.c, &x.c_rest, &x.p1, &x.in, &x.e, &x.e_rest, &x.d}) {
+        *value = std::ldexp(*value, exponent);
+      }
+    }
+    EXPECT_EQ(length(Speed<double>(scaled, {})), std::ldexp(length(Speed<double>(parabola, {})), exponent));
+  }
+}
+
+TEST(ArcLength, looks_at_the_metric_channels_only) {
+  const std::array<std::size_t, 1> x_only{0};
+  EXPECT_NEAR(length(Speed<double>(parabola, x_only)), 1, 1e-15);
+}
+
+TEST(ArcLength, inverse_comes_back_to_the_length) {
+  for (const Segment& curve : {parabola, cusp}) {
+    const Speed<double> speed(curve, {});
+    const double total = length(speed);
+    for (double s = 0; s <= total; s += total / 97) {
+      EXPECT_NEAR(length(speed, parameter_at(speed, s, total)), s, 2e-12 * total);
+    }
+    EXPECT_EQ(parameter_at(speed, total, total), 1);
+  }
+}
+
+}  // namespace
+}  // namespace tcb::spline

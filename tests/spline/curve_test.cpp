@@ -1,0 +1,205 @@
+// Curves: tabled values, the laws of the splines, and windows that do not show.
+#include "spline/curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace tcb::spline {
+namespace {
+
+using Key = std::array<double, 5>;  // t, x, tension, continuity, bias
+
+const std::vector<Key> example{
+    {0, 0, .2, -.3, .4}, {1, 2, 0, .5, -.25}, {3, -1, -.5, .25, .5}, {4, 3, .3, -.6, -.2}, {6, 1, .1, .4, .3}};
+
+Keys<double> keys_of(const std::vector<Key>& table) {
+  Keys<double> keys;
+  keys.channels = 1;
+  for (const auto& [t, x, tension, continuity, bias] : table) {
+    keys.times.emplace_back(t);
+    keys.positions.push_back(x);
+    keys.tcbs.push_back({tension, continuity, bias});
+  }
+  return keys;
+}
+
+double at(const Segments<double>& curve, double t, std::size_t channel = 0) {
+  std::size_t i = 0;
+  while (i + 1 < curve.size() && curve.times[i + 1].hi <= t) ++i;
+  return position(curve[i][channel], locate<double>(curve.times[i], curve.times[i + 1], {t}));
+}
+
+Keys<double> random_keys(std::mt19937_64& random, std::size_t count, std::size_t channels) {
+  std::uniform_real_distribution<double> place(-10, 10), step(0.01, 3), parameter(-1.5, 1.5);
+  Keys<double> keys;
+  keys.channels = channels;
+  double t = place(random);
+  for (std::size_t i = 0; i < count; ++i, t += step(random)) {
+    keys.times.emplace_back(t);
+    keys.tcbs.push_back({parameter(random), parameter(random), parameter(random)});
+    for (std::size_t c = 0; c < channels; ++c) keys.positions.push_back(place(random));
+  }
+  return keys;
+}
+
+TEST(Curve, velocity_with_half_ends_meets_the_tabled_values) {
+  const auto curve = segments<double>({keys_of(example)}, {});
+  const std::array<std::array<double, 2>, 6> table{
+      {{.25, .44858984375}, {.5, 1.20690625}, {2, .51171875}, {3.5, .673953125}, {5, 2.03175}, {5.5, 1.39021875}}};
+  for (const auto& [t, x] : table) EXPECT_NEAR(at(curve, t), x, 1e-15 * 4) << t;
+}
+
+TEST(Curve, interior_tangents_of_velocity_meet_the_tabled_values) {
+  const auto slopes = tangents<double>({keys_of(example)}, {});
+  const std::array incoming{-1.03125, 1.21875, 1.624}, outgoing{1.3125, -.984375, -.448};
+  for (std::size_t i = 0; i < incoming.size(); ++i) {
+    EXPECT_NEAR(slopes.incoming[i + 1].hi, incoming[i], 1e-15);
+    EXPECT_NEAR(slopes.outgoing[i + 1].hi, outgoing[i], 1e-15);
+  }
+}
+
+TEST(Curve, passes_through_every_key_bit_for_bit) {
+  std::mt19937_64 random(1);
+  for (int round = 0; round < 200; ++round) {
+    const auto keys = random_keys(random, 8, 3);
+    const auto curve = segments<double>({keys}, {});
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(at(curve, keys.times[i].hi, c), keys.position(i)[c]);
+    }
+  }
+}
+
+TEST(Curve, tension_of_one_stops_at_the_key) {
+  auto table = example;
+  for (Key& key : table) key[2] = 1;
+  const auto slopes = tangents<double>({keys_of(table)}, {});
+  for (const auto& slope : slopes.incoming) EXPECT_EQ(slope.hi, 0);
+  for (const auto& slope : slopes.outgoing) EXPECT_EQ(slope.hi, 0);
+}
+
+TEST(Curve, continuity_of_minus_one_makes_straight_segments_at_constant_speed) {
+  const auto curve =
+      segments<double>({keys_of({{0, 0, 0, -1, 0}, {1, 8, 0, -1, 0}, {3, -8, 0, -1, 0}, {4, 1, 0, -1, 0}})}, {});
+  for (double u = 0; u <= 1; u += 0.125) EXPECT_EQ(at(curve, 1 + 2 * u), 8 - 16 * u);
+}
+
+TEST(Curve, reversed_keys_with_opposite_bias_give_the_same_points) {
+  std::mt19937_64 random(2);
+  for (int round = 0; round < 100; ++round) {
+    const auto keys = random_keys(random, 6, 2);
+    Keys<double> reversed = keys;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const std::size_t j = keys.size() - 1 - i;
+      reversed.times[i] = -keys.times[j];
+      reversed.tcbs[i] = {keys.tcbs[j].tension, keys.tcbs[j].continuity, -keys.tcbs[j].bias};
+      for (std::size_t c = 0; c < 2; ++c) reversed.positions[i * 2 + c] = keys.positions[j * 2 + c];
+    }
+    const auto forth = segments<double>({keys}, {});
+    const auto back = segments<double>({reversed}, {});
+    for (double f = 0.01; f < 1; f += 0.1) {
+      const double t = keys.times[0].hi + f * (keys.times[5].hi - keys.times[0].hi);
+      for (std::size_t c = 0; c < 2; ++c) EXPECT_NEAR(at(forth, t, c), at(back, -t, c), 1e-12);
+    }
+  }
+}
+
+TEST(Curve, affine_maps_of_the_keys_map_the_points) {
+  std::mt19937_64 random(3);
+  for (int round = 0; round < 100; ++round) {
+    const auto keys = random_keys(random, 6, 1);
+    auto mapped = keys;
+    for (double& x : mapped.positions) x = 3 * x - 7;
+    const auto curve = segments<double>({keys}, {});
+    const auto image = segments<double>({mapped}, {});
+    for (double f = 0.01; f < 1; f += 0.1) {
+      const double t = keys.times[0].hi + f * (keys.times[5].hi - keys.times[0].hi);
+      EXPECT_NEAR(at(image, t), 3 * at(curve, t) - 7, 1e-11);
+    }
+  }
+}
+
+TEST(Curve, powers_of_two_scale_every_mantissa_exactly) {
+  std::mt19937_64 random(4);
+  for (int round = 0; round < 100; ++round) {
+    const auto keys = random_keys(random, 6, 1);
+    auto scaled = keys;
+    for (double& x : scaled.positions) x = std::ldexp(x, 40);
+    for (auto& t : scaled.times) t = std::ldexp(t.hi, -20);
+    const auto curve = segments<double>({keys}, {});
+    const auto image = segments<double>({scaled}, {});
+    for (double f = 0.01; f < 1; f += 0.1) {
+      const double t = keys.times[0].hi + f * (keys.times[5].hi - keys.times[0].hi);
+      EXPECT_EQ(at(image, std::ldexp(t, -20)), std::ldexp(at(curve, t), 40));
+    }
+  }
+}
+
+TEST(Curve, a_channel_does_not_see_the_others) {
+  std::mt19937_64 random(5);
+  const auto keys = random_keys(random, 7, 3);
+  auto alone = keys;
+  alone.channels = 1;
+  alone.positions.clear();
+  for (std::size_t i = 0; i < keys.size(); ++i) alone.positions.push_back(keys.position(i)[1]);
+  const auto all = segments<double>({keys}, {});
+  const auto one = segments<double>({alone}, {});
+  for (double f = 0; f < 1; f += 0.01) {
+    const double t = keys.times[0].hi + f * (keys.times[6].hi - keys.times[0].hi);
+    EXPECT_EQ(at(all, t, 1), at(one, t));
+  }
+}
+
+TEST(Linker, windows_of_any_size_give_the_same_segments) {
+  std::mt19937_64 random(6);
+  const auto keys = random_keys(random, 23, 2);
+  const auto whole = segments<double>({keys}, {});
+  for (std::size_t size = 1; size <= 23; ++size) {
+    Linker<double> linker;
+    std::vector<double> times, coefficients;
+    for (std::size_t first = 0;; first += size) {
+      Keys<double> block;
+      const std::size_t last = std::min(first + size, keys.size());
+      if (first < last) append(block, keys, first, last);
+      const auto window = linker.link(block, first >= keys.size());
+      if (window.has_segments()) {
+        const auto part = segments<double>(window, {});
+        for (std::size_t i = 0; i < part.size(); ++i) {
+          times.push_back(part.times[i].hi);
+          for (const auto& cubic : part[i])
+            coefficients.insert(coefficients.end(), {cubic.p0, cubic.out, cubic.c, cubic.d});
+        }
+      }
+      if (first >= keys.size()) break;
+    }
+    ASSERT_EQ(times.size(), whole.size()) << size;
+    for (std::size_t i = 0, k = 0; i < whole.size(); ++i) {
+      EXPECT_EQ(times[i], whole.times[i].hi);
+      for (const auto& cubic : whole[i]) {
+        EXPECT_EQ(coefficients[k++], cubic.p0);
+        EXPECT_EQ(coefficients[k++], cubic.out);
+        EXPECT_EQ(coefficients[k++], cubic.c);
+        EXPECT_EQ(coefficients[k++], cubic.d);
+      }
+    }
+  }
+}
+
+TEST(Linker, a_segment_is_known_when_the_key_after_its_end_has_come) {
+  const auto keys = keys_of(example);
+  Linker<double> linker;
+  std::vector<std::size_t> known;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    Keys<double> block;
+    append(block, keys, i, i + 1);
+    const auto window = linker.link(block, false);
+    known.push_back(window.has_segments() ? segments<double>(window, {}).size() : 0);
+  }
+  EXPECT_EQ(known, (std::vector<std::size_t>{0, 0, 1, 1, 1}));
+}
+
+}  // namespace
+}  // namespace tcb::spline
