@@ -3,17 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <cmath>
 #include <utility>
 
 #include "error.hpp"
 #include "format/number.hpp"
 #include "spline/arc_length.hpp"
+#include "spline/power.hpp"
 
 namespace tcb {
 namespace {
 
+using format::KeyBlock;
 using spline::Time;
+using spline::Twice;
 
 std::string text(const Time<double>& time) {
   std::string out;
@@ -36,18 +39,26 @@ void require_increase(const Row& before, const Row& row) {
                           equal ? "take one of the rows out" : "sort the rows by time"));
 }
 
-Stretch measure(const spline::Window<double>& window, const CurvePlan& plan, bool measured) {
-  Stretch stretch{{}, {}, window.ends};
-  if (!window.has_segments()) return stretch;
-  stretch.segments = spline::segments(window, plan.rules);
+void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
+  for (const auto& [name, value] : {std::pair{"ease_in", ease.in}, std::pair{"ease_out", ease.out}}) {
+    if (value >= 0 && value <= 1) continue;
+    throw Error(Exit::data, Place{"", line, 0},
+                fmt::format("{} is {}; expected 0 to 1; correct it, or give --no-ease", name, value));
+  }
+}
+
+Stretch measure(const spline::Window<double>& window, const Rules& rules, bool measured) {
+  Stretch stretch{{}, {}, window.last};
+  if (!window.has_segments() && !window.is_single_key()) return stretch;
+  stretch.segments = spline::segments(window, rules);
   for (std::size_t i = 0; measured && i < stretch.segments.size(); ++i) {
-    stretch.lengths.push_back(spline::length(spline::Speed<double>(stretch.segments[i], plan.metric)));
+    stretch.lengths.push_back(spline::length(spline::Speed<double>(stretch.segments[i], rules.metric)));
   }
   return stretch;
 }
 
-/// Windows of the keys, as they become known.
-Source<spline::Window<double>> windows(Source<Keys> keys) {
+/// Windows of an open curve, as they become known.
+Source<spline::Window<double>> open_windows(Source<Keys> keys) {
   return [keys = std::move(keys), linker = spline::Linker<double>(),
           ended = false]() mutable -> std::optional<spline::Window<double>> {
     if (ended) return std::nullopt;
@@ -57,13 +68,74 @@ Source<spline::Window<double>> windows(Source<Keys> keys) {
   };
 }
 
+/// Windows of a closed curve, whose keys are all there: the last block is known as such.
+Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
+  return [keys = std::move(keys), linker = spline::Linker<double>(std::move(context)), block = std::optional<Keys>(),
+          started = false]() mutable -> std::optional<spline::Window<double>> {
+    if (!std::exchange(started, true)) block = keys();
+    if (!block) return std::nullopt;
+    std::optional<Keys> next = keys();
+    const Keys current = *std::exchange(block, std::move(next));
+    return linker.link(current, !block);
+  };
+}
+
 }  // namespace
 
-Source<Keys> increasing(Source<format::KeyBlock> blocks) {
-  return [blocks = std::move(blocks), before = std::optional<Row>(),
-          count = std::size_t{0}]() mutable -> std::optional<Keys> {
-    std::optional<format::KeyBlock> block = blocks();
-    if (!block && count < 2) {
+double parameter_step(std::span<const double> a, std::span<const double> b, double exponent,
+                      std::span<const std::size_t> metric) {
+  if (exponent == 0) return 1;
+  const std::size_t channels = metric.empty() ? a.size() : metric.size();
+  double largest = 0;
+  for (std::size_t i = 0; i < channels; ++i) {
+    const std::size_t channel = metric.empty() ? i : metric[i];
+    largest = std::max(largest, std::abs(b[channel] - a[channel]));
+  }
+  if (largest == 0) return 0;
+  int unit = 0;
+  (void)std::frexp(largest, &unit);
+  --unit;  // 2^unit is a double even where the next power of two is none
+  Twice sum;
+  for (std::size_t i = 0; i < channels; ++i) {
+    const std::size_t channel = metric.empty() ? i : metric[i];
+    const Twice step = Twice(std::ldexp(b[channel], -unit)) - Twice(std::ldexp(a[channel], -unit));
+    sum = sum + step * step;
+  }
+  return (spline::power(spline::sqrt(sum), exponent) * spline::power(Twice(std::ldexp(1.0, unit)), exponent)).hi;
+}
+
+Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric) {
+  return [blocks = std::move(blocks), exponent, metric = std::move(metric), before = std::vector<double>(),
+          line = std::uint64_t{0}, time = Twice()]() mutable -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block) return std::nullopt;
+    Keys& keys = block->keys;
+    const std::size_t count = block->lines.size();
+    keys.times.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto position = keys.position(i);
+      const double step = before.empty() ? 0 : parameter_step(before, position, exponent, metric);
+      if (!before.empty() && step == 0) {
+        throw Error(
+            Exit::data, Place{"", block->lines[i], 0},
+            fmt::format("the position repeats that in line {}; distances make the times, and here there is none; "
+                        "take one of the rows out, or give --parameter uniform",
+                        line));
+      }
+      time = time + Twice(step);
+      keys.times.emplace_back(time.hi);
+      before.assign(position.begin(), position.end());
+      line = block->lines[i];
+    }
+    return block;
+  };
+}
+
+Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least) {
+  return [blocks = std::move(blocks), least, before = std::optional<Row>(),
+          count = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block && count < least) {
       throw Error(Exit::data,
                   fmt::format("only {} {}; a curve needs two at least; add keys", count, count == 1 ? "key" : "keys"));
     }
@@ -72,28 +144,55 @@ Source<Keys> increasing(Source<format::KeyBlock> blocks) {
       const Row row{block->keys.times[i], block->lines[i]};
       if (before) require_increase(*before, row);
       before = row;
+      if (!block->keys.eases.empty()) require_ease(block->keys.eases[i], block->lines[i]);
     }
     count += block->keys.size();
-    return std::move(block->keys);
+    return block;
   };
 }
 
-Source<Stretch> stretches(Source<Keys> keys, const CurvePlan& plan, bool measured) {
-  return ordered_map(windows(std::move(keys)), [plan, measured](const spline::Window<double>& window) {
-    return measure(window, plan, measured);
-  });
+KeptKeys::KeptKeys(const Source<KeyBlock>& blocks) : blocks_(std::make_shared<std::vector<Keys>>()) {
+  while (std::optional<KeyBlock> block = blocks()) {
+    if (block->keys.size() == 0) continue;
+    if (blocks_->empty()) first_line_ = block->lines.front();
+    last_line_ = block->lines.back();
+    blocks_->push_back(std::move(block->keys));
+  }
 }
 
-KeptKeys::KeptKeys(const Source<Keys>& keys) : blocks_(std::make_shared<std::vector<Keys>>()) {
-  while (std::optional<Keys> block = keys()) {
-    if (block->size() > 0) blocks_->push_back(std::move(*block));
-  }
+std::size_t KeptKeys::size() const {
+  std::size_t size = 0;
+  for (const Keys& block : *blocks_) size += block.size();
+  return size;
+}
+
+Keys KeptKeys::key(std::size_t number) const {
+  auto block = blocks_->begin();
+  for (; number >= block->size(); ++block) number -= block->size();
+  Keys key;
+  spline::append(key, *block, number, number + 1);
+  return key;
+}
+
+void KeptKeys::drop_last() {
+  Keys shorter;
+  spline::append(shorter, blocks_->back(), 0, blocks_->back().size() - 1);
+  blocks_->pop_back();
+  if (shorter.size() > 0) blocks_->push_back(std::move(shorter));
 }
 
 Source<Keys> KeptKeys::source() const {
   return [blocks = blocks_, next = std::size_t{0}]() mutable {
     return next < blocks->size() ? std::optional((*blocks)[next++]) : std::nullopt;
   };
+}
+
+Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured) {
+  auto windows = keys.context ? closed_windows(std::move(keys.keys), std::move(*keys.context))
+                              : open_windows(std::move(keys.keys));
+  return ordered_map(std::move(windows), [rules, measured](const spline::Window<double>& window) {
+    return measure(window, rules, measured);
+  });
 }
 
 double total_length(const Source<Stretch>& measured) {

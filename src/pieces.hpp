@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "format/input.hpp"
@@ -11,12 +12,7 @@
 namespace tcb {
 
 using Keys = spline::Keys<double>;
-
-/// Which curve the keys make, and what its lengths are over.
-struct CurvePlan {
-  spline::CurveRules rules;
-  std::vector<std::size_t> metric;  ///< channels that lengths are over; empty: all
-};
+using Rules = spline::CurveRules<double>;
 
 /// Successive segments with their lengths.
 struct Stretch {
@@ -25,23 +21,47 @@ struct Stretch {
   bool last = false;            ///< the curve ends here
 };
 
-/// The keys, once it is seen that there are two at least and that their times increase.
-/// Throws: Error (data) naming both rows.
-Source<Keys> increasing(Source<format::KeyBlock> blocks);
+/// Keys with times where the input has none: key i + 1 follows key i after |P[i+1] - P[i]|^exponent, which is 1
+/// for exponent 0. Throws: Error (data) naming both rows where that is no time at all.
+Source<format::KeyBlock> parameterized(Source<format::KeyBlock> blocks, double exponent,
+                                       std::vector<std::size_t> metric);
 
-/// The segments between the keys, each as soon as the key after its end has come.
-Source<Stretch> stretches(Source<Keys> keys, const CurvePlan& plan, bool measured);
+/// |b - a|^exponent over the metric channels (empty: all); 1 for exponent 0.
+double parameter_step(std::span<const double> a, std::span<const double> b, double exponent,
+                      std::span<const std::size_t> metric);
+
+/// The keys, once it is seen that there are enough of them, that their times increase and that their ease is
+/// in [0, 1]. Throws: Error (data) naming the rows.
+Source<format::KeyBlock> checked(Source<format::KeyBlock> blocks, std::size_t least);
 
 /// Keys that were read to the end, to be gone through more than once.
 class KeptKeys {
  public:
-  explicit KeptKeys(const Source<Keys>& keys);
+  /// Requires: one key at least.
+  explicit KeptKeys(const Source<format::KeyBlock>& blocks);
+
+  std::size_t size() const;
+  /// A single key; the last one is number size() - 1.
+  Keys key(std::size_t number) const;
+  void drop_last();
+  std::uint64_t first_line() const { return first_line_; }
+  std::uint64_t last_line() const { return last_line_; }
+
   Source<Keys> source() const;
-  const spline::Time<double>& last_time() const { return blocks_->back().times.back(); }
 
  private:
   std::shared_ptr<std::vector<Keys>> blocks_;
+  std::uint64_t first_line_ = 0, last_line_ = 0;
 };
+
+/// Keys ready to be linked to segments.
+struct LinkedKeys {
+  Source<Keys> keys;
+  std::optional<Keys> context;  ///< of a closed curve: the key before the first
+};
+
+/// The segments between the keys, each as soon as the key after its end has come.
+Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured);
 
 /// The length of the whole curve.
 double total_length(const Source<Stretch>& measured);

@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <utility>
 
+#include "closed.hpp"
+#include "curve_plan.hpp"
 #include "error.hpp"
 #include "file.hpp"
+#include "lookup.hpp"
 #include "rows.hpp"
 
 namespace tcb {
@@ -58,39 +62,101 @@ class Writer {
   bool any_rows_ = false;
 };
 
-bool needs_lengths(const Plan& plan) {
-  bool needed = sampler::by_length(plan.sampling.mode);
-  for (const std::size_t field : plan.fields) needed = needed || fields()[field].needs_lengths;
-  return needed;
-}
-
-/// The stretches of the curve, and the sampler for it: at once where the first key is enough to know,
-/// otherwise after all keys were read.
-std::pair<Source<Stretch>, std::shared_ptr<sampler::Sampler>> prepare(Source<Keys> keys, const Plan& plan) {
-  const sampler::Request& request = plan.sampling;
-  sampler::Extent extent;
-  if (sampler::needs_end(request.mode)) {
-    const KeptKeys kept(keys);
-    extent.last = kept.last_time();
-    if (sampler::by_length(request.mode)) extent.length = total_length(stretches(kept.source(), plan.curve, true));
-    keys = kept.source();
+/// One curve on its way from keys to rows.
+class Path {
+ public:
+  Path(const Plan& plan, const format::Input& input)
+      : plan_(plan),
+        settings_(over(plan.curve, input.settings)),
+        curve_(fitted(make_curve(settings_), settings_, input.channels)),
+        timed_(input.timed) {
+    if (timed_ && curve_.parameter) {
+      throw Error(Exit::data,
+                  fmt::format("--parameter makes times, but column \"{}\" has them; expected one of the two; "
+                              "take --parameter out, or choose other columns with --columns",
+                              input.time));
+    }
   }
-  std::optional<Keys> first = keys();
-  while (first && first->size() == 0) first = keys();
-  extent.first = first->times.front();
-  auto source = stretches(preceded_by(std::move(*first), std::move(keys)), plan.curve, needs_lengths(plan));
-  return {std::move(source), sampler::make_sampler(request, extent)};
-}
+
+  /// The samples in batches, and who knows where each of them is.
+  struct Placed {
+    Source<Batch> batches;
+    std::shared_ptr<const sampler::Locator> locator;
+  };
+
+  Placed place(Source<format::KeyBlock> blocks) {
+    if (!timed_) blocks = parameterized(std::move(blocks), curve_.parameter.value_or(0), curve_.rules.metric);
+    blocks = checked(without_ease(std::move(blocks)), plan_.sampling.count == 1 ? 1 : 2);
+    const bool leaves = curve_.extrapolation != sampler::Extrapolation::error;
+    if (curve_.closed || leaves || sampler::needs_end(plan_.sampling.mode)) return place_kept(KeptKeys(blocks), leaves);
+    Source<Keys> keys = ordered_map(std::move(blocks), [](format::KeyBlock block) { return std::move(block.keys); });
+    std::optional<Keys> first = keys();
+    while (first && first->size() == 0) first = keys();
+    const sampler::Extent extent{first->times.front(), {}, {}};
+    return place_streamed({preceded_by(std::move(*first), std::move(keys)), {}}, extent);
+  }
+
+ private:
+  Source<format::KeyBlock> without_ease(Source<format::KeyBlock> blocks) const {
+    if (curve_.ease) return blocks;
+    return ordered_map(std::move(blocks), [](format::KeyBlock block) {
+      block.keys.eases.clear();
+      return block;
+    });
+  }
+
+  bool needs_lengths() const {
+    return sampler::by_length(plan_.sampling.mode) ||
+           std::ranges::any_of(plan_.fields, [](std::size_t field) { return fields()[field].needs_lengths; });
+  }
+
+  /// Rows as the curve goes by.
+  Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent) const {
+    const std::shared_ptr<sampler::Sampler> sampler = sampler::make_sampler(plan_.sampling, extent);
+    auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths());
+    return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler};
+  }
+
+  /// Rows once all keys are there: counts, closed curves, and times outside the curve.
+  Placed place_kept(KeptKeys kept, bool leaves) const {
+    sampler::Extent extent{kept.key(0).times[0], {}, {}, curve_.closed};
+    extent.last = curve_.closed ? close(kept, curve_, timed_) : kept.key(kept.size() - 1).times[0];
+    const auto linked = [&] { return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}}; };
+    if (sampler::by_length(plan_.sampling.mode)) {
+      extent.length = total_length(stretches(linked(), curve_.rules, true));
+    } else if (leaves) {
+      return place_anywhere(linked(), extent);
+    }
+    return place_streamed(linked(), extent);
+  }
+
+  /// Rows at times in any order, also outside the curve.
+  Placed place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const {
+    auto [grid, rows, end] = sampler::time_rows(plan_.sampling, extent);
+    const std::uint64_t count = std::min(rows, grid.step() == 0 ? 1 : grid.rows_through(*end));
+    const auto time = [grid = grid](std::uint64_t j) { return grid.time(j); };
+    const auto locator =
+        std::make_shared<const sampler::Anywhere>(time, count, curve_.extrapolation, extent.first, *extent.last);
+    const auto curve = std::make_shared<const WholeCurve>(stretches(std::move(keys), curve_.rules, needs_lengths()),
+                                                          curve_.rules.metric);
+    return {look_up(curve, locator), locator};
+  }
+
+  const Plan& plan_;
+  CurveSettings settings_;
+  CurvePlan curve_;
+  bool timed_;
+};
 
 /// Bytes to bytes, for one file.
 void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
   format::Input input = format::open_input(path, read_file(path), plan.input);
   writer.begin(input, is_live(path));
-  auto [pieces, sampler] = prepare(increasing(std::move(input.keys)), plan);
-  const auto print = [&plan, &writer, sampler = sampler](const Batch& batch) {
-    return writer.print(evaluate(batch, *sampler, plan.fields), batch.first);
+  auto [batches, locator] = Path(plan, input).place(std::move(input.keys));
+  const auto print = [&plan, &writer, locator = locator](const Batch& batch) {
+    return writer.print(evaluate(batch, *locator, plan.fields), batch.first);
   };
-  const Source<std::string> rows = ordered_map(place(std::move(pieces), sampler, plan.curve.metric), print);
+  const Source<std::string> rows = ordered_map(std::move(batches), print);
   bool any = false;
   while (const std::optional<std::string> text = rows()) {
     writer.write(*text);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "format/format.hpp"
-#include "pieces.hpp"
 #include "sampler/request.hpp"
+#include "settings.hpp"
 
 namespace tcb {
 
@@ -15,7 +15,7 @@ namespace tcb {
 struct Plan {
   std::vector<std::string> files;  ///< "-" is standard input
   format::InputOptions input;
-  CurvePlan curve;
+  CurveSettings curve;
   sampler::Request sampling;
   std::vector<std::size_t> fields;  ///< indices into fields(), in output order
   std::size_t output_format = 0;    ///< index into format::formats()

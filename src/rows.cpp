@@ -20,12 +20,18 @@ using format::CellKind;
 using sampler::Piece;
 using sampler::Sample;
 
-constexpr std::uint64_t largest_batch = 4096;
-
 void append_time(std::vector<Cell>& row, const Piece&, const Sample& sample) { row.push_back(sample.t); }
 
 void append_position(std::vector<Cell>& row, const Piece& piece, const Sample& sample) {
-  for (const auto& cubic : piece.cubics) row.emplace_back(spline::position(cubic, sample.at));
+  const auto& [t, cycles, beyond, holds, backward] = sample.outside;
+  const double local_beyond =
+      beyond.hi == 0 ? 0 : (beyond / (piece.end - piece.start)).hi * piece.warp.slope(sample.at.u);
+  for (std::size_t i = 0; i < piece.cubics.size(); ++i) {
+    double position = spline::position(piece.cubics[i], sample.at);
+    if (beyond.hi != 0) position += spline::first_derivative(piece.cubics[i], sample.at) * local_beyond;
+    if (cycles != 0) position += cycles * piece.cycle[i];
+    row.emplace_back(position);
+  }
 }
 
 /// The arc length from the curve's first key.
@@ -59,7 +65,7 @@ class Placer {
       segment_ = 0;
     }
     Batch batch{stretch_, {}, first_};
-    std::uint64_t room = largest_batch;
+    std::uint64_t room = Batch::most_rows;
     while (room > 0) {
       if (is_empty(left_.run)) {
         if (segment_ == stretch_->segments.size() || sampler_->done()) break;
@@ -84,7 +90,8 @@ class Placer {
     const spline::Twice s_start = s_;
     if (!stretch_->lengths.empty()) s_ = s_ + spline::Twice(stretch_->lengths[i]);
     const bool last = stretch_->last && segment_ == segments.size();
-    const Piece piece{segments.times[i], segments.times[i + 1], s_start, s_, segments[i], metric_, last};
+    const Piece piece{
+        segments.times[i], segments.times[i + 1], s_start, s_, segments[i], metric_, last, segments.warp(i), {}};
     return {piece, sampler_->place(piece)};
   }
 
@@ -129,11 +136,11 @@ Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler>
   return [placer] { return placer->next(); };
 }
 
-std::vector<Cell> evaluate(const Batch& batch, const sampler::Sampler& sampler, std::span<const std::size_t> chosen) {
+std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, std::span<const std::size_t> chosen) {
   std::vector<Cell> cells;
   for (const auto& [piece, run] : batch.parts) {
     for (std::uint64_t j = run.first; j < run.last; ++j) {
-      const Sample sample = sampler.locate(piece, j);
+      const Sample sample = locator.locate(piece, j);
       const std::size_t row = cells.size();
       for (const std::size_t field : chosen) all_fields[field].append(cells, piece, sample);
       const auto is_finite = [](const Cell& cell) { return std::isfinite(cell.hi); };

@@ -28,24 +28,26 @@ std::span<const Field> fields();
 /// The names of the output's columns.
 std::vector<format::OutputColumn> output_columns(std::span<const std::size_t> chosen, const format::Input& input);
 
-/// Samples on successive pieces of one stretch, few enough to be worked out at once.
+/// Samples on some pieces, few enough to be worked out at once.
 struct Batch {
   struct Part {
     sampler::Piece piece;
     sampler::Run run;
   };
-  std::shared_ptr<const Stretch> stretch;  ///< the pieces look into it
+  std::shared_ptr<const void> owner;  ///< keeps what the pieces look into
   std::vector<Part> parts;
   bool first = false;  ///< no row came before these
+
+  static constexpr std::uint64_t most_rows = 4096;
 };
 
-/// The samples of a curve in order, in batches of 4,096 at most; nothing is held back.
+/// The samples of a curve in order, in batches; nothing is held back.
 Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler> sampler,
                     std::vector<std::size_t> metric);
 
 /// The cells of a batch, row after row. A pure function. Throws: Error (data) for a number beyond
 /// the range of doubles.
-std::vector<format::Cell> evaluate(const Batch& batch, const sampler::Sampler& sampler,
+std::vector<format::Cell> evaluate(const Batch& batch, const sampler::Locator& locator,
                                    std::span<const std::size_t> chosen);
 
 }  // namespace tcb

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/plan.hpp"
+#include "cli/presets.hpp"
 #include "cli/reference.hpp"
 #include "error.hpp"
 #include "nearest.hpp"
@@ -36,6 +37,40 @@ void declare_input(CLI::App& app, Typed& typed) {
          "header, or without one the time first and positions after it")
       ->type_name("ROLE=NAME,...");
   option("--tcb", typed.tcb, "Tension, continuity and bias of keys that carry none; default 0,0,0")->type_name("T,C,B");
+}
+
+void declare_curve(CLI::App& app, Typed& typed) {
+  CurveSettings& curve = typed.curve;
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Curve");
+  };
+  const auto flag = [&](const char* name, auto& value, const char* text) {
+    return app.add_flag(name, value, text)->group("Curve");
+  };
+  option("--preset", curve.preset, "Tangents and ends as a product has them, see --list-presets; default gte")
+      ->type_name("NAME");
+  option("--tangents", curve.tangents, "The rule for the tangents at inner keys, instead of the preset's")
+      ->type_name("RULE");
+  option("--ends", curve.ends,
+         "The rule for the outer tangents at the first and the last key, one or one for each, instead of the preset's; "
+         "velocity=V:V... gives a velocity, a number for each channel")
+      ->type_name("RULE[,RULE]");
+  flag("--closed", typed.closed,
+       "The curve goes on from the last key to the first; a last key that repeats the first "
+       "position only says when");
+  option("--period", curve.period, "How long a closed curve takes to be back at its first key; implies --closed")
+      ->type_name("P");
+  flag("--equal-speed", curve.equal_speed, "The two tangents of a key are made equally fast, also where C is not 0");
+  option("--parameter", curve.parameter,
+         "Makes times for keys without any: uniform (default), chordal, centripetal, or the exponent of the distances")
+      ->type_name("NAME");
+  option("--metric", curve.metric, "The channels that lengths and speeds are over, by name or number; default: all")
+      ->type_name("CHANNEL,...")
+      ->delimiter(',');
+  flag("--no-ease", curve.no_ease, "Columns ease_in and ease_out do not count");
+  option("--extrapolate", curve.extrapolate,
+         "What stands for times outside the curve: error (default), hold, linear, repeat, offset or oscillate")
+      ->type_name("WAY");
 }
 
 void declare_sampling(CLI::App& app, Typed& typed) {
@@ -78,6 +113,8 @@ void declare_about(CLI::App& app, Typed& typed) {
                  "Prints the manual page, or completions for a shell: man, bash, zsh or fish")
       ->type_name("KIND")
       ->group("About");
+  app.add_flag("--list-presets", typed.list_presets, "Prints the presets and the rules with their formulas")
+      ->group("About");
   app.add_flag("-V,--version", typed.version, "Prints the version")->group("About");
   app.add_flag("-h,--help", typed.help, "Prints this help")->group("About");
 }
@@ -104,6 +141,7 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   auto app = std::make_unique<CLI::App>("Resamples curves through keys with tension, continuity and bias", "tcbsample");
   app->set_help_flag();
   declare_input(*app, typed);
+  declare_curve(*app, typed);
   declare_sampling(*app, typed);
   declare_output(*app, typed);
   declare_about(*app, typed);
@@ -119,6 +157,7 @@ Request parse(int argc, const char* const* argv) {
     refuse(*app, error, *app);
   }
   if (typed.help) return {help_text(*app), {}};
+  if (typed.list_presets) return {presets_text(), {}};
   if (typed.version) return {version_text(), {}};
   if (!typed.generate.empty()) return {generated_text(*app, typed.generate), {}};
   return {std::nullopt, make_plan(typed)};

@@ -19,12 +19,14 @@ struct Typed {
   std::vector<std::string> files;
   std::string input_format, delimiter, comment = "#", columns, tcb;
   bool header = false, no_header = false;
+  CurveSettings curve;
+  bool closed = false;
   std::string step, rate, count, segments, arc_step, arc_count;
   std::string from, to;
   std::string output, output_dir, output_format, fields;
   bool no_output_header = false;
   std::string generate;
-  bool help = false, version = false;
+  bool list_presets = false, help = false, version = false;
 };
 
 /// All options, bound to the fields of `typed`: the one place where they are declared.

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "curve_plan.hpp"
 #include "error.hpp"
 #include "format/number.hpp"
 #include "nearest.hpp"
@@ -149,6 +150,9 @@ format::InputOptions make_input(const Typed& typed) {
   }
   if (typed.header || typed.no_header) input.header = typed.header;
   input.comment = typed.comment == "none" ? "" : typed.comment;
+  if (input.format && (input.delimiter || input.header) && !format::formats()[*input.format].has_header) {
+    throw Error(Exit::usage, "--delimiter, --header and --no-header have no effect on JSON; take them out");
+  }
   if (!typed.columns.empty()) input.roles = format::parse_roles(typed.columns);
   if (!typed.tcb.empty()) input.tcb = tcb(typed.tcb);
   return input;
@@ -169,16 +173,42 @@ std::vector<std::size_t> make_fields(const std::string& text) {
   return chosen;
 }
 
+/// The names are known, and no option about the curve is without effect.
+void check_curve(const Typed& typed, Plan& plan) {
+  const CurvePlan curve = make_curve(plan.curve);
+  plan.input.timeless = typed.curve.parameter.has_value();
+  if (curve.extrapolation != sampler::Extrapolation::error) {
+    if (sampler::by_length(plan.sampling.mode)) {
+      throw Error(Exit::usage,
+                  "--extrapolate has no effect on samples by arc length, which end with the curve; take it out");
+    }
+    if (plan.sampling.mode == Mode::step && plan.sampling.to == std::nullopt && plan.sampling.from == std::nullopt) {
+      throw Error(Exit::usage,
+                  "--extrapolate has no effect without --from or --to; expected a range beyond the keys; give one");
+    }
+  }
+}
+
 }  // namespace
 
 Plan make_plan(const Typed& typed) {
   Plan plan;
   plan.sampling = make_sampling(typed);
   plan.input = make_input(typed);
+  plan.curve = typed.curve;
+  if (typed.closed) plan.curve.closed = true;
+  check_curve(typed, plan);
   plan.files = typed.files.empty() ? std::vector<std::string>{"-"} : typed.files;
   plan.fields = make_fields(typed.fields.empty() ? "time,position" : typed.fields);
   if (!typed.output_format.empty()) plan.output_format = format::find_format("--output-format", typed.output_format);
-  if (typed.no_output_header) plan.output_header = false;
+  if (typed.no_output_header) {
+    if (!format::formats()[plan.output_format].has_header) {
+      throw Error(Exit::usage,
+                  "--no-output-header has no effect on this output format, which names the numbers of each row; "
+                  "take it out");
+    }
+    plan.output_header = false;
+  }
   if (!typed.output.empty() && !typed.output_dir.empty()) {
     throw Error(Exit::usage,
                 "--output and --output-dir both say where the rows go; expected one of them; take one out");

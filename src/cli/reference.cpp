@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "cli/manual.hpp"
+#include "cli/presets.hpp"
+#include "cli/text.hpp"
 #include "error.hpp"
 
 namespace tcb::cli {
@@ -36,42 +38,6 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
   return fmt::format("{}", fmt::join(parts, between));
 }
 
-/// Text in lines of 80 columns at most, each indented.
-std::string wrapped(std::string_view text, std::size_t indent) {
-  constexpr std::size_t width = 80;
-  std::string out;
-  std::size_t column = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string_view word = text.substr(begin, end - begin);
-    if (column + 1 + word.size() > width || column == 0) {
-      out += (out.empty() ? "" : "\n") + std::string(indent, ' ');
-      column = indent;
-    } else {
-      out += ' ';
-      ++column;
-    }
-    out += word;
-    column += word.size();
-    begin = end + 1;
-  }
-  return out + "\n";
-}
-
-/// Text for the manual page: a leading dash or backslash keeps its meaning.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\\')
-      out += "\\e";
-    else if (c == '-')
-      out += "\\-";
-    else
-      out += c;
-  }
-  return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
-}
-
 std::string manual_options(const CLI::App& app) {
   std::string out, group;
   for (const Entry& entry : entries(app)) {
@@ -84,10 +50,16 @@ std::string manual_options(const CLI::App& app) {
   return out;
 }
 
+/// The prose of the manual page, with the tables in the places marked for them.
 std::string manual(const CLI::App& app) {
-  constexpr std::string_view mark = "@OPTIONS@\n";
   std::string page(manual_template);
-  page.replace(page.find(mark), mark.size(), manual_options(app));
+  const auto fill = [&](std::string_view mark, const std::string& text) {
+    page.replace(page.find(mark), mark.size(), text);
+  };
+  fill("@OPTIONS@\n", manual_options(app));
+  fill("@PRESETS@\n", manual_presets());
+  fill("@TANGENTS@\n", manual_tangents());
+  fill("@ENDS@\n", manual_ends());
   return page.substr(0, page.find_last_not_of('\n') + 1);
 }
 

@@ -21,12 +21,13 @@ struct RoleName {
 
 /// Names that give a column its role; the first name of each role is also its name in --columns.
 constexpr std::array role_names{
-    RoleName{"time", Role::time, true},       RoleName{"position", Role::position, true},
-    RoleName{"tension", Role::tension, true}, RoleName{"continuity", Role::continuity, true},
-    RoleName{"bias", Role::bias, true},       RoleName{"t", Role::time, false},
-    RoleName{"frame", Role::time, true},      RoleName{"timestamp", Role::time, true},
-    RoleName{"seconds", Role::time, true},    RoleName{"T", Role::tension, false},
-    RoleName{"C", Role::continuity, false},   RoleName{"B", Role::bias, false},
+    RoleName{"time", Role::time, true},         RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true},   RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},         RoleName{"ease_in", Role::ease_in, true},
+    RoleName{"ease_out", Role::ease_out, true}, RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},        RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},      RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},     RoleName{"B", Role::bias, false},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
@@ -80,12 +81,13 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
 }
 
 /// Roles by name, or without a header time first; positions only where none were asked for.
-void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric) {
+void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
+                     bool timeless) {
   const bool positions_given = columns.has(Role::position);
   const auto asked = columns.cells;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (asked[cell].role != Role::left_out || !numeric[cell]) continue;
-    const bool first = cell == 0 && !columns.has(Role::time);
+    const bool first = cell == 0 && !timeless && !columns.has(Role::time);
     const Role role = !header.empty() ? role_of_name(header[cell]) : first ? Role::time : Role::position;
     const bool asked_for = std::ranges::any_of(asked, [&](const auto& column) { return column.role == role; });
     if (role == Role::position ? positions_given : asked_for) continue;
@@ -107,7 +109,8 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
     const auto known = std::ranges::find_if(role_names, [&](const auto& row) { return row.name == name; });
     if (equals == std::string::npos || equals + 1 == part.size() || known == role_names.end()) {
       throw Error(Exit::usage, fmt::format("--columns: \"{}\" is no role with its columns; expected "
-                                           "time=NAME, position=NAME:NAME…, tension=, continuity= or bias=; "
+                                           "time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, ease_in= or "
+                                           "ease_out=; "
                                            "for example --columns time=frame,position=px:py",
                                            part));
     }
@@ -123,7 +126,7 @@ Role role_of_name(std::string_view name) {
 }
 
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
-                     std::span<const RoleRequest> requests) {
+                     std::span<const RoleRequest> requests, bool timeless) {
   Columns columns;
   columns.cells.resize(numeric.size());
   columns.named = !header.empty();
@@ -133,12 +136,7 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
       assign(columns, cell, request.role, header.empty() ? name : header[cell]);
     }
   }
-  assign_the_rest(columns, header, numeric);
-  if (!columns.has(Role::time)) {
-    throw Error(Exit::data, fmt::format("no time column among {}; expected one named time, t, frame, timestamp or "
-                                        "seconds; name it with --columns time=NAME",
-                                        fmt::join(header, ", ")));
-  }
+  assign_the_rest(columns, header, numeric, timeless);
   if (columns.channels.empty()) {
     throw Error(Exit::data,
                 "no position column; expected at least one column of numbers beside the time; "

@@ -10,7 +10,7 @@
 
 namespace tcb::format {
 
-enum class Role { left_out, time, position, tension, continuity, bias };
+enum class Role { left_out, time, position, tension, continuity, bias, ease_in, ease_out };
 
 /// Roles given by hand (--columns): each with the columns that have it, by name or by number from 1.
 struct RoleRequest {
@@ -40,9 +40,10 @@ struct Columns {
 Role role_of_name(std::string_view name);
 
 /// The columns of delimited records. `header` is empty where the input has none; `numeric` says of
-/// each cell whether its column holds numbers. Throws: Error (data) for a missing or doubled column.
+/// each cell whether its column holds numbers. Without a header the first column is the time, unless `timeless`.
+/// Throws: Error (data) for a column that is not there, that has two roles, or whose role another has.
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
-                     std::span<const RoleRequest> requests);
+                     std::span<const RoleRequest> requests, bool timeless = false);
 
 /// Names for channels without any: x, y, z, or p1, p2, … for more than three.
 std::vector<std::string> default_channel_names(std::size_t channels);

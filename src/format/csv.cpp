@@ -23,6 +23,8 @@ std::string shown(std::string_view text) {
   return fmt::format("\"{}…\"", text.substr(0, end));
 }
 
+std::string counted_cells(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "cell" : "cells"); }
+
 std::vector<std::string> texts(const Cells& cells) {
   std::vector<std::string> result;
   std::ranges::transform(cells, std::back_inserter(result), unquoted);
@@ -96,6 +98,7 @@ class KeyParser {
     const Columns& columns = head.columns;
     block_.keys.channels = columns.channels.size();
     block_.keys.common_tcb = tcb;
+    carries_ease_ = columns.has(Role::ease_in) || columns.has(Role::ease_out);
     carries_tcb_ = columns.has(Role::tension) || columns.has(Role::continuity) || columns.has(Role::bias);
   }
 
@@ -109,6 +112,7 @@ class KeyParser {
     require_cells(cells);
     spline::Keys<double>& keys = block_.keys;
     spline::Tcb<double> tcb = tcb_;
+    spline::Ease<double> ease;
     keys.positions.resize(keys.positions.size() + keys.channels);
     double* const position = keys.positions.data() + keys.positions.size() - keys.channels;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -120,20 +124,22 @@ class KeyParser {
         case Role::tension: tcb.tension = number(cells[i], "tension"); break;
         case Role::continuity: tcb.continuity = number(cells[i], "continuity"); break;
         case Role::bias: tcb.bias = number(cells[i], "bias"); break;
+        case Role::ease_in: ease.in = number(cells[i], "ease_in"); break;
+        case Role::ease_out: ease.out = number(cells[i], "ease_out"); break;
       }
     }
     if (carries_tcb_) keys.tcbs.push_back(tcb);
+    if (carries_ease_) keys.eases.push_back(ease);
     block_.lines.push_back(records_.line());
   }
 
   void require_cells(const Cells& cells) const {
     const std::size_t expected = head_.columns.cells.size();
     if (cells.size() == expected) return;
-    throw Error(
-        Exit::data, records_.place(cells[std::min(cells.size(), expected + 1) - 1]),
-        fmt::format("a row of {} {}; expected {} as in the rows above; complete or correct the row, or give the "
-                    "delimiter with -d",
-                    cells.size(), cells.size() == 1 ? "cell" : "cells", expected));
+    throw Error(Exit::data, records_.place(cells[std::min(cells.size(), expected + 1) - 1]),
+                fmt::format("a row of {}; expected {} as in the rows above; complete or correct the row, or give the "
+                            "delimiter with -d",
+                            counted_cells(cells.size()), expected));
   }
 
   double number(std::string_view cell, const std::string& column) const {
@@ -157,6 +163,7 @@ class KeyParser {
   Records records_;
   const spline::Tcb<double>& tcb_;
   bool carries_tcb_ = false;
+  bool carries_ease_ = false;
   KeyBlock block_;
 };
 
@@ -188,13 +195,12 @@ DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const Inp
   const auto& row = first.records[data];
   if (!names.empty() && names.size() != row.cells.size()) {
     throw Error(Exit::data, Place{"", row.line, 1},
-                fmt::format("a row of {} cells; expected {} as in the header; correct the row, or give the delimiter "
-                            "with -d",
-                            row.cells.size(), names.size()));
+                fmt::format("a row of {}; expected {} as in the header; correct the row, or give the delimiter with -d",
+                            counted_cells(row.cells.size()), names.size()));
   }
   rest.text.erase(0, row.offset);
   rest.line = row.line;
-  return {dialect, find_columns(names, numeric_columns(first, data), options.roles)};
+  return {dialect, find_columns(names, numeric_columns(first, data), options.roles, options.timeless)};
 }
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head, const spline::Tcb<double>& tcb) {
@@ -202,16 +208,28 @@ KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head, const sp
 }
 
 Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
-  // The delimiter shows in the first record, but records are cut with any delimiter alike.
-  Source<Chunk> chunks = split_delimited(std::move(bytes), {',', options.comment});
-  std::optional<Chunk> beginning = chunks();
-  const char delimiter = options.delimiter.value_or(find_delimiter(beginning ? beginning->text : "", options.comment));
-  if (beginning) chunks = preceded_by(std::move(*beginning), std::move(chunks));
+  std::string beginning;
+  std::optional<char> delimiter = options.delimiter;
+  while (!delimiter) {
+    const std::optional<std::string> more = bytes();
+    beginning += more.value_or("\n");  // the last record may lack its line end
+    delimiter = find_delimiter(beginning, options.comment);
+    if (!more) {
+      beginning.pop_back();
+      break;
+    }
+  }
+  const Dialect dialect{delimiter.value_or(','), options.comment};
+  Source<Chunk> chunks = split_delimited(preceded_by(std::move(beginning), std::move(bytes)), dialect);
   Chunk rest;
-  const auto head =
-      std::make_shared<const DelimitedHead>(read_head(chunks, {delimiter, options.comment}, options, rest));
+  const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
   const auto parse = [head, tcb = options.tcb](const Chunk& chunk) { return parse_delimited(chunk, *head, tcb); };
-  return {head->columns.named, head->columns.time, head->columns.channels,
+  const Columns& columns = head->columns;
+  return {columns.named,
+          columns.has(Role::time),
+          columns.time,
+          columns.channels,
+          {},
           ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse)};
 }
 

@@ -64,9 +64,9 @@ std::size_t detect(const std::string& path, const std::string& beginning) {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> table{
-      {"csv", ".csv", open_delimited, csv_rows},  {"tsv", ".tsv", open_tsv, tsv_rows},
-      {"ssv", ".ssv", open_ssv, ssv_rows},        {"json", ".json", open_json, json_rows},
-      {"jsonl", ".jsonl", open_json, jsonl_rows},
+      {"csv", ".csv", open_delimited, csv_rows, true},   {"tsv", ".tsv", open_tsv, tsv_rows, true},
+      {"ssv", ".ssv", open_ssv, ssv_rows, true},         {"json", ".json", open_json, json_rows, false},
+      {"jsonl", ".jsonl", open_json, jsonl_rows, false},
   };
   return table;
 }

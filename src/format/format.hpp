@@ -18,6 +18,7 @@ struct Format {
   /// Opens an input whose first bytes were seen; nothing for formats that are only written.
   Input (*open)(Source<std::string> bytes, const InputOptions& options);
   Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
+  bool has_header;  ///< names stand once, above the rows
 };
 
 /// All formats; the first is the default for output.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "format/columns.hpp"
+#include "settings.hpp"
 #include "spline/key.hpp"
 #include "stream.hpp"
 
@@ -20,6 +21,7 @@ struct InputOptions {
   std::string comment = "#";  ///< lines that begin with it are skipped; empty: none are
   std::vector<RoleRequest> roles;
   spline::Tcb<double> tcb;  ///< for keys that carry none
+  bool timeless = false;    ///< no column is the time, unless its name says so
 };
 
 /// Whole records of an input, as text.
@@ -30,7 +32,7 @@ struct Chunk {
   std::uint64_t first = 0;   ///< number of the first record, where the format counts them
 };
 
-/// Successive keys, and the line that each stands on.
+/// Successive keys, and the line that each stands on. Where the input has no times, neither have the keys.
 struct KeyBlock {
   spline::Keys<double> keys;
   std::vector<std::uint64_t> lines;
@@ -39,8 +41,10 @@ struct KeyBlock {
 /// An input opened: what its numbers mean, and its keys in blocks.
 struct Input {
   bool named = false;                 ///< it names its columns
+  bool timed = false;                 ///< it has a time column
   std::string time;                   ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
+  CurveSettings settings;             ///< what stands beside the keys
   Source<KeyBlock> keys;
 };
 

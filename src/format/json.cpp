@@ -5,43 +5,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "error.hpp"
 #include "format/json_events.hpp"
 #include "format/json_split.hpp"
+#include "format/number.hpp"
 
 namespace tcb::format {
 namespace {
 
 using Member = JsonColumns::Member;
-
-/// Collects the members of the first key, then stops.
-class FirstKey : public JsonEvents {
- public:
-  struct Found {
-    std::string name;
-    bool array = false;
-    std::size_t numbers = 0;
-  };
-  using JsonEvents::JsonEvents;
-  std::vector<Found> members;
-
- private:
-  bool on_member(const std::string& name) override {
-    members.push_back({name});
-    return true;
-  }
-  bool on_number(const spline::Time<double>&) override {
-    members.back().array = in_array();
-    ++members.back().numbers;
-    return true;
-  }
-  bool on_other(std::string_view text) override {
-    if (text == "null") members.back().numbers = 1;  // refused later, as a number that is missing
-    return true;
-  }
-  bool on_key_end() override { return false; }
-};
 
 /// Turns events into keys.
 class KeyBuilder : public JsonEvents {
@@ -49,13 +23,16 @@ class KeyBuilder : public JsonEvents {
   KeyBuilder(const Chunk& chunk, const JsonColumns& columns, const spline::Tcb<double>& tcb)
       : JsonEvents(chunk), columns_(columns), tcb_(tcb), seen_(columns.members.size()) {
     block_.keys.channels = columns.columns.channels.size();
+    timed_ = columns.columns.has(Role::time);
+    eased_ = columns.columns.has(Role::ease_in) || columns.columns.has(Role::ease_out);
   }
   KeyBlock take() { return std::move(block_); }
 
  private:
   bool on_key_start() override {
     spline::Keys<double>& keys = block_.keys;
-    keys.times.emplace_back();
+    if (timed_) keys.times.emplace_back();
+    if (eased_) keys.eases.emplace_back();
     keys.tcbs.push_back(tcb_);
     keys.positions.resize(keys.positions.size() + keys.channels);
     block_.lines.push_back(line());
@@ -121,6 +98,8 @@ class KeyBuilder : public JsonEvents {
       case Role::tension: keys.tcbs.back().tension = value.hi; break;
       case Role::continuity: keys.tcbs.back().continuity = value.hi; break;
       case Role::bias: keys.tcbs.back().bias = value.hi; break;
+      case Role::ease_in: keys.eases.back().in = value.hi; break;
+      case Role::ease_out: keys.eases.back().out = value.hi; break;
     }
   }
 
@@ -132,6 +111,7 @@ class KeyBuilder : public JsonEvents {
   const JsonColumns& columns_;
   const spline::Tcb<double>& tcb_;
   std::vector<bool> seen_;
+  bool timed_ = false, eased_ = false;
   std::size_t expected_ = 0;  ///< the member that comes next if all keys look alike
   const Member* current_ = nullptr;
   KeyBlock block_;
@@ -142,64 +122,38 @@ class Envelope : public JsonEvents {
  public:
   using JsonEvents::JsonEvents;
   std::vector<std::string> channels;
+  CurveSettings settings;
 
  private:
   bool on_member(const std::string& name) override {
     member_ = name;
     return true;
   }
-  bool on_number(const spline::Time<double>&) override { return on_other("a number"); }
+  bool on_number(const spline::Time<double>& value) override {
+    if (member_ == "channels") fail("channels: a number; expected names in quotes; correct it");
+    std::string text;
+    append_time(text, value);
+    return on_other(text);
+  }
   bool on_other(std::string_view text) override {
-    if (member_ == "channels" && in_array()) channels.emplace_back(text);
+    const std::string value(text);
+    if (member_ == "channels" && in_array()) channels.push_back(value);
+    if (member_ == "preset") settings.preset = value;
+    if (member_ == "tangents") settings.tangents = value;
+    if (member_ == "ends") settings.ends = settings.ends && in_array() ? *settings.ends + "," + value : value;
+    if (member_ == "period") settings.period = value;
+    if (member_ == "closed") {
+      if (text != "true" && text != "false")
+        fail(fmt::format("closed: \"{}\"; expected true or false; correct it", text));
+      settings.closed = text == "true";
+    }
     return true;
   }
 
   std::string member_;
 };
 
-/// The names of a member's cells, as a table would have them.
-std::vector<std::string> cell_names(const FirstKey::Found& member, const std::vector<std::string>& channels) {
-  if (!member.array) return std::vector<std::string>(member.numbers, member.name);
-  if (member.name == "tcb") return {"tension", "continuity", "bias"};
-  if (member.name != "position") return {};
-  return channels.empty() ? default_channel_names(member.numbers) : channels;
-}
-
-bool is_required(const JsonColumns& columns, const Member& member) {
-  return std::any_of(columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell),
-                     columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell + member.cells),
-                     [](const auto& cell) { return cell.role == Role::time || cell.role == Role::position; });
-}
-
 }  // namespace
-
-JsonColumns find_members(const Chunk& chunk, const std::vector<RoleRequest>& roles,
-                         const std::vector<std::string>& channels) {
-  FirstKey first(chunk);
-  first.parse();
-  const bool has_array =
-      std::ranges::any_of(first.members, [](const auto& m) { return m.array && m.name == "position"; });
-  JsonColumns result;
-  std::vector<std::string> header;
-  std::vector<bool> numeric;
-  for (const auto& found : first.members) {
-    const auto names = cell_names(found, channels);
-    if (found.array && found.name == "position" && names.size() != found.numbers) {
-      throw Error(Exit::data,
-                  fmt::format("\"channels\" has {} names; expected {}, one for each number of \"position\"; "
-                              "correct it",
-                              names.size(), found.numbers));
-    }
-    result.members.push_back({found.name, found.array, header.size(), names.size()});
-    header.insert(header.end(), names.begin(), names.end());
-    // Beside an array of positions, a number that is nothing else is not a position.
-    const bool beside = has_array && !found.array && role_of_name(found.name) == Role::position;
-    numeric.resize(header.size(), !beside);
-  }
-  result.columns = find_columns(header, numeric, roles);
-  for (Member& member : result.members) member.required = is_required(result, member);
-  return result;
-}
 
 KeyBlock parse_json(const Chunk& chunk, const JsonColumns& columns, const spline::Tcb<double>& tcb) {
   KeyBuilder builder(chunk, columns, tcb);
@@ -208,27 +162,38 @@ KeyBlock parse_json(const Chunk& chunk, const JsonColumns& columns, const spline
 }
 
 Input open_json(Source<std::string> bytes, const InputOptions& options) {
+  if (options.delimiter || options.header) {
+    throw Error(
+        Exit::usage,
+        "--delimiter, --header and --no-header have no effect on JSON; take them out, or give the format with -i");
+  }
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
   Source<Chunk> chunks = [splitter] { return splitter->next(); };
   std::vector<std::string> channels;
+  CurveSettings settings;
   auto first = chunks();
   if (splitter->wrapped()) {
     // The settings may stand behind the keys, so all of the text is read before the first key is used.
     std::vector<Chunk> kept;
     for (; first; first = chunks()) kept.push_back(std::move(*first));
-    Envelope envelope(splitter->envelope());
-    envelope.parse_object();
-    channels = envelope.channels;
+    if (splitter->list_closed()) {
+      Envelope envelope(splitter->envelope());
+      envelope.parse_object();
+      channels = envelope.channels;
+      settings = envelope.settings;
+    }
     chunks = [kept = std::move(kept), next = std::size_t{0}]() mutable -> std::optional<Chunk> {
       return next < kept.size() ? std::optional(std::move(kept[next++])) : std::nullopt;
     };
     first = chunks();
   }
   if (!first) throw Error(Exit::data, "no keys: the input is empty; expected an object for each key; see --help");
-  const auto columns = std::make_shared<const JsonColumns>(find_members(*first, options.roles, channels));
+  const auto columns = std::make_shared<const JsonColumns>(find_members(*first, options, channels));
   const auto parse = [columns, tcb = options.tcb](const Chunk& chunk) { return parse_json(chunk, *columns, tcb); };
-  return {true, columns->columns.time, columns->columns.channels,
-          ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse)};
+  const Columns& meaning = columns->columns;
+  return {true,         meaning.has(Role::time),
+          meaning.time, meaning.channels,
+          settings,     ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse)};
 }
 
 }  // namespace tcb::format

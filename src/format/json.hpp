@@ -5,31 +5,10 @@
 // Source: RFC 8259; parsed by nlohmann-json through its events, so that no document is ever held.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "format/input.hpp"
+#include "format/json_columns.hpp"
 
 namespace tcb::format {
-
-/// What the members of key objects mean, taken from the first one. A member that is an array of
-/// numbers has a cell for each of them.
-struct JsonColumns {
-  struct Member {
-    std::string name;
-    bool array = false;
-    std::size_t cell = 0;   ///< its first cell in `columns`
-    std::size_t cells = 0;  ///< how many it has; 0: it is passed over
-    bool required = false;
-  };
-  Columns columns;
-  std::vector<Member> members;
-};
-
-/// The meaning of the members of the first key of a chunk. `channels` names the numbers of "position",
-/// where the input says so. Throws: Error (data).
-JsonColumns find_members(const Chunk& chunk, const std::vector<RoleRequest>& roles,
-                         const std::vector<std::string>& channels);
 
 /// The keys of a chunk of whole key objects, an array of them or one a line. A pure function.
 /// Throws: Error (data), placed at the value.

@@ -88,6 +88,9 @@ struct JsonEvents::Adapter {
   bool start_array(std::size_t) { return events.open(false); }
   bool end_array() { return events.close(false); }
   bool parse_error(std::size_t, const std::string&, const json::exception& error) {
+    constexpr int number_too_large = 406;
+    if (error.id == number_too_large)
+      events.fail("the number is not a finite double; expected less than 1.8e308 in size; correct it");
     events.fail_at(last_token(events.chunk_.text.data(), events.now_),
                    fmt::format("not JSON: {}; correct the text", reason(error.what())));
   }
@@ -127,26 +130,32 @@ bool JsonEvents::parse_range(const char* begin, const char* end) {
 }
 
 bool JsonEvents::value(const spline::Time<double>* number, std::string_view text) {
-  if (depth_ <= key_depth_)
+  if (depth_ <= key_depth_) {
     fail(fmt::format("{} where a key was expected; expected {{…}}; correct it", number ? "a number" : text));
-  if (depth_ > key_depth_ + 2) return true;
+  }
+  if (depth_ != key_depth_ + 1 && !in_array()) return true;
   const bool more = number != nullptr ? on_number(*number) : on_other(text);
   if (in_array()) ++element_;
   return more;
 }
 
 bool JsonEvents::open(bool object) {
-  const std::size_t outside = depth_++;
-  if (outside < key_depth_) return true;
-  if (outside == key_depth_) {
-    if (!object) fail("an array where a key was expected; expected {…}; correct it");
+  bool more = true;
+  if (in_array()) {
+    more = on_other(object ? "an object" : "an array");
+    ++element_;
+  } else if (depth_ == key_depth_ + 1) {
+    element_ = 0;
+    is_array_ = !object;
+    if (object) more = on_other("an object");
+  } else if (depth_ == key_depth_) {
+    if (!object) fail_at(now_ - 1, "an array where a key was expected; expected {…}; correct it");
     member_.clear();
     key_ = now_ - 1;
-    return on_key_start();
+    more = on_key_start();
   }
-  if (outside == key_depth_ + 1) element_ = 0;
-  const bool nested = outside > key_depth_ + 1 || object;
-  return !nested || on_other(object ? "an object" : "an array");
+  ++depth_;
+  return more;
 }
 
 bool JsonEvents::close(bool object) {

@@ -37,7 +37,7 @@ class JsonEvents {
   virtual bool on_other(std::string_view text) = 0;
   virtual bool on_array_end() { return true; }
 
-  bool in_array() const { return depth_ == key_depth_ + 2; }
+  bool in_array() const { return depth_ == key_depth_ + 2 && is_array_; }
   /// Number of the array element at hand from 0; at the array's end, their count.
   std::size_t element() const { return element_; }
   /// The line of the text at hand. Requires: calls come in the order of the text.
@@ -66,6 +66,7 @@ class JsonEvents {
   std::size_t depth_ = 0;
   std::size_t keys_ = 0;
   std::size_t element_ = 0;
+  bool is_array_ = false;  ///< the member at hand is an array, not an object
   std::string member_;
 };
 

@@ -15,15 +15,23 @@ bool is_blank(std::string_view text) { return text.find_first_not_of(white_space
 
 std::uint64_t count_lines(std::string_view text) { return static_cast<std::uint64_t>(std::ranges::count(text, '\n')); }
 
+/// The column behind a text that begins in the given one.
+std::uint64_t column_after(std::string_view text, std::uint64_t column) {
+  const std::size_t last = text.rfind('\n');
+  if (last != std::string_view::npos) {
+    text.remove_prefix(last + 1);
+    column = 1;
+  }
+  const auto characters =
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  return column + static_cast<std::uint64_t>(characters);
+}
+
 }  // namespace
 
 void JsonSplitter::advance_place(std::string_view text) {
-  const std::size_t last = text.rfind('\n');
+  column_ = column_after(text, column_);
   line_ += count_lines(text);
-  if (last != std::string_view::npos) column_ = 1;
-  const auto line = last == std::string_view::npos ? text : text.substr(last + 1);
-  column_ += static_cast<std::uint64_t>(
-      std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 bool JsonSplitter::read_more() {
@@ -80,9 +88,10 @@ void JsonSplitter::close() {
   const std::size_t outside = shape_ == Shape::wrapped ? 1 : 0;
   if (depth_ != outside) return;
   if (shape_ == Shape::unknown) shape_ = Shape::lines;
-  boundary_ = at_ + 1;
   ++records_;
-  if (shape_ != Shape::lines) list_closed_ = true;
+  if (shape_ == Shape::lines) return;  // they end with their lines
+  boundary_ = at_ + 1;
+  list_closed_ = true;
 }
 
 /// Scans to the end of the text, or of the list of keys.
@@ -106,6 +115,9 @@ void JsonSplitter::scan() {
           boundary_ = at_;
           ++records_;
         }
+        break;
+      case '\n':
+        if (shape_ == Shape::lines && depth_ == 0) boundary_ = at_ + 1;
         break;
       default: break;
     }
@@ -143,8 +155,9 @@ std::optional<Chunk> JsonSplitter::next() {
   }
   if (wrapped()) {
     // White space in place of the keys leaves the rest where it stands in the file.
-    envelope_.text.append(line_ - envelope_.line - count_lines(envelope_.text), '\n').append(column_, ' ').back() = ']';
-    envelope_.text += text_;
+    const std::uint64_t line = envelope_.line + count_lines(envelope_.text);
+    const std::uint64_t column = line < line_ ? 1 : column_after(envelope_.text, envelope_.column);
+    envelope_.text.append(line_ - line, '\n').append(column_ - 1 - column, ' ') += "]" + text_;
     text_.clear();
   }
   if (!is_blank(text_)) {

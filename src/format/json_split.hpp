@@ -23,6 +23,9 @@ class JsonSplitter {
   /// The keys stand in an object, whose other members are in the envelope.
   bool wrapped() const { return shape_ == Shape::wrapped; }
 
+  /// The array of keys has come to its end.
+  bool list_closed() const { return list_closed_; }
+
   /// The object around the keys, with an empty array in their place. Requires: next() said the end.
   const Chunk& envelope() const { return envelope_; }
 

@@ -31,6 +31,20 @@ std::optional<Number> parse_all(std::string_view text) {
   return value;
 }
 
+/// A decimal number out of the range of doubles is too small for it, not too large.
+bool is_tiny(std::string_view text) {
+  const std::size_t mark = text.find_first_of("eE");
+  const std::string_view digits = text.substr(0, mark);
+  const std::size_t first = digits.find_first_of("123456789");
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  long long exponent = 0;
+  if (mark != std::string_view::npos) {
+    const std::string_view power = without_plus(text.substr(mark + 1));
+    if (std::from_chars(power.data(), power.data() + power.size(), exponent).ec != std::errc()) return power[0] == '-';
+  }
+  return exponent + static_cast<long long>(point) - static_cast<long long>(first) < 0;
+}
+
 template <class Number>
 void append_shortest(std::string& out, Number value) {
   std::array<char, 32> text{};
@@ -41,8 +55,12 @@ void append_shortest(std::string& out, Number value) {
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
-  const auto value = parse_all<double>(without_plus(text));
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  const std::string_view digits = without_plus(text);
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (end != digits.data() + digits.size() || digits.empty()) return std::nullopt;
+  if (error == std::errc::result_out_of_range && is_tiny(digits)) return digits[0] == '-' ? -0.0 : 0.0;
+  return error == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<Time> parse_time(std::string_view text) {
@@ -82,8 +100,10 @@ bool looks_numeric(std::string_view text) {
 void append_number(std::string& out, double value) { append_shortest(out, value); }
 
 void append_time(std::string& out, const Time& time) {
-  if (std::abs(time.hi) >= two_to_63 || time.hi != std::trunc(time.hi)) {
+  if (std::abs(time.hi) > two_to_63 || time.hi != std::trunc(time.hi)) {
     append_shortest(out, time.hi);
+  } else if (time.hi == two_to_63) {
+    append_whole(out, (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(static_cast<std::int64_t>(time.lo)));
   } else {
     append_shortest(out, static_cast<std::int64_t>(time.hi) + static_cast<std::int64_t>(time.lo));
   }

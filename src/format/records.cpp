@@ -12,17 +12,35 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 std::uint64_t count_lines(std::string_view text) { return static_cast<std::uint64_t>(std::ranges::count(text, '\n')); }
 
-/// Where the last whole record of a text ends, by its last line end outside quotes; 0 if there is none.
+/// The quote that ends the quoted cell begun at `open`, or npos.
+std::size_t closing_quote(std::string_view text, std::size_t open) {
+  for (std::size_t at = text.find('"', open + 1); at != std::string_view::npos; at = text.find('"', at + 2)) {
+    if (at + 1 == text.size() || text[at + 1] != '"') return at;
+  }
+  return std::string_view::npos;
+}
+
+/// The line end of the record or comment that begins at `at`, or npos.
+std::size_t end_of_record(std::string_view text, std::size_t at, const Dialect& dialect) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  if (!dialect.comment.empty() && text.substr(at).starts_with(dialect.comment)) return text.find('\n', at);
+  for (bool cell_begins = true; at < text.size() && text[at] != '\n'; ++at) {
+    if (cell_begins && text[at] == '"') {
+      at = closing_quote(text, at);
+      if (at == std::string_view::npos) return at;
+    }
+    const bool delimits = text[at] == dialect.delimiter || (dialect.delimiter == ' ' && text[at] == '\t');
+    cell_begins = delimits || (cell_begins && is_blank(text[at]));
+  }
+  return at < text.size() ? at : std::string_view::npos;
+}
+
+/// Where the last whole record of a text ends, 0 if there is none.
 std::size_t end_of_records(std::string_view text, const Dialect& dialect) {
-  const std::size_t last = text.rfind('\n');
-  if (last == std::string_view::npos) return 0;
-  if (text.find('"') == std::string_view::npos) return last + 1;
+  if (text.find('"') == std::string_view::npos) return text.rfind('\n') + 1;  // npos + 1 is 0
   std::size_t end = 0;
-  for (std::size_t at = 0; at < text.size(); at = end) {
-    const bool comment = !dialect.comment.empty() && text.substr(at).starts_with(dialect.comment);
-    bool quoted = false;
-    for (; at < text.size() && (quoted || text[at] != '\n'); ++at) quoted ^= text[at] == '"' && !comment;
-    if (at == text.size()) break;
+  for (std::size_t at = end_of_record(text, 0, dialect); at != std::string_view::npos;
+       at = end_of_record(text, end, dialect)) {
     end = at + 1;
   }
   return end;
@@ -75,7 +93,9 @@ bool Records::skip_to_record() {
       const std::size_t size = std::min(left.find('\n'), left.size());
       comment_ = left.substr(0, size);
       at_ += size;
-    } else if (!at_line_end()) {
+    } else if (at_line_end()) {
+      comment_ = {};
+    } else {
       at_ = record_;
       return true;
     }
@@ -83,9 +103,9 @@ bool Records::skip_to_record() {
   return false;
 }
 
-const char* Records::find_record() {
+std::string_view Records::find_record() {
   (void)skip_to_record();
-  return at_;
+  return {at_, static_cast<std::size_t>(end_ - at_)};
 }
 
 bool Records::next(std::vector<std::string_view>& cells) {
@@ -158,18 +178,19 @@ std::string unquoted(std::string_view cell) {
   return text;
 }
 
-char find_delimiter(std::string_view text, const std::string& comment) {
+std::optional<char> find_delimiter(std::string_view text, const std::string& comment) {
   const Chunk chunk{std::string(text)};
   const Dialect any{'\n', comment};
-  const char* const record = Records(chunk, any).find_record();
+  const std::string_view record = Records(chunk, any).find_record();
   std::string seen;
-  bool quoted = false;
-  for (const char c :
-       std::string_view(record, static_cast<std::size_t>(chunk.text.data() + chunk.text.size() - record))) {
+  bool quoted = false, ended = false;
+  for (const char c : record) {
     if (c == '"') quoted = !quoted;
-    if (c == '\n' && !quoted) break;
+    ended = c == '\n' && !quoted;
+    if (ended) break;
     if (!quoted) seen += c;
   }
+  if (!ended) return std::nullopt;
   for (const char delimiter : {'\t', ';', ',', ' '}) {
     if (seen.find(delimiter) != std::string::npos) return delimiter;
   }

@@ -6,6 +6,7 @@
 //   where the delimiter is a blank, runs of blanks and tabs count as one.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,8 +37,8 @@ class Records {
   /// Throws: Error (data) for a quote out of place.
   bool next(std::vector<std::string_view>& cells);
 
-  /// Where the next record begins, or the end of the text.
-  const char* find_record();
+  /// The text from the next record on.
+  std::string_view find_record();
 
   std::uint64_t line() const { return record_line_; }
   std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
@@ -65,7 +66,8 @@ class Records {
 /// The text of a cell without its quotes.
 std::string unquoted(std::string_view cell);
 
-/// The delimiter of the first record: the first of tab, ";", "," and blank that occurs in it.
-char find_delimiter(std::string_view text, const std::string& comment);
+/// The delimiter of the first record: the first of tab, ";", "," and blank that occurs in it outside quotes, or ","
+/// where none does. Nothing if the text does not hold the whole of the first record, with its line end.
+std::optional<char> find_delimiter(std::string_view text, const std::string& comment);
 
 }  // namespace tcb::format

@@ -25,10 +25,9 @@ ByLength::ByLength(Grid grid, std::optional<double> to, std::uint64_t limit)
     : grid_(std::move(grid)), to_(to), limit_(limit) {}
 
 Run ByLength::place(const Piece& piece) {
-  if (next_ == 0) require_not_before("--from", "the start", grid_.start(), Rational(0));
-  if (piece.last) require_not_beyond("--from", "the curve's length", grid_.start(), exact_time({piece.s_end.hi}));
-  if (piece.last && to_)
-    require_not_beyond("--to", "the curve's length", exact_time({*to_}), exact_time({piece.s_end.hi}));
+  if (next_ == 0) require_not_before("--from", grid_.start(), curve_start());
+  if (piece.last) require_not_beyond("--from", grid_.start(), curve_length(piece.s_end.hi));
+  if (piece.last && to_) require_not_beyond("--to", exact_time({*to_}), curve_length(piece.s_end.hi));
   const bool cut = to_ && *to_ <= piece.s_end.hi;
   const double end = cut ? *to_ : piece.s_end.hi;
   if (limit_ > 1 && end > 0) require_resolution(grid_, {end});
@@ -46,7 +45,7 @@ Sample ByLength::locate(const Piece& piece, std::uint64_t j) const {
   const double total = (piece.s_end - piece.s_start).hi;
   const double u =
       spline::parameter_at(spline::Speed<double>(piece.cubics, piece.metric), (s - piece.s_start).hi, total);
-  return {rounded(piece.start + Time(u) * (piece.end - piece.start)), {u, u - 1}, s.hi};
+  return {rounded(piece.start + piece.warp.inverse(u) * (piece.end - piece.start)), {u, u - 1}, s.hi};
 }
 
 }  // namespace tcb::sampler

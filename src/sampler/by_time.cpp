@@ -13,9 +13,9 @@ ByTime::ByTime(Grid grid, std::optional<Time> to, std::uint64_t limit)
     : grid_(std::move(grid)), to_(to), limit_(limit) {}
 
 Run ByTime::place(const Piece& piece) {
-  if (next_ == 0) require_not_before("--from", "the first key", grid_.start(), exact_time(piece.start));
-  if (piece.last) require_not_beyond("--from", "the last key", grid_.start(), exact_time(piece.end));
-  if (piece.last && to_) require_not_beyond("--to", "the last key", exact_time(*to_), exact_time(piece.end));
+  if (next_ == 0) require_not_before("--from", grid_.start(), first_key(piece.start));
+  if (piece.last) require_not_beyond("--from", grid_.start(), last_key(piece.end));
+  if (piece.last && to_) require_not_beyond("--to", exact_time(*to_), last_key(piece.end));
   const bool cut = to_ && *to_ <= piece.end;
   const Time end = cut ? *to_ : piece.end;
   if (limit_ > 1) require_resolution(grid_, end);
@@ -27,7 +27,7 @@ Run ByTime::place(const Piece& piece) {
 
 Sample ByTime::locate(const Piece& piece, std::uint64_t j) const {
   const Time t = grid_.time(j);
-  return {t, spline::locate<double>(piece.start, piece.end, t)};
+  return {t, spline::locate<double>(piece.start, piece.end, t, piece.warp)};
 }
 
 }  // namespace tcb::sampler

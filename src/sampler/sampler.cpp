@@ -1,6 +1,8 @@
 // From a request and what is known of the curve to the sampler that answers it.
 #include "sampler/sampler.hpp"
 
+#include <utility>
+
 #include "sampler/by_length.hpp"
 #include "sampler/by_time.hpp"
 
@@ -15,8 +17,11 @@ struct Spacing {
   Rational step;
 };
 
-Spacing spacing(const Request& request, const Rational& from, const std::optional<Rational>& to) {
+Spacing spacing(const Request& request, const Rational& from, const std::optional<Rational>& to, bool closed) {
   if (!needs_end(request.mode)) return {unlimited, request.step};
+  if (closed && request.mode != Mode::segments && !request.from && !request.to) {
+    return {request.count, Rational((*to - from) / request.count)};
+  }
   const std::uint64_t intervals = request.mode == Mode::segments ? request.count : request.count - 1;
   if (intervals == 0) return {1, Rational(0)};
   return {intervals + 1, Rational((*to - from) / intervals)};
@@ -26,24 +31,25 @@ std::unique_ptr<Sampler> make_by_length(const Request& request, const Extent& ex
   const Rational from = request.from.value_or(Rational(0));
   std::optional<Rational> to = request.to;
   if (!to && extent.length) to = exact_time({*extent.length});
-  const auto [rows, step] = spacing(request, from, to);
+  const auto [rows, step] = spacing(request, from, to, extent.closed);
   const auto end = to ? std::optional(nearest_time(*to).hi) : std::nullopt;
   return std::make_unique<ByLength>(Grid(from, step), end, rows);
 }
 
-std::unique_ptr<Sampler> make_by_time(const Request& request, const Extent& extent) {
+}  // namespace
+
+TimeRows time_rows(const Request& request, const Extent& extent) {
   const Rational from = request.from.value_or(exact_time(extent.first));
   std::optional<Rational> to = request.to;
   if (!to && extent.last) to = exact_time(*extent.last);
-  const auto [rows, step] = spacing(request, from, to);
-  const auto end = to ? std::optional(nearest_time(*to)) : std::nullopt;
-  return std::make_unique<ByTime>(Grid(from, step), end, rows);
+  const auto [rows, step] = spacing(request, from, to, extent.closed);
+  return {Grid(from, step), rows, to ? std::optional(nearest_time(*to)) : std::nullopt};
 }
 
-}  // namespace
-
 std::unique_ptr<Sampler> make_sampler(const Request& request, const Extent& extent) {
-  return by_length(request.mode) ? make_by_length(request, extent) : make_by_time(request, extent);
+  if (by_length(request.mode)) return make_by_length(request, extent);
+  auto [grid, rows, end] = time_rows(request, extent);
+  return std::make_unique<ByTime>(std::move(grid), end, rows);
 }
 
 }  // namespace tcb::sampler

@@ -11,8 +11,10 @@
 #include <span>
 #include <vector>
 
+#include "sampler/extrapolation.hpp"
+#include "sampler/grid.hpp"
 #include "sampler/request.hpp"
-#include "spline/segment.hpp"
+#include "spline/ease.hpp"
 
 namespace tcb::sampler {
 
@@ -23,6 +25,8 @@ struct Piece {
   std::span<const spline::Cubic<double>> cubics;  ///< one a channel
   std::span<const std::size_t> metric;            ///< the channels that lengths are over; empty: all
   bool last = false;                              ///< the curve ends here
+  spline::Warp<double> warp;                      ///< of its local parameter
+  std::span<const double> cycle;                  ///< last key - first key, where that is wanted; one a channel
 };
 
 /// Samples [first, last).
@@ -36,20 +40,26 @@ struct Sample {
   Time t;
   spline::Local<double> at;
   std::optional<double> s = std::nullopt;
+  Outside outside = {};  ///< how its time relates to one on the curve
 };
 
-class Sampler {
+/// Says where exactly a sample is on the piece that it lies on.
+class Locator {
  public:
-  Sampler() = default;
-  Sampler(const Sampler&) = delete;
-  Sampler& operator=(const Sampler&) = delete;
-  virtual ~Sampler() = default;
+  Locator() = default;
+  Locator(const Locator&) = delete;
+  Locator& operator=(const Locator&) = delete;
+  virtual ~Locator() = default;
 
+  /// Sample j. Requires: it lies on this piece. Threads: any number at once.
+  virtual Sample locate(const Piece& piece, std::uint64_t j) const = 0;
+};
+
+/// Places samples while the curve goes by.
+class Sampler : public Locator {
+ public:
   /// The samples on the next piece. Throws: Error if the request leaves the curve or asks too much.
   virtual Run place(const Piece& piece) = 0;
-
-  /// Sample j, which place() put on this piece. Threads: any number at once.
-  virtual Sample locate(const Piece& piece, std::uint64_t j) const = 0;
 
   /// No later piece can hold a sample: reading may stop.
   virtual bool done() const = 0;
@@ -60,7 +70,16 @@ struct Extent {
   Time first;
   std::optional<Time> last;      ///< needed where needs_end(mode)
   std::optional<double> length;  ///< needed where needs_end(mode) and by_length(mode)
+  bool closed = false;           ///< counted rows do not come round to the first again
 };
+
+/// The times that a request asks for: rows on a grid.
+struct TimeRows {
+  Grid grid;
+  std::uint64_t rows;
+  std::optional<Time> end;
+};
+TimeRows time_rows(const Request& request, const Extent& extent);
 
 /// Throws: Error where the request does not fit the curve.
 std::unique_ptr<Sampler> make_sampler(const Request& request, const Extent& extent);

@@ -1,154 +1,187 @@
-// Curves: keys linked to segments, a window of keys at a time.
-//
-// Segment i is known once the key after its end is: its end tangent needs both neighbours. A window
-// is therefore some keys with one key of context on either side, unless the curve starts or ends there.
+// Curves: from keys and rules to tangents, and from tangents to segments.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "spline/ease.hpp"
 #include "spline/end.hpp"
 #include "spline/key.hpp"
+#include "spline/linker.hpp"
 #include "spline/segment.hpp"
 #include "spline/tangent.hpp"
 
 namespace tcb::spline {
 
-/// Which rules make the tangents, as indices into tangent_rules and end_rules.
-struct CurveRules {
-  std::size_t tangents = 0;
-  std::size_t start = 0;
-  std::size_t end = 0;
-};
-
-/// Successive keys of one curve, with the key before and the key after those whose segments are wanted.
+/// The rule at one end of an open curve.
 template <class S>
-struct Window {
-  Keys<S> keys;
-  bool starts = true;  ///< the first key is the curve's first, not context
-  bool ends = true;    ///< the last key is the curve's last, not context
-
-  std::size_t first_key() const { return starts ? 0 : 1; }
-  std::size_t last_key() const { return keys.size() - (ends ? 1 : 2); }
-  bool has_segments() const { return keys.size() > (starts ? 1U : 2U) + (ends ? 0U : 1U); }
+struct EndChoice {
+  std::size_t rule = 0;     ///< index into end_rules
+  std::vector<S> velocity;  ///< per unit of time, one number a channel, where the rule takes one
 };
 
-/// Successive segments. Shapes: one more time than segments; `channels` cubics a segment.
+/// What makes tangents of keys.
+template <class S>
+struct CurveRules {
+  std::size_t tangents = 0;  ///< index into tangent_rules
+  EndChoice<S> start, end;
+  bool equal_speed = false;         ///< both tangents of a key are made equally fast
+  std::vector<std::size_t> metric;  ///< the channels that speeds and lengths are over; empty: all
+};
+
+/// Successive segments. Shapes: one more time than segments; `channels` cubics a segment; one warp a
+/// segment, or none where no key has ease.
 template <class S>
 struct Segments {
   std::size_t channels = 0;
   std::vector<Time<S>> times;
   std::vector<Cubic<S>> cubics;
+  std::vector<Warp<S>> warps;
 
   std::size_t size() const { return times.empty() ? 0 : times.size() - 1; }
   std::span<const Cubic<S>> operator[](std::size_t segment) const {
     return std::span(cubics).subspan(segment * channels, channels);
   }
+  Warp<S> warp(std::size_t segment) const { return warps.empty() ? Warp<S>() : warps[segment]; }
 };
 
-/// The tangents at the keys of a window, `channels` numbers a key; context keys are left at zero.
+/// The tangents at the keys of a window, `channels` numbers a key, in local units.
 template <class S>
-struct Tangents {
-  std::vector<working_t<S>> incoming, outgoing;
-};
-
-/// P[key + 1] - P[key] in one channel.
-template <class S>
-working_t<S> chord(const Keys<S>& keys, std::size_t key, std::size_t channel) {
-  using W = working_t<S>;
-  return W(keys.position(key + 1)[channel]) - W(keys.position(key)[channel]);
-}
-
-/// Both tangents of a key that has two neighbours.
-template <class S>
-void set_interior(const Keys<S>& keys, std::size_t key, const TangentRule<S>& rule, Tangents<S>& tangents) {
-  const auto h0 = keys.times[key] - keys.times[key - 1];
-  const auto h1 = keys.times[key + 1] - keys.times[key];
-  const auto weights = rule.weights(factors(keys.tcb(key)), h0, h1);
-  for (std::size_t i = 0; i < keys.channels; ++i) {
-    const auto d0 = chord(keys, key - 1, i);
-    const auto d1 = chord(keys, key, i);
-    tangents.incoming[key * keys.channels + i] = weights.in0 * d0 + weights.in1 * d1;
-    tangents.outgoing[key * keys.channels + i] = weights.out0 * d0 + weights.out1 * d1;
-  }
-}
-
-/// The outgoing tangent of the curve's first key.
-template <class S>
-void set_start(const Keys<S>& keys, const EndRule<S>& rule, Tangents<S>& tangents) {
-  const auto f = factors(keys.tcb(0));
-  const auto weights = rule.weights({f.b, f.a, keys.times[1] - keys.times[0]});
-  for (std::size_t i = 0; i < keys.channels; ++i) {
-    tangents.outgoing[i] = weights.chord * chord(keys, 0, i) + weights.other * tangents.incoming[keys.channels + i];
-  }
-}
-
-/// The incoming tangent of the curve's last key.
-template <class S>
-void set_end(const Keys<S>& keys, const EndRule<S>& rule, Tangents<S>& tangents) {
-  const std::size_t last = keys.size() - 1;
-  const auto f = factors(keys.tcb(last));
-  const auto weights = rule.weights({f.c, f.d, keys.times[last] - keys.times[last - 1]});
-  for (std::size_t i = 0; i < keys.channels; ++i) {
-    tangents.incoming[last * keys.channels + i] =
-        weights.chord * chord(keys, last - 1, i) + weights.other * tangents.outgoing[(last - 1) * keys.channels + i];
-  }
-}
-
-template <class S>
-Tangents<S> tangents(const Window<S>& window, const CurveRules& rules) {
-  const Keys<S>& keys = window.keys;
-  const std::vector<working_t<S>> zero(keys.size() * keys.channels, working_t<S>(0));
-  Tangents<S> result{zero, zero};
-  for (std::size_t key = 1; key + 1 < keys.size(); ++key) {
-    set_interior(keys, key, tangent_rules<S>[rules.tangents], result);
-  }
-  if (window.starts) set_start(keys, end_rules<S>[rules.start], result);
-  if (window.ends) set_end(keys, end_rules<S>[rules.end], result);
-  return result;
-}
-
-/// The segments that a window makes known. Requires: window.has_segments().
-template <class S>
-Segments<S> segments(const Window<S>& window, const CurveRules& rules) {
-  const Keys<S>& keys = window.keys;
-  const Tangents<S> slopes = tangents(window, rules);
-  const std::size_t first = window.first_key();
-  const std::size_t last = window.last_key();
-  Segments<S> result;
-  result.channels = keys.channels;
-  result.times.assign(keys.times.begin() + static_cast<std::ptrdiff_t>(first),
-                      keys.times.begin() + static_cast<std::ptrdiff_t>(last + 1));
-  result.cubics.reserve((last - first) * keys.channels);
-  for (std::size_t i = first * keys.channels; i < last * keys.channels; ++i) {
-    const std::size_t next = i + keys.channels;
-    result.cubics.push_back(
-        cubic<S>(keys.positions[i], keys.positions[next], slopes.outgoing[i], slopes.incoming[next]));
-  }
-  return result;
-}
-
-/// Cuts a stream of keys into windows. It holds three keys, whatever the length of the curve.
-template <class S>
-class Linker {
+class Tangents {
  public:
-  /// The window that some more keys make known; it may have no segments yet. `last`: no keys follow.
-  Window<S> link(const Keys<S>& block, bool last) {
-    Window<S> window{std::move(tail_), starts_, last};
-    append(window.keys, block, 0, block.size());
-    tail_ = {};
-    if (last) return window;
-    if (window.has_segments()) starts_ = false;
-    const std::size_t size = window.keys.size();
-    append(tail_, window.keys, starts_ ? 0 : size - 3, size);
-    return window;
+  using W = working_t<S>;
+
+  /// Requires: two keys at least. Context keys are left at zero.
+  Tangents(const Window<S>& window, const CurveRules<S>& rules) : keys_(window.keys), rules_(rules) {
+    incoming_.assign(keys_.size() * keys_.channels, W(0));
+    outgoing_ = incoming_;
+    for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
+      set_interior(key);
+      if (rules.equal_speed) equalize(key);
+    }
+    if (window.starts) set_end(0, 1, rules.start);
+    if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, rules.end);
+  }
+
+  std::span<const W> incoming(std::size_t key) const {
+    return std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
+  }
+  std::span<const W> outgoing(std::size_t key) const {
+    return std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
   }
 
  private:
-  Keys<S> tail_;
-  bool starts_ = true;
+  /// P[key + 1] - P[key] in one channel.
+  W chord(std::size_t key, std::size_t channel) const {
+    return W(keys_.position(key + 1)[channel]) - W(keys_.position(key)[channel]);
+  }
+
+  void set_interior(std::size_t key) {
+    const W h0 = keys_.times[key] - keys_.times[key - 1];
+    const W h1 = keys_.times[key + 1] - keys_.times[key];
+    const Tcb<S>& tcb = keys_.tcb(key);
+    const auto weights = tangent_rules<S>[rules_.tangents].weights({factors(tcb), W(tcb.continuity), h0, h1});
+    for (std::size_t i = 0; i < keys_.channels; ++i) {
+      const W d0 = chord(key - 1, i);
+      const W d1 = chord(key, i);
+      incoming_[key * keys_.channels + i] = weights.in0 * d0 + weights.in1 * d1;
+      outgoing_[key * keys_.channels + i] = weights.out0 * d0 + weights.out1 * d1;
+    }
+  }
+
+  /// The outer tangent of the end segment, at `key`, whose only neighbour is `inner`.
+  void set_end(std::size_t key, std::size_t inner, const EndChoice<S>& choice) {
+    const bool at_start = key < inner;
+    const std::size_t first = std::min(key, inner);
+    const auto f = factors(keys_.tcb(key));
+    const auto weights =
+        end_rules<S>[choice.rule].weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(keys_.tcb(key).tension),
+                                           keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
+    auto& wanted = at_start ? outgoing_ : incoming_;
+    const auto& others = at_start ? incoming_ : outgoing_;
+    for (std::size_t i = 0; i < keys_.channels; ++i) {
+      W tangent = weights.chord * chord(first, i) + weights.other * others[inner * keys_.channels + i];
+      if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
+      wanted[key * keys_.channels + i] = tangent;
+    }
+  }
+
+  /// Gives both tangents of a key the harmonic mean of their speeds, per unit of time.
+  /// Source: D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", equations 12 and 13.
+  void equalize(std::size_t key) {
+    const std::span in = std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
+    const std::span out = std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
+    const S unit = power_of_two_above(in, out);
+    if (unit == S(0)) return;
+    const W speed_in = size(in, unit) / (keys_.times[key] - keys_.times[key - 1]);
+    const W speed_out = size(out, unit) / (keys_.times[key + 1] - keys_.times[key]);
+    const W sum = speed_in + speed_out;
+    if (sum == W(0)) return;
+    for (W& value : in) value = value * (speed_out + speed_out) / sum;
+    for (W& value : out) value = value * (speed_in + speed_in) / sum;
+  }
+
+  std::size_t metric_size() const { return rules_.metric.empty() ? keys_.channels : rules_.metric.size(); }
+  std::size_t metric(std::size_t i) const { return rules_.metric.empty() ? i : rules_.metric[i]; }
+
+  /// A power of two no smaller than any metric component, so that squares neither overflow nor vanish.
+  S power_of_two_above(std::span<const W> in, std::span<const W> out) const {
+    using std::abs, std::frexp, std::ldexp;
+    S largest(0);
+    for (std::size_t i = 0; i < metric_size(); ++i) {
+      largest = std::max({largest, S(abs(narrow<S>(in[metric(i)]))), S(abs(narrow<S>(out[metric(i)])))});
+    }
+    int exponent = 0;
+    (void)frexp(largest, &exponent);
+    return largest == S(0) ? S(0) : ldexp(S(1), exponent);
+  }
+
+  /// The length of a tangent over the metric channels, in the given unit.
+  W size(std::span<const W> tangent, const S& unit) const {
+    using std::sqrt;
+    W sum(0);
+    for (std::size_t i = 0; i < metric_size(); ++i) {
+      const W component = tangent[metric(i)] / W(unit);
+      sum = sum + component * component;
+    }
+    return sqrt(sum);
+  }
+
+  const Keys<S>& keys_;
+  const CurveRules<S>& rules_;
+  std::vector<W> incoming_, outgoing_;
 };
+
+/// A single key as a segment without duration, on which the curve rests.
+template <class S>
+Segments<S> resting(const Keys<S>& keys) {
+  Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
+  for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
+  return result;
+}
+
+/// The segments that a window makes known. Requires: window.has_segments() or window.is_single_key().
+template <class S>
+Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
+  if (window.is_single_key()) return resting(window.keys);
+  const Keys<S>& keys = window.keys;
+  const Tangents<S> tangents(window, rules);
+  Segments<S> result{keys.channels, {}, {}, {}};
+  result.cubics.reserve((window.last_key() - window.first_key()) * keys.channels);
+  for (std::size_t key = window.first_key(); key < window.last_key(); ++key) {
+    result.times.push_back(keys.times[key]);
+    for (std::size_t i = 0; i < keys.channels; ++i) {
+      result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], tangents.outgoing(key)[i],
+                                       tangents.incoming(key + 1)[i]));
+    }
+    if (!keys.eases.empty()) result.warps.emplace_back(keys.eases[key].out, keys.eases[key + 1].in);
+  }
+  result.times.push_back(keys.times[window.last_key()]);
+  return result;
+}
 
 }  // namespace tcb::spline

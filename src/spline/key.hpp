@@ -18,9 +18,16 @@ struct Tcb {
   friend bool operator==(const Tcb&, const Tcb&) = default;
 };
 
+/// How gently the curve arrives at a key and leaves it, each in [0, 1]; see ease.hpp.
+template <class S>
+struct Ease {
+  S in{};
+  S out{};
+};
+
 /// Some successive keys, each with the same number of channels.
 /// Shapes: positions holds `channels` numbers a key, key after key; tcbs holds one entry a key, or
-/// none where every key has `common_tcb`.
+/// none where every key has `common_tcb`; eases holds one entry a key, or none.
 template <class S>
 struct Keys {
   std::size_t channels = 0;
@@ -28,13 +35,14 @@ struct Keys {
   std::vector<S> positions;
   std::vector<Tcb<S>> tcbs;
   Tcb<S> common_tcb;
+  std::vector<Ease<S>> eases;
 
   std::size_t size() const { return times.size(); }
   std::span<const S> position(std::size_t key) const { return std::span(positions).subspan(key * channels, channels); }
   const Tcb<S>& tcb(std::size_t key) const { return tcbs.empty() ? common_tcb : tcbs[key]; }
 };
 
-/// Appends keys [first, last) of `from`. Requires: both have tcbs, or neither.
+/// Appends keys [first, last) of `from`. Requires: both have tcbs, or neither; the same for eases.
 template <class S>
 void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t last) {
   const auto copy = [&](auto& target, const auto& source, std::size_t stride) {
@@ -48,6 +56,7 @@ void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t las
   copy(to.times, from.times, 1);
   copy(to.positions, from.positions, from.channels);
   if (!from.tcbs.empty()) copy(to.tcbs, from.tcbs, 1);
+  if (!from.eases.empty()) copy(to.eases, from.eases, 1);
 }
 
 }  // namespace tcb::spline

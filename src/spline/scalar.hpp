@@ -77,6 +77,14 @@ struct Twice {
   }
 };
 
+/// The square root of a Twice, right to 2^-100. Requires: value >= 0.
+inline Twice sqrt(const Twice& value) {
+  if (value.hi == 0) return {};
+  const double root = std::sqrt(value.hi);
+  const Twice rest = value - Twice(root) * Twice(root);
+  return Twice::normalized(root, rest.hi / (2 * root));
+}
+
 /// The type in which tangents and local parameters are worked out before they are rounded to S.
 template <class S>
 struct Working {

@@ -65,11 +65,4 @@ S first_derivative(const Cubic<S>& x, const Local<S>& at) {
                          : x.in + at.w * (S(2) * x.e + at.w * (S(3) * x.d));
 }
 
-/// The place at time t of a segment. Requires: start <= t <= end, start < end.
-template <class S>
-Local<S> locate(const Time<S>& start, const Time<S>& end, const Time<S>& t) {
-  const auto h = end - start;
-  return {narrow<S>((t - start) / h), narrow<S>((t - end) / h)};
-}
-
 }  // namespace tcb::spline

@@ -96,12 +96,12 @@ TEST(Sampler, from_and_to_bound_the_rows) {
 TEST(Sampler, refuses_to_leave_the_curve) {
   Request asked = request(Mode::step, "1");
   asked.from = Rational(-1);
-  EXPECT_EQ(refusal(asked, {0, 5}), "--from -1 lies before the first key, at 0; give a value within the curve");
+  EXPECT_EQ(refusal(asked, {0, 5}), "--from -1 lies before the first key, at 0; give one within the curve, or --extrapolate");
   asked.from = Rational(6);
-  EXPECT_EQ(refusal(asked, {0, 5}), "--from 6 lies beyond the last key, at 5; give a value within the curve");
+  EXPECT_EQ(refusal(asked, {0, 5}), "--from 6 lies beyond the last key, at 5; give one within the curve, or --extrapolate");
   asked.from.reset();
   asked.to = Rational(11, 2);
-  EXPECT_EQ(refusal(asked, {0, 5}), "--to 5.5 lies beyond the last key, at 5; give a value within the curve");
+  EXPECT_EQ(refusal(asked, {0, 5}), "--to 5.5 lies beyond the last key, at 5; give one within the curve, or --extrapolate");
 }
 
 TEST(Sampler, refuses_steps_that_round_away) {

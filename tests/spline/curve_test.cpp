@@ -54,11 +54,14 @@ TEST(Curve, velocity_with_half_ends_meets_the_tabled_values) {
 }
 
 TEST(Curve, interior_tangents_of_velocity_meet_the_tabled_values) {
-  const auto slopes = tangents<double>({keys_of(example)}, {});
+  const auto keys = keys_of(example);
+  const Window<double> window{keys};
+  const CurveRules<double> rules;
+  const Tangents<double> slopes(window, rules);
   const std::array incoming{-1.03125, 1.21875, 1.624}, outgoing{1.3125, -.984375, -.448};
   for (std::size_t i = 0; i < incoming.size(); ++i) {
-    EXPECT_NEAR(slopes.incoming[i + 1].hi, incoming[i], 1e-15);
-    EXPECT_NEAR(slopes.outgoing[i + 1].hi, outgoing[i], 1e-15);
+    EXPECT_NEAR(slopes.incoming(i + 1)[0].hi, incoming[i], 1e-15);
+    EXPECT_NEAR(slopes.outgoing(i + 1)[0].hi, outgoing[i], 1e-15);
   }
 }
 
@@ -76,9 +79,13 @@ TEST(Curve, passes_through_every_key_bit_for_bit) {
 TEST(Curve, tension_of_one_stops_at_the_key) {
   auto table = example;
   for (Key& key : table) key[2] = 1;
-  const auto slopes = tangents<double>({keys_of(table)}, {});
-  for (const auto& slope : slopes.incoming) EXPECT_EQ(slope.hi, 0);
-  for (const auto& slope : slopes.outgoing) EXPECT_EQ(slope.hi, 0);
+  const Window<double> window{keys_of(table)};
+  const CurveRules<double> rules;
+  const Tangents<double> slopes(window, rules);
+  for (std::size_t key = 0; key < table.size(); ++key) {
+    EXPECT_EQ(slopes.incoming(key)[0].hi, 0);
+    EXPECT_EQ(slopes.outgoing(key)[0].hi, 0);
+  }
 }
 
 TEST(Curve, continuity_of_minus_one_makes_straight_segments_at_constant_speed) {

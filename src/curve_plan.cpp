@@ -1,0 +1,149 @@
+// What the settings of a curve mean: names looked up in the tables of rules, texts turned into numbers.
+#include "curve_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <string_view>
+
+#include "error.hpp"
+#include "format/number.hpp"
+#include "nearest.hpp"
+#include "spline/preset.hpp"
+
+namespace tcb {
+namespace {
+
+using spline::EndChoice;
+
+/// The row of a table that has the name. Throws: Error (usage) naming the nearest.
+template <class Table>
+std::size_t find_named(std::string_view option, const Table& table, std::string_view name) {
+  std::vector<std::string_view> known;
+  std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
+  const auto found = std::ranges::find(known, name);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  throw Error(Exit::usage, fmt::format("{}: unknown name \"{}\"; expected one of {}{}", option, name,
+                                       fmt::join(known, ", "), did_you_mean(name, known)));
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// One rule: a name, or name=V:V:… for one that takes a velocity.
+EndChoice<double> end_choice(std::string_view text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  EndChoice<double> choice{find_named("--ends", spline::end_rules<double>, text.substr(0, equals)), {}};
+  const bool takes_velocity = spline::end_rules<double>[choice.rule].takes_velocity;
+  if (takes_velocity != (equals < text.size())) {
+    throw Error(Exit::usage, fmt::format("--ends {}: expected {}", text,
+                                         takes_velocity ? "a number for each channel, as in velocity=1:0"
+                                                        : "no value for this rule; take it out"));
+  }
+  if (!takes_velocity) return choice;
+  for (const std::string_view part : split(text.substr(equals + 1), ':')) {
+    const auto value = format::parse_number(part);
+    if (!value)
+      throw Error(Exit::usage, fmt::format("--ends {}: \"{}\" is not a number; expected velocity=V:V…", text, part));
+    choice.velocity.push_back(*value);
+  }
+  return choice;
+}
+
+/// RULE or RULE,RULE. A comma before a number separates channels, like a colon.
+void set_ends(spline::CurveRules<double>& rules, std::string_view text) {
+  std::vector<std::string> ends;
+  for (const std::string_view part : split(text, ',')) {
+    if (!ends.empty() && format::parse_number(part)) {
+      ends.back() += fmt::format(":{}", part);
+    } else {
+      ends.emplace_back(part);
+    }
+  }
+  if (ends.size() > 2) {
+    throw Error(Exit::usage, fmt::format("--ends {}: {} rules; expected one, or one for the start and one for the end",
+                                         text, ends.size()));
+  }
+  rules.start = end_choice(ends.front());
+  rules.end = end_choice(ends.back());
+}
+
+double parse_exponent(std::string_view text) {
+  struct Named {
+    std::string_view name;
+    double exponent;
+  };
+  constexpr std::array named{Named{"uniform", 0}, Named{"chordal", 1}, Named{"centripetal", 0.5}};
+  if (const auto value = format::parse_number(text); value && *value >= 0 && *value <= 16) return *value;
+  if (!text.empty() && (text[0] == '-' || (text[0] >= '0' && text[0] <= '9'))) {
+    throw Error(Exit::usage, fmt::format("--parameter {}: expected an exponent from 0 to 16", text));
+  }
+  return named[find_named("--parameter", named, text)].exponent;
+}
+
+sampler::Rational parse_period(const std::string& text) {
+  const auto period = sampler::parse_rational(text);
+  if (!period || *period <= 0) {
+    throw Error(Exit::usage, fmt::format("--period \"{}\": expected a decimal or a ratio above 0, such as 7.5", text));
+  }
+  return *period;
+}
+
+std::size_t find_channel(const std::string& name, const std::vector<std::string>& channels) {
+  const auto found = std::ranges::find(channels, name);
+  if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error == std::errc() && end == name.data() + name.size() && number >= 1 && number <= channels.size()) {
+    return number - 1;
+  }
+  const std::vector<std::string_view> known(channels.begin(), channels.end());
+  throw Error(Exit::usage, fmt::format("--metric: no channel \"{}\"; expected some of {}, or numbers from 1{}", name,
+                                       fmt::join(known, ", "), did_you_mean(name, known)));
+}
+
+}  // namespace
+
+CurvePlan make_curve(const CurveSettings& settings) {
+  CurvePlan plan;
+  const auto& preset = spline::presets[find_named("--preset", spline::presets, settings.preset.value_or("gte"))];
+  plan.rules.tangents =
+      find_named("--tangents", spline::tangent_rules<double>, settings.tangents.value_or(std::string(preset.tangents)));
+  plan.closed = settings.period || settings.closed.value_or(false);
+  if (settings.ends && plan.closed) {
+    throw Error(Exit::usage, "--ends has no effect on a closed curve, which has no ends; take one of them out");
+  }
+  set_ends(plan.rules, settings.ends.value_or(std::string(preset.ends)));
+  plan.rules.equal_speed = settings.equal_speed;
+  if (settings.period) plan.period = parse_period(*settings.period);
+  if (settings.parameter) plan.parameter = parse_exponent(*settings.parameter);
+  if (settings.extrapolate) {
+    plan.extrapolation =
+        sampler::extrapolations[find_named("--extrapolate", sampler::extrapolations, *settings.extrapolate)].kind;
+  }
+  plan.ease = !settings.no_ease;
+  return plan;
+}
+
+CurvePlan fitted(CurvePlan plan, const CurveSettings& settings, const std::vector<std::string>& channels) {
+  for (const std::string& name : settings.metric) plan.rules.metric.push_back(find_channel(name, channels));
+  for (const auto* end : {&plan.rules.start, &plan.rules.end}) {
+    if (end->velocity.empty() || end->velocity.size() == channels.size()) continue;
+    throw Error(Exit::usage,
+                fmt::format("--ends: a velocity of {} numbers; expected {}, one for each of {}; correct it",
+                            end->velocity.size(), channels.size(), fmt::join(channels, ", ")));
+  }
+  return plan;
+}
+
+}  // namespace tcb

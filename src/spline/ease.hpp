@@ -1,0 +1,79 @@
+// Ease: a warp of the local parameter that starts and stops a segment gently.
+//
+//   s = f + e; if s > 1, both are divided by s; k = 1/(2 - f - e)
+//   warped(u) = (k/f) u^2 for u < f,  k (2u - f) for u < 1 - e,  1 - (k/e)(1 - u)^2 beyond
+// with f the ease_out of the segment's first key and e the ease_in of its last.
+// Source: what 3D Studio, 3ds Max and their kin compute.
+#pragma once
+
+#include "spline/segment.hpp"
+
+namespace tcb::spline {
+
+/// The ease of one segment, f + e at most 1; both 0: u is left as it is.
+template <class S>
+class Warp {
+ public:
+  Warp() = default;
+  /// Requires: ease_out and ease_in in [0, 1].
+  Warp(const S& ease_out, const S& ease_in) : f_(ease_out), e_(ease_in) {
+    const W sum = f_ + e_;
+    if (sum > W(1)) {
+      f_ = f_ / sum;
+      e_ = e_ / sum;
+    }
+    k_ = W(1) / (W(2) - f_ - e_);
+  }
+
+  bool is_identity() const { return f_ == W(0) && e_ == W(0); }
+
+  /// Where the curve is when the fraction u of the segment's duration has passed. `left` is 1 - u.
+  Local<S> at(const working_t<S>& u, const working_t<S>& left) const {
+    if (is_identity()) return {narrow<S>(u), narrow<S>(-left)};
+    if (u < f_) return from_start(k_ / f_ * u * u);
+    if (left > e_) return from_start(k_ * (u + u - f_));
+    return from_end(e_ == W(0) ? W(0) : k_ / e_ * left * left);
+  }
+
+  /// The fraction of the duration after which the curve is at u.
+  working_t<S> inverse(const S& u) const {
+    using std::sqrt;
+    const W place(u);
+    if (is_identity()) return place;
+    if (place < k_ * f_) return sqrt(place * f_ / k_);
+    if (W(1) - place > k_ * e_) return W(0.5) * (place / k_ + f_);
+    return W(1) - sqrt((W(1) - place) * e_ / k_);
+  }
+
+  /// The first and second derivative of the warp where the fraction u of the duration has passed.
+  S slope(const S& u) const {
+    if (is_identity()) return S(1);
+    const S f = narrow<S>(f_), e = narrow<S>(e_), k = narrow<S>(k_);
+    return u < f ? S(2) * k / f * u : S(1) - u > e ? S(2) * k : S(2) * k / e * (S(1) - u);
+  }
+  S bend(const S& u) const {
+    if (is_identity()) return S(0);
+    const S f = narrow<S>(f_), e = narrow<S>(e_), k = narrow<S>(k_);
+    return u < f ? S(2) * k / f : S(1) - u > e ? S(0) : S(-2) * k / e;
+  }
+
+ private:
+  using W = working_t<S>;
+
+  static Local<S> from_start(const W& u) { return {narrow<S>(u), narrow<S>(u - W(1))}; }
+  static Local<S> from_end(const W& left) { return {narrow<S>(W(1) - left), narrow<S>(-left)}; }
+
+  W f_{0}, e_{0}, k_{0.5};
+};
+
+/// The place at time t of a segment: the fraction of its duration that has passed, warped, rounded once.
+/// Requires: start <= t <= end.
+template <class S>
+Local<S> locate(const Time<S>& start, const Time<S>& end, const Time<S>& t, const Warp<S>& warp = {}) {
+  if (t == start) return {S(0), S(-1)};
+  if (t == end) return {S(1), S(0)};
+  const auto h = end - start;
+  return warp.at((t - start) / h, (end - t) / h);
+}
+
+}  // namespace tcb::spline

@@ -1,0 +1,192 @@
+// Plans: what typed options mean, and the exact refusal of each that means nothing.
+#include "cli/plan.hpp"
+
+#include <gmock/gmock.h>
+
+#include "error.hpp"
+
+namespace tcb::cli {
+namespace {
+
+using sampler::Mode;
+using sampler::Rational;
+using testing::ElementsAre;
+
+/// What is typed where only this one option besides --step is.
+Typed typed(std::string Typed::*option, const std::string& value) {
+  Typed result;
+  result.step = "1";
+  result.*option = value;
+  return result;
+}
+
+Typed only(std::string Typed::*option, const std::string& value) {
+  Typed result;
+  result.*option = value;
+  return result;
+}
+
+/// The error of a plan, which is always one of usage.
+std::string refusal(const Typed& options) {
+  try {
+    make_plan(options);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Plan, without_options_but_a_step_all_is_default) {
+  const Plan plan = make_plan(only(&Typed::step, "0.1"));
+  EXPECT_THAT(plan.files, ElementsAre("-"));
+  EXPECT_EQ(plan.sampling.mode, Mode::step);
+  EXPECT_EQ(plan.sampling.step, Rational(1, 10)) << "a decimal is what it says";
+  EXPECT_FALSE(plan.sampling.from || plan.sampling.to);
+  EXPECT_THAT(plan.fields, ElementsAre(0, 1));
+  EXPECT_EQ(plan.output_format, format::find_format("", "csv"));
+  EXPECT_FALSE(plan.output_header || plan.output_folder);
+  EXPECT_EQ(plan.output, "-");
+  EXPECT_FALSE(plan.input.format || plan.input.delimiter || plan.input.header);
+  EXPECT_EQ(plan.input.comment, "#");
+  EXPECT_EQ(plan.input.tcb, spline::Tcb<double>{});
+}
+
+TEST(Plan, each_way_to_sample_has_its_mode_and_value) {
+  const auto sampling = [](std::string Typed::*option, const std::string& value) {
+    return make_plan(only(option, value)).sampling;
+  };
+  EXPECT_EQ(sampling(&Typed::step, "1001/30000").step, Rational(1001, 30000));
+  EXPECT_EQ(sampling(&Typed::rate, "30000/1001").step, Rational(1001, 30000)) << "exactly 1/HZ";
+  EXPECT_EQ(sampling(&Typed::rate, "24").mode, Mode::step);
+  EXPECT_EQ(sampling(&Typed::count, "200").mode, Mode::count);
+  EXPECT_EQ(sampling(&Typed::count, "9223372036854775807").count, 9223372036854775807U);
+  EXPECT_EQ(sampling(&Typed::segments, "7").mode, Mode::segments);
+  EXPECT_EQ(sampling(&Typed::segments, "7").count, 7U);
+  EXPECT_EQ(sampling(&Typed::arc_step, "2.5").mode, Mode::arc_step);
+  EXPECT_EQ(sampling(&Typed::arc_step, "2.5").step, Rational(5, 2));
+  EXPECT_EQ(sampling(&Typed::arc_count, "3").mode, Mode::arc_count);
+  EXPECT_EQ(sampling(&Typed::arc_count, "3").count, 3U);
+}
+
+TEST(Plan, samples_are_asked_for_in_exactly_one_way) {
+  EXPECT_EQ(refusal({}),
+            "nothing says where the samples are; expected one of --step, --rate, --count, --segments, --arc-step, "
+            "--arc-count; for example tcbsample --step 0.1 keys.csv");
+  Typed two = only(&Typed::arc_count, "3");
+  two.rate = "24";
+  EXPECT_EQ(refusal(two), "--rate and --arc-count both say where the samples are; expected one of them; take one out");
+}
+
+TEST(Plan, steps_are_above_0_and_counts_from_1_up) {
+  for (const char* value : {"0", "-1", "x", "1/0", "0/5", "1e", "inf", "1/24x"}) {
+    const std::string expected =
+        std::string(" \"") + value + "\": expected a decimal or a ratio above 0, such as 0.1 or 1/24";
+    EXPECT_EQ(refusal(only(&Typed::step, value)), "--step" + expected);
+    EXPECT_EQ(refusal(only(&Typed::rate, value)), "--rate" + expected);
+    EXPECT_EQ(refusal(only(&Typed::arc_step, value)), "--arc-step" + expected);
+  }
+  for (const char* value : {"0", "-1", "+1", "1.5", "1e3", " 1", "9223372036854775808", "99999999999999999999"}) {
+    const std::string expected = std::string(" \"") + value + "\": expected a whole number from 1 up";
+    EXPECT_EQ(refusal(only(&Typed::count, value)), "--count" + expected);
+    EXPECT_EQ(refusal(only(&Typed::segments, value)), "--segments" + expected);
+    EXPECT_EQ(refusal(only(&Typed::arc_count, value)), "--arc-count" + expected);
+  }
+}
+
+TEST(Plan, the_range_is_exact_and_goes_forward) {
+  Typed range = typed(&Typed::from, "-7/24");
+  range.to = "0.1";
+  const Plan plan = make_plan(range);
+  EXPECT_EQ(plan.sampling.from, Rational(-7, 24));
+  EXPECT_EQ(plan.sampling.to, Rational(1, 10));
+  EXPECT_EQ(refusal(typed(&Typed::from, "now")), "--from \"now\": expected a decimal or a ratio, such as 1.5 or 7/24");
+  EXPECT_EQ(refusal(typed(&Typed::to, "1/0")), "--to \"1/0\": expected a decimal or a ratio, such as 1.5 or 7/24");
+  range.to = "-1";
+  EXPECT_EQ(refusal(range), "--to -1 is before --from -7/24; expected it after; exchange them");
+  range.to = range.from;
+  EXPECT_EQ(refusal(range), "no error") << "a single time is a range";
+}
+
+TEST(Plan, delimiters_are_names_or_characters_that_no_number_has) {
+  const std::pair<const char*, char> known[] = {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"space", ' '},
+                                                {"pipe", '|'}, {":", ':'},     {"\t", '\t'},       {"x", 'x'}};
+  for (const auto& [text, character] : known) {
+    EXPECT_EQ(make_plan(typed(&Typed::delimiter, text)).input.delimiter, character) << text;
+  }
+  for (const char* text : {"1", "e", "E", ".", "-", "+", "\"", "\n", "\r", "tabs", ",,", "é"}) {
+    EXPECT_EQ(refusal(typed(&Typed::delimiter, text)),
+              std::string("--delimiter \"") + text +
+                  "\": expected one character that is no part of a number, or tab, comma, semicolon, space or pipe");
+  }
+}
+
+TEST(Plan, tension_continuity_and_bias_are_three_numbers) {
+  EXPECT_EQ(make_plan(typed(&Typed::tcb, "0,0.5,-0.25")).input.tcb, (spline::Tcb<double>{0, 0.5, -0.25}));
+  for (const char* text : {"0", "0,0", "0,0,0,0", "0,,0", "0,0,x", "0,0,1e999", "0;0;0"}) {
+    EXPECT_EQ(refusal(typed(&Typed::tcb, text)),
+              std::string("--tcb \"") + text + "\": expected three numbers T,C,B, such as 0,0.5,-0.25");
+  }
+}
+
+TEST(Plan, the_input_is_described) {
+  Typed options = typed(&Typed::input_format, "jsonl");
+  EXPECT_EQ(make_plan(options).input.format, format::find_format("", "jsonl"));
+  EXPECT_EQ(make_plan(typed(&Typed::comment, "//")).input.comment, "//");
+  EXPECT_EQ(make_plan(typed(&Typed::comment, "none")).input.comment, "");
+  const Plan roles = make_plan(typed(&Typed::columns, "time=frame"));
+  ASSERT_EQ(roles.input.roles.size(), 1U);
+  EXPECT_EQ(roles.input.roles[0].role, format::Role::time);
+  options = only(&Typed::step, "1");
+  options.no_header = true;
+  EXPECT_EQ(make_plan(options).input.header, false);
+  options.header = true;
+  EXPECT_EQ(refusal(options), "--header and --no-header contradict each other; expected one of them; take one out");
+  options.no_header = false;
+  EXPECT_EQ(make_plan(options).input.header, true);
+}
+
+TEST(Plan, unknown_formats_are_refused_by_the_option_that_asked) {
+  EXPECT_EQ(refusal(typed(&Typed::input_format, "xml")),
+            "--input-format: unknown format \"xml\"; expected one of csv, tsv, ssv, json, jsonl");
+  EXPECT_EQ(refusal(typed(&Typed::output_format, "xml")),
+            "--output-format: unknown format \"xml\"; expected one of csv, tsv, ssv, json, jsonl");
+}
+
+TEST(Plan, fields_are_chosen_in_order) {
+  EXPECT_THAT(make_plan(typed(&Typed::fields, "s,position,time")).fields, ElementsAre(2, 1, 0));
+  EXPECT_EQ(refusal(typed(&Typed::fields, "time,positon")),
+            "--fields: no field \"positon\"; expected some of time, position, s; did you mean position?");
+  EXPECT_EQ(refusal(typed(&Typed::fields, "time,")), "--fields: no field \"\"; expected some of time, position, s");
+}
+
+TEST(Plan, the_output_goes_to_one_place) {
+  Typed options = typed(&Typed::output, "out.csv");
+  EXPECT_EQ(make_plan(options).output, "out.csv");
+  options.output_dir = "out";
+  EXPECT_EQ(refusal(options),
+            "--output and --output-dir both say where the rows go; expected one of them; take one out");
+  options.output.clear();
+  options.files = {"a.csv", "b.csv"};
+  const Plan plan = make_plan(options);
+  EXPECT_EQ(plan.output_folder, "out");
+  EXPECT_THAT(plan.files, ElementsAre("a.csv", "b.csv"));
+  EXPECT_EQ(make_plan(typed(&Typed::output_format, "json")).output_format, format::find_format("", "json"));
+  options.no_output_header = true;
+  EXPECT_EQ(make_plan(options).output_header, false);
+}
+
+TEST(Plan, an_option_without_effect_is_refused) {
+  Typed input = typed(&Typed::input_format, "json");
+  input.delimiter = ";";
+  EXPECT_NE(refusal(input), "no error") << "JSON has no delimiter";
+  input.delimiter.clear();
+  input.header = true;
+  EXPECT_NE(refusal(input), "no error") << "JSON has no header";
+  Typed output = typed(&Typed::output_format, "json");
+  output.no_output_header = true;
+  EXPECT_NE(refusal(output), "no error") << "JSON has no names above the rows";
+}
+
+}  // namespace
+}  // namespace tcb::cli

@@ -1,0 +1,39 @@
+// Errors: their text with and without a place, and the file that is filled in later.
+#include "error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tcb {
+namespace {
+
+TEST(Errors, the_text_names_the_place_as_far_as_it_is_known) {
+  EXPECT_EQ(Error(Exit::data, Place{"a.csv", 17, 3}, "wrong").text(), "a.csv:17:3: error: wrong");
+  EXPECT_EQ(Error(Exit::data, Place{"a.csv", 17, 0}, "wrong").text(), "a.csv:17: error: wrong");
+  EXPECT_EQ(Error(Exit::data, Place{"a.csv", 0, 0}, "wrong").text(), "a.csv: error: wrong");
+  EXPECT_EQ(Error(Exit::data, Place{"a.csv", 0, 3}, "wrong").text(), "a.csv: error: wrong")
+      << "no column without a line";
+}
+
+TEST(Errors, without_a_file_the_program_is_named) {
+  EXPECT_EQ(Error(Exit::usage, "wrong").text(), "tcbsample: error: wrong");
+  EXPECT_EQ(Error(Exit::data, Place{"", 17, 3}, "wrong").text(), "tcbsample: error: wrong");
+}
+
+TEST(Errors, a_file_is_filled_in_once_and_nothing_else_changes) {
+  const Error error(Exit::data, Place{"", 17, 3}, "wrong");
+  EXPECT_EQ(error.in("a.csv").text(), "a.csv:17:3: error: wrong");
+  EXPECT_EQ(error.in("a.csv").in("b.csv").text(), "a.csv:17:3: error: wrong");
+  EXPECT_EQ(error.in("a.csv").exit(), Exit::data);
+  EXPECT_STREQ(error.in("a.csv").what(), "wrong");
+  EXPECT_EQ(error.text(), "tcbsample: error: wrong") << "the error itself stays as it was";
+}
+
+TEST(Errors, exit_codes_are_those_of_the_manual) {
+  EXPECT_EQ(static_cast<int>(Exit::done), 0);
+  EXPECT_EQ(static_cast<int>(Exit::data), 1);
+  EXPECT_EQ(static_cast<int>(Exit::usage), 2);
+  EXPECT_EQ(Error(Exit::usage, "wrong").exit(), Exit::usage);
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,126 @@
+// Splitting JSON: chunks of whole keys in every shape, with their places, however the bytes arrive.
+#include "format/json_split.hpp"
+
+#include <gmock/gmock.h>
+
+#include "reading.hpp"
+
+namespace tcb::format {
+namespace {
+
+using testing::ElementsAre;
+
+/// Everything that a splitter hands on.
+struct Split {
+  std::vector<std::string> texts;
+  std::vector<std::string> places;  ///< "LINE:COLUMN #FIRST"
+  bool wrapped = false;
+  Chunk envelope;
+};
+
+Split split(const std::string& text, std::size_t piece = std::string::npos) {
+  JsonSplitter splitter(pieces(text, piece));
+  Split result;
+  while (const auto chunk = splitter.next()) {
+    result.texts.push_back(chunk->text);
+    result.places.push_back(fmt::format("{}:{} #{}", chunk->line, chunk->column, chunk->first));
+  }
+  result.wrapped = splitter.wrapped();
+  result.envelope = splitter.envelope();
+  return result;
+}
+
+TEST(JsonSplit, an_array_is_cut_into_arrays) {
+  EXPECT_THAT(split("[{\"t\":0},{\"t\":1}]").texts, ElementsAre("[{\"t\":0},{\"t\":1}]"));
+  const Split cut = split(" [{\"t\":0},\n é{\"t\":1}, {}]", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[\n é{\"t\":1}]", "[ {}]"));
+  EXPECT_THAT(cut.places, ElementsAre("1:2 #0", "1:10 #1", "2:10 #2")) << "of the bracket or comma, in characters";
+  EXPECT_FALSE(cut.wrapped);
+}
+
+TEST(JsonSplit, keys_in_an_object_leave_an_envelope) {
+  const Split cut = split("{\"a\":[1,{}],\n\"keys\": [{\"t\":0},{\"t\":1}],\"b\":2}\n", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[{\"t\":1}]"));
+  EXPECT_THAT(cut.places, ElementsAre("2:9 #0", "2:17 #1"));
+  EXPECT_TRUE(cut.wrapped);
+  std::string bare = cut.envelope.text;
+  std::erase(bare, ' ');
+  EXPECT_EQ(bare, "{\"a\":[1,{}],\n\"keys\":[],\"b\":2}\n");
+}
+
+TEST(JsonSplit, the_rest_of_the_envelope_stands_where_it_stands_in_the_file) {
+  for (const std::string text : {"{\"keys\":[\n{\"t\":0},\n{\"t\":1}\n ] ,\"b\":2}", "{\"keys\":[{\"t\":0}],\"b\":2}",
+                                 "{\n\"keys\":[{\"t\":0},\n{}],\"b\":2}"}) {
+    const Chunk envelope = split(text).envelope;
+    const auto column = [](const std::string& of) { return of.find("\"b\"") - (of.rfind('\n') + 1); };
+    EXPECT_EQ(std::ranges::count(envelope.text, '\n'), std::ranges::count(text, '\n'));
+    EXPECT_EQ(column(envelope.text), column(text)) << text;
+  }
+}
+
+TEST(JsonSplit, json_lines_are_cut_after_lines) {
+  const Split cut = split("{\"t\":0}\n\n{\"t\":1}\n", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("{\"t\":0}\n", "\n", "{\"t\":1}\n"));
+  EXPECT_THAT(cut.places, ElementsAre("1:1 #0", "2:1 #1", "3:1 #1"));
+}
+
+TEST(JsonSplit, an_empty_list_has_no_chunks) {
+  for (const char* text : {"", " \n", "[]", " [ \n] ", "{\"keys\":[]}"}) {
+    EXPECT_THAT(split(text).texts, ElementsAre()) << text;
+    EXPECT_THAT(split(text, 1).texts, ElementsAre()) << text;
+  }
+}
+
+TEST(JsonSplit, brackets_commas_and_quotes_in_strings_mean_nothing) {
+  const std::string key = R"({"l":"],[}{,\"\\","t":[0,{"a":[1]}]})";
+  for (std::size_t piece = 1; piece <= key.size(); ++piece) {
+    const auto texts = split("[" + key + "," + key + "]", piece).texts;
+    const bool whole = texts == std::vector<std::string>{"[" + key + "," + key + "]"};
+    const bool in_two = texts == std::vector<std::string>{"[" + key + "]", "[" + key + "]"};
+    EXPECT_TRUE(whole || in_two) << piece;
+  }
+}
+
+TEST(JsonSplit, a_member_that_only_holds_the_word_keys_is_not_the_list) {
+  const Split cut = split(R"({"a":"keys","b":[{}],"c":{"keys":[1]},"keys":[{"t":0}]})", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]"));
+  EXPECT_TRUE(cut.wrapped);
+}
+
+TEST(JsonSplit, every_byte_of_an_array_ends_up_in_a_chunk_at_its_place) {
+  for (const std::string text : {"[{\"a\":1},{\"b\":[2,3]}\n,{\"é\":\"x,]\"},\n\n {\"c\":4} ]", "[1,,2]", "[{},]",
+                                 "[{} {}]", "[{},{\"a\":", "[{},{\"a\":\"", "[{},"}) {
+    for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+      const Split cut = split(text, piece);
+      std::string joined = "[";
+      for (std::size_t i = 0; i < cut.texts.size(); ++i) {
+        const auto before = static_cast<std::size_t>(joined.rfind('\n') + 1);
+        const auto line = 1 + std::ranges::count(joined, '\n');
+        const auto column = std::ranges::count_if(joined.substr(before), [](char c) { return (c & 0xC0) != 0x80; });
+        EXPECT_THAT(cut.places[i], testing::StartsWith(fmt::format("{}:{} ", line, i == 0 ? 1 : column))) << text;
+        const bool closed_here = i + 1 < cut.texts.size();
+        joined += cut.texts[i].substr(1, cut.texts[i].size() - (closed_here ? 2 : 1)) + (closed_here ? "," : "");
+      }
+      EXPECT_EQ(joined, text) << "in pieces of " << piece;
+    }
+  }
+}
+
+TEST(JsonSplit, text_after_an_array_is_refused_where_it_stands) {
+  for (std::size_t piece = 1; piece < 20; ++piece) {
+    EXPECT_EQ(error_of([&] { split("[{\"é\":0}]\n \t]x", piece); }),
+              "f:2:3: error: text after the end of the JSON array; expected nothing more; take it out");
+    EXPECT_EQ(error_of([&] { split("[{\"é\":0}] [", piece); }),
+              "f:1:11: error: text after the end of the JSON array; expected nothing more; take it out");
+  }
+}
+
+TEST(JsonSplit, a_key_is_handed_on_before_more_is_asked_for) {
+  int asked = 0;
+  JsonSplitter splitter([&]() -> std::optional<std::string> { return ++asked == 1 ? "{\"t\":0}\n" : "{\"t\":1}\n"; });
+  EXPECT_THAT(splitter.next()->text, testing::HasSubstr("{\"t\":0}"));
+  EXPECT_EQ(asked, 1);
+}
+
+}  // namespace
+}  // namespace tcb::format

@@ -1,0 +1,215 @@
+// Numbers: every double and every whole time comes back from its text, and other text is refused.
+#include "format/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <random>
+
+namespace tcb::format {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+constexpr auto largest_whole = std::numeric_limits<std::int64_t>::max();
+constexpr auto smallest_whole = std::numeric_limits<std::int64_t>::min();
+
+std::string printed(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string printed_time(const Time& time) {
+  std::string text;
+  append_time(text, time);
+  return text;
+}
+
+Int128 exact(const Time& time) { return static_cast<Int128>(time.hi) + static_cast<Int128>(time.lo); }
+
+std::string digits_17(double value) {
+  std::array<char, 64> text{};
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 16).ptr};
+}
+
+TEST(Numbers, every_double_reads_back_from_its_text_bit_for_bit) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100'000; ++i) {
+    const auto value = std::bit_cast<double>(random());
+    if (!std::isfinite(value)) continue;
+    std::array<char, 32> text{};
+    const std::string shortest(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+    ASSERT_EQ(printed(value), shortest);
+    for (const std::string& form : {shortest, digits_17(value)}) {
+      const auto back = parse_number(form);
+      ASSERT_TRUE(back) << form;
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(*back), std::bit_cast<std::uint64_t>(value)) << form;
+    }
+  }
+}
+
+TEST(Numbers, whole_times_keep_all_their_digits) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 100'000; ++i) {
+    const auto value = static_cast<std::int64_t>(random()) >> (random() % 64);
+    const auto time = parse_time(std::to_string(value));
+    ASSERT_TRUE(time);
+    ASSERT_EQ(exact(*time), value);
+    ASSERT_EQ(time->hi, static_cast<double>(value)) << "the first part is the nearest double";
+    ASSERT_EQ(exact(whole_time(value)), value);
+    ASSERT_EQ(printed_time(*time), std::to_string(value));
+  }
+}
+
+TEST(Numbers, whole_times_at_the_limits_of_64_bits_are_read_exactly) {
+  for (const std::int64_t value : {largest_whole, largest_whole - 1, smallest_whole, smallest_whole + 1}) {
+    EXPECT_EQ(exact(*parse_time(std::to_string(value))), value);
+    EXPECT_EQ(exact(whole_time(value)), value);
+  }
+}
+
+TEST(Numbers, whole_times_just_below_2_to_63_are_printed_with_all_their_digits) {
+  for (const std::int64_t below : {0, 1, 255, 511, 512, 513, 1023, 1024}) {
+    const std::int64_t value = largest_whole - below;
+    EXPECT_EQ(printed_time(whole_time(value)), std::to_string(value));
+    EXPECT_EQ(printed_time(whole_time(-value)), std::to_string(-value));
+  }
+}
+
+TEST(Numbers, unsigned_whole_times_are_exact) {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 10'000; ++i) {
+    const std::uint64_t value = random() >> (random() % 64);
+    ASSERT_EQ(exact(whole_time(value)), static_cast<Int128>(value));
+  }
+  const auto largest = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(exact(whole_time(largest)), static_cast<Int128>(largest));
+}
+
+TEST(Numbers, a_time_beyond_2_to_53_is_exact_where_a_number_is_rounded_to_even) {
+  EXPECT_EQ(*parse_number("9007199254740993"), 9007199254740992.0);
+  EXPECT_EQ(*parse_number("9007199254740993.0000000001"), 9007199254740994.0);
+  EXPECT_EQ(printed_time(*parse_time("9007199254740993")), "9007199254740993");
+  EXPECT_EQ(printed_time(*parse_time("+1403636579763555584")), "1403636579763555584");
+  EXPECT_EQ(printed_time(*parse_time("0009007199254740993")), "9007199254740993");
+}
+
+TEST(Numbers, a_time_that_is_not_whole_is_the_nearest_double) {
+  EXPECT_EQ(*parse_time("0.1"), Time(0.1));
+  EXPECT_EQ(*parse_time("-1234567890.12345678"), Time(-1234567890.12345678));
+  EXPECT_EQ(printed_time(Time(0.1)), "0.1");
+  EXPECT_EQ(printed_time(Time(-2.5)), "-2.5");
+  EXPECT_EQ(printed_time(Time(1e300)), "1e+300");
+  EXPECT_EQ(printed_time(Time(1e6)), "1000000") << "a whole time has all its digits, where a number is 1e+06";
+  EXPECT_EQ(printed(1e6), "1e+06");
+}
+
+TEST(Numbers, sign_point_and_exponent_are_optional) {
+  const std::pair<const char*, double> spellings[] = {
+      {"+1", 1},     {".5", 0.5},   {"5.", 5},  {"-.25", -0.25}, {"1E3", 1000},
+      {"2e-1", 0.2}, {"+.5e+1", 5}, {"007", 7}, {"00.10", 0.1},  {"1e0000000001", 10}};
+  for (const auto& [text, value] : spellings) {
+    EXPECT_EQ(parse_number(text), value) << text;
+    EXPECT_EQ(parse_time(text), Time(value)) << text;
+  }
+  EXPECT_TRUE(std::signbit(*parse_number("-0")));
+}
+
+TEST(Numbers, other_text_is_refused) {
+  for (const char* text : {"",
+                           " ",
+                           "+",
+                           "-",
+                           ".",
+                           "+-1",
+                           "++1",
+                           "-+1",
+                           "--1",
+                           "0x10",
+                           "0x1p3",
+                           "0X10",
+                           "inf",
+                           "+inf",
+                           "-inf",
+                           "Infinity",
+                           "nan",
+                           "NaN",
+                           "-nan",
+                           "nan(1)",
+                           "1e999",
+                           "-1e999",
+                           "1,5",
+                           " 1",
+                           "1 ",
+                           "1e",
+                           "1e+",
+                           "e5",
+                           "1_0",
+                           "1'000",
+                           "1f",
+                           "1.2.3",
+                           "1/2",
+                           "o.5",
+                           "١",
+                           "12345678901234567x",
+                           "123456789012345678 "}) {
+    EXPECT_EQ(parse_number(text), std::nullopt) << text;
+    EXPECT_EQ(parse_time(text), std::nullopt) << text;
+  }
+  EXPECT_EQ(parse_number(std::string_view("1\0", 2)), std::nullopt);
+}
+
+TEST(Numbers, the_largest_double_is_read_and_the_next_decimal_is_not) {
+  EXPECT_EQ(parse_number("1.7976931348623157e308"), std::numeric_limits<double>::max());
+  EXPECT_EQ(parse_number("1.7976931348623159e308"), std::nullopt);
+}
+
+TEST(Numbers, the_double_nearest_to_a_tiny_number_is_zero) {
+  EXPECT_EQ(parse_number("5e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(parse_number("2e-324"), 0.0);
+  EXPECT_EQ(parse_number("1e-400"), 0.0);
+  EXPECT_EQ(parse_time("-1e-400"), Time(-0.0));
+}
+
+TEST(Numbers, missing_is_empty_na_nan_or_null_in_any_case) {
+  for (const char* text : {"", "NA", "na", "nan", "NaN", "null", "NULL"}) {
+    EXPECT_TRUE(is_missing(text)) << text;
+    EXPECT_TRUE(looks_numeric(text)) << text;
+  }
+  for (const char* text : {"0", "n/a", "none", "nanx", "-", " "}) EXPECT_FALSE(is_missing(text)) << text;
+}
+
+TEST(Numbers, infinities_and_numbers_too_large_belong_in_a_column_of_numbers) {
+  for (const char* text : {"1", "+1", "-.5e3", "inf", "-Infinity", "+inf", "1e999", "-1e999"}) {
+    EXPECT_TRUE(looks_numeric(text)) << text;
+  }
+  for (const char* text : {"x", "1x", "0x10", "1e999x", "infinite", "+", "+-1", "1 2"}) {
+    EXPECT_FALSE(looks_numeric(text)) << text;
+  }
+}
+
+TEST(Numbers, whole_numbers_have_all_their_digits) {
+  std::string text = "n=";
+  append_whole(text, std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(text, "n=18446744073709551615");
+}
+
+TEST(Numbers, no_locale_changes_the_point) {
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+  };
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  EXPECT_EQ(printed(1234.5), "1234.5");
+  EXPECT_EQ(parse_number("1234.5"), 1234.5);
+  std::locale::global(before);
+}
+
+}  // namespace
+}  // namespace tcb::format
