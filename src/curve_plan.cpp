@@ -11,34 +11,13 @@
 
 #include "error.hpp"
 #include "format/number.hpp"
-#include "nearest.hpp"
+#include "names.hpp"
 #include "spline/preset.hpp"
 
 namespace tcb {
 namespace {
 
 using spline::EndChoice;
-
-/// The row of a table that has the name. Throws: Error (usage) naming the nearest.
-template <class Table>
-std::size_t find_named(std::string_view option, const Table& table, std::string_view name) {
-  std::vector<std::string_view> known;
-  std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
-  const auto found = std::ranges::find(known, name);
-  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  throw Error(Exit::usage, fmt::format("{}: unknown name \"{}\"; expected one of {}{}", option, name,
-                                       fmt::join(known, ", "), did_you_mean(name, known)));
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 /// One rule: a name, or name=V:V:… for one that takes a velocity.
 EndChoice<double> end_choice(std::string_view text) {

@@ -2,50 +2,89 @@
 #include "lookup.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace tcb {
+namespace {
 
 using sampler::Piece;
 using spline::Time;
 using spline::Twice;
 
-WholeCurve::WholeCurve(const Source<Stretch>& stretches, std::vector<std::size_t> metric) : metric_(std::move(metric)) {
-  Twice s;
-  while (std::optional<Stretch> stretch = stretches()) {
-    if (stretch->segments.size() == 0) continue;
-    s_.push_back(s);
-    for (const double length : stretch->lengths) s = s + Twice(length);
-    stretches_.push_back(std::move(*stretch));
-  }
-  const auto first = stretches_.front().segments[0];
-  const auto last = stretches_.back().segments[stretches_.back().segments.size() - 1];
-  for (std::size_t i = 0; i < first.size(); ++i) cycle_.push_back(last[i].p1 - first[i].p0);
-}
-
-Piece WholeCurve::piece_at(const Time<double>& t) const {
-  const auto after = std::ranges::upper_bound(stretches_, t, {},
-                                              [](const Stretch& stretch) { return stretch.segments.times.front(); });
-  const auto index = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - stretches_.begin() - 1, 0));
-  const Stretch& stretch = stretches_[index];
-  const auto& times = stretch.segments.times;
-  const auto next = std::upper_bound(times.begin() + 1, times.end() - 1, t);
-  const auto i = static_cast<std::size_t>(next - times.begin() - 1);
-  Twice s = s_[index];
-  for (std::size_t k = 0; k < i && !stretch.lengths.empty(); ++k) s = s + Twice(stretch.lengths[k]);
-  const Twice s_end = stretch.lengths.empty() ? s : s + Twice(stretch.lengths[i]);
-  const bool last = index + 1 == stretches_.size() && i + 1 == stretch.segments.size();
-  return {times[i], times[i + 1], s, s_end, stretch.segments[i], metric_, last, stretch.segments.warp(i), cycle_};
-}
-
-Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::Anywhere> rows) {
-  return [curve = std::move(curve), rows = std::move(rows), j = std::uint64_t{0}]() mutable -> std::optional<Batch> {
-    if (j == rows->size()) return std::nullopt;
-    Batch batch{curve, {}, j == 0};
-    const std::uint64_t end = j + std::min(Batch::most_rows, rows->size() - j);
-    for (; j < end; ++j) batch.parts.push_back({curve->piece_at(rows->on_curve(j).t), {j, j + 1}});
+/// Rows in batches, where `find` gives the number of a row's piece.
+Source<Batch> batches(std::shared_ptr<const WholeCurve> curve, std::uint64_t rows,
+                      std::function<std::uint64_t(std::uint64_t)> find) {
+  return [curve = std::move(curve), rows, find = std::move(find),
+          row = std::uint64_t{0}]() mutable -> std::optional<Batch> {
+    if (row == rows) return std::nullopt;
+    Batch batch{curve, {}, row == 0};
+    const std::uint64_t end = row + std::min(Batch::most_rows, rows - row);
+    for (; row < end; ++row) batch.parts.push_back({curve->piece(find(row)), row, row + 1});
     return batch;
   };
+}
+
+}  // namespace
+
+WholeCurve::WholeCurve(const Source<Stretch>& stretches, std::vector<std::size_t> metric)
+    : first_numbers_{0}, s_{Twice()}, metric_(std::move(metric)) {
+  while (std::optional<Stretch> stretch = stretches()) {
+    const std::size_t size = stretch->segments.size();
+    if (size == 0) continue;
+    for (std::size_t i = 0; i < size; ++i) {
+      s_.push_back(stretch->lengths.empty() ? Twice() : s_.back() + Twice(stretch->lengths[i]));
+    }
+    first_numbers_.push_back(first_numbers_.back() + size);
+    stretches_.push_back(std::move(*stretch));
+  }
+  const Piece first = piece(0);
+  const Piece last = piece(size() - 1);
+  for (std::size_t i = 0; i < first.cubics.size(); ++i) cycle_.push_back(last.cubics[i].p1 - first.cubics[i].p0);
+}
+
+Piece WholeCurve::piece(std::uint64_t number) const {
+  const auto after = std::ranges::upper_bound(first_numbers_, number);
+  const auto index = static_cast<std::size_t>(after - first_numbers_.begin() - 1);
+  const spline::Segments<double>& segments = stretches_[index].segments;
+  const std::size_t i = number - first_numbers_[index];
+  return {segments.times[i], segments.times[i + 1], s_[number],       s_[number + 1], segments[i],
+          metric_,           number + 1 == size(),  segments.warp(i), cycle_,         number};
+}
+
+std::uint64_t WholeCurve::find_time(const Time<double>& t, bool left) const {
+  std::uint64_t low = 0, high = size() - 1;
+  while (low < high) {  // the first piece that ends behind t, or there if that is wanted
+    const std::uint64_t middle = low + (high - low) / 2;
+    const Time<double> end = piece(middle).end;
+    if (left ? end >= t : end > t)
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return low;
+}
+
+std::uint64_t WholeCurve::find_length(const Time<double>& s, bool left) const {
+  const auto before = [&](const Twice& end) { return Time<double>(end.hi) < s; };
+  const auto found = std::partition_point(s_.begin() + 1, s_.end(), before);
+  const auto number = std::min(static_cast<std::uint64_t>(found - s_.begin()), size()) - 1;
+  const bool at_end = number + 1 < size() && Time<double>(s_[number + 1].hi) == s && s_[number].hi != s_[number + 1].hi;
+  return number + (at_end && !left ? 1 : 0);
+}
+
+Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInTime> rows,
+                      bool left) {
+  const std::uint64_t size = rows->size();
+  return batches(curve, size,
+                 [curve, rows, left](std::uint64_t row) { return curve->find_time(rows->on_curve(row), left); });
+}
+
+Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInLength> rows,
+                      bool left) {
+  const std::uint64_t size = rows->size();
+  return batches(curve, size,
+                 [curve, rows, left](std::uint64_t row) { return curve->find_length(rows->on_curve(row), left); });
 }
 
 }  // namespace tcb

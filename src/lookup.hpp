@@ -1,6 +1,7 @@
 // Looking a curve up anywhere: it is kept whole, and rows may come in any order, also outside it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -17,17 +18,29 @@ class WholeCurve {
   /// Requires: a segment at least.
   WholeCurve(const Source<Stretch>& stretches, std::vector<std::size_t> metric);
 
-  /// The piece on which the curve is at time t; of two that meet there, the later one.
-  sampler::Piece piece_at(const spline::Time<double>& t) const;
+  std::uint64_t size() const { return first_numbers_.back(); }
+  double length() const { return s_.back().hi; }
+
+  sampler::Piece piece(std::uint64_t number) const;
+
+  /// The number of the piece on which the curve is at time t. Of two that meet there, the one before if `left`.
+  std::uint64_t find_time(const spline::Time<double>& t, bool left) const;
+
+  /// The number of the first piece by whose end the arc length s is reached; at that end, the one after unless `left`.
+  std::uint64_t find_length(const spline::Time<double>& s, bool left) const;
 
  private:
   std::vector<Stretch> stretches_;
-  std::vector<spline::Twice> s_;  ///< arc length where each stretch begins
+  std::vector<std::uint64_t> first_numbers_;  ///< of each stretch's first piece, and how many there are
+  std::vector<spline::Twice> s_;              ///< arc length at the start of each piece, and of all
   std::vector<std::size_t> metric_;
   std::vector<double> cycle_;  ///< last key - first key
 };
 
 /// The rows of a locator, in batches.
-Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::Anywhere> rows);
+Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInTime> rows,
+                      bool left);
+Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInLength> rows,
+                      bool left);
 
 }  // namespace tcb

@@ -3,17 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <utility>
 
-#include "closed.hpp"
-#include "curve_plan.hpp"
 #include "error.hpp"
 #include "file.hpp"
-#include "lookup.hpp"
+#include "path.hpp"
 #include "rows.hpp"
 
 namespace tcb {
@@ -62,107 +60,72 @@ class Writer {
   bool any_rows_ = false;
 };
 
-/// One curve on its way from keys to rows.
-class Path {
- public:
-  Path(const Plan& plan, const format::Input& input)
-      : plan_(plan),
-        settings_(over(plan.curve, input.settings)),
-        curve_(fitted(make_curve(settings_), settings_, input.channels)),
-        timed_(input.timed) {
-    if (timed_ && curve_.parameter) {
-      throw Error(Exit::data,
-                  fmt::format("--parameter makes times, but column \"{}\" has them; expected one of the two; "
-                              "take --parameter out, or choose other columns with --columns",
-                              input.time));
-    }
-  }
+/// What the program tells the person at the terminal.
+void note(const Plan& plan, const std::string& path, const std::string& text) {
+  if (!plan.notes) return;
+  (void)std::fputs(fmt::format("{}: note: {}\n", shown_name(path), text).c_str(), stderr);
+}
 
-  /// The samples in batches, and who knows where each of them is.
-  struct Placed {
-    Source<Batch> batches;
-    std::shared_ptr<const sampler::Locator> locator;
-  };
+std::string shown(const sampler::Rational& value) { return fmt::format("{}", sampler::nearest_time(value).hi); }
 
-  Placed place(Source<format::KeyBlock> blocks) {
-    if (!timed_) blocks = parameterized(std::move(blocks), curve_.parameter.value_or(0), curve_.rules.metric);
-    blocks = checked(without_ease(std::move(blocks)), plan_.sampling.count == 1 ? 1 : 2);
-    const bool leaves = curve_.extrapolation != sampler::Extrapolation::error;
-    if (curve_.closed || leaves || sampler::needs_end(plan_.sampling.mode)) return place_kept(KeptKeys(blocks), leaves);
-    Source<Keys> keys = ordered_map(std::move(blocks), [](format::KeyBlock block) { return std::move(block.keys); });
-    std::optional<Keys> first = keys();
-    while (first && first->size() == 0) first = keys();
-    const sampler::Extent extent{first->times.front(), {}, {}};
-    return place_streamed({preceded_by(std::move(*first), std::move(keys)), {}}, extent);
-  }
-
- private:
-  Source<format::KeyBlock> without_ease(Source<format::KeyBlock> blocks) const {
-    if (curve_.ease) return blocks;
-    return ordered_map(std::move(blocks), [](format::KeyBlock block) {
-      block.keys.eases.clear();
-      return block;
-    });
-  }
-
-  bool needs_lengths() const {
-    return sampler::by_length(plan_.sampling.mode) ||
-           std::ranges::any_of(plan_.fields, [](std::size_t field) { return fields()[field].needs_lengths; });
-  }
-
-  /// Rows as the curve goes by.
-  Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent) const {
-    const std::shared_ptr<sampler::Sampler> sampler = sampler::make_sampler(plan_.sampling, extent);
-    auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths());
-    return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler};
-  }
-
-  /// Rows once all keys are there: counts, closed curves, and times outside the curve.
-  Placed place_kept(KeptKeys kept, bool leaves) const {
-    sampler::Extent extent{kept.key(0).times[0], {}, {}, curve_.closed};
-    extent.last = curve_.closed ? close(kept, curve_, timed_) : kept.key(kept.size() - 1).times[0];
-    const auto linked = [&] { return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}}; };
-    if (sampler::by_length(plan_.sampling.mode)) {
-      extent.length = total_length(stretches(linked(), curve_.rules, true));
-    } else if (leaves) {
-      return place_anywhere(linked(), extent);
-    }
-    return place_streamed(linked(), extent);
-  }
-
-  /// Rows at times in any order, also outside the curve.
-  Placed place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const {
-    auto [grid, rows, end] = sampler::time_rows(plan_.sampling, extent);
-    const std::uint64_t count = std::min(rows, grid.step() == 0 ? 1 : grid.rows_through(*end));
-    const auto time = [grid = grid](std::uint64_t j) { return grid.time(j); };
-    const auto locator =
-        std::make_shared<const sampler::Anywhere>(time, count, curve_.extrapolation, extent.first, *extent.last);
-    const auto curve = std::make_shared<const WholeCurve>(stretches(std::move(keys), curve_.rules, needs_lengths()),
-                                                          curve_.rules.metric);
-    return {look_up(curve, locator), locator};
-  }
-
-  const Plan& plan_;
-  CurveSettings settings_;
-  CurvePlan curve_;
-  bool timed_;
-};
+/// How far the end lies behind the last row, and what to do about it; empty where it does not.
+std::string left_out(const Placed& placed) {
+  const auto rest = placed.sampler == nullptr ? std::nullopt : placed.sampler->left_out();
+  if (!rest) return "";
+  return fmt::format("the end lies {} behind the last row and is left out; --end keep or --end fit includes it",
+                     shown(*rest));
+}
 
 /// Bytes to bytes, for one file.
 void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
   format::Input input = format::open_input(path, read_file(path), plan.input);
+  const Path curve(plan.sampling, plan.curve, plan.fields, input);
+  if (!input.timed && !plan.curve.parameter) note(plan, path, "no time column; the keys stand at 0, 1, 2, ...");
+  for (const auto& [name, value] : input.facts) {
+    if (name == "left out") note(plan, path, fmt::format("columns of text are left out: {}", value));
+  }
   writer.begin(input, is_live(path));
-  auto [batches, locator] = Path(plan, input).place(std::move(input.keys));
-  const auto print = [&plan, &writer, locator = locator](const Batch& batch) {
-    return writer.print(evaluate(batch, *locator, plan.fields), batch.first);
+  const Placed placed = curve.place(std::move(input.keys));
+  const auto print = [&plan, &writer, &placed](const Batch& batch) {
+    return writer.print(evaluate(batch, *placed.locator, plan.fields), batch.first);
   };
-  const Source<std::string> rows = ordered_map(std::move(batches), print);
+  const Source<std::string> rows = ordered_map(placed.batches, print);
   bool any = false;
   while (const std::optional<std::string> text = rows()) {
     writer.write(*text);
     any = any || !text->empty();
   }
   writer.end(any);
+  if (const std::string text = left_out(placed); !text.empty()) note(plan, path, text);
+  for (const auto& [name, value] : placed.facts) {
+    if (name == "step" && plan.sampling.end != sampler::EndPolicy::drop) note(plan, path, fmt::format("the step is {}", value));
+  }
+}
+
+/// What was found in a file and would be done, a line each.
+std::string explanation(const std::string& path, const Plan& plan) {
+  format::Input input = format::open_input(path, read_file(path), plan.input);
+  const Path curve(plan.sampling, plan.curve, plan.fields, input);
+  Facts facts{{"file", shown_name(path)}};
+  const auto add = [&](const Facts& more) { facts.insert(facts.end(), more.begin(), more.end()); };
+  add(input.facts);
+  add(curve.rules());
+  const auto keys = std::make_shared<std::size_t>(0);
+  const Placed placed = curve.place(ordered_map(std::move(input.keys), [keys](format::KeyBlock block) {
+    *keys += block.lines.size();
+    return block;
+  }));
+  std::uint64_t rows = 0;
+  while (const auto batch = placed.batches()) {
+    for (const auto& part : batch->parts) rows += part.last - part.first;
+  }
+  facts.emplace_back("keys", fmt::format("{}", *keys));
+  add(placed.facts);
+  facts.emplace_back("rows", fmt::format("{}", rows));
+  if (const std::string text = left_out(placed); !text.empty()) facts.emplace_back("note", text);
+  std::string out;
+  for (const auto& [name, value] : facts) out += fmt::format("{}: {}\n", name, value);
+  return out;
 }
 
 /// Where the samples of a file go: its name in the output folder, with the format's ending.
@@ -204,6 +167,12 @@ void in_file(const std::string& path, F f) {
 }  // namespace
 
 void resample(const Plan& plan) {
+  if (plan.explain) {
+    Output output("-");
+    for (const std::string& file : plan.files) in_file(file, [&] { output.write(explanation(file, plan)); });
+    output.commit();
+    return;
+  }
   require_distinct_paths(plan);
   if (plan.output_folder) {
     make_folder(*plan.output_folder);

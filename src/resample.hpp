@@ -20,6 +20,8 @@ struct Plan {
   std::vector<std::size_t> fields;  ///< indices into fields(), in output order
   std::size_t output_format = 0;    ///< index into format::formats()
   std::optional<bool> output_header;
+  bool explain = false;                      ///< say what was found and would be done, and do not
+  bool notes = false;                        ///< say on standard error what may surprise
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder
 };

@@ -1,12 +1,12 @@
-// From pieces of the curve to rows of text: which samples lie on each, what is known there, how it is printed.
+// From pieces of the curve to rows: which samples lie on each, and the cells of their rows.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "fields.hpp"
 #include "format/layout.hpp"
 #include "pieces.hpp"
 #include "sampler/sampler.hpp"
@@ -14,25 +14,11 @@
 
 namespace tcb {
 
-/// What a row can show. To add a field: a row of the table in rows.cpp.
-struct Field {
-  std::string_view name;
-  format::CellKind kind;
-  bool per_channel;    ///< a column for each channel, named after it; otherwise one
-  bool needs_lengths;  ///< the segments before it have to be measured
-  void (*append)(std::vector<format::Cell>& row, const sampler::Piece& piece, const sampler::Sample& sample);
-};
-
-std::span<const Field> fields();
-
-/// The names of the output's columns.
-std::vector<format::OutputColumn> output_columns(std::span<const std::size_t> chosen, const format::Input& input);
-
 /// Samples on some pieces, few enough to be worked out at once.
 struct Batch {
   struct Part {
     sampler::Piece piece;
-    sampler::Run run;
+    std::uint64_t first, last;  ///< rows from first to before last
   };
   std::shared_ptr<const void> owner;  ///< keeps what the pieces look into
   std::vector<Part> parts;

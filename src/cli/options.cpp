@@ -8,7 +8,7 @@
 #include "cli/presets.hpp"
 #include "cli/reference.hpp"
 #include "error.hpp"
-#include "nearest.hpp"
+#include "names.hpp"
 
 namespace tcb::cli {
 namespace {
@@ -83,13 +83,35 @@ void declare_sampling(CLI::App& app, Typed& typed) {
   option("-n,--count", typed.count, "N samples equally spaced in time, the first and the last key among them")
       ->type_name("N");
   option("--segments", typed.segments, "N equal intervals of time, so N+1 samples")->type_name("N");
+  option("--per-segment", typed.per_segment, "N equal intervals in every segment between two keys")->type_name("N");
+  option("--at", typed.at, "These times, in this order; @FILE: those in a file, apart by blanks, commas or lines")
+      ->type_name("T,...");
   option("-a,--arc-step", typed.arc_step, "Samples every H of arc length from the first key")->type_name("H");
   option("--arc-count", typed.arc_count, "N samples equally spaced in arc length, both ends among them")
       ->type_name("N");
+  option("--arc-at", typed.arc_at, "These arc lengths, in this order; @FILE: those in a file")->type_name("S,...");
+  option("--tolerance", typed.tolerance,
+         "The fewest samples whose polyline stays within D of the curve, over the metric channels")
+      ->type_name("D");
   option("--from", typed.from,
          "Where sampling begins, in time, or in arc length for the arc modes; default: the first key")
       ->type_name("T");
   option("--to", typed.to, "Where sampling ends; default: the last key")->type_name("T");
+}
+
+void declare_range(CLI::App& app, Typed& typed) {
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Sampling");
+  };
+  option(
+      "--end", typed.end,
+      "Where steps do not meet the end: drop (default) stops before it; keep adds it after a shorter step; fit takes "
+      "the nearest whole number of equal steps, fit-down the largest steps that are not larger, fit-up the smallest "
+      "that are not smaller")
+      ->type_name("POLICY");
+  app.add_flag("--keys", typed.keys, "Every key is a sample too; one within a billionth of a step gives way to it")
+      ->group("Sampling");
+  option("--max-rows", typed.max_rows, "Refuses to make more samples than this; default 1e9")->type_name("N");
 }
 
 void declare_output(CLI::App& app, Typed& typed) {
@@ -101,14 +123,23 @@ void declare_output(CLI::App& app, Typed& typed) {
   option("--output-dir", typed.output_dir, "Writes a file for each input into this folder, with the format's ending")
       ->type_name("DIR");
   option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json or jsonl")->type_name("FORMAT");
-  option("--fields", typed.fields, "What a row shows, in order: time, position, s (arc length); default time,position")
+  option("--fields", typed.fields,
+         "What a row shows, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
+         "curvature, torsion, segment, u, key; default time,position")
       ->type_name("FIELD,...");
+  option(
+      "--side", typed.side,
+      "At a key, what differs from one side to the other is that of the segment behind it, right (default), or before "
+      "it, left")
+      ->type_name("SIDE");
   app.add_flag("--no-output-header", typed.no_output_header,
                "No names above the rows; the default where the input has none")
       ->group("Output");
 }
 
 void declare_about(CLI::App& app, Typed& typed) {
+  app.add_flag("--explain", typed.explain, "Says what was found and would be done, without samples")->group("About");
+  app.add_flag("-q,--quiet", typed.quiet, "No notes on standard error")->group("About");
   app.add_option("--generate", typed.generate,
                  "Prints the manual page, or completions for a shell: man, bash, zsh or fish")
       ->type_name("KIND")
@@ -143,6 +174,7 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   declare_input(*app, typed);
   declare_curve(*app, typed);
   declare_sampling(*app, typed);
+  declare_range(*app, typed);
   declare_output(*app, typed);
   declare_about(*app, typed);
   return app;

@@ -21,7 +21,9 @@ struct Typed {
   bool header = false, no_header = false;
   CurveSettings curve;
   bool closed = false;
-  std::string step, rate, count, segments, arc_step, arc_count;
+  std::string step, rate, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance;
+  std::string end, max_rows, side;
+  bool keys = false, explain = false, quiet = false;
   std::string from, to;
   std::string output, output_dir, output_format, fields;
   bool no_output_header = false;

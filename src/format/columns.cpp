@@ -137,6 +137,9 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     }
   }
   assign_the_rest(columns, header, numeric, timeless);
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (columns.cells[cell].role == Role::left_out) columns.left_out.push_back(header[cell]);
+  }
   if (columns.channels.empty()) {
     throw Error(Exit::data,
                 "no position column; expected at least one column of numbers beside the time; "

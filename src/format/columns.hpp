@@ -31,6 +31,7 @@ struct Columns {
   bool named = false;                 ///< the input names its columns
   std::string time = "t";             ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
+  std::vector<std::string> left_out;  ///< names of the columns that are nothing
 
   bool has(Role role) const;
 };

@@ -14,6 +14,8 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
+std::string counted_cells(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "cell" : "cells"); }
+
 /// Text as it is quoted in messages: cut to a length that fits a line.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
@@ -21,57 +23,6 @@ std::string shown(std::string_view text) {
   std::size_t end = longest;
   while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a character
   return fmt::format("\"{}…\"", text.substr(0, end));
-}
-
-std::string counted_cells(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "cell" : "cells"); }
-
-std::vector<std::string> texts(const Cells& cells) {
-  std::vector<std::string> result;
-  std::ranges::transform(cells, std::back_inserter(result), unquoted);
-  return result;
-}
-
-/// The names in a comment line such as "# timestamp tx ty tz".
-std::vector<std::string> comment_names(std::string_view comment, const Dialect& dialect) {
-  comment.remove_prefix(dialect.comment.size());
-  const Chunk chunk{std::string(comment), 1, 0};
-  const Dialect no_comments{dialect.delimiter, ""};
-  Cells cells;
-  Records(chunk, no_comments).next(cells);
-  return texts(cells);
-}
-
-/// The first three records of an input, or as many as there are: enough to tell header and columns.
-struct FirstRecords {
-  struct Record {
-    std::vector<std::string> cells;
-    std::string comment;  ///< the comment line directly above
-    std::size_t offset = 0;
-    std::uint64_t line = 1;
-  };
-  std::vector<Record> records;
-};
-
-FirstRecords first_records(const Chunk& chunk, const Dialect& dialect) {
-  FirstRecords first;
-  Records records(chunk, dialect);
-  for (Cells cells; first.records.size() < 3 && records.next(cells);) {
-    first.records.push_back({texts(cells), std::string(records.comment()), records.offset(), records.line()});
-  }
-  return first;
-}
-
-bool is_header(const FirstRecords::Record& record) { return !std::ranges::all_of(record.cells, looks_numeric); }
-
-/// A column holds numbers unless both of the first two data records have text there.
-std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data) {
-  const auto& one = first.records[data].cells;
-  const auto& two = data + 1 < first.records.size() ? first.records[data + 1].cells : one;
-  std::vector<bool> numeric(one.size());
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    numeric[i] = looks_numeric(one[i]) || (i < two.size() && looks_numeric(two[i]));
-  }
-  return numeric;
 }
 
 [[noreturn]] void refuse_cell(const Records& records, std::string_view cell, const std::string& column) {
@@ -169,40 +120,6 @@ class KeyParser {
 
 }  // namespace
 
-DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options, Chunk& rest) {
-  FirstRecords first;
-  rest = {};
-  while (first.records.size() < 3) {
-    std::optional<Chunk> more = chunks();
-    if (!more) break;
-    rest.text += more->text;
-    first = first_records(rest, dialect);
-  }
-  if (first.records.empty()) {
-    throw Error(Exit::data, "no keys: the input is empty; expected a row for each key; see --help");
-  }
-  const bool header = options.header.value_or(is_header(first.records[0]));
-  std::size_t data = header ? 1 : 0;
-  std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
-  if (data == first.records.size()) {
-    throw Error(Exit::data, Place{"", first.records[0].line, 1},
-                "no keys: there is a header and no row; expected a row for each key; see --help");
-  }
-  if (!header && !options.header && !first.records[0].comment.empty()) {
-    auto above = comment_names(first.records[0].comment, dialect);
-    if (above.size() == first.records[0].cells.size()) names = std::move(above);
-  }
-  const auto& row = first.records[data];
-  if (!names.empty() && names.size() != row.cells.size()) {
-    throw Error(Exit::data, Place{"", row.line, 1},
-                fmt::format("a row of {}; expected {} as in the header; correct the row, or give the delimiter with -d",
-                            counted_cells(row.cells.size()), names.size()));
-  }
-  rest.text.erase(0, row.offset);
-  rest.line = row.line;
-  return {dialect, find_columns(names, numeric_columns(first, data), options.roles, options.timeless)};
-}
-
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head, const spline::Tcb<double>& tcb) {
   return KeyParser(chunk, head, tcb).parse();
 }
@@ -230,7 +147,8 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
           columns.time,
           columns.channels,
           {},
-          ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse)};
+          ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse),
+          facts(*head)};
 }
 
 }  // namespace tcb::format

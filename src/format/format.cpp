@@ -89,7 +89,9 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
     beginning += *more;
   }
   const std::size_t format = options.format ? *options.format : detect(path, beginning);
-  return formats()[format].open(preceded_by(std::move(beginning), std::move(bytes)), options);
+  Input input = formats()[format].open(preceded_by(std::move(beginning), std::move(bytes)), options);
+  input.facts.emplace(input.facts.begin(), "format", formats()[format].name);
+  return input;
 }
 
 }  // namespace tcb::format

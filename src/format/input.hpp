@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "format/columns.hpp"
@@ -46,6 +47,7 @@ struct Input {
   std::vector<std::string> channels;  ///< names of the position channels
   CurveSettings settings;             ///< what stands beside the keys
   Source<KeyBlock> keys;
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< what was found, in words
 };
 
 }  // namespace tcb::format

@@ -55,7 +55,11 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
     if (row > 0 || !first) out += layout.between_rows;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       out += layout.before[i];
-      append_cell(out, columns[i].kind, cells[row + i]);
+      if (is_empty(cells[row + i])) {
+        out += layout.empty;
+      } else {
+        append_cell(out, columns[i].kind, cells[row + i]);
+      }
     }
     out += layout.row_end;
   }
@@ -69,13 +73,16 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter
   }
   if (header) layout.head += '\n';
   layout.row_end = "\n";
+  if (delimiter == ' ') layout.empty = "NA";  // nothing between blanks would be no cell
   return layout;
 }
 
 Layout json_layout(const std::vector<OutputColumn>& columns) {
-  return {"[\n", members(columns), "}", ",\n", "\n]\n", "]\n"};
+  return {"[\n", members(columns), "}", "null", ",\n", "\n]\n", "]\n"};
 }
 
-Layout jsonl_layout(const std::vector<OutputColumn>& columns) { return {"", members(columns), "}\n", "", "", ""}; }
+Layout jsonl_layout(const std::vector<OutputColumn>& columns) {
+  return {"", members(columns), "}\n", "null", "", "", ""};
+}
 
 }  // namespace tcb::format

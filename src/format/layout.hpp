@@ -22,11 +22,16 @@ struct OutputColumn {
 /// A number ready to be written. A time beyond 2^53 needs both parts.
 using Cell = spline::Twice;
 
+/// Stands for a number that is not defined.
+inline constexpr Cell empty_cell{0, std::numeric_limits<double>::quiet_NaN()};
+inline bool is_empty(const Cell& cell) { return cell.lo != cell.lo; }
+
 /// The texts around the cells of a table; `before` has one entry a column.
 struct Layout {
   std::string head;
   std::vector<std::string> before;
   std::string row_end;
+  std::string empty;  ///< for a number that is not defined
   std::string between_rows;
   std::string tail;
   std::string no_rows;  ///< instead of `tail` where not one row was written

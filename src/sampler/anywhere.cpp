@@ -1,22 +1,33 @@
-// Samples at times in any order, also outside the curve.
+// Samples at times or arc lengths in any order, times also outside the curve.
 #include "sampler/anywhere.hpp"
 
 #include "sampler/bounds.hpp"
+#include "sampler/by_length.hpp"
 
 namespace tcb::sampler {
 
-Outside Anywhere::on_curve(std::uint64_t j) const {
-  const Time t = time_(j);
+Time AnywhereInTime::on_curve(std::uint64_t row) const {
+  const Time t = place(row);
   if (kind_ == Extrapolation::error) {
-    require_not_before("the time", exact_time(t), first_key(first_));
-    require_not_beyond("the time", exact_time(t), last_key(last_));
+    if (t < first_) require_not_before("the time", exact_time(t), first_key(first_));
+    if (t > last_) require_not_beyond("the time", exact_time(t), last_key(last_));
   }
-  return map_to_curve(kind_, first_, last_, t);
+  return map_to_curve(kind_, first_, last_, t).t;
 }
 
-Sample Anywhere::locate(const Piece& piece, std::uint64_t j) const {
-  const Outside outside = on_curve(j);
-  return {time_(j), spline::locate<double>(piece.start, piece.end, outside.t, piece.warp), {}, outside};
+Sample AnywhereInTime::locate(const Piece& piece, std::uint64_t row) const {
+  const Time t = place(row);
+  const Outside outside = map_to_curve(kind_, first_, last_, t);
+  return {t, spline::locate<double>(piece.start, piece.end, outside.t, piece.warp), {}, outside};
 }
+
+Time AnywhereInLength::on_curve(std::uint64_t row) const {
+  const Time s = place(row);
+  if (s < Time(0.0)) require_not_before("the arc length", exact_time(s), curve_start());
+  if (s > Time(length_)) require_not_beyond("the arc length", exact_time(s), curve_length(length_));
+  return s;
+}
+
+Sample AnywhereInLength::locate(const Piece& piece, std::uint64_t row) const { return at_length(piece, place(row)); }
 
 }  // namespace tcb::sampler

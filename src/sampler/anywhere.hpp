@@ -1,4 +1,4 @@
-// Samples at times in any order, also outside the curve. The curve has to be kept to find them.
+// Samples at times or arc lengths in any order, times also outside the curve. The curve has to be kept to find them.
 #pragma once
 
 #include <cstdint>
@@ -8,25 +8,49 @@
 
 namespace tcb::sampler {
 
+/// Rows 0 to size - 1, each at a place that `place` gives.
 class Anywhere : public Locator {
  public:
-  /// Rows 0 to size - 1 at the times that `time` gives, on a curve from `first` to `last`.
-  Anywhere(std::function<Time(std::uint64_t)> time, std::uint64_t size, Extrapolation kind, const Time& first,
-           const Time& last)
-      : time_(std::move(time)), size_(size), kind_(kind), first_(first), last_(last) {}
+  using Place = std::function<Time(std::uint64_t)>;
+
+  Anywhere(Place place, std::uint64_t size) : place_(std::move(place)), size_(size) {}
 
   std::uint64_t size() const { return size_; }
+  Time place(std::uint64_t row) const { return place_(row); }
 
-  /// The time on the curve that stands for row j. Throws: Error (usage) outside where that is an error.
-  Outside on_curve(std::uint64_t j) const;
-
-  Sample locate(const Piece& piece, std::uint64_t j) const override;
+  /// Where to look for a row: a time on the curve, or an arc length. Throws: Error (usage) outside the curve.
+  virtual Time on_curve(std::uint64_t row) const = 0;
 
  private:
-  std::function<Time(std::uint64_t)> time_;
+  Place place_;
   std::uint64_t size_;
+};
+
+/// Places are times.
+class AnywhereInTime : public Anywhere {
+ public:
+  AnywhereInTime(Place place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last)
+      : Anywhere(std::move(place), size), kind_(kind), first_(first), last_(last) {}
+
+  Time on_curve(std::uint64_t row) const override;
+  Sample locate(const Piece& piece, std::uint64_t row) const override;
+
+ private:
   Extrapolation kind_;
   Time first_, last_;
+};
+
+/// Places are arc lengths.
+class AnywhereInLength : public Anywhere {
+ public:
+  AnywhereInLength(Place place, std::uint64_t size, double length)
+      : Anywhere(std::move(place), size), length_(length) {}
+
+  Time on_curve(std::uint64_t row) const override;
+  Sample locate(const Piece& piece, std::uint64_t row) const override;
+
+ private:
+  double length_;
 };
 
 }  // namespace tcb::sampler

@@ -1,26 +1,27 @@
 // Samples on a grid of arc lengths: each at the smallest time by which that much curve has passed.
 #pragma once
 
-#include "sampler/grid.hpp"
-#include "sampler/sampler.hpp"
+#include "sampler/on_grid.hpp"
 
 namespace tcb::sampler {
 
-class ByLength : public Sampler {
+/// A time worked out from a place on a segment, rounded once: to a double, or beyond 2^53 to a whole number.
+Time rounded_time(const Time& t);
+
+/// The place on a piece at which the curve has the arc length s, and its time, rounded once.
+Sample at_length(const Piece& piece, const Time& s);
+
+class ByLength : public OnGrid {
  public:
-  /// Rows from the grid's start to `to` (by default the whole length), `limit` at most.
-  ByLength(Grid grid, std::optional<double> to, std::uint64_t limit);
+  using OnGrid::OnGrid;
+  Sample locate(const Piece& piece, std::uint64_t row) const override {
+    return at_length(piece, coordinate(piece, row));
+  }
 
-  Run place(const Piece& piece) override;
-  Sample locate(const Piece& piece, std::uint64_t j) const override;
-  bool done() const override { return done_; }
-
- private:
-  Grid grid_;
-  std::optional<double> to_;
-  std::uint64_t limit_;
-  std::uint64_t next_ = 0;
-  bool done_ = false;
+ protected:
+  Range range(const Piece& piece) const override { return {{piece.s_start.hi}, {piece.s_end.hi}}; }
+  Bound lower(const Range&) const override { return curve_start(); }
+  Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
 };
 
 }  // namespace tcb::sampler

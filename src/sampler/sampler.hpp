@@ -1,19 +1,18 @@
 // A sampler says which samples lie on a piece of the curve, and where exactly.
 //
-// It sees the pieces once, in order; locating sample j on its piece is then a pure function, so that
+// It sees the pieces once, in order; locating a sample on its piece is then a pure function, so that
 // samples can be worked out anywhere, in any order.
 // To add a sampler: a file beside this one, and a line in make_sampler.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "sampler/extrapolation.hpp"
-#include "sampler/grid.hpp"
-#include "sampler/request.hpp"
+#include "sampler/spacing.hpp"
 #include "spline/ease.hpp"
 
 namespace tcb::sampler {
@@ -25,14 +24,24 @@ struct Piece {
   std::span<const spline::Cubic<double>> cubics;  ///< one a channel
   std::span<const std::size_t> metric;            ///< the channels that lengths are over; empty: all
   bool last = false;                              ///< the curve ends here
-  spline::Warp<double> warp;                      ///< of its local parameter
-  std::span<const double> cycle;                  ///< last key - first key, where that is wanted; one a channel
+  spline::Warp<double> warp = {};                 ///< of its local parameter
+  std::span<const double> cycle = {};             ///< last key - first key, where that is wanted; one a channel
+  std::uint64_t number = 0;                       ///< of the segment, from 0
 };
 
-/// Samples [first, last).
+/// Rows on a piece, by their numbers. Besides those of the grid there are rows at the piece's first key and
+/// at the end of the range.
+struct Row {
+  static constexpr std::uint64_t at_key = std::numeric_limits<std::uint64_t>::max() - 1;
+  static constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// The rows on a piece in order: its key if wanted, those from first to before last, the end if wanted.
 struct Run {
   std::uint64_t first = 0;
   std::uint64_t last = 0;
+  bool key = false;
+  bool end = false;
 };
 
 /// Where a sample is: its time, its place on the segment, and its arc length where that was asked for.
@@ -51,37 +60,24 @@ class Locator {
   Locator& operator=(const Locator&) = delete;
   virtual ~Locator() = default;
 
-  /// Sample j. Requires: it lies on this piece. Threads: any number at once.
-  virtual Sample locate(const Piece& piece, std::uint64_t j) const = 0;
+  /// The sample with this number. Requires: it lies on this piece. Threads: any number at once.
+  virtual Sample locate(const Piece& piece, std::uint64_t row) const = 0;
 };
 
 /// Places samples while the curve goes by.
 class Sampler : public Locator {
  public:
-  /// The samples on the next piece. Throws: Error if the request leaves the curve or asks too much.
+  /// The rows on the next piece. Throws: Error if the request leaves the curve or asks too much.
   virtual Run place(const Piece& piece) = 0;
 
   /// No later piece can hold a sample: reading may stop.
   virtual bool done() const = 0;
+
+  /// How far the end of the range lies behind the last row, once all pieces were placed.
+  virtual std::optional<Rational> left_out() const { return std::nullopt; }
 };
 
-/// What is known of a curve before its samples are placed.
-struct Extent {
-  Time first;
-  std::optional<Time> last;      ///< needed where needs_end(mode)
-  std::optional<double> length;  ///< needed where needs_end(mode) and by_length(mode)
-  bool closed = false;           ///< counted rows do not come round to the first again
-};
-
-/// The times that a request asks for: rows on a grid.
-struct TimeRows {
-  Grid grid;
-  std::uint64_t rows;
-  std::optional<Time> end;
-};
-TimeRows time_rows(const Request& request, const Extent& extent);
-
-/// Throws: Error where the request does not fit the curve.
+/// Requires: not needs_curve(mode). Throws: Error where the request does not fit the curve.
 std::unique_ptr<Sampler> make_sampler(const Request& request, const Extent& extent);
 
 }  // namespace tcb::sampler

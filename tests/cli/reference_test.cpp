@@ -87,7 +87,7 @@ TEST_F(ReferenceTest, bash_completes_options) {
                                     "\nCOMP_WORDS=(tcbsample -); COMP_CWORD=1; _tcbsample; echo ${#COMPREPLY[@]}"
                                     "\nCOMP_WORDS=(tcbsample a); COMPREPLY=(); _tcbsample; echo ${#COMPREPLY[@]}\n");
   if (!said) GTEST_SKIP();
-  EXPECT_EQ(*said, "--arc-step --arc-count\n" + std::to_string(names().size()) + "\n0\n");
+  EXPECT_EQ(*said, "--arc-step --arc-count --arc-at\n" + std::to_string(names().size()) + "\n0\n");
 }
 
 TEST_F(ReferenceTest, zsh_and_fish_know_every_option_and_which_take_a_value) {

@@ -1,5 +1,5 @@
 // Did you mean: names within a third of their letters, and nothing farther.
-#include "nearest.hpp"
+#include "names.hpp"
 
 #include <gtest/gtest.h>
 

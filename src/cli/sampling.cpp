@@ -1,0 +1,175 @@
+// Where the samples are: the options that say it, and which of them have a meaning together.
+#include "cli/sampling.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+#include "error.hpp"
+#include "format/number.hpp"
+#include "names.hpp"
+
+namespace tcb::cli {
+namespace {
+
+using sampler::Mode;
+using sampler::Rational;
+using sampler::Request;
+
+Rational positive_rational(std::string_view option, const std::string& text) {
+  const auto value = sampler::parse_rational(text);
+  if (!value || *value <= 0) refuse_value(option, text, "a decimal or a ratio above 0, such as 0.1 or 1/24");
+  return *value;
+}
+
+std::uint64_t positive_count(std::string_view option, const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value == 0 || value > INT64_MAX) {
+    refuse_value(option, text, "a whole number from 1 up");
+  }
+  return value;
+}
+
+/// A list typed after the option, or one in a file behind "@".
+std::vector<Rational> list(std::string_view option, const std::string& text) {
+  std::string items = text;
+  if (text.starts_with('@')) {
+    const std::string path = text.substr(1);
+    std::ifstream file(path);
+    std::ostringstream content;
+    content << file.rdbuf();
+    if (!file)
+      throw Error(Exit::usage, Place{path}, fmt::format("cannot be read for {}; expected a file of numbers", option));
+    items = content.str();
+    std::ranges::replace_if(
+        items, [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; }, ',');
+  }
+  std::vector<Rational> values;
+  for (const std::string_view item : split(items, ',')) {
+    if (item.empty() && text.starts_with('@')) continue;
+    const auto value = sampler::parse_rational(item);
+    if (!value) refuse_value(option, item, "decimals or ratios, apart by commas, such as 0,0.5,7/24");
+    values.push_back(*value);
+  }
+  if (values.empty()) refuse_value(option, text, "one number at least");
+  return values;
+}
+
+using Set = void (*)(Request&, std::string_view name, const std::string& value);
+
+void set_step(Request& request, std::string_view name, const std::string& value) {
+  request.step = positive_rational(name, value);
+}
+void set_rate(Request& request, std::string_view name, const std::string& value) {
+  request.step = 1 / positive_rational(name, value);
+}
+void set_count(Request& request, std::string_view name, const std::string& value) {
+  request.count = positive_count(name, value);
+}
+void set_places(Request& request, std::string_view name, const std::string& value) {
+  request.places = list(name, value);
+}
+void set_tolerance(Request& request, std::string_view name, const std::string& value) {
+  const auto tolerance = format::parse_number(value);
+  if (!tolerance || *tolerance <= 0) refuse_value(name, value, "a distance above 0, such as 0.01");
+  request.tolerance = *tolerance;
+}
+
+/// A way to ask for samples: its option, what its value becomes, and which other options have a meaning with it.
+struct Way {
+  std::string_view name;
+  std::string Typed::*value;
+  Mode mode;
+  Set set;
+  bool range, end, keys;  ///< --from and --to; --end; --keys
+};
+
+constexpr std::array ways{
+    Way{"--step", &Typed::step, Mode::step, set_step, true, true, true},
+    Way{"--rate", &Typed::rate, Mode::step, set_rate, true, true, true},
+    Way{"--count", &Typed::count, Mode::count, set_count, true, false, true},
+    Way{"--segments", &Typed::segments, Mode::segments, set_count, true, false, true},
+    Way{"--per-segment", &Typed::per_segment, Mode::per_segment, set_count, false, false, false},
+    Way{"--at", &Typed::at, Mode::at, set_places, false, false, false},
+    Way{"--arc-step", &Typed::arc_step, Mode::arc_step, set_step, true, true, true},
+    Way{"--arc-count", &Typed::arc_count, Mode::arc_count, set_count, true, false, true},
+    Way{"--arc-at", &Typed::arc_at, Mode::arc_at, set_places, false, false, false},
+    Way{"--tolerance", &Typed::tolerance, Mode::tolerance, set_tolerance, false, false, true},
+};
+
+const Way& chosen_way(const Typed& typed) {
+  std::vector<const Way*> given;
+  std::vector<std::string_view> names;
+  for (const Way& way : ways) {
+    names.push_back(way.name);
+    if (!(typed.*way.value).empty()) given.push_back(&way);
+  }
+  if (given.empty()) {
+    throw Error(Exit::usage, fmt::format("nothing says where the samples are; expected one of {}; for example "
+                                         "tcbsample --step 0.1 keys.csv",
+                                         fmt::join(names, ", ")));
+  }
+  if (given.size() > 1) {
+    throw Error(Exit::usage, fmt::format("{} and {} both say where the samples are; expected one of them; take one out",
+                                         given[0]->name, given[1]->name));
+  }
+  return *given[0];
+}
+
+void require_effect(bool given, bool has_effect, std::string_view option, std::string_view way) {
+  if (!given || has_effect) return;
+  throw Error(Exit::usage, fmt::format("{} has no effect with {}; take it out", option, way));
+}
+
+std::optional<Rational> bound(std::string_view option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  auto value = sampler::parse_rational(text);
+  if (!value) refuse_value(option, text, "a decimal or a ratio, such as 1.5 or 7/24");
+  return value;
+}
+
+void require_extrapolation(const Typed& typed, const Way& way) {
+  if (!typed.curve.extrapolate || *typed.curve.extrapolate == "error") return;
+  const bool leaves =
+      way.mode == Mode::at || (!sampler::by_length(way.mode) && !(typed.from.empty() && typed.to.empty()));
+  require_effect(true, leaves, "--extrapolate",
+                 leaves ? way.name : fmt::format("{} alone, whose samples lie on the curve", way.name));
+}
+
+}  // namespace
+
+sampler::Request make_sampling(const Typed& typed) {
+  const Way& way = chosen_way(typed);
+  sampler::Request request;
+  request.mode = way.mode;
+  way.set(request, way.name, typed.*way.value);
+  require_effect(!typed.from.empty(), way.range, "--from", way.name);
+  require_effect(!typed.to.empty(), way.range, "--to", way.name);
+  require_effect(!typed.end.empty(), way.end, "--end", way.name);
+  require_effect(typed.keys, way.keys, "--keys", way.name);
+  require_extrapolation(typed, way);
+  request.from = bound("--from", typed.from);
+  request.to = bound("--to", typed.to);
+  if (request.from && request.to && *request.to < *request.from) {
+    throw Error(Exit::usage,
+                fmt::format("--to {} is before --from {}; expected it after; exchange them", typed.to, typed.from));
+  }
+  if (!typed.end.empty())
+    request.end = sampler::end_policies[find_named("--end", sampler::end_policies, typed.end)].policy;
+  request.keys = typed.keys;
+  if (!typed.max_rows.empty()) {
+    const auto rows = sampler::parse_rational(typed.max_rows);
+    if (!rows || *rows < 1 || denominator(*rows) != 1 || *rows > INT64_MAX)
+      refuse_value("--max-rows", typed.max_rows, "a whole number from 1 up");
+    request.max_rows = static_cast<std::uint64_t>(numerator(*rows));
+  }
+  return request;
+}
+
+}  // namespace tcb::cli

@@ -1,0 +1,51 @@
+// Fields: what a row can show of a point of the curve.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "format/input.hpp"
+#include "format/layout.hpp"
+#include "sampler/sampler.hpp"
+#include "spline/motion.hpp"
+
+namespace tcb {
+
+/// A sample on its piece, and what is worked out there, once and only if it is asked for.
+class Point {
+ public:
+  void set(const sampler::Piece& piece, const sampler::Sample& sample);
+
+  const sampler::Piece& piece() const { return *piece_; }
+  const sampler::Sample& sample() const { return sample_; }
+  const spline::Motion<double>& motion();
+  const spline::Shape<double>& shape();
+
+ private:
+  const sampler::Piece* piece_ = nullptr;
+  sampler::Sample sample_;
+  spline::Motion<double> motion_;
+  bool has_motion_ = false;
+  std::optional<spline::Shape<double>> shape_;
+};
+
+/// To add a field: a row of the table in fields.cpp.
+struct Field {
+  std::string_view name;
+  std::string_view suffix;  ///< of a column's name, for a field with a column for each channel
+  format::CellKind kind;
+  bool per_channel;    ///< a column for each channel, named after it; otherwise one
+  bool needs_lengths;  ///< the segments before it have to be measured
+  bool over_metric;    ///< it is a length or a speed over the metric channels
+  bool has_side;       ///< at a key it may differ from one side to the other
+  void (*append)(std::vector<format::Cell>& row, Point& point);
+};
+
+std::span<const Field> fields();
+
+/// The columns that the chosen fields make.
+std::vector<format::OutputColumn> output_columns(std::span<const std::size_t> chosen, const format::Input& input);
+
+}  // namespace tcb

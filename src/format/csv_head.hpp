@@ -1,0 +1,22 @@
+// The beginning of delimited text: its header, and which column is what.
+#pragma once
+
+#include "format/input.hpp"
+#include "format/records.hpp"
+
+namespace tcb::format {
+
+/// What the beginning of a delimited input tells.
+struct DelimitedHead {
+  Dialect dialect;
+  Columns columns;
+};
+
+/// Dialect and columns, from the header if there is one and the first two records after it; a chunk is
+/// left in `rest` that begins with the first record of numbers. Throws: Error (data).
+DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options, Chunk& rest);
+
+/// Delimiter, header and columns in words.
+std::vector<std::pair<std::string, std::string>> facts(const DelimitedHead& head);
+
+}  // namespace tcb::format

@@ -1,0 +1,171 @@
+// The path of one curve, from its keys to its placed samples: which steps it needs, and in which order.
+#include "path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "closed.hpp"
+#include "error.hpp"
+#include "format/number.hpp"
+#include "lookup.hpp"
+#include "sampler/bounds.hpp"
+#include "sampler/tolerance.hpp"
+
+namespace tcb {
+namespace {
+
+using format::KeyBlock;
+using sampler::Mode;
+using sampler::Time;
+
+std::string text(const Time& time) {
+  std::string out;
+  format::append_time(out, time);
+  return out;
+}
+
+Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
+  return ordered_map(std::move(blocks), [](KeyBlock block) {
+    block.keys.eases.clear();
+    return block;
+  });
+}
+
+/// Adds the times of the curve's keys; a time within a billionth of a step from a key gives way to it.
+void add_keys(std::vector<Time>& times, const WholeCurve& curve) {
+  const double near = times.size() > 1 ? (times[1] - times[0]).hi * 1e-9 : 0;
+  for (std::uint64_t i = 0; i <= curve.size(); ++i) {
+    const Time key = i < curve.size() ? curve.piece(i).start : curve.piece(i - 1).end;
+    if (key < times.front() || key > times.back()) continue;
+    std::erase_if(times, [&](const Time& t) { return (t - key).hi <= near && (key - t).hi <= near; });
+    times.insert(std::ranges::upper_bound(times, key), key);
+  }
+}
+
+}  // namespace
+
+Path::Path(const sampler::Request& request, const CurveSettings& settings, std::vector<std::size_t> fields,
+           const format::Input& input)
+    : request_(request),
+      settings_(over(settings, input.settings)),
+      curve_(fitted(make_curve(settings_), settings_, input.channels)),
+      fields_(std::move(fields)),
+      timed_(input.timed) {
+  if (timed_ && curve_.parameter) {
+    throw Error(Exit::data, fmt::format("--parameter makes times, but column \"{}\" has them; expected one of the two; "
+                                        "take --parameter out, or choose other columns with --columns",
+                                        input.time));
+  }
+}
+
+bool Path::is_single() const {
+  return (request_.count == 1 && (request_.mode == Mode::count || request_.mode == Mode::arc_count)) ||
+         request_.places.size() == 1;
+}
+
+bool Path::needs_lengths() const {
+  return sampler::by_length(request_.mode) ||
+         std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].needs_lengths; });
+}
+
+Placed Path::place(Source<KeyBlock> blocks) const {
+  if (!timed_) blocks = parameterized(std::move(blocks), curve_.parameter.value_or(0), curve_.rules.metric);
+  if (!curve_.ease) blocks = without_ease(std::move(blocks));
+  blocks = checked(std::move(blocks), is_single() ? 1 : 2);
+  const bool anywhere = curve_.extrapolation != sampler::Extrapolation::error || sampler::needs_curve(request_.mode);
+  if (curve_.closed || anywhere || sampler::needs_end(request_)) return place_kept(KeptKeys(blocks), anywhere);
+  Source<Keys> keys = ordered_map(std::move(blocks), [](KeyBlock block) { return std::move(block.keys); });
+  std::optional<Keys> first = keys();
+  while (first && first->size() == 0) first = keys();
+  const sampler::Extent extent{first->times.front(), {}, {}};
+  return place_streamed({preceded_by(std::move(*first), std::move(keys)), {}}, extent);
+}
+
+/// Rows as the curve goes by.
+Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent) const {
+  const std::shared_ptr<sampler::Sampler> sampler = sampler::make_sampler(request_, extent);
+  auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths());
+  return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler, sampler, {}};
+}
+
+/// Rows once all keys are there: counts, closed curves, and rows in an order of their own.
+Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
+  sampler::Extent extent{kept.key(0).times[0], {}, {}, curve_.closed};
+  extent.last = curve_.closed ? close(kept, curve_, timed_) : kept.key(kept.size() - 1).times[0];
+  Facts facts{{"curve", fmt::format("from {} to {}", text(extent.first), text(*extent.last))}};
+  const auto linked = [&] { return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}}; };
+  Placed placed;
+  if (anywhere) {
+    placed = place_anywhere(linked(), extent);
+  } else {
+    if (sampler::by_length(request_.mode)) {
+      extent.length = total_length(stretches(linked(), curve_.rules, true));
+      facts.emplace_back("length", fmt::format("{}", *extent.length));
+    }
+    if (request_.mode != Mode::per_segment) {
+      const Time step = sampler::nearest_time(sampler::spacing(request_, extent).grid.step());
+      facts.emplace_back("step", text(step));
+    }
+    placed = place_streamed(linked(), extent);
+  }
+  placed.facts = std::move(facts);
+  return placed;
+}
+
+/// The times of a grid that may leave the curve.
+std::vector<Time> Path::grid_times(const sampler::Extent& extent) const {
+  const auto spacing = sampler::spacing(request_, extent);
+  const bool single = spacing.grid.step() == 0;
+  if (!single) sampler::require_resolution(spacing.grid, *spacing.end);
+  const std::uint64_t rows = single ? 1 : std::min(spacing.rows, spacing.grid.rows_through(*spacing.end));
+  std::vector<Time> times;
+  for (std::uint64_t row = 0; row < rows; ++row) times.push_back(spacing.grid.time(row));
+  if (request_.end == sampler::EndPolicy::keep && (times.empty() || times.back() < *spacing.end)) {
+    times.push_back(*spacing.end);
+  }
+  return times;
+}
+
+/// Rows at places in any order, also outside the curve.
+Placed Path::place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const {
+  const auto curve = std::make_shared<const WholeCurve>(stretches(std::move(keys), curve_.rules, needs_lengths()),
+                                                        curve_.rules.metric);
+  std::vector<Time> places;
+  if (request_.mode == Mode::tolerance) {
+    const sampler::Pieces pieces{[curve](std::uint64_t number) { return curve->piece(number); }, curve->size()};
+    places = sampler::times_within_tolerance(pieces, request_.tolerance, request_.max_rows);
+  } else if (request_.places.empty()) {
+    places = grid_times(extent);
+  } else {
+    std::ranges::transform(request_.places, std::back_inserter(places), sampler::nearest_time);
+  }
+  if (request_.keys) add_keys(places, *curve);
+  const std::uint64_t rows = places.size();
+  const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
+  if (request_.mode == Mode::arc_at) {
+    const auto locator = std::make_shared<const sampler::AnywhereInLength>(place, rows, curve->length());
+    return {look_up(curve, locator, request_.from_left), locator, nullptr, {}};
+  }
+  const auto locator =
+      std::make_shared<const sampler::AnywhereInTime>(place, rows, curve_.extrapolation, extent.first, *extent.last);
+  return {look_up(curve, locator, request_.from_left), locator, nullptr, {}};
+}
+
+Facts Path::rules() const {
+  const auto end = [&](const spline::EndChoice<double>& choice) { return spline::end_rules<double>[choice.rule].name; };
+  Facts facts{{"tangents", std::string(spline::tangent_rules<double>[curve_.rules.tangents].name)}};
+  if (curve_.closed) {
+    facts.emplace_back("closed", "yes");
+  } else {
+    facts.emplace_back("ends", fmt::format("{}, {}", end(curve_.rules.start), end(curve_.rules.end)));
+  }
+  if (curve_.rules.equal_speed) facts.emplace_back("equal speed", "yes");
+  if (!timed_) {
+    facts.emplace_back("times", fmt::format("none; made with --parameter {}", settings_.parameter.value_or("uniform")));
+  }
+  return facts;
+}
+
+}  // namespace tcb

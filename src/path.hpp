@@ -1,0 +1,56 @@
+// The path of one curve, from its keys to its placed samples: which steps it needs, and in which order.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "curve_plan.hpp"
+#include "format/input.hpp"
+#include "pieces.hpp"
+#include "rows.hpp"
+#include "sampler/anywhere.hpp"
+#include "sampler/request.hpp"
+
+namespace tcb {
+
+/// What was found and decided, in words.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// The samples of a curve in batches, and who knows where each of them is.
+struct Placed {
+  Source<Batch> batches;
+  std::shared_ptr<const sampler::Locator> locator;
+  std::shared_ptr<const sampler::Sampler> sampler;  ///< the same, where the samples are placed as the curve goes by
+  Facts facts;
+};
+
+class Path {
+ public:
+  /// Throws: Error where the settings do not fit the input.
+  Path(const sampler::Request& request, const CurveSettings& settings, std::vector<std::size_t> fields,
+       const format::Input& input);
+
+  /// Throws: Error (data) for keys that make no curve.
+  Placed place(Source<format::KeyBlock> blocks) const;
+
+  /// The rules of the curve in words.
+  Facts rules() const;
+
+ private:
+  bool is_single() const;
+  bool needs_lengths() const;
+  Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent) const;
+  Placed place_kept(KeptKeys kept, bool anywhere) const;
+  Placed place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const;
+  std::vector<sampler::Time> grid_times(const sampler::Extent& extent) const;
+
+  const sampler::Request& request_;
+  CurveSettings settings_;
+  CurvePlan curve_;
+  std::vector<std::size_t> fields_;
+  bool timed_;
+};
+
+}  // namespace tcb

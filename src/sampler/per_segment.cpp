@@ -1,0 +1,19 @@
+// Samples at equal intervals within every segment: the inbetweens of the paper.
+#include "sampler/per_segment.hpp"
+
+namespace tcb::sampler {
+
+Run PerSegment::place(const Piece& piece) {
+  require_rows(Rational(Integer(piece.number + 1) * intervals_), max_rows_, !piece.last);
+  return {1, intervals_, true, piece.last};
+}
+
+Sample PerSegment::locate(const Piece& piece, std::uint64_t row) const {
+  if (row == Row::at_key) return {piece.start, {0, -1}};
+  if (row == Row::at_end) return {piece.end, {1, 0}};
+  const Rational start = exact_time(piece.start);
+  const Time t = nearest_time(start + (exact_time(piece.end) - start) * row / intervals_);
+  return {t, spline::locate<double>(piece.start, piece.end, t, piece.warp)};
+}
+
+}  // namespace tcb::sampler
