@@ -18,8 +18,13 @@ Sample at_length(const Piece& piece, const Time& s) {
   if (s <= Time(piece.s_start.hi)) return {piece.start, {0, -1}, s.hi};
   if (s >= Time(piece.s_end.hi)) return {piece.end, {1, 0}, s.hi};
   const double total = (piece.s_end - piece.s_start).hi;
-  const double u =
-      spline::parameter_at(spline::Speed<double>(piece.cubics, piece.metric), (s - piece.s_start).hi, total);
+  const spline::Speed<double> speed(piece.cubics, piece.metric);
+  if (speed.is_constant()) {
+    const spline::Twice h = piece.s_end - piece.s_start;
+    const spline::Local<double> at{((s - piece.s_start) / h).hi, ((s - piece.s_end) / h).hi};
+    return {rounded_time(piece.start + piece.warp.inverse(at.u) * (piece.end - piece.start)), at, s.hi};
+  }
+  const double u = spline::parameter_at(speed, (s - piece.s_start).hi, total);
   return {rounded_time(piece.start + piece.warp.inverse(u) * (piece.end - piece.start)), {u, u - 1}, s.hi};
 }
 
