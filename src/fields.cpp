@@ -37,8 +37,8 @@ void append_length(std::vector<Cell>& row, Point& point) {
     row.emplace_back(*point.sample().s);
     return;
   }
-  const double into = spline::length(spline::Speed<double>(piece.cubics, piece.metric), point.sample().at.u);
-  row.emplace_back((piece.s_start + spline::Twice(into)).hi);
+  const auto into = spline::ArcLength<double>(piece.cubics, piece.metric).to(point.sample().at);
+  row.emplace_back((piece.s_start + spline::Twice(into.value)).hi);
 }
 
 template <std::vector<double> spline::Motion<double>::*derivative>
@@ -65,7 +65,7 @@ void append_segment(std::vector<Cell>& row, Point& point) {
 /// The fraction of the segment's duration that has passed.
 void append_u(std::vector<Cell>& row, Point& point) {
   const auto& at = point.sample().at;
-  row.emplace_back(at.u == 0 || at.w == 0 ? at.u : point.piece().warp.inverse(at.u).hi);
+  row.emplace_back(at.u == 0 || at.w == 0 ? at.u : point.piece().warp.inverse(at).hi);
 }
 
 void append_key(std::vector<Cell>& row, Point& point) {
@@ -73,6 +73,8 @@ void append_key(std::vector<Cell>& row, Point& point) {
   const auto number = static_cast<double>(point.piece().number);
   row.push_back(at.u == 0 ? Cell(number) : at.w == 0 ? Cell(number + 1) : format::empty_cell);
 }
+
+void append_arc_error(std::vector<Cell>& row, Point& point) { row.emplace_back(point.piece().s_error); }
 
 using Motion = spline::Motion<double>;
 
@@ -90,6 +92,7 @@ constexpr std::array all_fields{
     Field{"segment", "", CellKind::whole, false, false, false, true, append_segment},
     Field{"u", "", CellKind::real, false, false, false, true, append_u},
     Field{"key", "", CellKind::whole, false, false, false, false, append_key},
+    Field{"arc_error", "", CellKind::real, false, true, true, false, append_arc_error},
 };
 
 }  // namespace
@@ -106,7 +109,7 @@ const spline::Motion<double>& Point::motion() {
   has_motion_ = true;
   const auto& at = sample_.at;
   const auto& outside = sample_.outside;
-  const double passed = at.u == 0 || at.w == 0 ? at.u : piece_->warp.inverse(at.u).hi;
+  const double passed = at.u == 0 || at.w == 0 ? at.u : piece_->warp.inverse(at).hi;
   spline::set_motion<double>(motion_, piece_->cubics, at, piece_->warp, passed, (piece_->end - piece_->start).hi);
   const double forth = outside.holds || piece_->start == piece_->end ? 0 : outside.backward ? -1 : 1;
   const double bends = outside.beyond.hi != 0 || forth == 0 ? 0 : 1;

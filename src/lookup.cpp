@@ -28,12 +28,13 @@ Source<Batch> batches(std::shared_ptr<const WholeCurve> curve, std::uint64_t row
 }  // namespace
 
 WholeCurve::WholeCurve(const Source<Stretch>& stretches, std::vector<std::size_t> metric)
-    : first_numbers_{0}, s_{Twice()}, metric_(std::move(metric)) {
+    : first_numbers_{0}, s_{Twice()}, s_error_{0}, metric_(std::move(metric)) {
   while (std::optional<Stretch> stretch = stretches()) {
     const std::size_t size = stretch->segments.size();
     if (size == 0) continue;
     for (std::size_t i = 0; i < size; ++i) {
-      s_.push_back(stretch->lengths.empty() ? Twice() : s_.back() + Twice(stretch->lengths[i]));
+      s_error_.push_back(s_error_.back() + (stretch->lengths.empty() ? 0 : stretch->lengths[i].error));
+      s_.push_back(stretch->lengths.empty() ? Twice() : s_.back() + Twice(stretch->lengths[i].value));
     }
     first_numbers_.push_back(first_numbers_.back() + size);
     stretches_.push_back(std::move(*stretch));
@@ -48,8 +49,8 @@ Piece WholeCurve::piece(std::uint64_t number) const {
   const auto index = static_cast<std::size_t>(after - first_numbers_.begin() - 1);
   const spline::Segments<double>& segments = stretches_[index].segments;
   const std::size_t i = number - first_numbers_[index];
-  return {segments.times[i], segments.times[i + 1], s_[number],       s_[number + 1], segments[i],
-          metric_,           number + 1 == size(),  segments.warp(i), cycle_,         number};
+  return {segments.times[i],    segments.times[i + 1], s_[number], s_[number + 1], segments[i],         metric_,
+          number + 1 == size(), segments.warp(i),      cycle_,     number,         s_error_[number + 1]};
 }
 
 std::uint64_t WholeCurve::find_time(const Time<double>& t, bool left) const {

@@ -33,6 +33,7 @@ class WholeCurve {
   std::vector<Stretch> stretches_;
   std::vector<std::uint64_t> first_numbers_;  ///< of each stretch's first piece, and how many there are
   std::vector<spline::Twice> s_;              ///< arc length at the start of each piece, and of all
+  std::vector<double> s_error_;               ///< bounds on the errors of these
   std::vector<std::size_t> metric_;
   std::vector<double> cycle_;  ///< last key - first key
 };

@@ -8,7 +8,6 @@
 
 #include "error.hpp"
 #include "format/number.hpp"
-#include "spline/arc_length.hpp"
 #include "spline/power.hpp"
 
 namespace tcb {
@@ -51,8 +50,12 @@ Stretch measure(const spline::Window<double>& window, const Rules& rules, bool m
   Stretch stretch{{}, {}, window.last};
   if (!window.has_segments() && !window.is_single_key()) return stretch;
   stretch.segments = spline::segments(window, rules);
-  for (std::size_t i = 0; measured && i < stretch.segments.size(); ++i) {
-    stretch.lengths.push_back(spline::length(spline::Speed<double>(stretch.segments[i], rules.metric)));
+  if (!measured) return stretch;
+  spline::ArcLength<double> arc;
+  stretch.lengths.reserve(stretch.segments.size());
+  for (std::size_t i = 0; i < stretch.segments.size(); ++i) {
+    arc.assign(stretch.segments[i], rules.metric);
+    stretch.lengths.push_back(arc.total());
   }
   return stretch;
 }
@@ -198,7 +201,7 @@ Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured) {
 double total_length(const Source<Stretch>& measured) {
   spline::Twice sum;
   while (const std::optional<Stretch> stretch = measured()) {
-    for (const double length : stretch->lengths) sum = sum + length;
+    for (const auto& length : stretch->lengths) sum = sum + Twice(length.value);
   }
   return sum.hi;
 }

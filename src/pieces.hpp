@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "format/input.hpp"
+#include "spline/arc_length.hpp"
 #include "spline/curve.hpp"
 #include "stream.hpp"
 
@@ -17,8 +18,8 @@ using Rules = spline::CurveRules<double>;
 /// Successive segments with their lengths.
 struct Stretch {
   spline::Segments<double> segments;
-  std::vector<double> lengths;  ///< one a segment, or none where nobody asked
-  bool last = false;            ///< the curve ends here
+  std::vector<spline::Length<double>> lengths;  ///< one a segment, or none where nobody asked
+  bool last = false;                            ///< the curve ends here
 };
 
 /// Keys with times where the input has none: key i + 1 follows key i after |P[i+1] - P[i]|^exponent, which is 1

@@ -98,7 +98,8 @@ void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
   writer.end(any);
   if (const std::string text = left_out(placed); !text.empty()) note(plan, path, text);
   for (const auto& [name, value] : placed.facts) {
-    if (name == "step" && plan.sampling.end != sampler::EndPolicy::drop) note(plan, path, fmt::format("the step is {}", value));
+    if (name == "step" && plan.sampling.end != sampler::EndPolicy::drop)
+      note(plan, path, fmt::format("the step is {}", value));
   }
 }
 

@@ -58,11 +58,22 @@ class Placer {
     const auto& segments = stretch_->segments;
     const std::size_t i = segment_++;
     const spline::Twice s_start = s_;
-    if (!stretch_->lengths.empty()) s_ = s_ + spline::Twice(stretch_->lengths[i]);
+    if (!stretch_->lengths.empty()) {
+      s_ = s_ + spline::Twice(stretch_->lengths[i].value);
+      s_error_ += stretch_->lengths[i].error;
+    }
     const bool last = stretch_->last && segment_ == segments.size();
-    const Piece piece{
-        segments.times[i], segments.times[i + 1], s_start, s_, segments[i], metric_, last, segments.warp(i), {},
-        number_++};
+    const Piece piece{segments.times[i],
+                      segments.times[i + 1],
+                      s_start,
+                      s_,
+                      segments[i],
+                      metric_,
+                      last,
+                      segments.warp(i),
+                      {},
+                      number_++,
+                      s_error_};
     const Run run = sampler_->place(piece);
     if (run.key) left_.push_back({piece, Row::at_key, Row::at_key + 1});
     if (run.first < run.last) left_.push_back({piece, run.first, run.last});
@@ -77,6 +88,7 @@ class Placer {
   std::uint64_t number_ = 0;
   std::deque<Batch::Part> left_;  ///< rows of the last piece that are not in a batch yet
   spline::Twice s_;
+  double s_error_ = 0;
   bool first_ = true;
 };
 
@@ -100,13 +112,13 @@ std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, 
   std::vector<Cell> cells;
   Point point;
   for (const auto& [piece, first, last] : batch.parts) {
-    for (std::uint64_t row = first; row != last; ++row) {
-      point.set(piece, locator.locate(piece, row));
+    for (const sampler::Sample& sample : locator.locate(piece, first, last)) {
+      point.set(piece, sample);
       const std::size_t begin = cells.size();
       for (const std::size_t field : chosen) fields()[field].append(cells, point);
       const auto is_finite = [](const Cell& cell) { return std::isfinite(cell.hi); };
       if (!std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(begin), cells.end(), is_finite)) {
-        refuse_overflow(point.sample());
+        refuse_overflow(sample);
       }
     }
   }

@@ -125,7 +125,7 @@ void declare_output(CLI::App& app, Typed& typed) {
   option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json or jsonl")->type_name("FORMAT");
   option("--fields", typed.fields,
          "What a row shows, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
-         "curvature, torsion, segment, u, key; default time,position")
+         "curvature, torsion, segment, u, key, arc_error; default time,position")
       ->type_name("FIELD,...");
   option(
       "--side", typed.side,

@@ -28,6 +28,9 @@ Time AnywhereInLength::on_curve(std::uint64_t row) const {
   return s;
 }
 
-Sample AnywhereInLength::locate(const Piece& piece, std::uint64_t row) const { return at_length(piece, place(row)); }
+Sample AnywhereInLength::locate(const Piece& piece, std::uint64_t row) const {
+  const spline::ArcLength<double> arc(piece.cubics, piece.metric);
+  return at_length(piece, {arc, false}, place(row));
+}
 
 }  // namespace tcb::sampler

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "spline/arc_length.hpp"
-
 namespace tcb::sampler {
 
 Time rounded_time(const Time& t) {
@@ -14,18 +12,29 @@ Time rounded_time(const Time& t) {
   return spline::Twice::normalized(t.hi, (t.lo + round_to_whole) - round_to_whole);
 }
 
-Sample at_length(const Piece& piece, const Time& s) {
-  if (s <= Time(piece.s_start.hi)) return {piece.start, {0, -1}, s.hi};
-  if (s >= Time(piece.s_end.hi)) return {piece.end, {1, 0}, s.hi};
-  const double total = (piece.s_end - piece.s_start).hi;
-  const spline::Speed<double> speed(piece.cubics, piece.metric);
-  if (speed.is_constant()) {
-    const spline::Twice h = piece.s_end - piece.s_start;
-    const spline::Local<double> at{((s - piece.s_start) / h).hi, ((s - piece.s_end) / h).hi};
-    return {rounded_time(piece.start + piece.warp.inverse(at.u) * (piece.end - piece.start)), at, s.hi};
+Sample at_length(const Piece& piece, const spline::ArcInverse<double>& arc, const Time& s) {
+  const spline::Local<double> at = arc.at(s - piece.s_start, piece.s_end - s);
+  if (at.u == 0) return {piece.start, at, s.hi};
+  if (at.w == 0) return {piece.end, at, s.hi};
+  return {rounded_time(piece.start + piece.warp.inverse(at) * (piece.end - piece.start)), at, s.hi};
+}
+
+bool ByLength::has_many_rows(const Piece& piece) const {
+  constexpr double many = 4;
+  return (piece.s_end - piece.s_start).hi > many * nearest_time(grid().step()).hi;
+}
+
+Sample ByLength::locate(const Piece& piece, std::uint64_t row) const { return locate(piece, row, row + 1).front(); }
+
+std::vector<Sample> ByLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last) const {
+  const spline::ArcLength<double> arc(piece.cubics, piece.metric);
+  const spline::ArcInverse<double> inverse(arc, has_many_rows(piece));
+  std::vector<Sample> samples;
+  samples.reserve(last - first);
+  for (std::uint64_t row = first; row != last; ++row) {
+    samples.push_back(at_length(piece, inverse, coordinate(piece, row)));
   }
-  const double u = spline::parameter_at(speed, (s - piece.s_start).hi, total);
-  return {rounded_time(piece.start + piece.warp.inverse(u) * (piece.end - piece.start)), {u, u - 1}, s.hi};
+  return samples;
 }
 
 }  // namespace tcb::sampler

@@ -2,26 +2,32 @@
 #pragma once
 
 #include "sampler/on_grid.hpp"
+#include "spline/arc_inverse.hpp"
 
 namespace tcb::sampler {
 
 /// A time worked out from a place on a segment, rounded once: to a double, or beyond 2^53 to a whole number.
 Time rounded_time(const Time& t);
 
-/// The place on a piece at which the curve has the arc length s, and its time, rounded once.
-Sample at_length(const Piece& piece, const Time& s);
+/// The place on a piece at which the curve has the arc length s, and its time, rounded once. `arc` is that of the
+/// piece.
+Sample at_length(const Piece& piece, const spline::ArcInverse<double>& arc, const Time& s);
 
 class ByLength : public OnGrid {
  public:
   using OnGrid::OnGrid;
-  Sample locate(const Piece& piece, std::uint64_t row) const override {
-    return at_length(piece, coordinate(piece, row));
-  }
+  Sample locate(const Piece& piece, std::uint64_t row) const override;
+  std::vector<Sample> locate(const Piece& piece, std::uint64_t first, std::uint64_t last) const override;
 
  protected:
   Range range(const Piece& piece) const override { return {{piece.s_start.hi}, {piece.s_end.hi}}; }
   Bound lower(const Range&) const override { return curve_start(); }
   Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
+
+ private:
+  /// Whether a table of the piece pays: a matter of the piece and the step alone, so that rows do not depend on how
+  /// they are shared out.
+  bool has_many_rows(const Piece& piece) const;
 };
 
 }  // namespace tcb::sampler

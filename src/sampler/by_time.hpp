@@ -7,6 +7,7 @@ namespace tcb::sampler {
 
 class ByTime : public OnGrid {
  public:
+  using Locator::locate;
   using OnGrid::OnGrid;
   Sample locate(const Piece& piece, std::uint64_t row) const override;
 

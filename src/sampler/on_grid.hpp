@@ -25,6 +25,8 @@ class OnGrid : public Sampler {
   virtual Bound lower(const Range& range) const = 0;
   virtual Bound upper(const Range& range) const = 0;
 
+  const Grid& grid() const { return spacing_.grid; }
+
   /// The coordinate of a row on this piece.
   Time coordinate(const Piece& piece, std::uint64_t row) const;
 

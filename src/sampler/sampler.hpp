@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "sampler/extrapolation.hpp"
 #include "sampler/spacing.hpp"
@@ -27,6 +28,7 @@ struct Piece {
   spline::Warp<double> warp = {};                 ///< of its local parameter
   std::span<const double> cycle = {};             ///< last key - first key, where that is wanted; one a channel
   std::uint64_t number = 0;                       ///< of the segment, from 0
+  double s_error = 0;                             ///< bound on the error of s_end
 };
 
 /// Rows on a piece, by their numbers. Besides those of the grid there are rows at the piece's first key and
@@ -62,6 +64,14 @@ class Locator {
 
   /// The sample with this number. Requires: it lies on this piece. Threads: any number at once.
   virtual Sample locate(const Piece& piece, std::uint64_t row) const = 0;
+
+  /// The samples from first to before last; what is worked out for the piece is worked out once.
+  virtual std::vector<Sample> locate(const Piece& piece, std::uint64_t first, std::uint64_t last) const {
+    std::vector<Sample> samples;
+    samples.reserve(last - first);
+    for (std::uint64_t row = first; row != last; ++row) samples.push_back(locate(piece, row));
+    return samples;
+  }
 };
 
 /// Places samples while the curve goes by.

@@ -41,8 +41,9 @@ Rational steps_between(const Rational& from, const Rational& to, const Rational&
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
   const Integer rows = floor_of(steps) + 1;
   if (rows <= Integer(max_rows)) return;
-  throw Error(Exit::usage, fmt::format("{} rows{} are asked for; expected {} at most; ask for fewer, or raise --max-rows",
-                                       shown(rows), at_least ? " or more" : "", max_rows));
+  throw Error(Exit::usage,
+              fmt::format("{} rows{} are asked for; expected {} at most; ask for fewer, or raise --max-rows",
+                          shown(rows), at_least ? " or more" : "", max_rows));
 }
 
 Spacing spacing(const Request& request, const Extent& extent) {

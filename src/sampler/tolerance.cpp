@@ -164,7 +164,7 @@ class Walker {
   }
 
   static Time time_of(const Piece& piece, double u) {
-    return piece.start + piece.warp.inverse(u) * (piece.end - piece.start);
+    return piece.start + piece.warp.inverse({u, u - 1}) * (piece.end - piece.start);
   }
 
   /// The number of the first key behind a place where the curve turns, or of the last one.

@@ -35,14 +35,15 @@ class Warp {
     return from_end(e_ == W(0) ? W(0) : k_ / e_ * left * left);
   }
 
-  /// The fraction of the duration after which the curve is at u.
-  working_t<S> inverse(const S& u) const {
+  /// The fraction of the duration after which the curve is at a place.
+  working_t<S> inverse(const Local<S>& place) const {
     using std::sqrt;
-    const W place(u);
-    if (is_identity()) return place;
-    if (place < k_ * f_) return sqrt(place * f_ / k_);
-    if (W(1) - place > k_ * e_) return W(0.5) * (place / k_ + f_);
-    return W(1) - sqrt((W(1) - place) * e_ / k_);
+    const W u = place.near_start() ? W(place.u) : W(1) + W(place.w);
+    const W left = place.near_start() ? W(1) - W(place.u) : W(-place.w);
+    if (is_identity()) return u;
+    if (u < k_ * f_) return sqrt(u * f_ / k_);
+    if (left > k_ * e_) return W(0.5) * (u / k_ + f_);
+    return W(1) - sqrt(left * e_ / k_);
   }
 
   /// The first and second derivative of the warp where the fraction u of the duration has passed.

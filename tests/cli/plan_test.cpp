@@ -72,7 +72,7 @@ TEST(Plan, each_way_to_sample_has_its_mode_and_value) {
 TEST(Plan, samples_are_asked_for_in_exactly_one_way) {
   EXPECT_EQ(refusal({}),
             "nothing says where the samples are; expected one of --step, --rate, --count, --segments, --per-segment, "
-"--at, --arc-step, --arc-count, --arc-at, --tolerance; for example tcbsample --step 0.1 keys.csv");
+            "--at, --arc-step, --arc-count, --arc-at, --tolerance; for example tcbsample --step 0.1 keys.csv");
   Typed two = only(&Typed::arc_count, "3");
   two.rate = "24";
   EXPECT_EQ(refusal(two), "--rate and --arc-count both say where the samples are; expected one of them; take one out");
@@ -156,8 +156,11 @@ TEST(Plan, unknown_formats_are_refused_by_the_option_that_asked) {
 TEST(Plan, fields_are_chosen_in_order) {
   EXPECT_THAT(make_plan(typed(&Typed::fields, "s,position,time")).fields, ElementsAre(2, 1, 0));
   EXPECT_EQ(refusal(typed(&Typed::fields, "time,positon")),
-            "--fields: no field \"positon\"; expected some of time, position, s, velocity, acceleration, jerk, speed, tangent, curvature, torsion, segment, u, key; did you mean position?");
-  EXPECT_EQ(refusal(typed(&Typed::fields, "time,")), "--fields: no field \"\"; expected some of time, position, s, velocity, acceleration, jerk, speed, tangent, curvature, torsion, segment, u, key");
+            "--fields: no field \"positon\"; expected some of time, position, s, velocity, acceleration, jerk, speed, "
+            "tangent, curvature, torsion, segment, u, key, arc_error; did you mean position?");
+  EXPECT_EQ(refusal(typed(&Typed::fields, "time,")),
+            "--fields: no field \"\"; expected some of time, position, s, velocity, acceleration, jerk, speed, "
+            "tangent, curvature, torsion, segment, u, key, arc_error");
 }
 
 TEST(Plan, the_output_goes_to_one_place) {

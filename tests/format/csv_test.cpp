@@ -133,14 +133,16 @@ TEST(Csv, rows_of_another_length_are_refused) {
   EXPECT_EQ(read("t,x\n0,1\n1,2,3\n"), "f:3:5: error: a row of 3 cells; expected 2 as in the rows above" + remedy);
   EXPECT_EQ(read("t,x\n0,1\n1\n"), "f:3:1: error: a row of 1 cell; expected 2 as in the rows above" + remedy);
   EXPECT_EQ(read("t,x\n\n0,1,2\n"),
-            "f:3:1: error: the first row has 3 where the header has 2; expected the same number; correct one of them, or give the "
-"delimiter with -d");
+            "f:3:1: error: the first row has 3 where the header has 2; expected the same number; correct one of them, "
+            "or give the "
+            "delimiter with -d");
 }
 
 TEST(Csv, one_cell_is_not_called_cells) {
   EXPECT_EQ(read("t,x\n0\n"),
-            "f:2:1: error: the first row has 1 where the header has 2; expected the same number; correct one of them, or give the "
-"delimiter with -d");
+            "f:2:1: error: the first row has 1 where the header has 2; expected the same number; correct one of them, "
+            "or give the "
+            "delimiter with -d");
 }
 
 TEST(Csv, an_input_without_keys_is_refused) {

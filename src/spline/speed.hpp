@@ -1,0 +1,199 @@
+// Speed: how fast a segment is run through, per u, over the metric channels.
+//
+// Each derivative is a quadratic, written about the nearer end of the segment, as in segment.hpp: in
+// half 0 it is one in v = u, for v in [0, 1/2]; in half 1 in v = u - 1, for v in [-1/2, 0].
+// Speeds are in units of a power of two, so that squares neither overflow nor vanish.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "spline/quadrature.hpp"
+#include "spline/segment.hpp"
+
+namespace tcb::spline {
+
+/// k0 + v (k1 + v k2): one channel's derivative about one end.
+template <class S>
+struct Quadratic {
+  S k0, k1, k2;
+  S operator()(const S& v) const { return k0 + v * (k1 + v * k2); }
+  S slope(const S& v) const { return k1 + S(2) * (v * k2); }
+};
+
+template <class S>
+class Speed {
+ public:
+  Speed() = default;
+  Speed(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) { assign(segment, metric); }
+
+  /// Looks at another segment. `metric` lists the channels that count; empty: all.
+  void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) {
+    channels_[0].clear();
+    channels_[1].clear();
+    const std::size_t size = metric.empty() ? segment.size() : metric.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      const Cubic<S>& x = segment[metric.empty() ? i : metric[i]];
+      channels_[0].push_back({x.out, S(2) * x.c, S(3) * x.d});
+      channels_[1].push_back({x.in, S(2) * x.e, S(3) * x.d});
+    }
+    rescale();
+  }
+
+  /// The unit of all speeds and lengths, a power of two; 0 where nothing moves at all.
+  const S& unit() const { return unit_; }
+
+  /// The speed is the same everywhere.
+  bool is_constant() const {
+    return std::ranges::all_of(channels_[0], [](const auto& x) { return x.k1 == S(0) && x.k2 == S(0); });
+  }
+
+  S operator()(int half, const S& v) const {
+    using std::sqrt;
+    S sum(0);
+    for (const auto& x : channels_[half]) sum += x(v) * x(v);
+    return sqrt(sum);
+  }
+
+  /// The speeds at N places.
+  template <std::size_t N>
+  std::array<S, N> operator()(int half, const std::array<S, N>& v) const {
+    using std::sqrt;
+    std::array<S, N> sums{};
+    for (const auto& [k0, k1, k2] : channels_[half]) {
+      for (std::size_t i = 0; i < N; ++i) {
+        const S slope = k0 + v[i] * (k1 + v[i] * k2);
+        sums[i] += slope * slope;
+      }
+    }
+    for (S& sum : sums) sum = sqrt(sum);
+    return sums;
+  }
+
+  /// The square of the speed at middle + width z, by the powers of z.
+  std::array<S, 5> square_about(int half, const S& middle, const S& width) const {
+    std::array<S, 5> sum{};
+    for (const auto& x : channels_[half]) {
+      const S a = x(middle);
+      const S b = width * x.slope(middle);
+      const S c = width * width * x.k2;
+      sum[0] += a * a;
+      sum[1] += S(2) * a * b;
+      sum[2] += b * b + S(2) * a * c;
+      sum[3] += S(2) * b * c;
+      sum[4] += c * c;
+    }
+    return sum;
+  }
+
+  /// speed * d speed/dv, which has the sign of the acceleration along the path, and its derivative.
+  S growth(int half, const S& v) const {
+    S sum(0);
+    for (const auto& x : channels_[half]) sum += x(v) * x.slope(v);
+    return sum;
+  }
+
+  /// The coefficients of growth(), a cubic in v, from the constant up.
+  std::array<S, 4> growth_coefficients(int half) const {
+    std::array<S, 4> sum{};
+    for (const auto& [k0, k1, k2] : channels_[half]) {
+      sum[0] += k0 * k1;
+      sum[1] += k1 * k1 + S(2) * k0 * k2;
+      sum[2] += S(3) * k1 * k2;
+      sum[3] += S(2) * k2 * k2;
+    }
+    return sum;
+  }
+
+ private:
+  void rescale() {
+    using std::abs, std::frexp, std::ldexp;
+    S largest(0);
+    for (const auto& half : channels_) {
+      for (const auto& [k0, k1, k2] : half) largest = std::max({largest, S(abs(k0)), S(abs(k1)), S(abs(k2))});
+    }
+    unit_ = S(0);
+    if (largest == S(0)) return;
+    int exponent = 0;
+    (void)frexp(largest, &exponent);
+    --exponent;
+    unit_ = ldexp(S(1), exponent);
+    for (auto& half : channels_) {
+      for (auto& [k0, k1, k2] : half) {
+        k0 = ldexp(k0, -exponent);
+        k1 = ldexp(k1, -exponent);
+        k2 = ldexp(k2, -exponent);
+      }
+    }
+  }
+
+  std::array<std::vector<Quadratic<S>>, 2> channels_;
+  S unit_{0};
+};
+
+/// The length over [begin, end] of a half by an N-point Gauss-Legendre rule; N is a power of two.
+template <std::size_t N, class S>
+S gauss_sum(const Speed<S>& speed, int half, const S& begin, const S& end) {
+  static_assert((N & (N - 1)) == 0);
+  const auto& rule = gauss_rule<S, N>();
+  const S width = end - begin;
+  std::array<S, N> v;
+  for (std::size_t i = 0; i < N; ++i) v[i] = begin + width * rule.node[i];
+  auto terms = speed(half, v);
+  for (std::size_t i = 0; i < N; ++i) terms[i] *= rule.weight[i];
+  for (std::size_t size = N / 2; size > 0; size /= 2) {  // in pairs, so that rounding stays small
+    for (std::size_t i = 0; i < size; ++i) terms[i] += terms[i + size];
+  }
+  return terms[0] * width;
+}
+
+/// The zero of growth() in [low, high], where it rises from below 0 to above.
+template <class S>
+S slowest_place(const Speed<S>& speed, int half, S low, S high) {
+  using std::abs;
+  const auto [g0, g1, g2, g3] = speed.growth_coefficients(half);
+  S v = low + (high - low) * S(0.5);
+  for (int step = 0; step < 2 * std::numeric_limits<S>::digits; ++step) {
+    const S growth = speed.growth(half, v);
+    if (growth == S(0)) break;
+    (growth < S(0) ? low : high) = v;
+    const S newton = v - growth / (g1 + v * (S(2) * g2 + v * (S(3) * g3)));
+    const S next = low < newton && newton < high ? newton : low + (high - low) * S(0.5);
+    const bool settled = abs(next - v) <= std::numeric_limits<S>::epsilon() * abs(v);
+    v = next;
+    if (settled || v <= low || v >= high) break;
+  }
+  return v;
+}
+
+/// The places in (begin, end) at which the speed has a minimum: at most two, in order.
+template <class S>
+std::vector<S> slowest_places(const Speed<S>& speed, int half, const S& begin, const S& end) {
+  using std::sqrt;
+  // growth() is monotone between the zeros of its derivative, which is a quadratic.
+  const auto [g0, g1, g2, g3] = speed.growth_coefficients(half);
+  std::vector<S> fence{begin};
+  const S p = g2 / S(3);
+  const S discriminant = p * p - g1 * g3 / S(3);
+  if (g3 != S(0) && discriminant > S(0)) {
+    const S root = sqrt(discriminant);
+    for (const S& v : {(-p - root) / g3, (root - p) / g3}) {
+      if (v > begin && v < end) fence.push_back(v);
+    }
+  }
+  fence.push_back(end);
+  std::vector<S> places;
+  for (std::size_t i = 0; i + 1 < fence.size(); ++i) {
+    if (!(speed.growth(half, fence[i]) < S(0) && speed.growth(half, fence[i + 1]) > S(0))) continue;
+    const S v = slowest_place(speed, half, fence[i], fence[i + 1]);
+    if (v > begin && v < end) places.push_back(v);
+  }
+  return places;
+}
+
+}  // namespace tcb::spline
