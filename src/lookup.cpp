@@ -74,15 +74,15 @@ std::uint64_t WholeCurve::find_length(const Time<double>& s, bool left) const {
   return number + (at_end && !left ? 1 : 0);
 }
 
-Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInTime> rows,
-                      bool left) {
+Source<Batch> look_up(const std::shared_ptr<const WholeCurve>& curve,
+                      const std::shared_ptr<const sampler::AnywhereInTime>& rows, bool left) {
   const std::uint64_t size = rows->size();
   return batches(curve, size,
                  [curve, rows, left](std::uint64_t row) { return curve->find_time(rows->on_curve(row), left); });
 }
 
-Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInLength> rows,
-                      bool left) {
+Source<Batch> look_up(const std::shared_ptr<const WholeCurve>& curve,
+                      const std::shared_ptr<const sampler::AnywhereInLength>& rows, bool left) {
   const std::uint64_t size = rows->size();
   return batches(curve, size,
                  [curve, rows, left](std::uint64_t row) { return curve->find_length(rows->on_curve(row), left); });

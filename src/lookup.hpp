@@ -39,9 +39,9 @@ class WholeCurve {
 };
 
 /// The rows of a locator, in batches.
-Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInTime> rows,
-                      bool left);
-Source<Batch> look_up(std::shared_ptr<const WholeCurve> curve, std::shared_ptr<const sampler::AnywhereInLength> rows,
-                      bool left);
+Source<Batch> look_up(const std::shared_ptr<const WholeCurve>& curve,
+                      const std::shared_ptr<const sampler::AnywhereInTime>& rows, bool left);
+Source<Batch> look_up(const std::shared_ptr<const WholeCurve>& curve,
+                      const std::shared_ptr<const sampler::AnywhereInLength>& rows, bool left);
 
 }  // namespace tcb

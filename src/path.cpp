@@ -84,9 +84,10 @@ Placed Path::place(Source<KeyBlock> blocks) const {
 }
 
 /// Rows as the curve goes by.
-Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent) const {
+Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths) const {
   const std::shared_ptr<sampler::Sampler> sampler = sampler::make_sampler(request_, extent);
-  auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths());
+  auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths() && !lengths);
+  if (lengths) pieces = with_lengths(std::move(pieces), std::move(*lengths));
   return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler, sampler, {}};
 }
 
@@ -100,15 +101,17 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
   if (anywhere) {
     placed = place_anywhere(linked(), extent);
   } else {
+    std::optional<Lengths> lengths;
     if (sampler::by_length(request_.mode)) {
-      extent.length = total_length(stretches(linked(), curve_.rules, true));
+      lengths = all_lengths(stretches(linked(), curve_.rules, true));
+      extent.length = total_length(*lengths);
       facts.emplace_back("length", fmt::format("{}", *extent.length));
     }
     if (request_.mode != Mode::per_segment) {
       const Time step = sampler::nearest_time(sampler::spacing(request_, extent).grid.step());
       facts.emplace_back("step", text(step));
     }
-    placed = place_streamed(linked(), extent);
+    placed = place_streamed(linked(), extent, std::move(lengths));
   }
   placed.facts = std::move(facts);
   return placed;

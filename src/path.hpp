@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +42,7 @@ class Path {
  private:
   bool is_single() const;
   bool needs_lengths() const;
-  Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent) const;
+  Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths = {}) const;
   Placed place_kept(KeptKeys kept, bool anywhere) const;
   Placed place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const;
   std::vector<sampler::Time> grid_times(const sampler::Extent& extent) const;

@@ -198,12 +198,30 @@ Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured) {
   });
 }
 
-double total_length(const Source<Stretch>& measured) {
-  spline::Twice sum;
+Lengths all_lengths(const Source<Stretch>& measured) {
+  Lengths lengths;
   while (const std::optional<Stretch> stretch = measured()) {
-    for (const auto& length : stretch->lengths) sum = sum + Twice(length.value);
+    lengths.insert(lengths.end(), stretch->lengths.begin(), stretch->lengths.end());
   }
+  return lengths;
+}
+
+double total_length(const Lengths& lengths) {
+  Twice sum;
+  for (const auto& length : lengths) sum = sum + Twice(length.value);
   return sum.hi;
+}
+
+Source<Stretch> with_lengths(Source<Stretch> stretches, Lengths lengths) {
+  return [stretches = std::move(stretches), lengths = std::move(lengths),
+          next = std::ptrdiff_t{0}]() mutable -> std::optional<Stretch> {
+    std::optional<Stretch> stretch = stretches();
+    if (!stretch) return std::nullopt;
+    const auto begin = lengths.begin() + next;
+    next += static_cast<std::ptrdiff_t>(stretch->segments.size());
+    stretch->lengths.assign(begin, lengths.begin() + next);
+    return stretch;
+  };
 }
 
 }  // namespace tcb

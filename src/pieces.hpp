@@ -64,7 +64,14 @@ struct LinkedKeys {
 /// The segments between the keys, each as soon as the key after its end has come.
 Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured);
 
+/// The lengths of all segments in order.
+using Lengths = std::vector<spline::Length<double>>;
+Lengths all_lengths(const Source<Stretch>& measured);
+
 /// The length of the whole curve.
-double total_length(const Source<Stretch>& measured);
+double total_length(const Lengths& lengths);
+
+/// Stretches that were not measured, with the lengths that are known of their segments.
+Source<Stretch> with_lengths(Source<Stretch> stretches, Lengths lengths);
 
 }  // namespace tcb

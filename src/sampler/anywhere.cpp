@@ -30,7 +30,7 @@ Time AnywhereInLength::on_curve(std::uint64_t row) const {
 
 Sample AnywhereInLength::locate(const Piece& piece, std::uint64_t row) const {
   const spline::ArcLength<double> arc(piece.cubics, piece.metric);
-  return at_length(piece, {arc, false}, place(row));
+  return at_length(piece, {arc, 0.0}, place(row));
 }
 
 }  // namespace tcb::sampler

@@ -19,16 +19,11 @@ Sample at_length(const Piece& piece, const spline::ArcInverse<double>& arc, cons
   return {rounded_time(piece.start + piece.warp.inverse(at) * (piece.end - piece.start)), at, s.hi};
 }
 
-bool ByLength::has_many_rows(const Piece& piece) const {
-  constexpr double many = 4;
-  return (piece.s_end - piece.s_start).hi > many * nearest_time(grid().step()).hi;
-}
-
 Sample ByLength::locate(const Piece& piece, std::uint64_t row) const { return locate(piece, row, row + 1).front(); }
 
 std::vector<Sample> ByLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last) const {
   const spline::ArcLength<double> arc(piece.cubics, piece.metric);
-  const spline::ArcInverse<double> inverse(arc, has_many_rows(piece));
+  const spline::ArcInverse<double> inverse(arc, nearest_time(grid().step()).hi);
   std::vector<Sample> samples;
   samples.reserve(last - first);
   for (std::uint64_t row = first; row != last; ++row) {

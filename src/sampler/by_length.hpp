@@ -23,11 +23,6 @@ class ByLength : public OnGrid {
   Range range(const Piece& piece) const override { return {{piece.s_start.hi}, {piece.s_end.hi}}; }
   Bound lower(const Range&) const override { return curve_start(); }
   Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
-
- private:
-  /// Whether a table of the piece pays: a matter of the piece and the step alone, so that rows do not depend on how
-  /// they are shared out.
-  bool has_many_rows(const Piece& piece) const;
 };
 
 }  // namespace tcb::sampler

@@ -27,7 +27,7 @@ Integer fitted_steps(EndPolicy policy, const Rational& steps) {
 
 /// A number of rows as a person reads it.
 std::string shown(const Integer& rows) {
-  const std::string digits = rows.str();
+  std::string digits = rows.str();
   if (digits.size() <= 20) return digits;
   return fmt::format("about {}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
 }

@@ -1,8 +1,8 @@
 // The inverse of arc length: where on a segment a given length is reached.
 //
 // The derivative of the length being the speed itself, a step of third order (Halley's) needs no more than the
-// length at a guess. For a few samples the guess is improved step by step. For many on one segment, lengths are
-// worked out once at the nodes of every panel; from the nearest node a cubic gives a guess good to some six
+// length at a guess. For a few samples the guess is improved step by step. For many on one panel, lengths are
+// worked out once at its nodes; from the nearest node a cubic gives a guess good to some six
 // digits, a rule of few points its length, and one step the place.
 // Source: J. F. Traub, "Iterative methods for the solution of equations", 1964, section 5.2.
 #pragma once
@@ -23,11 +23,15 @@ class ArcInverse {
  public:
   using W = working_t<S>;
 
-  /// Requires: `arc` outlives it. `many`: tables are worth their while, from about four samples a segment on.
-  ArcInverse(const ArcLength<S>& arc, bool many) : arc_(arc) {
-    if (!many) return;
-    tables_.reserve(arc.panels().size());
-    for (const Panel& panel : arc.panels()) tables_.push_back(table(panel));
+  /// `step` is about how far apart the lengths are that will be asked for; 0: it will be one or two in all.
+  /// Requires: `arc` outlives it.
+  ArcInverse(const ArcLength<S>& arc, const S& step) : arc_(arc) {
+    const S worth_a_table = step / arc.speed().unit() * S(4);
+    tables_.resize(arc.panels().size());
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+      const Panel& panel = arc.panels()[i];
+      if (step > S(0) && panel.length > worth_a_table) tables_[i] = table(panel);
+    }
   }
 
   /// The first place at which a length is reached. `s` is that from the start, `rest` the length from there
@@ -44,7 +48,7 @@ class ArcInverse {
     const auto i = static_cast<std::size_t>(after - panels.begin() - 1);
     const Panel& panel = panels[i];
     const S into = std::min(narrow<S>(wanted - panel.before), panel.length);
-    const S v = tables_.empty() ? search(panel, into) : look_up(panel, tables_[i], into);
+    const S v = tables_[i].is_made ? look_up(panel, tables_[i], into) : search(panel, into);
     return panel.half == 0 ? Local<S>{v, v - S(1)} : Local<S>{S(1) + v, v};
   }
 
@@ -55,6 +59,7 @@ class ArcInverse {
   /// The ends and the nodes of a panel: places, lengths up to them, and 1 / speed.
   struct Table {
     std::array<S, points + 2> v, length, pace;
+    bool is_made = false;
   };
 
   Table table(const Panel& panel) const {
@@ -80,6 +85,7 @@ class ArcInverse {
     result.v.back() = panel.end;
     result.length.back() = panel.length;
     result.pace.back() = S(1) / arc_.speed()(panel.half, panel.end);
+    result.is_made = true;
     return result;
   }
 

@@ -45,7 +45,7 @@ class ArcLength {
 
   /// Part of a half, short enough for one rule; `before` is the length up to its start. In units of speed().unit().
   struct Panel {
-    int half;
+    std::size_t half;
     S begin, end;
     S length;
     working_t<S> before;
@@ -60,18 +60,21 @@ class ArcLength {
   static constexpr int most_halvings = 64;
   using W = working_t<S>;
 
-  S rule_sum(int half, const S& begin, const S& end) const;
+  S rule_sum(std::size_t half, const S& begin, const S& end) const;
   S rough_length() const;
-  void add_half(int half, const S& begin, const S& end);
-  void add_panel(int half, const S& begin, const S& end, bool slow_begin, bool slow_end, int halvings);
-  void accept(int half, const S& begin, const S& end, const S& length, const S& disagreement);
+  void add_half(std::size_t half, const S& begin, const S& end);
+  void add_panel(std::size_t half, const S& begin, const S& end, bool slow_begin, bool slow_end, int halvings);
+  void accept(std::size_t half, const S& begin, const S& end, const S& length, const S& disagreement);
   Local<S> in_panel(const Panel& panel, const S& into) const;
-  static Local<S> place(int half, const S& v) { return half == 0 ? Local<S>{v, v - S(1)} : Local<S>{S(1) + v, v}; }
+  static Local<S> place(std::size_t half, const S& v) {
+    return half == 0 ? Local<S>{v, v - S(1)} : Local<S>{S(1) + v, v};
+  }
 
   Speed<S> speed_;
   std::vector<Panel> panels_;
   W sum_;
   S disagreement_{};  ///< of rules with their halves, over all panels
+  S rough_{};         ///< the length to a digit
   S tolerance_{};     ///< for a single panel
   Length<S> total_;
 };
@@ -84,7 +87,7 @@ class ArcLength {
 /// at most 64/15 sqrt(2 q[0]) / (rho^2N - rho^(2N - 2)) times half the panel's width.
 /// Source: L. N. Trefethen, "Is Gauss quadrature better than Clenshaw-Curtis?", doi:10.1137/060659831, theorem 4.5.
 template <class S>
-bool is_smooth(const Speed<S>& speed, int half, const S& begin, const S& end) {
+bool is_smooth(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
   using std::abs;
   // For a double and 16 points R = 1.9 gives 2^-55 of the speed; for a scalar with more digits nothing is known.
   if (std::numeric_limits<S>::digits > 53) return false;
@@ -94,7 +97,7 @@ bool is_smooth(const Speed<S>& speed, int half, const S& begin, const S& end) {
 }
 
 template <class S>
-S ArcLength<S>::rule_sum(int half, const S& begin, const S& end) const {
+S ArcLength<S>::rule_sum(std::size_t half, const S& begin, const S& end) const {
   return gauss_sum<points>(speed_, half, begin, end);
 }
 
@@ -103,7 +106,7 @@ template <class S>
 S ArcLength<S>::rough_length() const {
   const std::array<S, 3> places{S(0), S(0.25), S(0.5)};
   S sum(0);
-  for (const int half : {0, 1}) {
+  for (const std::size_t half : {0U, 1U}) {
     const S shift = half == 0 ? S(0) : S(-0.5);
     const auto speeds = speed_(half, std::array<S, 3>{places[0] + shift, places[1] + shift, places[2] + shift});
     sum += (speeds[0] + S(4) * speeds[1] + speeds[2]) / S(12);
@@ -112,7 +115,7 @@ S ArcLength<S>::rough_length() const {
 }
 
 template <class S>
-void ArcLength<S>::accept(int half, const S& begin, const S& end, const S& length, const S& disagreement) {
+void ArcLength<S>::accept(std::size_t half, const S& begin, const S& end, const S& length, const S& disagreement) {
   panels_.push_back({half, begin, end, length, sum_});
   sum_ = sum_ + W(length);
   disagreement_ += disagreement;
@@ -121,7 +124,8 @@ void ArcLength<S>::accept(int half, const S& begin, const S& end, const S& lengt
 /// The panel as it is if its error is known to be small, or if it has the minimum of the speed at an end and the
 /// rule agrees with itself on both halves; else cut in halves.
 template <class S>
-void ArcLength<S>::add_panel(int half, const S& begin, const S& end, bool slow_begin, bool slow_end, int halvings) {
+void ArcLength<S>::add_panel(std::size_t half, const S& begin, const S& end, bool slow_begin, bool slow_end,
+                             int halvings) {
   using std::abs;
   if (is_smooth(speed_, half, begin, end)) {
     accept(half, begin, end, rule_sum(half, begin, end), S(0));
@@ -143,20 +147,23 @@ void ArcLength<S>::add_panel(int half, const S& begin, const S& end, bool slow_b
   add_panel(half, middle, end, false, slow_end, halvings - 1);
 }
 
-/// Half a segment: one panel or two if it is smooth, else cut at the minima of the speed.
+/// Half a segment: one panel if it is smooth, else cut at the minima of the speed. An end counts as one where the
+/// speed is small.
 template <class S>
-void ArcLength<S>::add_half(int half, const S& begin, const S& end) {
+void ArcLength<S>::add_half(std::size_t half, const S& begin, const S& end) {
   if (is_smooth(speed_, half, begin, end)) {
     accept(half, begin, end, rule_sum(half, begin, end), S(0));
     return;
   }
+  const S small = rough_ * S(0x1p-6);
   S from = begin;
-  bool slow = true;  // the minimum may be at the end of the segment
+  bool slow = speed_(half, begin) < small;
   for (const S& place : slowest_places(speed_, half, begin, end)) {
     add_panel(half, from, place, slow, true, most_halvings);
     from = place;
+    slow = true;
   }
-  add_panel(half, from, end, slow, true, most_halvings);
+  add_panel(half, from, end, slow, speed_(half, end) < small, most_halvings);
 }
 
 template <class S>
@@ -175,7 +182,8 @@ void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std
     return;
   }
   const S half(0.5);
-  tolerance_ = epsilon * S(0.25) * rough_length();
+  rough_ = rough_length();
+  tolerance_ = epsilon * S(0.25) * rough_;
   add_half(0, S(0), half);
   add_half(1, -half, S(0));
   const S value = narrow<S>(sum_);
@@ -187,7 +195,7 @@ Length<S> ArcLength<S>::to(const Local<S>& place) const {
   if (place.w == S(0)) return total_;
   if (speed_.unit() == S(0) || place.u == S(0)) return {};
   if (panels_.empty()) return {total_.value * place.u, total_.error};
-  const int half = place.near_start() ? 0 : 1;
+  const std::size_t half = place.near_start() ? 0 : 1;
   const S v = half == 0 ? place.u : place.w;
   auto panel = panels_.begin();
   while (panel + 1 != panels_.end() && (panel->half < half || (panel->half == half && panel->end < v))) ++panel;

@@ -53,7 +53,7 @@ class Speed {
     return std::ranges::all_of(channels_[0], [](const auto& x) { return x.k1 == S(0) && x.k2 == S(0); });
   }
 
-  S operator()(int half, const S& v) const {
+  S operator()(std::size_t half, const S& v) const {
     using std::sqrt;
     S sum(0);
     for (const auto& x : channels_[half]) sum += x(v) * x(v);
@@ -62,7 +62,7 @@ class Speed {
 
   /// The speeds at N places.
   template <std::size_t N>
-  std::array<S, N> operator()(int half, const std::array<S, N>& v) const {
+  std::array<S, N> operator()(std::size_t half, const std::array<S, N>& v) const {
     using std::sqrt;
     std::array<S, N> sums{};
     for (const auto& [k0, k1, k2] : channels_[half]) {
@@ -76,7 +76,7 @@ class Speed {
   }
 
   /// The square of the speed at middle + width z, by the powers of z.
-  std::array<S, 5> square_about(int half, const S& middle, const S& width) const {
+  std::array<S, 5> square_about(std::size_t half, const S& middle, const S& width) const {
     std::array<S, 5> sum{};
     for (const auto& x : channels_[half]) {
       const S a = x(middle);
@@ -92,14 +92,14 @@ class Speed {
   }
 
   /// speed * d speed/dv, which has the sign of the acceleration along the path, and its derivative.
-  S growth(int half, const S& v) const {
+  S growth(std::size_t half, const S& v) const {
     S sum(0);
     for (const auto& x : channels_[half]) sum += x(v) * x.slope(v);
     return sum;
   }
 
   /// The coefficients of growth(), a cubic in v, from the constant up.
-  std::array<S, 4> growth_coefficients(int half) const {
+  std::array<S, 4> growth_coefficients(std::size_t half) const {
     std::array<S, 4> sum{};
     for (const auto& [k0, k1, k2] : channels_[half]) {
       sum[0] += k0 * k1;
@@ -138,7 +138,7 @@ class Speed {
 
 /// The length over [begin, end] of a half by an N-point Gauss-Legendre rule; N is a power of two.
 template <std::size_t N, class S>
-S gauss_sum(const Speed<S>& speed, int half, const S& begin, const S& end) {
+S gauss_sum(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
   static_assert((N & (N - 1)) == 0);
   const auto& rule = gauss_rule<S, N>();
   const S width = end - begin;
@@ -154,7 +154,7 @@ S gauss_sum(const Speed<S>& speed, int half, const S& begin, const S& end) {
 
 /// The zero of growth() in [low, high], where it rises from below 0 to above.
 template <class S>
-S slowest_place(const Speed<S>& speed, int half, S low, S high) {
+S slowest_place(const Speed<S>& speed, std::size_t half, S low, S high) {
   using std::abs;
   const auto [g0, g1, g2, g3] = speed.growth_coefficients(half);
   S v = low + (high - low) * S(0.5);
@@ -173,7 +173,7 @@ S slowest_place(const Speed<S>& speed, int half, S low, S high) {
 
 /// The places in (begin, end) at which the speed has a minimum: at most two, in order.
 template <class S>
-std::vector<S> slowest_places(const Speed<S>& speed, int half, const S& begin, const S& end) {
+std::vector<S> slowest_places(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
   using std::sqrt;
   // growth() is monotone between the zeros of its derivative, which is a quadratic.
   const auto [g0, g1, g2, g3] = speed.growth_coefficients(half);

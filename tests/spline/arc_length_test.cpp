@@ -62,8 +62,8 @@ TEST(ArcLength, inverse_comes_back_to_the_length) {
        {parabola, cusp, segment({0, 0}, {1, 0}, {5, 5}, {5, 5}), segment({0, 0}, {0, 0}, {4, 0}, {-4, 0})}) {
     const ArcLength<double> arc(curve, {});
     const double whole = arc.total().value;
-    for (const bool many : {false, true}) {
-      const ArcInverse<double> inverse(arc, many);
+    for (const double step : {0.0, whole / 97}) {
+      const ArcInverse<double> inverse(arc, step);
       for (double s = 0; s <= whole; s += whole / 97) {
         EXPECT_NEAR(arc.to(inverse.at(s, Twice(whole) - Twice(s))).value, s, 1e-15 * whole);
       }
