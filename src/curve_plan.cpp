@@ -115,7 +115,15 @@ CurvePlan make_curve(const CurveSettings& settings) {
 }
 
 CurvePlan fitted(CurvePlan plan, const CurveSettings& settings, const std::vector<std::string>& channels) {
-  for (const std::string& name : settings.metric) plan.rules.metric.push_back(find_channel(name, channels));
+  for (const std::string_view part : split(settings.metric.value_or(""), ',')) {
+    if (!settings.metric) break;
+    const std::string name(part);
+    const std::size_t channel = find_channel(name, channels);
+    if (std::ranges::count(plan.rules.metric, channel) > 0) {
+      throw Error(Exit::usage, fmt::format("--metric: channel \"{}\" twice; expected each once; take one out", name));
+    }
+    plan.rules.metric.push_back(channel);
+  }
   for (const auto* end : {&plan.rules.start, &plan.rules.end}) {
     if (end->velocity.empty() || end->velocity.size() == channels.size()) continue;
     throw Error(Exit::usage,

@@ -71,7 +71,9 @@ void append_u(std::vector<Cell>& row, Point& point) {
 void append_key(std::vector<Cell>& row, Point& point) {
   const auto& at = point.sample().at;
   const auto number = static_cast<double>(point.piece().number);
-  row.push_back(at.u == 0 ? Cell(number) : at.w == 0 ? Cell(number + 1) : format::empty_cell);
+  row.push_back(at.u == 0   ? Cell(number)
+                : at.w == 0 ? Cell(static_cast<double>(point.piece().end_key))
+                            : format::empty_cell);
 }
 
 void append_arc_error(std::vector<Cell>& row, Point& point) { row.emplace_back(point.piece().s_error); }

@@ -33,6 +33,15 @@ struct Descriptor {
   }
 };
 
+/// The permissions of the file if it is there, else those of a new one.
+mode_t mode_for(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) return status.st_mode & 07777U;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666U & ~mask;
+}
+
 [[noreturn]] void fail(const std::string& path, const char* what) {
   throw Error(Exit::usage, Place{shown_name(path)}, fmt::format("{}: {}", what, std::strerror(errno)));
 }
@@ -92,9 +101,7 @@ Output::Output(std::string path) : path_(std::move(path)) {
     temporary_.clear();
     fail("cannot be written");
   }
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(descriptor_, 0666 & ~mask) != 0) fail("cannot be written");
+  if (::fchmod(descriptor_, mode_for(path_)) != 0) fail("cannot be written");
 }
 
 Output::~Output() {

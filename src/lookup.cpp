@@ -49,8 +49,20 @@ Piece WholeCurve::piece(std::uint64_t number) const {
   const auto index = static_cast<std::size_t>(after - first_numbers_.begin() - 1);
   const spline::Segments<double>& segments = stretches_[index].segments;
   const std::size_t i = number - first_numbers_[index];
-  return {segments.times[i],    segments.times[i + 1], s_[number], s_[number + 1], segments[i],         metric_,
-          number + 1 == size(), segments.warp(i),      cycle_,     number,         s_error_[number + 1]};
+  const bool last = number + 1 == size();
+  const bool closes = last && stretches_.back().closes;
+  return {segments.times[i],
+          segments.times[i + 1],
+          s_[number],
+          s_[number + 1],
+          segments[i],
+          metric_,
+          last,
+          segments.warp(i),
+          cycle_,
+          number,
+          s_error_[number + 1],
+          closes ? 0 : number + 1};
 }
 
 std::uint64_t WholeCurve::find_time(const Time<double>& t, bool left) const {

@@ -33,14 +33,34 @@ Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
   });
 }
 
-/// Adds the times of the curve's keys; a time within a billionth of a step from a key gives way to it.
-void add_keys(std::vector<Time>& times, const WholeCurve& curve) {
-  const double near = times.size() > 1 ? (times[1] - times[0]).hi * 1e-9 : 0;
+/// The times with those of the curve's keys in the range; a time within a billionth of a step from a key gives way.
+std::vector<Time> with_keys(const std::vector<Time>& times, const WholeCurve& curve, const Time& from, const Time& to) {
+  const Time near = times.size() > 1 ? (times[1] - times[0]) * Time(1e-9) : Time(0.0);
+  std::vector<Time> merged;
+  std::size_t next = 0;
   for (std::uint64_t i = 0; i <= curve.size(); ++i) {
     const Time key = i < curve.size() ? curve.piece(i).start : curve.piece(i - 1).end;
-    if (key < times.front() || key > times.back()) continue;
-    std::erase_if(times, [&](const Time& t) { return (t - key).hi <= near && (key - t).hi <= near; });
-    times.insert(std::ranges::upper_bound(times, key), key);
+    if (key < from - near || key > to + near) continue;
+    for (; next < times.size() && times[next] < key - near; ++next) merged.push_back(times[next]);
+    while (next < times.size() && times[next] <= key + near) ++next;
+    merged.push_back(key);
+  }
+  merged.insert(merged.end(), times.begin() + static_cast<std::ptrdiff_t>(next), times.end());
+  return merged;
+}
+
+/// The settings beside the keys; what is wrong with them is said of their place.
+const CurveSettings& checked_settings(const format::Input& input) {
+  try {
+    (void)fitted(make_curve(input.settings), input.settings, input.channels);
+    return input.settings;
+  } catch (const Error& error) {
+    std::string message = error.what();
+    message.erase(0, message.find_first_not_of('-'));  // they are members here, not options
+    for (const auto& [name, place] : input.setting_places) {
+      if (message.starts_with(name)) throw Error(Exit::data, place, message);
+    }
+    throw Error(Exit::data, message);
   }
 }
 
@@ -49,7 +69,7 @@ void add_keys(std::vector<Time>& times, const WholeCurve& curve) {
 Path::Path(const sampler::Request& request, const CurveSettings& settings, std::vector<std::size_t> fields,
            const format::Input& input)
     : request_(request),
-      settings_(over(settings, input.settings)),
+      settings_(over(settings, checked_settings(input))),
       curve_(fitted(make_curve(settings_), settings_, input.channels)),
       fields_(std::move(fields)),
       timed_(input.timed) {
@@ -122,7 +142,7 @@ std::vector<Time> Path::grid_times(const sampler::Extent& extent) const {
   const auto spacing = sampler::spacing(request_, extent);
   const bool single = spacing.grid.step() == 0;
   if (!single) sampler::require_resolution(spacing.grid, *spacing.end);
-  const std::uint64_t rows = single ? 1 : std::min(spacing.rows, spacing.grid.rows_through(*spacing.end));
+  const std::uint64_t rows = single ? spacing.rows : std::min(spacing.rows, spacing.grid.rows_through(*spacing.end));
   std::vector<Time> times;
   for (std::uint64_t row = 0; row < rows; ++row) times.push_back(spacing.grid.time(row));
   if (request_.end == sampler::EndPolicy::keep && (times.empty() || times.back() < *spacing.end)) {
@@ -144,7 +164,10 @@ Placed Path::place_anywhere(LinkedKeys keys, const sampler::Extent& extent) cons
   } else {
     std::ranges::transform(request_.places, std::back_inserter(places), sampler::nearest_time);
   }
-  if (request_.keys) add_keys(places, *curve);
+  if (request_.keys) {
+    const Time to = request_.to ? sampler::nearest_time(*request_.to) : *extent.last;
+    places = with_keys(places, *curve, places.front(), to);
+  }
   const std::uint64_t rows = places.size();
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
   if (request_.mode == Mode::arc_at) {

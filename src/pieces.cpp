@@ -47,7 +47,7 @@ void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
 }
 
 Stretch measure(const spline::Window<double>& window, const Rules& rules, bool measured) {
-  Stretch stretch{{}, {}, window.last};
+  Stretch stretch{{}, {}, window.last, window.last && !window.ends};
   if (!window.has_segments() && !window.is_single_key()) return stretch;
   stretch.segments = spline::segments(window, rules);
   if (!measured) return stretch;

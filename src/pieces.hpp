@@ -20,6 +20,7 @@ struct Stretch {
   spline::Segments<double> segments;
   std::vector<spline::Length<double>> lengths;  ///< one a segment, or none where nobody asked
   bool last = false;                            ///< the curve ends here
+  bool closes = false;                          ///< and is back at its first key
 };
 
 /// Keys with times where the input has none: key i + 1 follows key i after |P[i+1] - P[i]|^exponent, which is 1

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -29,10 +30,10 @@ class Writer {
       columns_ = std::move(columns);
       layout_ = format::formats()[plan_.output_format].layout(columns_, plan_.output_header.value_or(input.named));
       output_.write(layout_.head);
-    } else if (columns.size() != columns_.size()) {
-      throw Error(Exit::data, fmt::format("its rows have {} columns; expected {}, as in the files before; give "
+    } else if (!std::ranges::equal(columns, columns_, {}, &format::OutputColumn::name, &format::OutputColumn::name)) {
+      throw Error(Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give "
                                           "--output-dir to write an output for each file",
-                                          columns.size(), columns_.size()));
+                                          names(columns), names(columns_)));
     }
     output_.set_live(live);
   }
@@ -53,6 +54,12 @@ class Writer {
   }
 
  private:
+  static std::string names(const std::vector<format::OutputColumn>& columns) {
+    std::string text;
+    for (const auto& column : columns) text += (text.empty() ? "" : ", ") + column.name;
+    return text;
+  }
+
   const Plan& plan_;
   Output output_;
   std::vector<format::OutputColumn> columns_;

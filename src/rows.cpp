@@ -63,17 +63,18 @@ class Placer {
       s_error_ += stretch_->lengths[i].error;
     }
     const bool last = stretch_->last && segment_ == segments.size();
-    const Piece piece{segments.times[i],
-                      segments.times[i + 1],
-                      s_start,
-                      s_,
-                      segments[i],
-                      metric_,
-                      last,
-                      segments.warp(i),
-                      {},
-                      number_++,
-                      s_error_};
+    Piece piece{segments.times[i],
+                segments.times[i + 1],
+                s_start,
+                s_,
+                segments[i],
+                metric_,
+                last,
+                segments.warp(i),
+                {},
+                number_++,
+                s_error_};
+    if (last && stretch_->closes) piece.end_key = 0;
     const Run run = sampler_->place(piece);
     if (run.key) left_.push_back({piece, Row::at_key, Row::at_key + 1});
     if (run.first < run.last) left_.push_back({piece, run.first, run.last});

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace tcb {
 
@@ -15,7 +14,7 @@ struct CurveSettings {
   std::optional<std::string> period;     ///< a decimal or a ratio; implies closed
   std::optional<std::string> parameter;  ///< where keys carry no times: uniform, chordal, centripetal, or an exponent
   std::optional<std::string> extrapolate;
-  std::vector<std::string> metric;  ///< names or numbers of channels
+  std::optional<std::string> metric;  ///< names or numbers of channels, apart by commas
   bool equal_speed = false;
   bool no_ease = false;
 };

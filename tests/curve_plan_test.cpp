@@ -50,7 +50,7 @@ TEST(CurvePlan, unknown_names_are_refused_with_the_nearest) {
   EXPECT_TRUE(refusal(settings).ends_with("; did you mean gte?")) << refusal(settings);
   EXPECT_TRUE(refusal(ends("naturel")).ends_with("; did you mean natural?"));
   settings = {};
-  settings.metric = {"z"};
+  settings.metric = "z";
   EXPECT_EQ(refusal(settings), "--metric: no channel \"z\"; expected some of x, y, or numbers from 1");
 }
 

@@ -65,8 +65,7 @@ void declare_curve(CLI::App& app, Typed& typed) {
          "Makes times for keys without any: uniform (default), chordal, centripetal, or the exponent of the distances")
       ->type_name("NAME");
   option("--metric", curve.metric, "The channels that lengths and speeds are over, by name or number; default: all")
-      ->type_name("CHANNEL,...")
-      ->delimiter(',');
+      ->type_name("CHANNEL,...");
   flag("--no-ease", curve.no_ease, "Columns ease_in and ease_out do not count");
   option("--extrapolate", curve.extrapolate,
          "What stands for times outside the curve: error (default), hold, linear, repeat, offset or oscillate")
@@ -187,6 +186,12 @@ Request parse(int argc, const char* const* argv) {
     app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     refuse(*app, error, *app);
+  }
+  for (const CLI::Option* option : app->get_options()) {
+    if (option->count() > 0 && std::ranges::count(option->results(), "") > 0) {
+      throw Error(Exit::usage,
+                  option->get_name() + ": an empty value; expected one as in --help; give it, or take the option out");
+    }
   }
   if (typed.help) return {help_text(*app), {}};
   if (typed.list_presets) return {presets_text(), {}};

@@ -74,7 +74,11 @@ std::vector<std::size_t> make_fields(const std::string& text) {
       throw Error(Exit::usage, fmt::format("--fields: no field \"{}\"; expected some of {}{}", name,
                                            fmt::join(known, ", "), did_you_mean(name, known)));
     }
-    chosen.push_back(static_cast<std::size_t>(found - known.begin()));
+    const auto field = static_cast<std::size_t>(found - known.begin());
+    if (std::ranges::count(chosen, field) > 0) {
+      throw Error(Exit::usage, fmt::format("--fields: {} twice; expected each once; take one out", name));
+    }
+    chosen.push_back(field);
   }
   return chosen;
 }
@@ -92,7 +96,7 @@ bool needs_metric(const Plan& plan, const CurvePlan& curve) {
 void check_curve(Plan& plan) {
   const CurvePlan curve = make_curve(plan.curve);
   plan.input.timeless = plan.curve.parameter.has_value();
-  if (!plan.curve.metric.empty() && !needs_metric(plan, curve)) {
+  if (plan.curve.metric && !needs_metric(plan, curve)) {
     throw Error(Exit::usage, "--metric has no effect where no length or speed is asked for; take it out");
   }
 }

@@ -86,11 +86,11 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
   const bool positions_given = columns.has(Role::position);
   const auto asked = columns.cells;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
-    if (asked[cell].role != Role::left_out || !numeric[cell]) continue;
+    if (asked[cell].role != Role::left_out) continue;
     const bool first = cell == 0 && !timeless && !columns.has(Role::time);
     const Role role = !header.empty() ? role_of_name(header[cell]) : first ? Role::time : Role::position;
     const bool asked_for = std::ranges::any_of(asked, [&](const auto& column) { return column.role == role; });
-    if (role == Role::position ? positions_given : asked_for) continue;
+    if (role == Role::position ? positions_given || !numeric[cell] : asked_for) continue;
     assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
   }
 }

@@ -148,6 +148,7 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
           columns.channels,
           {},
           ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse),
+          {},
           facts(*head)};
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "error.hpp"
 #include "format/columns.hpp"
 #include "settings.hpp"
 #include "spline/key.hpp"
@@ -47,7 +48,8 @@ struct Input {
   std::vector<std::string> channels;  ///< names of the position channels
   CurveSettings settings;             ///< what stands beside the keys
   Source<KeyBlock> keys;
-  std::vector<std::pair<std::string, std::string>> facts = {};  ///< what was found, in words
+  std::vector<std::pair<std::string, Place>> setting_places = {};  ///< where each setting stands
+  std::vector<std::pair<std::string, std::string>> facts = {};     ///< what was found, in words
 };
 
 }  // namespace tcb::format

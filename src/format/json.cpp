@@ -123,6 +123,7 @@ class Envelope : public JsonEvents {
   using JsonEvents::JsonEvents;
   std::vector<std::string> channels;
   CurveSettings settings;
+  std::vector<std::pair<std::string, Place>> places;
 
  private:
   bool on_member(const std::string& name) override {
@@ -137,6 +138,7 @@ class Envelope : public JsonEvents {
   }
   bool on_other(std::string_view text) override {
     const std::string value(text);
+    places.emplace_back(member_, here());
     if (member_ == "channels" && in_array()) channels.push_back(value);
     if (member_ == "preset") settings.preset = value;
     if (member_ == "tangents") settings.tangents = value;
@@ -171,6 +173,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
   Source<Chunk> chunks = [splitter] { return splitter->next(); };
   std::vector<std::string> channels;
   CurveSettings settings;
+  std::vector<std::pair<std::string, Place>> places;
   auto first = chunks();
   if (splitter->wrapped()) {
     // The settings may stand behind the keys, so all of the text is read before the first key is used.
@@ -181,6 +184,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
       envelope.parse_object();
       channels = envelope.channels;
       settings = envelope.settings;
+      places = std::move(envelope.places);
     }
     chunks = [kept = std::move(kept), next = std::size_t{0}]() mutable -> std::optional<Chunk> {
       return next < kept.size() ? std::optional(std::move(kept[next++])) : std::nullopt;
@@ -191,9 +195,13 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
   const auto columns = std::make_shared<const JsonColumns>(find_members(*first, options, channels));
   const auto parse = [columns, tcb = options.tcb](const Chunk& chunk) { return parse_json(chunk, *columns, tcb); };
   const Columns& meaning = columns->columns;
-  return {true,         meaning.has(Role::time),
-          meaning.time, meaning.channels,
-          settings,     ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse)};
+  return {true,
+          meaning.has(Role::time),
+          meaning.time,
+          meaning.channels,
+          settings,
+          ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse),
+          std::move(places)};
 }
 
 }  // namespace tcb::format

@@ -9,6 +9,7 @@
 
 #include "error.hpp"
 #include "format/json_events.hpp"
+#include "format/number.hpp"
 
 namespace tcb::format {
 namespace {
@@ -41,6 +42,10 @@ class FirstKey : public JsonEvents {
   }
   bool on_other(std::string_view text) override {
     if (text == "null") members.back().numbers = 1;  // refused later, as a number that is missing
+    const bool has_role = role_of_name(members.back().name) != Role::position;
+    if (text != "null" && !in_array() && (has_role || (!text.empty() && looks_numeric(text)))) {
+      fail(fmt::format("{}: \"{}\" is not a number; expected one without quotes; correct it", path(), text));
+    }
     return true;
   }
   bool on_key_end() override { return false; }

@@ -180,16 +180,20 @@ void JsonEvents::fail(const std::string& message) const { fail_at(token_start(ch
 
 void JsonEvents::fail_key(const std::string& message) const { fail_at(key_, message); }
 
+Place JsonEvents::here() const { return place_of(token_start(chunk_.text.data(), now_)); }
+
 void JsonEvents::fail_at(const char* where, const std::string& message) const {
+  throw Error(Exit::data, place_of(where), message);
+}
+
+Place JsonEvents::place_of(const char* where) const {
   const std::string_view before(chunk_.text.data(), static_cast<std::size_t>(where - chunk_.text.data()));
   const std::size_t last = before.rfind('\n');
   const auto line = last == std::string_view::npos ? before : before.substr(last + 1);
   const auto characters =
       std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-  throw Error(Exit::data,
-              Place{"", chunk_.line + static_cast<std::uint64_t>(std::ranges::count(before, '\n')),
-                    (last == std::string_view::npos ? chunk_.column : 1) + static_cast<std::uint64_t>(characters)},
-              message);
+  return {"", chunk_.line + static_cast<std::uint64_t>(std::ranges::count(before, '\n')),
+          (last == std::string_view::npos ? chunk_.column : 1) + static_cast<std::uint64_t>(characters)};
 }
 
 }  // namespace tcb::format

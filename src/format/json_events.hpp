@@ -42,6 +42,8 @@ class JsonEvents {
   std::size_t element() const { return element_; }
   /// The line of the text at hand. Requires: calls come in the order of the text.
   std::uint64_t line();
+  /// The place of the value that is being parsed.
+  Place here() const;
   /// Throws: Error (data) at the value that is being parsed.
   [[noreturn]] void fail(const std::string& message) const;
   /// Throws: Error (data) at the beginning of the key that is being parsed.
@@ -55,6 +57,7 @@ class JsonEvents {
   bool value(const spline::Time<double>* number, std::string_view text);
   bool open(bool object);
   bool close(bool object);
+  Place place_of(const char* where) const;
   [[noreturn]] void fail_at(const char* where, const std::string& message) const;
 
   const Chunk& chunk_;

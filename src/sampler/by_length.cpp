@@ -27,7 +27,14 @@ std::vector<Sample> ByLength::locate(const Piece& piece, std::uint64_t first, st
   std::vector<Sample> samples;
   samples.reserve(last - first);
   for (std::uint64_t row = first; row != last; ++row) {
-    samples.push_back(at_length(piece, inverse, coordinate(piece, row)));
+    const Time s = coordinate(piece, row);
+    if (row == Row::at_key) {
+      samples.push_back({piece.start, {0, -1}, s.hi});
+    } else if (row == Row::at_end && s >= Time(piece.s_end.hi)) {
+      samples.push_back({piece.end, {1, 0}, s.hi});
+    } else {
+      samples.push_back(at_length(piece, inverse, s));
+    }
   }
   return samples;
 }

@@ -2,6 +2,7 @@
 #include "sampler/grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tcb::sampler {
@@ -67,8 +68,9 @@ std::uint64_t Grid::rows_through(const Time& t) const {
 }
 
 bool Grid::resolves(const Time& t) const {
-  const Time size = t < Time(0.0) ? -t : t;
-  return time(1) > time(0) && size.hi + rounded_step_.hi != size.hi;
+  const double largest = std::max(std::abs(t.hi), std::abs(rounded_start_.hi));
+  if (rounded_step_.hi > largest * 0x1p-51) return true;
+  return time(1) > time(0) && nearest_time(exact_time(t) + step_) > t;
 }
 
 }  // namespace tcb::sampler

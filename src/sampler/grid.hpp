@@ -22,8 +22,11 @@ class Grid {
   std::uint64_t rows_before(const Time& t) const;
   std::uint64_t rows_through(const Time& t) const;
 
-  /// Row 0 and row 1 differ, and so do all rows at times no larger than t.
+  /// Row 0 and row 1 differ, and so do neighbouring rows at t.
   bool resolves(const Time& t) const;
+
+  /// About how many rows stand up to t, to a few units in the last place.
+  double rough_rows(const Time& t) const { return ((t - rounded_start_) / rounded_step_).hi + 1; }
 
   const Rational& start() const { return start_; }
   const Rational& step() const { return step_; }

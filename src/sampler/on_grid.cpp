@@ -34,7 +34,9 @@ std::uint64_t OnGrid::rows_up_to(const Piece& piece, const Range& on, const Time
   }
   if (stop < grid.time(0)) return 0;
   if (spacing_.rows == Spacing::unlimited) {
-    require_rows(steps_between(grid.start(), exact_time(stop), grid.step()), max_rows_, !final);
+    if (grid.rough_rows(stop) > static_cast<double>(max_rows_) * 0.99) {
+      require_rows(steps_between(grid.start(), exact_time(stop), grid.step()), max_rows_, !final);
+    }
     require_resolution(grid, stop);
   } else if (piece.last) {
     require_resolution(grid, stop);
@@ -49,7 +51,7 @@ void OnGrid::add_keys(Run& run, const Range& on, const Time& stop, bool final) c
     const Time distance = grid.time(row) - key;
     return distance <= near_ && -distance <= near_;
   };
-  run.key = on.start >= grid.time(0) - near_ && on.start <= stop && on.start != on.end;
+  run.key = on.start >= grid.time(0) - near_ && on.start <= stop;
   if (run.first < run.last && beside(run.first, on.start)) ++run.first;
   if (run.first < run.last && beside(run.last - 1, on.end)) --run.last;
   if (final && on.end <= stop + near_) run.end = true;

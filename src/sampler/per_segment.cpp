@@ -1,10 +1,15 @@
 // Samples at equal intervals within every segment: the inbetweens of the paper.
 #include "sampler/per_segment.hpp"
 
+#include "sampler/bounds.hpp"
+
 namespace tcb::sampler {
 
 Run PerSegment::place(const Piece& piece) {
   require_rows(Rational(Integer(piece.number + 1) * intervals_), max_rows_, !piece.last);
+  const Rational start = exact_time(piece.start);
+  const Grid grid(start, Rational((exact_time(piece.end) - start) / intervals_));
+  if (piece.start < piece.end) require_resolution(grid, piece.end);
   return {1, intervals_, true, piece.last};
 }
 

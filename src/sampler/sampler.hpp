@@ -29,6 +29,7 @@ struct Piece {
   std::span<const double> cycle = {};             ///< last key - first key, where that is wanted; one a channel
   std::uint64_t number = 0;                       ///< of the segment, from 0
   double s_error = 0;                             ///< bound on the error of s_end
+  std::uint64_t end_key = number + 1;             ///< of the key at its end, 0 where a closed curve is back
 };
 
 /// Rows on a piece, by their numbers. Besides those of the grid there are rows at the piece's first key and

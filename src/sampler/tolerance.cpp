@@ -73,7 +73,7 @@ class Walker {
   Place start() const { return at(0, 0); }
 
   /// The farthest place that a chord from here may reach.
-  Place next(const Place& from) const {
+  Place next(const Place& from) {
     const std::uint64_t corner = next_corner(from);
     std::uint64_t good = from.piece, step = 1;  // the keys that end the pieces before `good` can be reached
     while (good < corner && reaches(from, key(std::min(good + step, corner)))) {
@@ -123,13 +123,16 @@ class Walker {
     for (std::uint64_t number = from.piece; number <= to.piece; ++number) {
       const double low = number == from.piece ? from.u : 0;
       const double high = number == to.piece ? to.u : 1;
-      if (low < high && !is_near(chord, pieces_.piece(number), low, high)) return false;
+      const Piece piece = pieces_.piece(number);
+      // With ease, the bound on a graph tightens slowly; what is not known by then counts as too far.
+      const int depth = piece.warp.is_identity() ? 40 : 16;
+      if (low < high && !is_near(chord, piece, low, high, depth)) return false;
     }
     return true;
   }
 
   /// The piece between two local parameters is near the chord, so its control points are, or those of its halves.
-  bool is_near(const Chord& chord, const Piece& piece, double low, double high, int depth = 40) const {
+  bool is_near(const Chord& chord, const Piece& piece, double low, double high, int depth) const {
     const Local at_low{low, low - 1};
     const Local at_high{high, high - 1};
     const double third = (high - low) / 3;
@@ -168,10 +171,11 @@ class Walker {
   }
 
   /// The number of the first key behind a place where the curve turns, or of the last one.
-  std::uint64_t next_corner(const Place& from) const {
-    std::uint64_t number = from.piece + (from.u == 1 ? 2 : 1);
-    while (number < pieces_.count && !is_corner(number)) ++number;
-    return number;
+  std::uint64_t next_corner(const Place& from) {
+    if (corner_ > from.piece + (from.u == 1 ? 1 : 0)) return corner_;
+    corner_ = from.piece + (from.u == 1 ? 2 : 1);
+    while (corner_ < pieces_.count && !is_corner(corner_)) ++corner_;
+    return corner_;
   }
 
   /// The directions before and after a key differ, or it has none.
@@ -198,12 +202,13 @@ class Walker {
 
   const Pieces& pieces_;
   double tolerance_;
+  std::uint64_t corner_ = 0;  ///< the last one found
 };
 
 }  // namespace
 
 std::vector<Time> times_within_tolerance(const Pieces& pieces, double tolerance, std::uint64_t max_rows) {
-  const Walker walker(pieces, tolerance);
+  Walker walker(pieces, tolerance);
   std::vector<Time> times;
   Place place = walker.start();
   times.push_back(place.t);

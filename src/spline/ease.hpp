@@ -50,12 +50,14 @@ class Warp {
   S slope(const S& u) const {
     if (is_identity()) return S(1);
     const S f = narrow<S>(f_), e = narrow<S>(e_), k = narrow<S>(k_);
-    return u < f ? S(2) * k / f * u : S(1) - u > e ? S(2) * k : S(2) * k / e * (S(1) - u);
+    if (u < f || f == S(1)) return S(2) * k / f * u;
+    return S(1) - u > e || e == S(0) ? S(2) * k : S(2) * k / e * (S(1) - u);
   }
   S bend(const S& u) const {
     if (is_identity()) return S(0);
     const S f = narrow<S>(f_), e = narrow<S>(e_), k = narrow<S>(k_);
-    return u < f ? S(2) * k / f : S(1) - u > e ? S(0) : S(-2) * k / e;
+    if (u < f || f == S(1)) return S(2) * k / f;
+    return S(1) - u > e || e == S(0) ? S(0) : S(-2) * k / e;
   }
 
  private:
