@@ -15,25 +15,25 @@ using spline::presets;
 using spline::tangent_rules;
 
 std::string presets_text() {
-  std::string out = fmt::format("{:<12}{:<19}{:<17}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
+  std::string out = fmt::format("{:<10}{:<18}{:<16}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
   for (const auto& row : presets) {
-    out += fmt::format("{:<12}{:<19}{:<17}{}\n", row.name, row.tangents, row.ends, row.product);
+    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, row.tangents, row.ends, row.product);
   }
   out +=
-      "\nTANGENTS of a key between chords D0, D1 of durations h0, h1, local to their segments:\n"
+      "\nTANGENTS of a key between chords D0, D1 of durations h0, h1, for the segment:\n"
       "  a = (1-T)(1+C)(1+B)   b = (1-T)(1-C)(1-B)   Uin  = (c D0 + d D1)/2\n"
       "  c = (1-T)(1-C)(1+B)   d = (1-T)(1+C)(1-B)   Uout = (a D0 + b D1)/2\n";
   for (const auto& row : tangent_rules<double>) {
     out += fmt::format("{}\n  in   {}\n  out  {}\n", row.name, row.incoming, row.outgoing) + wrapped(row.used_by, 4);
   }
   out +=
-      "\nENDS of an open curve; D is the end segment's chord, h its duration, m its other\n"
+      "\nENDS: out of the first key, into the last (one formula: the same for both).\n"
+      "D is the end segment's chord, h its duration, m its other\n"
       "tangent, a to d and T the end key's own:\n";
   for (const auto& row : end_rules<double>) {
     const bool same = row.outgoing == row.incoming;
     out += fmt::format("{:<17}{}\n", row.name,
-                       same ? std::string(row.outgoing)
-                            : fmt::format("{} at the first key, {} at the last", row.outgoing, row.incoming));
+                       same ? std::string(row.outgoing) : fmt::format("{}, {}", row.outgoing, row.incoming));
     out += wrapped(row.used_by, 4);
   }
   return out.substr(0, out.size() - 1);

@@ -20,7 +20,7 @@ inline constexpr std::array presets{
     Preset{"gte2021", "interval", "one-sided", "Geometric Tools Engine until 2022-01"},
     Preset{"wildmagic", "interval", "one-sided", "Wild Magic"},
     Preset{"lightwave", "interval", "lightwave", "LightWave 3D; times in seconds"},
-    Preset{"vtk", "interval", "zero", "vtkKochanekSpline with its default ends"},
+    Preset{"vtk", "interval", "zero", "VTK with its default ends"},
     Preset{"gamebryo", "interval", "mirror", "Gamebryo, NetImmerse (NIF files)"},
     Preset{"idtech4", "interval", "mirror", "id Tech 4"},
     Preset{"3dsmax", "interval-c", "natural-tension", "3ds Max; with ease columns"},
