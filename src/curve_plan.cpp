@@ -115,8 +115,8 @@ CurvePlan make_curve(const CurveSettings& settings) {
 }
 
 CurvePlan fitted(CurvePlan plan, const CurveSettings& settings, const std::vector<std::string>& channels) {
-  for (const std::string_view part : split(settings.metric.value_or(""), ',')) {
-    if (!settings.metric) break;
+  const auto metric = settings.metric ? split(*settings.metric, ',') : std::vector<std::string_view>{};
+  for (const std::string_view part : metric) {
     const std::string name(part);
     const std::size_t channel = find_channel(name, channels);
     if (std::ranges::count(plan.rules.metric, channel) > 0) {

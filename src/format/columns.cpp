@@ -85,11 +85,13 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
                      bool timeless) {
   const bool positions_given = columns.has(Role::position);
   const auto asked = columns.cells;
+  std::array<bool, role_count> is_asked{};
+  for (const Columns::Column& column : asked) is_asked[static_cast<std::size_t>(column.role)] = true;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (asked[cell].role != Role::left_out) continue;
     const bool first = cell == 0 && !timeless && !columns.has(Role::time);
     const Role role = !header.empty() ? role_of_name(header[cell]) : first ? Role::time : Role::position;
-    const bool asked_for = std::ranges::any_of(asked, [&](const auto& column) { return column.role == role; });
+    const bool asked_for = is_asked[static_cast<std::size_t>(role)];
     if (role == Role::position ? positions_given || !numeric[cell] : asked_for) continue;
     assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
   }

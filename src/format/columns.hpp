@@ -12,6 +12,8 @@ namespace tcb::format {
 
 enum class Role { left_out, time, position, tension, continuity, bias, ease_in, ease_out };
 
+inline constexpr std::size_t role_count = 8;
+
 /// Roles given by hand (--columns): each with the columns that have it, by name or by number from 1.
 struct RoleRequest {
   Role role;
