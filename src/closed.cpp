@@ -30,12 +30,10 @@ void require_same_tcb(const Keys& first, const Keys& last, const KeptKeys& keys)
 Time<double> end_by_period(const Keys& first, const Keys& last, const Rational& period) {
   const Time<double> end = sampler::nearest_time(sampler::exact_time(first.times[0]) + period);
   if (end > last.times[0]) return end;
-  std::string time;
-  format::append_time(time, last.times[0]);
   throw Error(Exit::data,
               fmt::format("--period: the curve is closed before its last key, at time {}; expected a longer "
                           "period; correct it",
-                          time));
+                          format::time_text(last.times[0])));
 }
 
 /// The key with its time moved.

@@ -20,12 +20,6 @@ using format::KeyBlock;
 using sampler::Mode;
 using sampler::Time;
 
-std::string text(const Time& time) {
-  std::string out;
-  format::append_time(out, time);
-  return out;
-}
-
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
   return ordered_map(std::move(blocks), [](KeyBlock block) {
     block.keys.eases.clear();
@@ -115,7 +109,8 @@ Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent, std:
 Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
   sampler::Extent extent{kept.key(0).times[0], {}, {}, curve_.closed};
   extent.last = curve_.closed ? close(kept, curve_, timed_) : kept.key(kept.size() - 1).times[0];
-  Facts facts{{"curve", fmt::format("from {} to {}", text(extent.first), text(*extent.last))}};
+  Facts facts{
+      {"curve", fmt::format("from {} to {}", format::time_text(extent.first), format::time_text(*extent.last))}};
   const auto linked = [&] { return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}}; };
   Placed placed;
   if (anywhere) {
@@ -129,7 +124,7 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
     }
     if (request_.mode != Mode::per_segment) {
       const Time step = sampler::nearest_time(sampler::spacing(request_, extent).grid.step());
-      facts.emplace_back("step", text(step));
+      facts.emplace_back("step", format::time_text(step));
     }
     placed = place_streamed(linked(), extent, std::move(lengths));
   }

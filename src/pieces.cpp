@@ -17,12 +17,6 @@ using format::KeyBlock;
 using spline::Time;
 using spline::Twice;
 
-std::string text(const Time<double>& time) {
-  std::string out;
-  format::append_time(out, time);
-  return out;
-}
-
 /// A key's time, and its line.
 struct Row {
   Time<double> time;
@@ -32,10 +26,11 @@ struct Row {
 void require_increase(const Row& before, const Row& row) {
   if (before.time < row.time) return;
   const bool equal = before.time == row.time;
-  throw Error(Exit::data, Place{"", row.line, 0},
-              fmt::format("time {} {} the time {} in line {}; expected times that increase; {}", text(row.time),
-                          equal ? "repeats" : "is less than", text(before.time), before.line,
-                          equal ? "take one of the rows out" : "sort the rows by time"));
+  throw Error(
+      Exit::data, Place{"", row.line, 0},
+      fmt::format("time {} {} the time {} in line {}; expected times that increase; {}", format::time_text(row.time),
+                  equal ? "repeats" : "is less than", format::time_text(before.time), before.line,
+                  equal ? "take one of the rows out" : "sort the rows by time"));
 }
 
 void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {

@@ -94,11 +94,9 @@ class Placer {
 };
 
 [[noreturn]] void refuse_overflow(const sampler::Sample& sample) {
-  std::string time;
-  format::append_time(time, sample.t);
   throw Error(Exit::data, fmt::format("the row at time {} has a number beyond the range of doubles; expected less than "
                                       "1.8e308 in size; scale the keys down",
-                                      time));
+                                      format::time_text(sample.t)));
 }
 
 }  // namespace

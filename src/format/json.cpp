@@ -132,9 +132,7 @@ class Envelope : public JsonEvents {
   }
   bool on_number(const spline::Time<double>& value) override {
     if (member_ == "channels") fail("channels: a number; expected names in quotes; correct it");
-    std::string text;
-    append_time(text, value);
-    return on_other(text);
+    return on_other(time_text(value));
   }
   bool on_other(std::string_view text) override {
     const std::string value(text);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format/number.hpp"
+#include "format/place.hpp"
 
 namespace tcb::format {
 namespace {
@@ -188,12 +189,7 @@ void JsonEvents::fail_at(const char* where, const std::string& message) const {
 
 Place JsonEvents::place_of(const char* where) const {
   const std::string_view before(chunk_.text.data(), static_cast<std::size_t>(where - chunk_.text.data()));
-  const std::size_t last = before.rfind('\n');
-  const auto line = last == std::string_view::npos ? before : before.substr(last + 1);
-  const auto characters =
-      std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-  return {"", chunk_.line + static_cast<std::uint64_t>(std::ranges::count(before, '\n')),
-          (last == std::string_view::npos ? chunk_.column : 1) + static_cast<std::uint64_t>(characters)};
+  return {"", chunk_.line + count_lines(before), column_after(before, chunk_.column)};
 }
 
 }  // namespace tcb::format

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "format/place.hpp"
 
 namespace tcb::format {
 namespace {
@@ -12,20 +13,6 @@ namespace {
 constexpr std::string_view white_space = " \t\r\n";
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(white_space) == std::string_view::npos; }
-
-std::uint64_t count_lines(std::string_view text) { return static_cast<std::uint64_t>(std::ranges::count(text, '\n')); }
-
-/// The column behind a text that begins in the given one.
-std::uint64_t column_after(std::string_view text, std::uint64_t column) {
-  const std::size_t last = text.rfind('\n');
-  if (last != std::string_view::npos) {
-    text.remove_prefix(last + 1);
-    column = 1;
-  }
-  const auto characters =
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-  return column + static_cast<std::uint64_t>(characters);
-}
 
 }  // namespace
 

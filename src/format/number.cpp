@@ -109,6 +109,12 @@ void append_time(std::string& out, const Time& time) {
   }
 }
 
+std::string time_text(const Time& time) {
+  std::string out;
+  append_time(out, time);
+  return out;
+}
+
 void append_whole(std::string& out, std::uint64_t value) { append_shortest(out, value); }
 
 }  // namespace tcb::format

@@ -36,6 +36,9 @@ void append_number(std::string& out, double value);
 /// A time: whole numbers below 2^63 with all their digits, others as append_number.
 void append_time(std::string& out, const Time& time);
 
+/// A time as append_time writes it.
+std::string time_text(const Time& time);
+
 void append_whole(std::string& out, std::uint64_t value);
 
 }  // namespace tcb::format

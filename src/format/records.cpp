@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
+#include "format/place.hpp"
+
 namespace tcb::format {
 namespace {
 
 constexpr std::size_t longest_record = 64UL * 1024 * 1024;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-std::uint64_t count_lines(std::string_view text) { return static_cast<std::uint64_t>(std::ranges::count(text, '\n')); }
 
 /// The quote that ends the quoted cell begun at `open`, or npos.
 std::size_t closing_quote(std::string_view text, std::size_t open) {
@@ -162,10 +162,7 @@ std::string_view Records::take_quoted() {
 
 Place Records::place(std::string_view cell) const {
   const std::string_view before(record_, static_cast<std::size_t>(cell.data() - record_));
-  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  const auto characters = std::ranges::count_if(
-      before.substr(line_start), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-  return {"", record_line_ + count_lines(before), static_cast<std::uint64_t>(characters) + 1};
+  return {"", record_line_ + count_lines(before), column_after(before, 1)};
 }
 
 std::string unquoted(std::string_view cell) {
