@@ -5,6 +5,7 @@ cd "$(dirname "$0")/../samples"
 sums() {
   for file in *.csv *.tsv *.txt *.json *.jsonl; do
     for mode in '--step 1/30' '--count 1001' '--arc-count 777'; do
+      case $file$mode in events.jsonl--step*) continue ;; esac # nanoseconds: too many rows
       # shellcheck disable=SC2086
       "$1" $mode --fields time,position,s "$file"
     done
