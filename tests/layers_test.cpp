@@ -49,7 +49,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"pieces", {"format", "spline", "stream", "error"}},
     {"curve_plan", {"settings", "sampler", "format", "spline", "names", "error"}},
     {"sampler", {"spline", "error"}},
-    {"format", {"spline", "settings", "stream", "error"}},
+    {"format", {"spline", "settings", "names", "stream", "error"}},
     {"settings", {}},
     {"file", {"stream", "error"}},
     {"spline", {}},

@@ -9,6 +9,7 @@
 #include <charconv>
 
 #include "error.hpp"
+#include "names.hpp"
 
 namespace tcb::format {
 namespace {
@@ -34,16 +35,6 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 
 
 bool same_name(std::string_view a, std::string_view b, bool any_case) {
   return any_case ? std::ranges::equal(a, b, {}, lower, lower) : a == b;
-}
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
 }
 
 /// The cell that a name or number asks for.
@@ -105,9 +96,9 @@ bool Columns::has(Role role) const {
 
 std::vector<RoleRequest> parse_roles(std::string_view text) {
   std::vector<RoleRequest> requests;
-  for (const std::string& part : split(text, ',')) {
+  for (const std::string_view part : split(text, ',')) {
     const std::size_t equals = part.find('=');
-    const std::string name = part.substr(0, equals);
+    const std::string_view name = part.substr(0, equals);
     const auto known = std::ranges::find_if(role_names, [&](const auto& row) { return row.name == name; });
     if (equals == std::string::npos || equals + 1 == part.size() || known == role_names.end()) {
       throw Error(Exit::usage, fmt::format("--columns: \"{}\" is no role with its columns; expected "
@@ -116,7 +107,8 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
                                            "for example --columns time=frame,position=px:py",
                                            part));
     }
-    requests.push_back({known->role, split(std::string_view(part).substr(equals + 1), ':')});
+    const auto columns = split(part.substr(equals + 1), ':');
+    requests.push_back({known->role, {columns.begin(), columns.end()}});
   }
   return requests;
 }

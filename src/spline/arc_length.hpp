@@ -65,10 +65,6 @@ class ArcLength {
   void add_half(std::size_t half, const S& begin, const S& end);
   void add_panel(std::size_t half, const S& begin, const S& end, bool slow_begin, bool slow_end, int halvings);
   void accept(std::size_t half, const S& begin, const S& end, const S& length, const S& disagreement);
-  Local<S> in_panel(const Panel& panel, const S& into) const;
-  static Local<S> place(std::size_t half, const S& v) {
-    return half == 0 ? Local<S>{v, v - S(1)} : Local<S>{S(1) + v, v};
-  }
 
   Speed<S> speed_;
   std::vector<Panel> panels_;

@@ -19,13 +19,14 @@ struct GaussRule {
   std::array<S, N> weight{};
 };
 
-/// The Legendre polynomial P_n and its derivative at x in (-1, 1).
+/// The Legendre polynomials P_n and P_(n-1) at x.
 template <class W>
 struct Legendre {
-  W value, slope;
+  W value, before;
 };
 template <class W>
 constexpr Legendre<W> legendre(std::size_t n, const W& x) {
+  if (n == 0) return {W(1), W(0)};
   W before(1);
   W value = x;
   for (std::size_t k = 2; k <= n; ++k) {
@@ -34,21 +35,14 @@ constexpr Legendre<W> legendre(std::size_t n, const W& x) {
     before = value;
     value = next;
   }
-  return {value, W(static_cast<double>(n)) * (x * value - before) / (x * x - W(1))};
+  return {value, before};
 }
 
-/// P_n at any x.
+/// The derivative of P_n at x in (-1, 1).
 template <class W>
-constexpr W legendre_value(std::size_t n, const W& x) {
-  W before(1), value = x;
-  if (n == 0) return before;
-  for (std::size_t k = 2; k <= n; ++k) {
-    const W next = (W(static_cast<double>(2 * k - 1)) * x * value - W(static_cast<double>(k - 1)) * before) /
-                   W(static_cast<double>(k));
-    before = value;
-    value = next;
-  }
-  return value;
+constexpr W legendre_slope(std::size_t n, const W& x) {
+  const auto [value, before] = legendre(n, x);
+  return W(static_cast<double>(n)) * (x * value - before) / (x * x - W(1));
 }
 
 /// The one root of P_n in (low, high).
@@ -61,8 +55,7 @@ constexpr W legendre_root(std::size_t n, W low, W high) {
     middle = (low + high) * W(0.5);
   }
   for (int step = 0; step < 6; ++step) {  // from 2^-20, quadratically to below any scalar's precision
-    const auto at = legendre(n, middle);
-    middle = middle - at.value / at.slope;
+    middle = middle - legendre(n, middle).value / legendre_slope(n, middle);
   }
   return middle;
 }
@@ -82,7 +75,7 @@ constexpr GaussRule<S, N> make_gauss_rule() {
   GaussRule<S, N> rule;
   for (std::size_t i = 0; i < N; ++i) {
     const W& x = fence[i + 1];
-    const W slope = legendre(N, x).slope;
+    const W slope = legendre_slope(N, x);
     rule.node[i] = narrow<S>((x + W(1)) * W(0.5));
     rule.weight[i] = narrow<S>(W(1) / ((W(1) - x * x) * slope * slope));
   }
@@ -112,13 +105,13 @@ CumulativeRule<S, N> make_cumulative_rule() {
     std::array<W, N> integral{};
     integral[0] = x + W(1);
     for (std::size_t k = 1; k < N; ++k) {
-      integral[k] = (legendre_value(k + 1, x) - legendre_value(k - 1, x)) / W(static_cast<double>(2 * k + 1));
+      integral[k] = (legendre(k + 1, x).value - legendre(k - 1, x).value) / W(static_cast<double>(2 * k + 1));
     }
     for (std::size_t j = 0; j < N; ++j) {
       const W y = W(2) * W(rule.node[j]) - W(1);
       W sum(0);
       for (std::size_t k = 0; k < N; ++k) {
-        sum = sum + W(static_cast<double>(2 * k + 1)) * W(0.5) * legendre_value(k, y) * integral[k];
+        sum = sum + W(static_cast<double>(2 * k + 1)) * W(0.5) * legendre(k, y).value * integral[k];
       }
       weight[j][i] = narrow<S>(W(rule.weight[j]) * sum);
     }
