@@ -2,8 +2,7 @@
 #include "fields.hpp"
 
 #include <array>
-
-#include "spline/arc_length.hpp"
+#include <utility>
 
 namespace tcb {
 namespace {
@@ -37,7 +36,7 @@ void append_length(std::vector<Cell>& row, Point& point) {
     row.emplace_back(*point.sample().s);
     return;
   }
-  const auto into = spline::ArcLength<double>(piece.cubics, piece.metric).to(point.sample().at);
+  const auto into = point.arc().to(point.sample().at);
   row.emplace_back((piece.s_start + spline::Twice(into.value)).hi);
 }
 
@@ -99,11 +98,20 @@ constexpr std::array all_fields{
 
 }  // namespace
 
-void Point::set(const sampler::Piece& piece, const sampler::Sample& sample) {
+void Point::set(const sampler::Piece& piece) {
   piece_ = &piece;
+  has_arc_ = false;
+}
+
+void Point::set(const sampler::Sample& sample) {
   sample_ = sample;
   has_motion_ = false;
   shape_.reset();
+}
+
+const spline::ArcLength<double>& Point::arc() {
+  if (!std::exchange(has_arc_, true)) arc_.assign(piece_->cubics, piece_->metric);
+  return arc_;
 }
 
 const spline::Motion<double>& Point::motion() {

@@ -9,6 +9,7 @@
 #include "format/input.hpp"
 #include "format/layout.hpp"
 #include "sampler/sampler.hpp"
+#include "spline/arc_length.hpp"
 #include "spline/motion.hpp"
 
 namespace tcb {
@@ -16,16 +17,21 @@ namespace tcb {
 /// A sample on its piece, and what is worked out there, once and only if it is asked for.
 class Point {
  public:
-  void set(const sampler::Piece& piece, const sampler::Sample& sample);
+  /// On another piece; a sample on it is to follow.
+  void set(const sampler::Piece& piece);
+  void set(const sampler::Sample& sample);
 
   const sampler::Piece& piece() const { return *piece_; }
   const sampler::Sample& sample() const { return sample_; }
+  const spline::ArcLength<double>& arc();
   const spline::Motion<double>& motion();
   const spline::Shape<double>& shape();
 
  private:
   const sampler::Piece* piece_ = nullptr;
   sampler::Sample sample_;
+  spline::ArcLength<double> arc_;
+  bool has_arc_ = false;
   spline::Motion<double> motion_;
   bool has_motion_ = false;
   std::optional<spline::Shape<double>> shape_;

@@ -109,10 +109,13 @@ Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler>
 
 std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, std::span<const std::size_t> chosen) {
   std::vector<Cell> cells;
+  sampler::Located located;
   Point point;
   for (const auto& [piece, first, last] : batch.parts) {
-    for (const sampler::Sample& sample : locator.locate(piece, first, last)) {
-      point.set(piece, sample);
+    locator.locate(piece, first, last, located);
+    point.set(piece);
+    for (const sampler::Sample& sample : located.samples) {
+      point.set(sample);
       const std::size_t begin = cells.size();
       for (const std::size_t field : chosen) fields()[field].append(cells, point);
       const auto is_finite = [](const Cell& cell) { return std::isfinite(cell.hi); };

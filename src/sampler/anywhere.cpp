@@ -15,10 +15,13 @@ Time AnywhereInTime::on_curve(std::uint64_t row) const {
   return map_to_curve(kind_, first_, last_, t).t;
 }
 
-Sample AnywhereInTime::locate(const Piece& piece, std::uint64_t row) const {
-  const Time t = place(row);
-  const Outside outside = map_to_curve(kind_, first_, last_, t);
-  return {t, spline::locate<double>(piece.start, piece.end, outside.t, piece.warp), {}, outside};
+void AnywhereInTime::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
+  const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
+    const Time t = place(row);
+    const Outside outside = map_to_curve(kind_, first_, last_, t);
+    return {t, locate(outside.t), {}, outside};
+  });
 }
 
 Time AnywhereInLength::on_curve(std::uint64_t row) const {
@@ -28,9 +31,10 @@ Time AnywhereInLength::on_curve(std::uint64_t row) const {
   return s;
 }
 
-Sample AnywhereInLength::locate(const Piece& piece, std::uint64_t row) const {
-  const spline::ArcLength<double> arc(piece.cubics, piece.metric);
-  return at_length(piece, {arc, 0.0}, place(row));
+void AnywhereInLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
+  located.arc.assign(piece.cubics, piece.metric);
+  spline::ArcInverse<double> inverse(located.arc);
+  fill(located, first, last, [&](std::uint64_t row) { return at_length(piece, inverse, place(row)); });
 }
 
 }  // namespace tcb::sampler

@@ -32,9 +32,8 @@ class AnywhereInTime : public Anywhere {
   AnywhereInTime(Place place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last)
       : Anywhere(std::move(place), size), kind_(kind), first_(first), last_(last) {}
 
-  using Locator::locate;
   Time on_curve(std::uint64_t row) const override;
-  Sample locate(const Piece& piece, std::uint64_t row) const override;
+  void locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const override;
 
  private:
   Extrapolation kind_;
@@ -47,9 +46,8 @@ class AnywhereInLength : public Anywhere {
   AnywhereInLength(Place place, std::uint64_t size, double length)
       : Anywhere(std::move(place), size), length_(length) {}
 
-  using Locator::locate;
   Time on_curve(std::uint64_t row) const override;
-  Sample locate(const Piece& piece, std::uint64_t row) const override;
+  void locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const override;
 
  private:
   double length_;

@@ -12,31 +12,24 @@ Time rounded_time(const Time& t) {
   return spline::Twice::normalized(t.hi, (t.lo + round_to_whole) - round_to_whole);
 }
 
-Sample at_length(const Piece& piece, const spline::ArcInverse<double>& arc, const Time& s) {
-  const spline::Local<double> at = arc.at(s - piece.s_start, piece.s_end - s);
+Sample at_length(const Piece& piece, spline::ArcInverse<double>& inverse, const Time& s) {
+  // A length that is printed as that of a key is the key's.
+  if (s <= Time(piece.s_start.hi)) return {piece.start, {0, -1}, s.hi};
+  if (s >= Time(piece.s_end.hi)) return {piece.end, {1, 0}, s.hi};
+  const spline::Local<double> at = inverse.at(s - piece.s_start, piece.s_end - s);
   if (at.u == 0) return {piece.start, at, s.hi};
   if (at.w == 0) return {piece.end, at, s.hi};
   return {rounded_time(piece.start + piece.warp.inverse(at) * (piece.end - piece.start)), at, s.hi};
 }
 
-Sample ByLength::locate(const Piece& piece, std::uint64_t row) const { return locate(piece, row, row + 1).front(); }
-
-std::vector<Sample> ByLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last) const {
-  const spline::ArcLength<double> arc(piece.cubics, piece.metric);
-  const spline::ArcInverse<double> inverse(arc, nearest_time(grid().step()).hi);
-  std::vector<Sample> samples;
-  samples.reserve(last - first);
-  for (std::uint64_t row = first; row != last; ++row) {
+void ByLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
+  located.arc.assign(piece.cubics, piece.metric);
+  spline::ArcInverse<double> inverse(located.arc);
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
     const Time s = coordinate(piece, row);
-    if (row == Row::at_key) {
-      samples.push_back({piece.start, {0, -1}, s.hi});
-    } else if (row == Row::at_end && s >= Time(piece.s_end.hi)) {
-      samples.push_back({piece.end, {1, 0}, s.hi});
-    } else {
-      samples.push_back(at_length(piece, inverse, s));
-    }
-  }
-  return samples;
+    if (row == Row::at_key) return {piece.start, {0, -1}, s.hi};
+    return at_length(piece, inverse, s);
+  });
 }
 
 }  // namespace tcb::sampler

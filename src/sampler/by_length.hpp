@@ -9,15 +9,14 @@ namespace tcb::sampler {
 /// A time worked out from a place on a segment, rounded once: to a double, or beyond 2^53 to a whole number.
 Time rounded_time(const Time& t);
 
-/// The place on a piece at which the curve has the arc length s, and its time, rounded once. `arc` is that of the
-/// piece.
-Sample at_length(const Piece& piece, const spline::ArcInverse<double>& arc, const Time& s);
+/// The place on a piece at which the curve has the arc length s, and its time, rounded once. `inverse` is
+/// that of the piece.
+Sample at_length(const Piece& piece, spline::ArcInverse<double>& inverse, const Time& s);
 
 class ByLength : public OnGrid {
  public:
   using OnGrid::OnGrid;
-  Sample locate(const Piece& piece, std::uint64_t row) const override;
-  std::vector<Sample> locate(const Piece& piece, std::uint64_t first, std::uint64_t last) const override;
+  void locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const override;
 
  protected:
   Range range(const Piece& piece) const override { return {{piece.s_start.hi}, {piece.s_end.hi}}; }

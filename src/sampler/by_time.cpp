@@ -3,9 +3,12 @@
 
 namespace tcb::sampler {
 
-Sample ByTime::locate(const Piece& piece, std::uint64_t row) const {
-  const Time t = coordinate(piece, row);
-  return {t, spline::locate<double>(piece.start, piece.end, t, piece.warp)};
+void ByTime::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
+  const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
+    const Time t = coordinate(piece, row);
+    return {t, locate(t)};
+  });
 }
 
 }  // namespace tcb::sampler

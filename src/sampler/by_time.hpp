@@ -7,9 +7,8 @@ namespace tcb::sampler {
 
 class ByTime : public OnGrid {
  public:
-  using Locator::locate;
   using OnGrid::OnGrid;
-  Sample locate(const Piece& piece, std::uint64_t row) const override;
+  void locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const override;
 
  protected:
   Range range(const Piece& piece) const override { return {piece.start, piece.end}; }

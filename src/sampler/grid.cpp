@@ -1,4 +1,4 @@
-// The exact grid: one division a row where the numbers are small, wider integers where they are not.
+// The exact grid: where twice the precision leaves no doubt of the rounding, it is enough; else integers decide.
 #include "sampler/grid.hpp"
 
 #include <algorithm>
@@ -8,15 +8,21 @@
 namespace tcb::sampler {
 namespace {
 
-constexpr std::uint64_t all_rows = std::numeric_limits<std::uint64_t>::max();
+constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
 
-/// The largest j with |first + j increment| below 2^bits, or 0.
-std::uint64_t rows_within(const Integer& first, const Integer& increment, unsigned bits) {
-  const Integer room = (Integer(1) << bits) - 1 - abs(first);
+/// Up to which row |first + j increment| stays below 2^53; 0: not even the first.
+std::uint64_t rows_within_doubles(const Integer& first, const Integer& increment) {
+  const Integer room = Integer(whole_from) - 1 - abs(first);
   if (room < 0) return 0;
-  if (increment == 0) return all_rows;
-  const Integer rows = room / increment;
+  constexpr std::uint64_t all_rows = std::numeric_limits<std::uint64_t>::max();
+  const Integer rows = increment == 0 ? Integer(all_rows) : Integer(room / increment);
   return rows > all_rows ? all_rows : static_cast<std::uint64_t>(rows);
+}
+
+/// A rational in twice the precision of a double.
+Time nearest_twice(const Rational& value) {
+  const double high = nearest_double(value);
+  return {high, nearest_double(value - Rational(high))};
 }
 
 }  // namespace
@@ -25,30 +31,30 @@ Grid::Grid(const Rational& start, const Rational& step) : start_(start), step_(s
   denominator_ = lcm(denominator(start), denominator(step));
   first_ = numerator(start) * (denominator_ / denominator(start));
   increment_ = numerator(step) * (denominator_ / denominator(step));
-  rounded_start_ = nearest_time(start);
-  rounded_step_ = nearest_time(step);
-  if (bit_width(denominator_) > 64 || abs(first_) >= Integer(1) << 120) return;
-  small_first_ = static_cast<Int128>(first_);
-  small_denominator_ = static_cast<Int128>(denominator_);
-  small_rows_ = rows_within(first_, increment_, 120);
-  if (small_rows_ > 0) small_increment_ = static_cast<Int128>(increment_);
-  if (bit_width(denominator_) <= 53 && small_rows_ > 0) double_rows_ = rows_within(first_, increment_, 53);
+  near_start_ = nearest_twice(start);
+  near_step_ = nearest_twice(step);
+  if (denominator_ >= Integer(whole_from)) return;
+  double_rows_ = rows_within_doubles(first_, increment_);
+  if (double_rows_ == 0) return;
+  double_first_ = static_cast<double>(first_);
+  double_increment_ = static_cast<double>(increment_);
+  double_denominator_ = static_cast<double>(denominator_);
 }
 
 Time Grid::time(std::uint64_t j) const {
-  if (j <= double_rows_ && double_rows_ > 0) {
-    // Both are whole numbers below 2^53, so the one division rounds once.
-    return {static_cast<double>(static_cast<std::int64_t>(small_first_ + small_increment_ * j)) /
-            static_cast<double>(static_cast<std::int64_t>(small_denominator_))};
+  // Numerator and denominator are whole numbers below 2^53, so the one division rounds once.
+  const auto row = static_cast<double>(j);
+  if (j <= double_rows_ && double_rows_ > 0) return {(double_first_ + double_increment_ * row) / double_denominator_};
+  if (j < static_cast<std::uint64_t>(whole_from)) {
+    const Time near = near_start_ + near_step_ * Time(row);
+    const double doubt = (std::abs(near_start_.hi) + std::abs(near.hi)) * 0x1p-98;
+    if (const auto time = rounded_once(near, doubt)) return *time;
   }
-  if (j <= small_rows_ && small_rows_ > 0) {
-    return nearest_quotient<Int128>(small_first_ + small_increment_ * j, small_denominator_);
-  }
-  return nearest_quotient<Integer>(first_ + increment_ * j, denominator_);
+  return nearest_time(Rational(first_ + increment_ * j, denominator_));
 }
 
 std::uint64_t Grid::estimate(const Time& t) const {
-  const double rows = ((t - rounded_start_) / rounded_step_).hi;
+  const double rows = ((t - near_start_) / near_step_).hi;
   constexpr double most = 9.0e18;
   return rows > 0 ? static_cast<std::uint64_t>(std::min(rows, most)) : 0;
 }
@@ -68,8 +74,8 @@ std::uint64_t Grid::rows_through(const Time& t) const {
 }
 
 bool Grid::resolves(const Time& t) const {
-  const double largest = std::max(std::abs(t.hi), std::abs(rounded_start_.hi));
-  if (rounded_step_.hi > largest * 0x1p-51) return true;
+  const double largest = std::max(std::abs(t.hi), std::abs(near_start_.hi));
+  if (near_step_.hi > largest * 0x1p-51) return true;
   return time(1) > time(0) && nearest_time(exact_time(t) + step_) > t;
 }
 

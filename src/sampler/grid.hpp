@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "sampler/quotient.hpp"
 #include "sampler/rational.hpp"
 
 namespace tcb::sampler {
@@ -26,7 +25,7 @@ class Grid {
   bool resolves(const Time& t) const;
 
   /// About how many rows stand up to t, to a few units in the last place.
-  double rough_rows(const Time& t) const { return ((t - rounded_start_) / rounded_step_).hi + 1; }
+  double rough_rows(const Time& t) const { return ((t - near_start_) / near_step_).hi + 1; }
 
   const Rational& start() const { return start_; }
   const Rational& step() const { return step_; }
@@ -37,10 +36,9 @@ class Grid {
 
   Rational start_, step_;
   Integer first_, increment_, denominator_;  ///< row j is (first + j increment) / denominator
-  Int128 small_first_ = 0, small_increment_ = 0, small_denominator_ = 1;
-  std::uint64_t double_rows_ = 0;  ///< up to this row numerator and denominator are exact doubles
-  std::uint64_t small_rows_ = 0;   ///< up to this row 128 bits are enough
-  Time rounded_start_, rounded_step_;
+  std::uint64_t double_rows_ = 0;            ///< up to this row numerator and denominator are exact doubles,
+  double double_first_{}, double_increment_{}, double_denominator_{};  ///< made of these
+  Time near_start_, near_step_;                                        ///< in twice the precision
 };
 
 }  // namespace tcb::sampler

@@ -13,12 +13,16 @@ Run PerSegment::place(const Piece& piece) {
   return {1, intervals_, true, piece.last};
 }
 
-Sample PerSegment::locate(const Piece& piece, std::uint64_t row) const {
-  if (row == Row::at_key) return {piece.start, {0, -1}};
-  if (row == Row::at_end) return {piece.end, {1, 0}};
+void PerSegment::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
+  const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
   const Rational start = exact_time(piece.start);
-  const Time t = nearest_time(start + (exact_time(piece.end) - start) * row / intervals_);
-  return {t, spline::locate<double>(piece.start, piece.end, t, piece.warp)};
+  const Rational step = (exact_time(piece.end) - start) / intervals_;
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
+    if (row == Row::at_key) return {piece.start, {0, -1}};
+    if (row == Row::at_end) return {piece.end, {1, 0}};
+    const Time t = nearest_time(start + step * row);
+    return {t, locate(t)};
+  });
 }
 
 }  // namespace tcb::sampler

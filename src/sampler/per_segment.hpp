@@ -9,9 +9,8 @@ class PerSegment : public Sampler {
  public:
   explicit PerSegment(const Request& request) : intervals_(request.count), max_rows_(request.max_rows) {}
 
-  using Locator::locate;
   Run place(const Piece& piece) override;
-  Sample locate(const Piece& piece, std::uint64_t row) const override;
+  void locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const override;
   bool done() const override { return false; }
 
  private:

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <string>
 
-#include "sampler/quotient.hpp"
-
 namespace tcb::sampler {
 namespace {
 
 constexpr int largest_exponent = 10'000;
+constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
 
 bool take_digits(std::string_view& text, std::string& digits) {
   std::size_t count = 0;
@@ -58,6 +57,39 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   return negative ? Rational(-value) : value;
 }
 
+/// How many bits a positive integer has.
+int bit_width(const Integer& value) { return static_cast<int>(msb(value)) + 1; }
+
+/// n / d rounded to the nearest whole number, ties to even. Requires: n >= 0, d > 0.
+Integer nearest_whole(const Integer& n, const Integer& d) {
+  const Integer quotient = n / d;
+  const Integer twice_rest = (n - quotient * d) * 2;
+  const bool up = twice_rest > d || (twice_rest == d && (quotient % 2) != 0);
+  return up ? Integer(quotient + 1) : quotient;
+}
+
+/// A whole number of at most 106 bits as a time, exactly. Requires: n >= 0.
+spline::Time<double> whole_time(const Integer& n) {
+  const auto high = static_cast<double>(n);
+  return spline::Twice::normalized(high, static_cast<double>(n - Integer(high)));
+}
+
+/// n * 2^shift, for a shift to either side. Requires: nothing is lost to the right.
+Integer shifted(const Integer& n, int shift) { return shift > 0 ? Integer(n << shift) : n; }
+
+/// n / d as the nearest double, ties to even. Requires: n > 0, d > 0.
+double nearest_positive(const Integer& n, const Integer& d) {
+  // Scale n/d by a power of two so that its whole part has the 53 bits of a double (fewer where the
+  // double is subnormal), then round to a whole number.
+  constexpr int bits = 53;
+  constexpr int last_bit = 1074;  // the smallest double is 2^-1074
+  int shift = bits - (bit_width(n) - bit_width(d));
+  if (shifted(n, shift) >> bits >= shifted(d, -shift)) --shift;
+  if (shift > last_bit) shift = last_bit;
+  const Integer whole = nearest_whole(shifted(n, shift), shifted(d, -shift));
+  return std::ldexp(static_cast<double>(whole), -shift);
+}
+
 }  // namespace
 
 std::optional<Rational> parse_rational(std::string_view text) {
@@ -70,13 +102,36 @@ std::optional<Rational> parse_rational(std::string_view text) {
 }
 
 Rational exact_time(const Time& time) {
-  constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
   if (std::abs(time.hi) >= whole_from) return Rational(Integer(time.hi) + Integer(time.lo));
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), time.hi).ptr;
   return *parse_decimal({text.data(), end});
 }
 
-Time nearest_time(const Rational& value) { return nearest_quotient<Integer>(numerator(value), denominator(value)); }
+double nearest_double(const Rational& value) {
+  if (value == 0) return 0;
+  const double size = nearest_positive(abs(numerator(value)), denominator(value));
+  return value < 0 ? -size : size;
+}
+
+Time nearest_time(const Rational& value) {
+  const Integer size = abs(numerator(value));
+  if (size >> 53 < denominator(value)) return {nearest_double(value)};
+  const Time time = whole_time(nearest_whole(size, denominator(value)));
+  return value < 0 ? -time : time;
+}
+
+std::optional<Time> rounded_once(const Time& near, double doubt) {
+  const double size = std::abs(near.hi);
+  if (size < 0x1p-900) return std::nullopt;  // where the low part loses digits
+  if (size < whole_from) {
+    const bool certain = near.hi + (near.lo + doubt) == near.hi && near.hi + (near.lo - doubt) == near.hi;
+    return certain ? std::optional(Time(near.hi)) : std::nullopt;
+  }
+  constexpr double round_to_whole = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
+  const double low = (near.lo + round_to_whole) - round_to_whole;
+  if (std::abs(near.lo - low) + doubt >= 0.5) return std::nullopt;
+  return Time::normalized(near.hi, low);
+}
 
 }  // namespace tcb::sampler

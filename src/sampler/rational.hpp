@@ -22,7 +22,13 @@ std::optional<Rational> parse_rational(std::string_view text);
 /// The exact value of a time: a whole number as it is, any other double as its shortest decimal.
 Rational exact_time(const Time& time);
 
+/// The double nearest to a rational, ties to even.
+double nearest_double(const Rational& value);
+
 /// The time nearest to a rational, ties to even: a double, or beyond 2^53 the nearest whole number.
 Time nearest_time(const Rational& value);
+
+/// The time nearest to a number that is within `doubt` of `near`; nothing where that leaves a choice.
+std::optional<Time> rounded_once(const Time& near, double doubt);
 
 }  // namespace tcb::sampler

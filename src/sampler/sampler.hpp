@@ -14,6 +14,7 @@
 
 #include "sampler/extrapolation.hpp"
 #include "sampler/spacing.hpp"
+#include "spline/arc_length.hpp"
 #include "spline/ease.hpp"
 
 namespace tcb::sampler {
@@ -55,6 +56,12 @@ struct Sample {
   Outside outside = {};  ///< how its time relates to one on the curve
 };
 
+/// Samples that were located, and the memory that locating needs.
+struct Located {
+  std::vector<Sample> samples;
+  spline::ArcLength<double> arc = {};
+};
+
 /// Says where exactly a sample is on the piece that it lies on.
 class Locator {
  public:
@@ -63,15 +70,16 @@ class Locator {
   Locator& operator=(const Locator&) = delete;
   virtual ~Locator() = default;
 
-  /// The sample with this number. Requires: it lies on this piece. Threads: any number at once.
-  virtual Sample locate(const Piece& piece, std::uint64_t row) const = 0;
+  /// Puts the samples from first to before last in the place of those located before. Requires: they lie on this
+  /// piece. Threads: any number at once, each with memory of its own.
+  virtual void locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const = 0;
 
-  /// The samples from first to before last; what is worked out for the piece is worked out once.
-  virtual std::vector<Sample> locate(const Piece& piece, std::uint64_t first, std::uint64_t last) const {
-    std::vector<Sample> samples;
-    samples.reserve(last - first);
-    for (std::uint64_t row = first; row != last; ++row) samples.push_back(locate(piece, row));
-    return samples;
+ protected:
+  /// Samples that are located one by one.
+  template <class At>
+  static void fill(Located& located, std::uint64_t first, std::uint64_t last, At at) {
+    located.samples.clear();
+    for (std::uint64_t row = first; row != last; ++row) located.samples.push_back(at(row));
   }
 };
 

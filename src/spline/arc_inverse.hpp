@@ -1,10 +1,10 @@
 // The inverse of arc length: where on a segment a given length is reached.
 //
-// The derivative of the length being the speed itself, a step of third order (Halley's) needs no more than the
-// length at a guess. For a few samples the guess is improved step by step. For many on one panel, lengths are
-// worked out once at its nodes; from the nearest node a cubic gives a guess good to some six
-// digits, a rule of few points its length, and one step the place.
-// Source: J. F. Traub, "Iterative methods for the solution of equations", 1964, section 5.2.
+// On a panel the place z is first guessed from the speeds at the panel's ends. The length at a guess z0 by the rule,
+// short of the wanted one by m, gives with q = (ds/dz)^2, d = m / sqrt(q) and A = q'/q, B = q''/(2 q), C = q'''/(6 q)
+//   z = z0 + d (1 + d (-A/4 + d (A A/6 - B/6 + d (13 A B/48 - C/8 - 7 A^3/48)))) + O(d^5)
+// the Taylor series of the inverse. What is left after a short step, a rule of few points finds.
+// Source: J. F. Traub, "Iterative methods for the solution of equations", 1964, section 5.1.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
+#include <optional>
 
 #include "spline/arc_length.hpp"
 
@@ -23,126 +23,116 @@ class ArcInverse {
  public:
   using W = working_t<S>;
 
-  /// `step` is about how far apart the lengths are that will be asked for; 0: it will be one or two in all.
   /// Requires: `arc` outlives it.
-  ArcInverse(const ArcLength<S>& arc, const S& step) : arc_(arc) {
-    const S worth_a_table = step / arc.speed().unit() * S(4);
-    tables_.resize(arc.panels().size());
-    for (std::size_t i = 0; i < tables_.size(); ++i) {
-      const Panel& panel = arc.panels()[i];
-      if (step > S(0) && panel.length > worth_a_table) tables_[i] = table(panel);
-    }
-  }
+  explicit ArcInverse(const ArcLength<S>& arc) : arc_(arc) {}
 
   /// The first place at which a length is reached. `s` is that from the start, `rest` the length from there
-  /// to the end. Requires: 0 <= s <= total. Promises: right to some units in the last place of the total.
-  Local<S> at(const W& s, const W& rest) const {
+  /// to the end. Requires: 0 <= s <= total. Promises: right to some units in the last place of the total, and
+  /// the same whatever was asked for before; lengths in order are found soonest.
+  Local<S> at(const W& s, const W& rest) {
     const S& unit = arc_.speed().unit();
     if (s <= W(0) || unit == S(0)) return {S(0), S(-1)};
     if (rest <= W(0)) return {S(1), S(0)};
-    const auto& panels = arc_.panels();
-    if (panels.empty()) return {narrow<S>(s / (s + rest)), narrow<S>(-(rest / (s + rest)))};
+    if (arc_.panels().empty()) return {narrow<S>(s / (s + rest)), narrow<S>(-(rest / (s + rest)))};
     const W wanted = s * W(S(1) / unit);
-    const auto after = std::upper_bound(panels.begin() + 1, panels.end(), wanted,
-                                        [](const W& length, const Panel& panel) { return length <= panel.before; });
-    const auto i = static_cast<std::size_t>(after - panels.begin() - 1);
-    const Panel& panel = panels[i];
+    const Panel<S>& panel = panel_at(wanted);
     const S into = std::min(narrow<S>(wanted - panel.before), panel.length);
-    const S v = tables_[i].is_made ? look_up(panel, tables_[i], into) : search(panel, into);
+    const S v = panel.middle + panel.width * place(panel, into);
     return panel.half == 0 ? Local<S>{v, v - S(1)} : Local<S>{S(1) + v, v};
   }
 
  private:
-  using Panel = typename ArcLength<S>::Panel;
-  static constexpr std::size_t points = 16;
-
-  /// The ends and the nodes of a panel: places, lengths up to them, and 1 / speed.
-  struct Table {
-    std::array<S, points + 2> v, length, pace;
-    bool is_made = false;
+  /// A cubic from length on a panel to place, by the paces (1 / speed) at its ends: a guess.
+  struct Guess {
+    S out, in;
   };
 
-  Table table(const Panel& panel) const {
-    const auto& rule = gauss_rule<S, points>();
-    const auto& cumulative = cumulative_rule<S, points>();
-    const S width = panel.end - panel.begin;
-    Table result;
-    std::array<S, points> nodes;
-    for (std::size_t i = 0; i < points; ++i) nodes[i] = panel.begin + width * rule.node[i];
-    const auto speeds = arc_.speed()(panel.half, nodes);
-    result.v.front() = panel.begin;
-    result.length.front() = S(0);
-    result.pace.front() = S(1) / arc_.speed()(panel.half, panel.begin);
-    std::array<S, points> lengths{};
-    for (std::size_t j = 0; j < points; ++j) {
-      for (std::size_t i = 0; i < points; ++i) lengths[i] += cumulative[j][i] * speeds[j];
-    }
-    for (std::size_t i = 0; i < points; ++i) {
-      result.v[i + 1] = nodes[i];
-      result.length[i + 1] = lengths[i] * width;
-      result.pace[i + 1] = S(1) / speeds[i];
-    }
-    result.v.back() = panel.end;
-    result.length.back() = panel.length;
-    result.pace.back() = S(1) / arc_.speed()(panel.half, panel.end);
-    result.is_made = true;
-    return result;
+  const Panel<S>& panel_at(const W& wanted) {
+    const auto& panels = arc_.panels();
+    const std::size_t before = index_;
+    if (wanted <= panels[index_].before) index_ = 0;
+    while (index_ + 1 < panels.size() && wanted > panels[index_ + 1].before) ++index_;
+    if (index_ != before) guess_.reset();
+    return panels[index_];
   }
 
-  /// A step from v, where the length is short of the wanted one by `missing`, and how far it goes at first order.
+  /// How far to go from a place for a length that is missing there, and how much the pace changes on the way.
   struct Step {
-    S v, first_order, bend;
+    S size;   ///< the square of its first order, against that of the distance over which the speed changes
+    S whole;  ///< by the series
+    S pace;   ///< dz/ds at its end
   };
-  Step step(const Panel& panel, const S& v, const S& missing) const {
-    const S speed = arc_.speed()(panel.half, v);
-    const S newton = missing / speed;
-    const S bend = newton * arc_.speed().growth(panel.half, v) / (speed * speed);
-    return {v + (newton - newton * bend * S(0.5)), newton, bend};
-  }
 
-  /// After a step this small, what is left is its third power: less than rounding.
-  static bool is_last(const Step& step, const S& width) {
-    using std::abs;
-    return abs(step.first_order) <= width * S(0x1p-18) && abs(step.bend) <= S(0x1p-18);
-  }
+  static constexpr bool is_double = std::numeric_limits<S>::digits <= 53;
 
-  S look_up(const Panel& panel, const Table& table, const S& into) const {
-    std::size_t i = 1;  // counted, not searched: no branch to guess
-    for (std::size_t k = 1; k <= points; ++k) i += table.length[k] <= into ? 1 : 0;
-    const S l = table.length[i] - table.length[i - 1];
-    const S t = (into - table.length[i - 1]) / l;
-    const S chord = table.v[i] - table.v[i - 1];
-    const S out = table.pace[i - 1] * l - chord;
-    const S in = table.pace[i] * l - chord;
-    const S guess = table.v[i - 1] + t * (chord + (S(1) - t) * ((S(1) - t) * out - t * in));
-    if (!(guess >= table.v[i - 1] && guess <= table.v[i])) return search(panel, into);
-    const S missing = into - table.length[i - 1] - gauss_sum<8>(arc_.speed(), panel.half, table.v[i - 1], guess);
-    const Step last = step(panel, guess, missing);
-    return is_last(last, panel.end - panel.begin) ? std::clamp(last.v, panel.begin, panel.end) : search(panel, into);
-  }
+  /// Squares of steps after which the series leaves less than a rounding,
+  inline static const S exact = is_double ? S(0x1p-20) : std::numeric_limits<S>::epsilon();
+  /// or so little that the pace at the step's end is enough.
+  inline static const S near = is_double ? S(0x1p-10) : S(0);
 
-  /// Steps that stay between bounds, each from the place before.
-  S search(const Panel& panel, const S& into) const {
-    const S width = panel.end - panel.begin;
-    S low = panel.begin, high = panel.end;
-    S v = low + width * (into / panel.length);
-    S from = low, reached(0);
-    for (int i = 0; i < 2 * std::numeric_limits<S>::digits; ++i) {
-      reached += v >= from ? gauss_sum<points>(arc_.speed(), panel.half, from, v)
-                           : -gauss_sum<points>(arc_.speed(), panel.half, v, from);
-      from = v;
-      const S missing = into - reached;
-      (missing > S(0) ? low : high) = v;
-      const Step next = step(panel, v, missing);
-      if (is_last(next, width)) return std::clamp(next.v, panel.begin, panel.end);
-      v = low < next.v && next.v < high ? next.v : low + (high - low) * S(0.5);
-      if (v <= low || v >= high) break;
-    }
-    return v;
-  }
+  S guess(const Panel<S>& panel, const S& into);
+  S place(const Panel<S>& panel, const S& into);
+  Step step(const Panel<S>& panel, const S& z, const S& missing) const;
 
   const ArcLength<S>& arc_;
-  std::vector<Table> tables_;
+  std::size_t index_ = 0;
+  std::optional<Guess> guess_;
 };
+
+template <class S>
+S ArcInverse<S>::guess(const Panel<S>& panel, const S& into) {
+  using std::sqrt;
+  const S t = into / panel.length;
+  if (!panel.is_smooth()) return S(2) * t - S(1);
+  if (!guess_) {
+    const auto& [q0, q1, q2, q3, q4] = panel.square;
+    const S even = q0 + q2 + q4, odd = q1 + q3;
+    const S scale = panel.length / panel.width;
+    guess_ = {scale / sqrt(even - odd) - S(2), scale / sqrt(even + odd) - S(2)};
+  }
+  return S(2) * t - S(1) + t * (S(1) - t) * ((S(1) - t) * guess_->out - t * guess_->in);
+}
+
+template <class S>
+typename ArcInverse<S>::Step ArcInverse<S>::step(const Panel<S>& panel, const S& z, const S& missing) const {
+  using std::abs, std::sqrt;
+  const auto q = square_near(panel, arc_.speed(), z);
+  const S unit = S(1) / q[0];
+  const S pace = sqrt(q[0]) * unit / panel.width;
+  const S a = q[1] * unit, b = q[2] * unit, c = q[3] * unit;
+  const S d = missing * pace;
+  const S k2 = S(-0.25) * a;
+  const S k3 = (a * a - b) * (S(1) / S(6));
+  const S k4 = a * (S(13) * b - S(7) * (a * a)) * (S(1) / S(48)) - c * S(0.125);
+  const S size = d * d * std::max({S(1), S(a * a), S(abs(b))});
+  return {size, d * (S(1) + d * (k2 + d * (k3 + d * k4))),
+          pace * (S(1) + d * (S(2) * k2 + d * (S(3) * k3 + d * (S(4) * k4))))};
+}
+
+/// Steps that stay between bounds, each from the place before.
+template <class S>
+S ArcInverse<S>::place(const Panel<S>& panel, const S& into) {
+  S low(-1), high(1);
+  S z = guess(panel, into);
+  if (!(low <= z && z <= high)) z = S(0);
+  S from = z > S(0) ? high : low;
+  S reached = z > S(0) ? panel.length : S(0);
+  for (int i = 0; i < 2 * std::numeric_limits<S>::digits; ++i) {
+    reached += panel_sum(panel, arc_.speed(), from, z);
+    from = z;
+    const S missing = into - reached;
+    const Step step = this->step(panel, z, missing);
+    const S next = z + step.whole;
+    if (step.size <= exact) return std::clamp(next, S(-1), S(1));
+    if (step.size <= near && S(-1) <= next && next <= S(1)) {
+      const S left = missing - gauss_sum<4>(panel, arc_.speed(), z, next);
+      return std::clamp(S(next + left * step.pace), S(-1), S(1));
+    }
+    (missing > S(0) ? low : high) = z;
+    z = low < next && next < high ? next : low + (high - low) * S(0.5);
+    if (z <= low || z >= high) break;
+  }
+  return z;
+}
 
 }  // namespace tcb::spline

@@ -1,22 +1,21 @@
 // Arc length: how long a segment is, to the last digit, with a bound on the error.
 //
 // The speed is the root of a quartic. It is smooth but near the minima of the speed, where it may come to
-// zero (a cusp, or a reversal) or nearly so. A panel, at first half a segment, is integrated by a
-// Gauss-Legendre rule if a bound says that this is right to the last digit. Otherwise it is cut at the minima
-// of the speed, and then halved until the rule agrees with itself on both halves. A minimum at which the speed is zero
-// does no harm at the end of a panel; one at which it nearly is draws the panels together until what is left cannot
-// matter. The length's derivative being the speed itself, the inverse starts from the nodes of a panel, where lengths
-// are known, and takes one step of third order.
+// zero (a cusp, or a reversal) or nearly so. Either half of a segment is halved until its panels are smooth. What is
+// not smooth after some halvings is cut at the minima of the speed, and then halved until the rule agrees with itself
+// on both halves. A minimum at which the speed is zero does no harm at the end of a panel; one at which it nearly is
+// draws the panels together until what is left cannot matter.
 // Source: P. J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2.
 // No epsilon is absolute: scaling by a power of two changes no digit.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "spline/quadrature.hpp"
+#include "spline/panel.hpp"
 #include "spline/speed.hpp"
 
 namespace tcb::spline {
@@ -43,123 +42,96 @@ class ArcLength {
   /// From the start to a place. Promises: as total().
   Length<S> to(const Local<S>& place) const;
 
-  /// Part of a half, short enough for one rule; `before` is the length up to its start. In units of speed().unit().
-  struct Panel {
-    std::size_t half;
-    S begin, end;
-    S length;
-    working_t<S> before;
-  };
-
   /// The panels in order; none where the speed is constant.
-  const std::vector<Panel>& panels() const { return panels_; }
+  const std::vector<Panel<S>>& panels() const { return panels_; }
   const Speed<S>& speed() const { return speed_; }
 
  private:
-  static constexpr std::size_t points = 16;
+  static constexpr int first_halvings = 3;
   static constexpr int most_halvings = 64;
   using W = working_t<S>;
 
-  S rule_sum(std::size_t half, const S& begin, const S& end) const;
   S rough_length() const;
-  void add_half(std::size_t half, const S& begin, const S& end);
-  void add_panel(std::size_t half, const S& begin, const S& end, bool slow_begin, bool slow_end, int halvings);
-  void accept(std::size_t half, const S& begin, const S& end, const S& length, const S& disagreement);
+  void add(const Panel<S>& panel, int halvings);
+  void cut(const Panel<S>& panel);
+  void refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings);
+  void accept(const Panel<S>& panel, const S& disagreement = S(0));
+  Panel<S> part(const Panel<S>& panel, const S& begin, const S& end) const {
+    return make_panel(speed_, panel.half, begin, end);
+  }
+  S rule_sum(const Panel<S>& panel) const { return panel_sum(panel, speed_, S(-1), S(1)); }
 
   Speed<S> speed_;
-  std::vector<Panel> panels_;
+  std::vector<Panel<S>> panels_;
   W sum_;
   S disagreement_{};  ///< of rules with their halves, over all panels
-  S rough_{};         ///< the length to a digit
-  S tolerance_{};     ///< for a single panel
+  S rough_{};         ///< the length to a digit, where it was needed; else 0
   Length<S> total_;
 };
-
-/// The rule's error on this panel is known to be less than rounding.
-///
-/// With the panel mapped to [-1, 1] and the square of the speed q = sum q[k] z^k about its middle, q has no zero in
-/// |z| <= R if the terms behind q[0] sum up to less than it there; then the speed is analytic in the ellipse with
-/// foci -1, 1 and half axes' sum rho = R + sqrt(R^2 - 1), is at most sqrt(2 q[0]) in it, and the N-point rule errs by
-/// at most 64/15 sqrt(2 q[0]) / (rho^2N - rho^(2N - 2)) times half the panel's width.
-/// Source: L. N. Trefethen, "Is Gauss quadrature better than Clenshaw-Curtis?", doi:10.1137/060659831, theorem 4.5.
-template <class S>
-bool is_smooth(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
-  using std::abs;
-  // For a double and 16 points R = 1.9 gives 2^-55 of the speed; for a scalar with more digits nothing is known.
-  if (std::numeric_limits<S>::digits > 53) return false;
-  const S radius(1.9);
-  const auto q = speed.square_about(half, (begin + end) * S(0.5), (end - begin) * S(0.5));
-  return radius * (abs(q[1]) + radius * (abs(q[2]) + radius * (abs(q[3]) + radius * abs(q[4])))) < q[0];
-}
-
-template <class S>
-S ArcLength<S>::rule_sum(std::size_t half, const S& begin, const S& end) const {
-  return gauss_sum<points>(speed_, half, begin, end);
-}
 
 /// The length to a digit or so, by Simpson's rule on either half.
 template <class S>
 S ArcLength<S>::rough_length() const {
-  const std::array<S, 3> places{S(0), S(0.25), S(0.5)};
   S sum(0);
   for (const std::size_t half : {0U, 1U}) {
     const S shift = half == 0 ? S(0) : S(-0.5);
-    const auto speeds = speed_(half, std::array<S, 3>{places[0] + shift, places[1] + shift, places[2] + shift});
+    const auto speeds = speed_(half, std::array<S, 3>{shift, S(0.25) + shift, S(0.5) + shift});
     sum += (speeds[0] + S(4) * speeds[1] + speeds[2]) / S(12);
   }
   return sum;
 }
 
 template <class S>
-void ArcLength<S>::accept(std::size_t half, const S& begin, const S& end, const S& length, const S& disagreement) {
-  panels_.push_back({half, begin, end, length, sum_});
-  sum_ = sum_ + W(length);
+void ArcLength<S>::accept(const Panel<S>& panel, const S& disagreement) {
+  panels_.push_back(panel);
+  panels_.back().length = rule_sum(panel);
+  panels_.back().before = sum_;
+  sum_ = sum_ + panels_.back().length;
   disagreement_ += disagreement;
 }
 
-/// The panel as it is if its error is known to be small, or if it has the minimum of the speed at an end and the
-/// rule agrees with itself on both halves; else cut in halves.
+/// A panel as it is if it is smooth, else its halves; after some halvings it is cut.
 template <class S>
-void ArcLength<S>::add_panel(std::size_t half, const S& begin, const S& end, bool slow_begin, bool slow_end,
-                             int halvings) {
-  using std::abs;
-  if (is_smooth(speed_, half, begin, end)) {
-    accept(half, begin, end, rule_sum(half, begin, end), S(0));
-    return;
-  }
-  const S middle = begin + (end - begin) * S(0.5);
-  const bool knows_smooth = std::numeric_limits<S>::digits <= 53;
-  if (slow_begin || slow_end || halvings == 0 || !knows_smooth) {
-    const S left = rule_sum(half, begin, middle);
-    const S right = rule_sum(half, middle, end);
-    const S disagreement = abs(left + right - rule_sum(half, begin, end));
-    if (disagreement <= tolerance_ || halvings == 0) {
-      accept(half, begin, middle, left, S(0));
-      accept(half, middle, end, right, disagreement);
-      return;
-    }
-  }
-  add_panel(half, begin, middle, slow_begin, false, halvings - 1);
-  add_panel(half, middle, end, false, slow_end, halvings - 1);
+void ArcLength<S>::add(const Panel<S>& panel, int halvings) {
+  if (panel.is_smooth()) return accept(panel);
+  if (halvings == 0) return cut(panel);
+  add(part(panel, panel.middle - panel.width, panel.middle), halvings - 1);
+  add(part(panel, panel.middle, panel.middle + panel.width), halvings - 1);
 }
 
-/// Half a segment: one panel if it is smooth, else cut at the minima of the speed. An end counts as one where the
-/// speed is small.
+/// Cuts a panel at the minima of the speed, as far as there are any. An end counts as one where the speed is small.
 template <class S>
-void ArcLength<S>::add_half(std::size_t half, const S& begin, const S& end) {
-  if (is_smooth(speed_, half, begin, end)) {
-    accept(half, begin, end, rule_sum(half, begin, end), S(0));
-    return;
-  }
+void ArcLength<S>::cut(const Panel<S>& panel) {
+  if (rough_ == S(0)) rough_ = rough_length();
   const S small = rough_ * S(0x1p-6);
-  S from = begin;
-  bool slow = speed_(half, begin) < small;
-  for (const S& place : slowest_places(speed_, half, begin, end)) {
-    add_panel(half, from, place, slow, true, most_halvings);
+  S from = panel.middle - panel.width;
+  const S end = panel.middle + panel.width;
+  bool slow = speed_(panel.half, from) < small;
+  for (const S& place : slowest_places(speed_, panel.half, from, end)) {
+    refine(part(panel, from, place), slow, true, most_halvings);
     from = place;
     slow = true;
   }
-  add_panel(half, from, end, slow, speed_(half, end) < small, most_halvings);
+  refine(part(panel, from, end), slow, speed_(panel.half, end) < small, most_halvings);
+}
+
+/// A panel as it is if it is smooth, or if it has a minimum of the speed at an end and the rule agrees with itself on
+/// both halves; else its halves.
+template <class S>
+void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings) {
+  using std::abs;
+  if (panel.is_smooth()) return accept(panel);
+  const auto left = part(panel, panel.middle - panel.width, panel.middle);
+  const auto right = part(panel, panel.middle, panel.middle + panel.width);
+  if (slow_begin || slow_end || halvings == 0) {
+    const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel));
+    if (disagreement <= std::numeric_limits<S>::epsilon() * S(0.25) * rough_ || halvings == 0) {
+      accept(left);
+      return accept(right, disagreement);
+    }
+  }
+  refine(left, slow_begin, false, halvings - 1);
+  refine(right, false, slow_end, halvings - 1);
 }
 
 template <class S>
@@ -167,7 +139,7 @@ void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std
   speed_.assign(segment, metric);
   panels_.clear();
   sum_ = W(0);
-  disagreement_ = S(0);
+  disagreement_ = rough_ = S(0);
   total_ = {};
   const S unit = speed_.unit();
   if (unit == S(0)) return;
@@ -178,12 +150,10 @@ void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std
     return;
   }
   const S half(0.5);
-  rough_ = rough_length();
-  tolerance_ = epsilon * S(0.25) * rough_;
-  add_half(0, S(0), half);
-  add_half(1, -half, S(0));
+  add(make_panel(speed_, 0, S(0), half), first_halvings);
+  add(make_panel(speed_, 1, -half, S(0)), first_halvings);
   const S value = narrow<S>(sum_);
-  total_ = {value * unit, (disagreement_ + S(4) * epsilon * (value + S(1))) * unit};
+  total_ = {value * unit, (disagreement_ + S(8) * epsilon * (value + S(1))) * unit};
 }
 
 template <class S>
@@ -194,8 +164,9 @@ Length<S> ArcLength<S>::to(const Local<S>& place) const {
   const std::size_t half = place.near_start() ? 0 : 1;
   const S v = half == 0 ? place.u : place.w;
   auto panel = panels_.begin();
-  while (panel + 1 != panels_.end() && (panel->half < half || (panel->half == half && panel->end < v))) ++panel;
-  const W sum = panel->before + W(v > panel->begin ? rule_sum(half, panel->begin, v) : S(0));
+  while (panel + 1 != panels_.end() && (panel->half < half || panel->middle + panel->width < v)) ++panel;
+  const S z = std::clamp((v - panel->middle) / panel->width, S(-1), S(1));
+  const W sum = panel->before + panel_sum(*panel, speed_, S(-1), z);
   return {narrow<S>(sum) * speed_.unit(), total_.error};
 }
 

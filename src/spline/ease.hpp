@@ -69,14 +69,35 @@ class Warp {
   W f_{0}, e_{0}, k_{0.5};
 };
 
-/// The place at time t of a segment: the fraction of its duration that has passed, warped, rounded once.
-/// Requires: start <= t <= end.
+/// Where on a segment the curve is at a time: the fraction of its duration that has passed, warped, rounded once.
 template <class S>
-Local<S> locate(const Time<S>& start, const Time<S>& end, const Time<S>& t, const Warp<S>& warp = {}) {
-  if (t == start) return {S(0), S(-1)};
-  if (t == end) return {S(1), S(0)};
-  const auto h = end - start;
-  return warp.at((t - start) / h, (end - t) / h);
-}
+class Locate {
+ public:
+  /// Requires: start <= end.
+  Locate(const Time<S>& start, const Time<S>& end, const Warp<S>& warp = {})
+      : start_(start), end_(end), warp_(warp), duration_(end - start) {
+    if (duration_ > W(0x1p-900) && duration_ < W(0x1p900)) rate_ = W(1) / duration_;
+  }
+
+  /// Requires: start <= t <= end.
+  Local<S> operator()(const Time<S>& t) const {
+    if (t == start_) return {S(0), S(-1)};
+    if (t == end_) return {S(1), S(0)};
+    const W passed = fraction(t - start_);
+    if (passed < W(0.5)) return warp_.at(passed, W(1) - passed);
+    const W left = fraction(end_ - t);
+    return warp_.at(W(1) - left, left);
+  }
+
+ private:
+  using W = working_t<S>;
+
+  W fraction(const W& time) const { return rate_ == W(0) ? time / duration_ : time * rate_; }
+
+  Time<S> start_, end_;
+  Warp<S> warp_;
+  W duration_;
+  W rate_{0};  ///< 1 / duration, where nothing is lost by that
+};
 
 }  // namespace tcb::spline

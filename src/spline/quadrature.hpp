@@ -89,41 +89,4 @@ const GaussRule<S, N>& gauss_rule() {
   return rule;
 }
 
-/// What the rule's nodes tell about the integral up to each of them: the integral of f over [0, node[i]] is about
-/// the sum of weight[j][i] f(node[j]), exactly so for polynomials of degree N - 1.
-template <class S, std::size_t N>
-using CumulativeRule = std::array<std::array<S, N>, N>;
-
-template <class S, std::size_t N>
-CumulativeRule<S, N> make_cumulative_rule() {
-  using W = working_t<S>;
-  const auto& rule = gauss_rule<S, N>();
-  CumulativeRule<S, N> weight{};
-  for (std::size_t i = 0; i < N; ++i) {
-    const W x = W(2) * W(rule.node[i]) - W(1);
-    // The integral of P_k over [-1, x] is (P_(k+1)(x) - P_(k-1)(x)) / (2k + 1), and x + 1 for k = 0.
-    std::array<W, N> integral{};
-    integral[0] = x + W(1);
-    for (std::size_t k = 1; k < N; ++k) {
-      integral[k] = (legendre(k + 1, x).value - legendre(k - 1, x).value) / W(static_cast<double>(2 * k + 1));
-    }
-    for (std::size_t j = 0; j < N; ++j) {
-      const W y = W(2) * W(rule.node[j]) - W(1);
-      W sum(0);
-      for (std::size_t k = 0; k < N; ++k) {
-        sum = sum + W(static_cast<double>(2 * k + 1)) * W(0.5) * legendre(k, y).value * integral[k];
-      }
-      weight[j][i] = narrow<S>(W(rule.weight[j]) * sum);
-    }
-  }
-  return weight;
-}
-
-/// The rule, made once.
-template <class S, std::size_t N>
-const CumulativeRule<S, N>& cumulative_rule() {
-  static const CumulativeRule<S, N> rule = make_cumulative_rule<S, N>();
-  return rule;
-}
-
 }  // namespace tcb::spline

@@ -55,6 +55,10 @@ struct Twice {
     const Twice sum = normalized(high.value, high.error + low.value);
     return normalized(sum.hi, sum.lo + low.error);
   }
+  friend constexpr Twice operator+(const Twice& a, double b) {
+    const auto high = two_sum(a.hi, b);
+    return normalized(high.value, high.error + a.lo);
+  }
   friend constexpr Twice operator-(const Twice& a, const Twice& b) { return a + -b; }
   friend constexpr Twice operator*(const Twice& a, const Twice& b) {
     const auto product = two_product(a.hi, b.hi);

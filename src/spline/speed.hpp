@@ -13,7 +13,6 @@
 #include <span>
 #include <vector>
 
-#include "spline/quadrature.hpp"
 #include "spline/segment.hpp"
 
 namespace tcb::spline {
@@ -121,13 +120,14 @@ class Speed {
     if (largest == S(0)) return;
     int exponent = 0;
     (void)frexp(largest, &exponent);
-    --exponent;
+    exponent = std::max(exponent - 1, -1000);  // so that 1 / unit is a double, too
     unit_ = ldexp(S(1), exponent);
+    const S scale = ldexp(S(1), -exponent);
     for (auto& half : channels_) {
       for (auto& [k0, k1, k2] : half) {
-        k0 = ldexp(k0, -exponent);
-        k1 = ldexp(k1, -exponent);
-        k2 = ldexp(k2, -exponent);
+        k0 *= scale;
+        k1 *= scale;
+        k2 *= scale;
       }
     }
   }
@@ -135,22 +135,6 @@ class Speed {
   std::array<std::vector<Quadratic<S>>, 2> channels_;
   S unit_{0};
 };
-
-/// The length over [begin, end] of a half by an N-point Gauss-Legendre rule; N is a power of two.
-template <std::size_t N, class S>
-S gauss_sum(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
-  static_assert((N & (N - 1)) == 0);
-  const auto& rule = gauss_rule<S, N>();
-  const S width = end - begin;
-  std::array<S, N> v;
-  for (std::size_t i = 0; i < N; ++i) v[i] = begin + width * rule.node[i];
-  auto terms = speed(half, v);
-  for (std::size_t i = 0; i < N; ++i) terms[i] *= rule.weight[i];
-  for (std::size_t size = N / 2; size > 0; size /= 2) {  // in pairs, so that rounding stays small
-    for (std::size_t i = 0; i < size; ++i) terms[i] += terms[i + size];
-  }
-  return terms[0] * width;
-}
 
 /// The zero of growth() in [low, high], where it rises from below 0 to above.
 template <class S>

@@ -30,7 +30,9 @@ Sampled sample(const Request& request, const std::vector<double>& keys, bool clo
     const Piece piece{
         keys[i], keys[i + 1], keys[i] - keys[0], keys[i + 1] - keys[0], cubics, {}, i + 2 == keys.size(), {}, {}, i};
     const auto add = [&](std::uint64_t row) {
-      const Sample at = sampler->locate(piece, row);
+      Located located;
+      sampler->locate(piece, row, row + 1, located);
+      const Sample& at = located.samples.front();
       result.times.push_back(at.t.hi);
       result.positions.push_back(spline::position(cubics[0], at.at));
     };

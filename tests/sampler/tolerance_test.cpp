@@ -31,7 +31,7 @@ class Curve {
     while (i + 1 < curve_.size() && curve_.times[i + 1].hi <= t) ++i;
     std::vector<double> x;
     for (const auto& cubic : curve_[i]) {
-      x.push_back(spline::position(cubic, spline::locate<double>(curve_.times[i], curve_.times[i + 1], {t})));
+      x.push_back(spline::position(cubic, spline::Locate<double>(curve_.times[i], curve_.times[i + 1])({t})));
     }
     return x;
   }

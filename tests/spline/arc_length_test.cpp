@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace tcb::spline {
 namespace {
@@ -62,14 +65,77 @@ TEST(ArcLength, inverse_comes_back_to_the_length) {
        {parabola, cusp, segment({0, 0}, {1, 0}, {5, 5}, {5, 5}), segment({0, 0}, {0, 0}, {4, 0}, {-4, 0})}) {
     const ArcLength<double> arc(curve, {});
     const double whole = arc.total().value;
-    for (const double step : {0.0, whole / 97}) {
-      const ArcInverse<double> inverse(arc, step);
-      for (double s = 0; s <= whole; s += whole / 97) {
-        EXPECT_NEAR(arc.to(inverse.at(s, Twice(whole) - Twice(s))).value, s, 1e-15 * whole);
-      }
-      EXPECT_EQ(inverse.at(whole, 0).w, 0);
-      EXPECT_EQ(inverse.at(0, whole).u, 0);
+    ArcInverse<double> inverse(arc);
+    for (double s = 0; s <= whole; s += whole / 97) {
+      EXPECT_NEAR(arc.to(inverse.at(s, Twice(whole) - Twice(s))).value, s, 1e-15 * whole);
     }
+    EXPECT_EQ(inverse.at(whole, 0).w, 0);
+    EXPECT_EQ(inverse.at(0, whole).u, 0);
+  }
+}
+
+using Extended = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<40>>;
+
+/// The same polynomials, in a scalar with more digits.
+std::vector<Cubic<Extended>> extended(std::span<const Cubic<double>> segment) {
+  std::vector<Cubic<Extended>> result;
+  for (const auto& x : segment) {
+    result.push_back({x.p0, x.out, Extended(x.c) + x.c_rest, 0, x.p1, x.in, Extended(x.e) + x.e_rest, 0, x.d});
+  }
+  return result;
+}
+
+/// Velocities (u - a)^2, slope (u - a) and `distance`: the nearer the distance to 0, the nearer the curve to a cusp.
+std::array<Cubic<double>, 3> near_cusp(double a, double slope, double distance) {
+  const auto channel = [](double k0, double k1, double k2) {
+    return cubic<double>(0, k0 + k1 / 2 + k2 / 3, k0, k0 + k1 + k2);
+  };
+  return {channel(a * a, -2 * a, 1), channel(-a * slope, slope, 0), channel(distance, 0, 0)};
+}
+
+void expect_as_in_extended(std::span<const Cubic<double>> segment) {
+  const auto reference = extended(segment);
+  const ArcLength<double> arc(segment, {});
+  const ArcLength<Extended> exact(reference, {});
+  const auto [length, bound] = arc.total();
+  const auto error = static_cast<double>(abs(exact.total().value - length));
+  EXPECT_LE(error, bound);
+  EXPECT_LE(error, 4 * (std::nextafter(length, HUGE_VAL) - length));
+  ArcInverse<double> inverse(arc);
+  for (int row = 1; row < 8; ++row) {
+    const Twice s = Twice(length) * Twice(row / 8.0);
+    const Local<double> at = inverse.at(s, Twice(length) - s);
+    const Local<Extended> place =
+        at.near_start() ? Local<Extended>{at.u, Extended(at.u) - 1} : Local<Extended>{Extended(at.w) + 1, at.w};
+    EXPECT_LE(static_cast<double>(abs(exact.to(place).value - (Extended(s.hi) + s.lo))), 2e-15 * length);
+  }
+}
+
+TEST(ArcLength, agrees_with_an_extended_scalar) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-10, 10);
+  for (int i = 0; i < 20; ++i) {
+    std::array<Cubic<double>, 3> segment;
+    for (auto& x : segment) x = cubic<double>(uniform(random), uniform(random), uniform(random), uniform(random));
+    expect_as_in_extended(segment);
+  }
+}
+
+TEST(ArcLength, agrees_with_an_extended_scalar_however_near_a_cusp_is) {
+  for (const double distance : {1e-1, 1e-2, 1e-4, 1e-8, 1e-12, 1e-16, 0.0}) {
+    for (const double slope : {0.0, 1e-6, 1.0}) {
+      SCOPED_TRACE(distance);
+      expect_as_in_extended(near_cusp(0.375, slope, distance));
+    }
+  }
+}
+
+TEST(ArcInverse, does_not_depend_on_what_was_asked_before) {
+  const ArcLength<double> arc(parabola, {});
+  ArcInverse<double> one_by_one(arc);
+  for (double s = 1.4; s > 0; s -= 0.1) {
+    ArcInverse<double> fresh(arc);
+    EXPECT_EQ(one_by_one.at(s, Twice(arc.total().value) - s).u, fresh.at(s, Twice(arc.total().value) - s).u);
   }
 }
 

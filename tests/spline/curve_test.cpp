@@ -30,7 +30,7 @@ Keys<double> keys_of(const std::vector<Key>& table) {
 double at(const Segments<double>& curve, double t, std::size_t channel = 0) {
   std::size_t i = 0;
   while (i + 1 < curve.size() && curve.times[i + 1].hi <= t) ++i;
-  return position(curve[i][channel], locate<double>(curve.times[i], curve.times[i + 1], {t}));
+  return position(curve[i][channel], Locate<double>(curve.times[i], curve.times[i + 1])({t}));
 }
 
 Keys<double> random_keys(std::mt19937_64& random, std::size_t count, std::size_t channels) {

@@ -36,7 +36,7 @@ CurveRules<double> rules(std::string_view tangents, std::string_view ends) {
 double at(const Segments<double>& curve, double t) {
   std::size_t i = 0;
   while (i + 1 < curve.size() && curve.times[i + 1].hi <= t) ++i;
-  return position(curve[i][0], locate<double>(curve.times[i], curve.times[i + 1], {t}));
+  return position(curve[i][0], Locate<double>(curve.times[i], curve.times[i + 1])({t}));
 }
 
 struct Row {

@@ -1,0 +1,129 @@
+// Panels: stretches of a segment short enough for one quadrature rule.
+//
+// With a panel mapped to z in [-1, 1], the square of the speed is a quartic q(z). Where q has no zero in a disc that
+// is wide enough, the panel is smooth: the rule is right to the last digit, and q may be taken by its coefficients,
+// whatever the number of channels, for nothing cancels.
+// Source: L. N. Trefethen, "Is Gauss quadrature better than Clenshaw-Curtis?", doi:10.1137/060659831, theorem 4.5;
+//   for the disc, G. Dandelin's and C. Graeffe's squaring of roots (V. Y. Pan, doi:10.1137/S0036144595288554, 4).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "spline/quadrature.hpp"
+#include "spline/speed.hpp"
+
+namespace tcb::spline {
+
+/// Part of a half of a segment: its places are middle + width z.
+template <class S>
+struct Panel {
+  std::size_t half;
+  S middle, width;
+  std::array<S, 5> square;   ///< of the speed, by the powers of z
+  std::size_t points;        ///< of the rule that is right on it and on any part of it; 0: it is not smooth
+  S length{};                ///< in units of Speed::unit(), as all lengths here
+  working_t<S> before = {};  ///< the length up to its start
+
+  bool is_smooth() const { return points != 0; }
+};
+
+/// The rules that panels are integrated by. What is not smooth takes the one with more points.
+inline constexpr std::size_t few_points = 8, most_points = 16;
+
+/// The fourth power of the radius in which q must be free of zeros for a rule with N points, a power of two.
+///
+/// Then the speed is analytic in the ellipse with foci -1, 1 and half axes' sum rho = R + sqrt(R^2 - 1), and there at
+/// most 4 sqrt(q(0)): q(z) is q(0) times four factors 1 - z / zero. The rule errs by at most
+/// 64/15 * 4 sqrt(q(0)) / (rho^2N - rho^(2N - 2)), which rho^2N = 32 / epsilon makes less than a rounding.
+template <class S, std::size_t N>
+const S& smooth_radius_4() {
+  static const S power = [] {
+    using std::sqrt;
+    S rho = S(32) / std::numeric_limits<S>::epsilon();
+    for (std::size_t root = 1; root < 2 * N; root *= 2) rho = sqrt(rho);
+    const S radius = (rho + S(1) / rho) * S(0.5);
+    return S(radius * radius * radius * radius);
+  }();
+  return power;
+}
+
+/// The points that a panel's rule needs, by the zeros of q. Promises: never too few, and seldom more than the zeros ask
+/// for within 1.5 times the radius.
+template <class S>
+std::size_t points_needed(const std::array<S, 5>& q) {
+  using std::abs;
+  if (!(q[0] > S(0))) return 0;
+  const S unit = S(1) / q[0];
+  S a1 = q[1] * unit, a2 = q[2] * unit, a3 = q[3] * unit, a4 = q[4] * unit;
+  for (int squaring = 0; squaring < 2; ++squaring) {  // a(z) a(-z), a polynomial in z^2: each zero is squared
+    const S b1 = S(2) * a2 - a1 * a1;
+    const S b2 = a2 * a2 + S(2) * (a4 - a1 * a3);
+    const S b3 = S(2) * a2 * a4 - a3 * a3;
+    a4 = a4 * a4;
+    a3 = b3;
+    a2 = b2;
+    a1 = b1;
+  }
+  // There is no zero where the other terms are less than the first.
+  const auto is_free = [&](const S& r) { return r * (abs(a1) + r * (abs(a2) + r * (abs(a3) + r * abs(a4)))) < S(1); };
+  if (!is_free(smooth_radius_4<S, most_points>())) return 0;
+  return is_free(smooth_radius_4<S, few_points>()) ? few_points : most_points;
+}
+
+template <class S>
+Panel<S> make_panel(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
+  Panel<S> panel{half, (begin + end) * S(0.5), (end - begin) * S(0.5), {}, 0};
+  panel.square = speed.square_about(half, panel.middle, panel.width);
+  panel.points = points_needed(panel.square);
+  return panel;
+}
+
+/// The square of the speed about a place on a panel, by the powers of a step in z.
+template <class S>
+std::array<S, 4> square_near(const Panel<S>& panel, const Speed<S>& speed, const S& z) {
+  if (!panel.is_smooth()) {
+    const auto q = speed.square_about(panel.half, panel.middle + panel.width * z, panel.width);
+    return {q[0], q[1], q[2], q[3]};
+  }
+  const auto& q = panel.square;
+  return {q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * q[4]))),
+          q[1] + z * (S(2) * q[2] + z * (S(3) * q[3] + z * (S(4) * q[4]))),
+          q[2] + z * (S(3) * q[3] + z * (S(6) * q[4])), q[3] + z * (S(4) * q[4])};
+}
+
+/// The length over [begin, end] of z by an N-point Gauss-Legendre rule; N is a power of two.
+template <std::size_t N, class S>
+S gauss_sum(const Panel<S>& panel, const Speed<S>& speed, const S& begin, const S& end) {
+  using std::sqrt;
+  static_assert((N & (N - 1)) == 0);
+  const auto& rule = gauss_rule<S, N>();
+  const S width = end - begin;
+  std::array<S, N> terms;
+  if (panel.is_smooth()) {
+    const auto [q0, q1, q2, q3, q4] = panel.square;
+    for (std::size_t i = 0; i < N; ++i) {
+      const S z = begin + width * rule.node[i];
+      terms[i] = rule.weight[i] * sqrt(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4))));
+    }
+  } else {
+    for (std::size_t i = 0; i < N; ++i) terms[i] = panel.middle + panel.width * (begin + width * rule.node[i]);
+    terms = speed(panel.half, terms);
+    for (std::size_t i = 0; i < N; ++i) terms[i] *= rule.weight[i];
+  }
+  for (std::size_t size = N / 2; size > 0; size /= 2) {  // in pairs, so that rounding stays small
+    for (std::size_t i = 0; i < size; ++i) terms[i] += terms[i + size];
+  }
+  return terms[0] * (width * panel.width);
+}
+
+/// The length over [begin, end] of z by the panel's rule.
+template <class S>
+S panel_sum(const Panel<S>& panel, const Speed<S>& speed, const S& begin, const S& end) {
+  return panel.points == few_points ? gauss_sum<few_points>(panel, speed, begin, end)
+                                    : gauss_sum<most_points>(panel, speed, begin, end);
+}
+
+}  // namespace tcb::spline
