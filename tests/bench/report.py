@@ -103,14 +103,22 @@ def plot_data(runs):
     return "\n\n".join(blocks)
 
 
+def busy(runs):
+    """A warning where programs waited for the processor: their times then say little."""
+    waits = [run.time / run.processor for size in runs.values() for run in size if run.time > 0.1]
+    if not waits or max(waits) < 1.25:
+        return ""
+    return f"**Other work ran on the machine: up to {max(waits):.1f} times as much time went by as was used.**\n"
+
+
 machine, *versions = (folder / "machine.txt").read_text().splitlines()
 head = f"On {machine} Versions: {'; '.join(versions)}.\n"
 table, summary = [head], [head]
 for mode, title in titles.items():
     runs = read(mode)
     if runs:
-        table += [f"**{title}**\n", full_table(runs), ratios(runs)]
-        summary += [f"**{title}**\n", summary_table(runs), ratios(runs)]
+        table += [f"**{title}**\n", full_table(runs), ratios(runs), busy(runs)]
+        summary += [f"**{title}**\n", summary_table(runs), ratios(runs), busy(runs)]
         (folder / f"{mode}.dat").write_text(plot_data(runs) + "\n")
 (folder / "table.md").write_text("\n".join(part for part in table if part))
 (folder / "summary.md").write_text("\n".join(part for part in summary if part))
