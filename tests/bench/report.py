@@ -1,0 +1,124 @@
+"""Makes the tables and the plot data of a comparison: report.py DIR, after compare has put its measurements there.
+
+table.md has every number: time, its standard deviation, time a row, processor time, peak memory. summary.md has a
+line a contender, for a README. uniform.dat and arc.dat are what plot.gnuplot draws, a block a contender.
+"""
+
+import json
+import math
+import pathlib
+import sys
+
+folder = pathlib.Path(sys.argv[1])
+titles = {"uniform": "Uniform in time: `tcbsample -n N`", "arc": "Uniform in arc length: `tcbsample --arc-count N`"}
+
+
+class Run:
+    """One contender at one number of rows. Units: seconds, MiB."""
+
+    def __init__(self, result, memory, rows):
+        self.name = result["command"]
+        self.rows = rows
+        self.time, self.deviation = result["mean"], result["stddev"] or 0.0
+        self.processor = result["user"] + result["system"]
+        self.memory = int(memory[self.name]) / 1024
+
+
+def read(mode):
+    """The runs of a mode, by number of rows."""
+    runs = {}
+    for path in folder.glob(mode + "-*.json"):
+        rows = int(path.stem.split("-")[1])
+        memory = dict(line.split("\t")[:2] for line in path.with_suffix(".memory").read_text().splitlines())
+        runs[rows] = [Run(result, memory, rows) for result in json.loads(path.read_text())["results"]]
+    return dict(sorted(runs.items()))
+
+
+def digits(value):
+    """Three significant digits, without an exponent."""
+    return f"{value:,.{max(0, 2 - math.floor(math.log10(value)))}f}" if value > 0 else "0"
+
+
+def duration(seconds):
+    for factor, unit in ((1, "s"), (1e3, "ms")):
+        if seconds * factor >= 1:
+            return f"{digits(seconds * factor)} {unit}"
+    return f"{seconds * 1e6:.0f} µs"
+
+
+def per_row(run):
+    return f"{run.time / run.rows * 1e9:,.0f} ns"
+
+
+def markdown(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|---|" + "---:|" * (len(header) - 1)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def full_table(runs):
+    header = ["contender", "rows", "time", "±", "time a row", "processor time", "peak memory", "time / tcbsample"]
+    rows = []
+    for name in names(runs):
+        for size in runs.values():
+            for run in (run for run in size if run.name == name):
+                rows.append([name, f"{run.rows:,}", duration(run.time), duration(run.deviation), per_row(run),
+                             duration(run.processor), f"{digits(run.memory)} MiB", digits(run.time / size[0].time)])
+    return markdown(header, rows)
+
+
+def summary_table(runs):
+    """A line a contender: its time at every number of rows; at the largest also time a row and peak memory."""
+    header = ["", *(f"{rows:,} rows" for rows in runs), "a row", "peak memory"]
+    rows = []
+    for name in names(runs):
+        found = [next((run for run in size if run.name == name), None) for size in runs.values()]
+        last = found[-1]
+        rows.append([name, *(duration(run.time) if run else "" for run in found),
+                     *([per_row(last), f"{digits(last.memory)} MiB"] if last else ["", ""])])
+    return markdown(header, rows)
+
+
+def names(runs):
+    return list(dict.fromkeys(run.name for size in runs.values() for run in size))
+
+
+def ratios(runs):
+    """Processor time (user and system) of tcbsample with one thread over that of the bare loop."""
+    parts = []
+    for rows, size in runs.items():
+        bare = next((run for run in size if run.name == "bare loop"), None)
+        if bare and size[0].name.startswith("tcbsample"):
+            parts.append(f"{size[0].processor / bare.processor:.2f} at {rows:,} rows")
+    if not parts:
+        return ""
+    what = "Processor time (user and system) of tcbsample with one thread over that of the bare loop: "
+    return what + ", ".join(parts) + ".\n"
+
+
+def plot_data(runs):
+    blocks = []
+    for name in names(runs):
+        points = [run for size in runs.values() for run in size if run.name == name]
+        blocks.append(f'"{name}"\n' + "".join(f"{run.rows} {run.time} {run.memory}\n" for run in points))
+    return "\n\n".join(blocks)
+
+
+def busy(runs):
+    """A warning where programs waited for the processor: their times then say little."""
+    waits = [run.time / run.processor for size in runs.values() for run in size if run.time > 0.1]
+    if not waits or max(waits) < 1.25:
+        return ""
+    return f"**Other work ran on the machine: up to {max(waits):.1f} times as much time went by as was used.**\n"
+
+
+machine, *versions = (folder / "machine.txt").read_text().splitlines()
+head = f"On {machine} Versions: {'; '.join(versions)}.\n"
+table, summary = [head], [head]
+for mode, title in titles.items():
+    runs = read(mode)
+    if runs:
+        table += [f"**{title}**\n", full_table(runs), ratios(runs), busy(runs)]
+        summary += [f"**{title}**\n", summary_table(runs), ratios(runs), busy(runs)]
+        (folder / f"{mode}.dat").write_text(plot_data(runs) + "\n")
+(folder / "table.md").write_text("\n".join(part for part in table if part))
+(folder / "summary.md").write_text("\n".join(part for part in summary if part))
