@@ -21,7 +21,7 @@ using sampler::Mode;
 using sampler::Time;
 
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
-  return ordered_map(std::move(blocks), [](KeyBlock block) {
+  return mapped(std::move(blocks), [](KeyBlock block) {
     block.keys.eases.clear();
     return block;
   });
@@ -66,7 +66,8 @@ Path::Path(const sampler::Request& request, const CurveSettings& settings, std::
       settings_(over(settings, checked_settings(input))),
       curve_(fitted(make_curve(settings_), settings_, input.channels)),
       fields_(std::move(fields)),
-      timed_(input.timed) {
+      timed_(input.timed),
+      threads_(input.threads) {
   if (timed_ && curve_.parameter) {
     throw Error(Exit::data, fmt::format("--parameter makes times, but column \"{}\" has them; expected one of the two; "
                                         "take --parameter out, or choose other columns with --columns",
@@ -90,7 +91,7 @@ Placed Path::place(Source<KeyBlock> blocks) const {
   blocks = checked(std::move(blocks), is_single() ? 1 : 2);
   const bool anywhere = curve_.extrapolation != sampler::Extrapolation::error || sampler::needs_curve(request_.mode);
   if (curve_.closed || anywhere || sampler::needs_end(request_)) return place_kept(KeptKeys(blocks), anywhere);
-  Source<Keys> keys = ordered_map(std::move(blocks), [](KeyBlock block) { return std::move(block.keys); });
+  Source<Keys> keys = mapped(std::move(blocks), [](KeyBlock block) { return std::move(block.keys); });
   std::optional<Keys> first = keys();
   while (first && first->size() == 0) first = keys();
   const sampler::Extent extent{first->times.front(), {}, {}};
@@ -100,7 +101,7 @@ Placed Path::place(Source<KeyBlock> blocks) const {
 /// Rows as the curve goes by.
 Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths) const {
   const std::shared_ptr<sampler::Sampler> sampler = sampler::make_sampler(request_, extent);
-  auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths() && !lengths);
+  auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths() && !lengths, threads_);
   if (lengths) pieces = with_lengths(std::move(pieces), std::move(*lengths));
   return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler, sampler, {}};
 }
@@ -118,7 +119,7 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
   } else {
     std::optional<Lengths> lengths;
     if (sampler::by_length(request_.mode)) {
-      lengths = all_lengths(stretches(linked(), curve_.rules, true));
+      lengths = all_lengths(stretches(linked(), curve_.rules, true, threads_));
       extent.length = total_length(*lengths);
       facts.emplace_back("length", fmt::format("{}", *extent.length));
     }
@@ -148,7 +149,7 @@ std::vector<Time> Path::grid_times(const sampler::Extent& extent) const {
 
 /// Rows at places in any order, also outside the curve.
 Placed Path::place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const {
-  const auto curve = std::make_shared<const WholeCurve>(stretches(std::move(keys), curve_.rules, needs_lengths()),
+  const auto curve = std::make_shared<const WholeCurve>(stretches(std::move(keys), curve_.rules, needs_lengths(), threads_),
                                                         curve_.rules.metric);
   std::vector<Time> places;
   if (request_.mode == Mode::tolerance) {

@@ -52,6 +52,7 @@ class Path {
   CurvePlan curve_;
   std::vector<std::size_t> fields_;
   bool timed_;
+  unsigned threads_;
 };
 
 }  // namespace tcb

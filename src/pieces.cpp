@@ -185,12 +185,13 @@ Source<Keys> KeptKeys::source() const {
   };
 }
 
-Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured) {
+Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads) {
   auto windows = keys.context ? closed_windows(std::move(keys.keys), std::move(*keys.context))
                               : open_windows(std::move(keys.keys));
-  return ordered_map(std::move(windows), [rules, measured](const spline::Window<double>& window) {
+  const auto link = [rules, measured](const spline::Window<double>& window) {
     return measure(window, rules, measured);
-  });
+  };
+  return ordered_map(std::move(windows), link, threads);
 }
 
 Lengths all_lengths(const Source<Stretch>& measured) {

@@ -63,7 +63,7 @@ struct LinkedKeys {
 };
 
 /// The segments between the keys, each as soon as the key after its end has come.
-Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured);
+Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
 
 /// The lengths of all segments in order.
 using Lengths = std::vector<spline::Length<double>>;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "error.hpp"
@@ -83,9 +84,16 @@ std::string left_out(const Placed& placed) {
                      shown(*rest));
 }
 
+/// What reading a file is told. Threads would have rows of a live pipe wait for those behind them.
+format::InputOptions input_options(const Plan& plan, const std::string& path) {
+  format::InputOptions options = plan.input;
+  options.threads = plan.jobs.value_or(is_live(path) ? 1 : std::thread::hardware_concurrency());
+  return options;
+}
+
 /// Bytes to bytes, for one file.
 void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
-  format::Input input = format::open_input(path, read_file(path), plan.input);
+  format::Input input = format::open_input(path, read_file(path), input_options(plan, path));
   const Path curve(plan.sampling, plan.curve, plan.fields, input);
   if (!input.timed && !plan.curve.parameter) note(plan, path, "no time column; the keys stand at 0, 1, 2, ...");
   for (const auto& [name, value] : input.facts) {
@@ -96,7 +104,7 @@ void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
   const auto print = [&plan, &writer, &placed](const Batch& batch) {
     return writer.print(evaluate(batch, *placed.locator, plan.fields), batch.first);
   };
-  const Source<std::string> rows = ordered_map(placed.batches, print);
+  const Source<std::string> rows = ordered_map(placed.batches, print, input.threads);
   bool any = false;
   while (const std::optional<std::string> text = rows()) {
     writer.write(*text);
@@ -112,14 +120,14 @@ void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
 
 /// What was found in a file and would be done, a line each.
 std::string explanation(const std::string& path, const Plan& plan) {
-  format::Input input = format::open_input(path, read_file(path), plan.input);
+  format::Input input = format::open_input(path, read_file(path), input_options(plan, path));
   const Path curve(plan.sampling, plan.curve, plan.fields, input);
   Facts facts{{"file", shown_name(path)}};
   const auto add = [&](const Facts& more) { facts.insert(facts.end(), more.begin(), more.end()); };
   add(input.facts);
   add(curve.rules());
   const auto keys = std::make_shared<std::size_t>(0);
-  const Placed placed = curve.place(ordered_map(std::move(input.keys), [keys](format::KeyBlock block) {
+  const Placed placed = curve.place(mapped(std::move(input.keys), [keys](format::KeyBlock block) {
     *keys += block.lines.size();
     return block;
   }));
@@ -175,6 +183,7 @@ void in_file(const std::string& path, F f) {
 }  // namespace
 
 void resample(const Plan& plan) {
+  const ThreadLimit limit(plan.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
   if (plan.explain) {
     Output output("-");
     for (const std::string& file : plan.files) in_file(file, [&] { output.write(explanation(file, plan)); });

@@ -21,6 +21,7 @@ struct Plan {
   std::size_t output_format = 0;    ///< index into format::formats()
   std::optional<bool> output_header;
   bool explain = false;                      ///< say what was found and would be done, and do not
+  std::optional<unsigned> jobs;              ///< threads; nothing: all cores, one for a live pipe
   bool notes = false;                        ///< say on standard error what may surprise
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder

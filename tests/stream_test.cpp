@@ -3,8 +3,12 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace tcb {
@@ -44,13 +48,13 @@ TEST(Streams, an_item_may_stand_before_nothing) {
 TEST(Streams, a_map_keeps_the_order_and_may_change_the_type) {
   int asked = 0;
   const auto text = [](int item) { return std::to_string(item * item); };
-  EXPECT_THAT(all(ordered_map(numbers(4, asked), text)), ElementsAre("1", "4", "9", "16"));
-  EXPECT_THAT(all(ordered_map(numbers(0, asked), text)), ElementsAre());
+  EXPECT_THAT(all(mapped(numbers(4, asked), text)), ElementsAre("1", "4", "9", "16"));
+  EXPECT_THAT(all(mapped(numbers(0, asked), text)), ElementsAre());
 }
 
 TEST(Streams, a_map_makes_an_item_when_it_is_asked_for) {
   int asked = 0, made = 0;
-  const auto source = ordered_map(numbers(5, asked), [&made](int item) {
+  const auto source = mapped(numbers(5, asked), [&made](int item) {
     ++made;
     return item;
   });
@@ -62,9 +66,60 @@ TEST(Streams, a_map_makes_an_item_when_it_is_asked_for) {
 
 TEST(Streams, items_are_moved_through) {
   int asked = 0;
-  const auto boxed = ordered_map(numbers(2, asked), [](int item) { return std::make_unique<int>(item); });
-  const auto opened = ordered_map(boxed, [](std::unique_ptr<int> box) { return *box; });
+  const auto boxed = mapped(numbers(2, asked), [](int item) { return std::make_unique<int>(item); });
+  const auto opened = mapped(boxed, [](std::unique_ptr<int> box) { return *box; });
   EXPECT_THAT(all(opened), ElementsAre(1, 2));
+}
+
+/// Takes longer for some items than for others.
+int slowly_squared(int item) {
+  std::this_thread::sleep_for(std::chrono::microseconds(item * 7919 % 300));
+  return item * item;
+}
+
+TEST(OrderedMap, answers_in_order_for_any_number_of_threads) {
+  std::vector<int> squares;
+  for (int i = 1; i <= 500; ++i) squares.push_back(i * i);
+  for (const unsigned threads : {1U, 2U, 3U, 8U, 16U}) {
+    const ThreadLimit limit(threads);
+    int asked = 0;
+    EXPECT_EQ(all(ordered_map(numbers(500, asked), slowly_squared, threads)), squares) << threads;
+  }
+}
+
+TEST(OrderedMap, maps_may_follow_one_another) {
+  const ThreadLimit limit(4);
+  int asked = 0;
+  const auto squares = ordered_map(numbers(100, asked), slowly_squared, 4);
+  const auto roots = all(ordered_map(squares, [](int square) { return std::lround(std::sqrt(square)); }, 4));
+  ASSERT_EQ(roots.size(), 100U);
+  EXPECT_EQ(roots.front(), 1);
+  EXPECT_EQ(roots.back(), 100);
+}
+
+TEST(OrderedMap, an_error_comes_after_the_answers_before_it) {
+  const ThreadLimit limit(4);
+  for (const bool in_source : {false, true}) {
+    int asked = 0;
+    const auto fail_at_ten = [](int item) {
+      if (item == 10) throw std::runtime_error("ten");
+      return item;
+    };
+    const auto items = in_source ? ordered_map(mapped(numbers(50, asked), fail_at_ten), slowly_squared, 4)
+                                 : ordered_map(numbers(50, asked), fail_at_ten, 4);
+    for (int i = 1; i < 10; ++i) EXPECT_TRUE(items().has_value());
+    EXPECT_THROW((void)items(), std::runtime_error);
+  }
+}
+
+TEST(OrderedMap, may_be_left_before_its_end) {
+  const ThreadLimit limit(4);
+  int asked = 0;
+  {
+    const auto items = ordered_map(numbers(1000, asked), slowly_squared, 4);
+    EXPECT_EQ(items(), 1);
+  }
+  EXPECT_LE(asked, 8) << "only so many items are pulled ahead";
 }
 
 }  // namespace

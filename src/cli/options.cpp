@@ -131,6 +131,10 @@ void declare_output(CLI::App& app, Typed& typed) {
       "At a key, what differs from one side to the other is that of the segment behind it, right (default), or before "
       "it, left")
       ->type_name("SIDE");
+  option("-j,--jobs", typed.jobs,
+         "How many threads to use; default one a core, and a single one for a live pipe. The bytes are the same for "
+         "every N")
+      ->type_name("N");
   app.add_flag("--no-output-header", typed.no_output_header,
                "No names above the rows; the default where the input has none")
       ->group("Output");

@@ -22,7 +22,7 @@ struct Typed {
   CurveSettings curve;
   bool closed = false;
   std::string step, rate, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance;
-  std::string end, max_rows, side;
+  std::string end, max_rows, side, jobs;
   bool keys = false, explain = false, quiet = false;
   std::string from, to;
   std::string output, output_dir, output_format, fields;

@@ -111,6 +111,14 @@ bool from_left(const std::string& side, const std::vector<std::size_t>& chosen) 
   return side == "left";
 }
 
+unsigned make_jobs(const std::string& text) {
+  constexpr unsigned most = 1024;
+  const auto jobs = sampler::parse_rational(text);
+  if (!jobs || *jobs < 1 || denominator(*jobs) != 1 || *jobs > most)
+    refuse_value("--jobs", text, fmt::format("a whole number from 1 to {}", most));
+  return static_cast<unsigned>(numerator(*jobs));
+}
+
 }  // namespace
 
 Plan make_plan(const Typed& typed) {
@@ -124,6 +132,7 @@ Plan make_plan(const Typed& typed) {
   plan.sampling.from_left = from_left(typed.side, plan.fields);
   check_curve(plan);
   plan.explain = typed.explain;
+  if (!typed.jobs.empty()) plan.jobs = make_jobs(typed.jobs);
   plan.notes = !typed.quiet && ::isatty(STDERR_FILENO) != 0;
   if (!typed.output_format.empty()) plan.output_format = format::find_format("--output-format", typed.output_format);
   if (typed.no_output_header) {

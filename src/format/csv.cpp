@@ -147,7 +147,7 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
           columns.time,
           columns.channels,
           {},
-          ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse),
+          ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse, options.threads),
           {},
           facts(*head)};
 }

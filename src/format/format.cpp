@@ -90,6 +90,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   }
   const std::size_t format = options.format ? *options.format : detect(path, beginning);
   Input input = formats()[format].open(preceded_by(std::move(beginning), std::move(bytes)), options);
+  input.threads = options.threads;
   input.facts.emplace(input.facts.begin(), "format", formats()[format].name);
   return input;
 }

@@ -24,6 +24,7 @@ struct InputOptions {
   std::vector<RoleRequest> roles;
   spline::Tcb<double> tcb;  ///< for keys that carry none
   bool timeless = false;    ///< no column is the time, unless its name says so
+  unsigned threads = 1;     ///< that may work on it
 };
 
 /// Whole records of an input, as text.
@@ -50,6 +51,7 @@ struct Input {
   Source<KeyBlock> keys;
   std::vector<std::pair<std::string, Place>> setting_places = {};  ///< where each setting stands
   std::vector<std::pair<std::string, std::string>> facts = {};     ///< what was found, in words
+  unsigned threads = 1;                                            ///< that may work on it
 };
 
 }  // namespace tcb::format

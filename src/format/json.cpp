@@ -198,7 +198,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
           meaning.time,
           meaning.channels,
           settings,
-          ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse),
+          ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse, options.threads),
           std::move(places)};
 }
 

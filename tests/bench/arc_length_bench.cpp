@@ -35,7 +35,7 @@ double measure(Length& length, const Segment& segment) {
 double find_places(const Length& length, std::int64_t samples) {
   const double total = length.total().value;
   const double step = total / static_cast<double>(samples);
-  const tcb::spline::ArcInverse<double> inverse(length, step);
+  tcb::spline::ArcInverse<double> inverse(length);
   double sum = 0;
   for (std::int64_t i = 0; i < samples; ++i) {
     const double s = (static_cast<double>(i) + 0.5) * step;

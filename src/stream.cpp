@@ -1,0 +1,54 @@
+// Threads for streams: oneTBB's, and none of them until there is work for a second thread.
+#include "stream.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/task_group.h>
+
+#include <mutex>
+
+namespace tcb {
+
+struct ThreadLimit::Control {
+  tbb::global_control limit;
+};
+
+ThreadLimit::ThreadLimit(unsigned threads)
+    : control_(new Control{{tbb::global_control::max_allowed_parallelism, threads}}) {}
+ThreadLimit::~ThreadLimit() = default;
+
+/// Tasks wait in a queue of our own, and oneTBB's task is to take one: the packaged library is not instrumented, so
+/// the thread sanitizer does not see what it hands from thread to thread, but it does see the lock.
+struct Background::Group {
+  void run_one() {
+    std::function<void()> task;
+    {
+      const std::lock_guard lock(mutex);
+      task = std::move(waiting.front());
+      waiting.pop_front();
+    }
+    task();
+  }
+
+  std::mutex mutex;
+  std::deque<std::function<void()>> waiting;
+  tbb::task_group tasks;
+};
+
+Background::Background() = default;
+
+Background::~Background() {
+  if (!group_) return;
+  group_->tasks.cancel();
+  group_->tasks.wait();
+}
+
+void Background::run(std::function<void()> task) {
+  if (!group_) group_ = std::make_unique<Group>();
+  {
+    const std::lock_guard lock(group_->mutex);
+    group_->waiting.push_back(std::move(task));
+  }
+  group_->tasks.run([group = group_.get()]() __attribute__((no_sanitize("thread"))) { group->run_one(); });
+}
+
+}  // namespace tcb
