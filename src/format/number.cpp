@@ -5,6 +5,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "format/decimal.hpp"
+#include "format/digits.hpp"
+#include "format/number_text.hpp"
 
 namespace tcb::format {
 namespace {
@@ -45,22 +51,115 @@ bool is_tiny(std::string_view text) {
   return exponent + static_cast<long long>(point) - static_cast<long long>(first) < 0;
 }
 
-template <class Number>
-void append_shortest(std::string& out, Number value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  out.append(text.data(), end);
+/// Takes the character c where it is the next one.
+bool skip(const char*& at, const char* end, char c) {
+  if (at == end || *at != c) return false;
+  ++at;
+  return true;
 }
 
-}  // namespace
+/// Takes the rest of the text if it is fewer than eight digits. Requires: there are eight bytes before the end.
+inline bool take_last_digits(const char*& at, const char* end, std::uint64_t& number) {
+  const auto count = static_cast<int>(end - at);
+  if (count >= 8) return false;
+  const std::uint64_t ours = ~std::uint64_t{0} << 8 * (7 - count) << 8;
+  const std::uint64_t values = (load<std::uint64_t>(end - 8) ^ eight_zeros) & ours;
+  if (!are_digits(values)) return false;
+  number = number * whole_power_of_ten(count) + number_of(values);
+  at = end;
+  return true;
+}
 
-std::optional<double> parse_number(std::string_view text) {
+/// Takes digits, appends them to the number and answers how many they are.
+inline int take_digits(const char*& at, const char* end, std::uint64_t& number, bool is_last = false) {
+  const char* const first = at;
+  for (; end - at >= 8; at += 8) {
+    const std::uint64_t values = load<std::uint64_t>(at) ^ eight_zeros;
+    if (!are_digits(values)) break;
+    number = number * 100'000'000 + number_of(values);
+  }
+  if (is_last && take_last_digits(at, end, number)) return static_cast<int>(at - first);
+  for (; at != end; ++at) {
+    const auto digit = static_cast<unsigned char>(*at - '0');
+    if (digit > 9) break;
+    number = number * 10 + digit;
+  }
+  return static_cast<int>(at - first);
+}
+
+bool take_exponent(const char*& at, const char* end, int& exponent) {
+  if (!skip(at, end, 'e') && !skip(at, end, 'E')) return false;
+  const bool negative = skip(at, end, '-');
+  if (!negative) skip(at, end, '+');
+  std::uint64_t size = 0;
+  const int count = take_digits(at, end, size);
+  if (count == 0 || count > 4) return false;
+  exponent += negative ? -static_cast<int>(size) : static_cast<int>(size);
+  return true;
+}
+
+/// The zeros before the first other digit of a number.
+int zeros_before(std::string_view digits) {
+  const std::string_view front = digits.substr(0, digits.find_first_not_of("0."));
+  return static_cast<int>(std::ranges::count(front, '0'));
+}
+
+/// As parse_number, for texts of at most 19 digits with an exponent of at most four that are neither too large nor so
+/// small that they have fewer digits than other doubles; not a number for all others.
+inline double parse_common(std::string_view text) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::size_t longest = 1000;  // so that an int counts the digits
+  if (text.size() > longest) return unknown;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  const bool negative = skip(at, end, '-');
+  if (!negative) skip(at, end, '+');
+
+  Decimal decimal{0, 0};
+  const char* const first = at;
+  int count = take_digits(at, end, decimal.digits);
+  if (skip(at, end, '.')) {
+    decimal.exponent = -take_digits(at, end, decimal.digits, text.size() >= 8);
+    count -= decimal.exponent;
+  }
+  constexpr int most_digits = 19;  // that 64 bits hold
+  if (count == 0 || (count > most_digits && count - zeros_before({first, at}) > most_digits)) return unknown;
+  if (at != end && !(take_exponent(at, end, decimal.exponent) && at == end)) return unknown;
+  const double size = decimal.digits == 0 ? 0 : nearest(decimal);
+  return negative ? -size : size;
+}
+
+template <class Value>
+void append(std::string& out, char* (*write)(Value, char*), const std::type_identity_t<Value>& value) {
+  std::array<char, number_room> text;
+  out.append(text.data(), write(value, text.data()));
+}
+
+/// By the standard library, which knows all digits of a double.
+void append_exactly(std::string& out, double value, std::chars_format notation, int precision) {
+  constexpr std::size_t longest = 320;  // of a double without decimals
+  const std::size_t before = out.size();
+  out.resize(before + longest + static_cast<std::size_t>(precision));
+  const auto end = std::to_chars(out.data() + before, out.data() + out.size(), value, notation, precision).ptr;
+  out.resize(static_cast<std::size_t>(end - out.data()));
+}
+
+/// As parse_number, for any text.
+std::optional<double> parse_any(std::string_view text) {
   const std::string_view digits = without_plus(text);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (end != digits.data() + digits.size() || digits.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range && is_tiny(digits)) return digits[0] == '-' ? -0.0 : 0.0;
   return error == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+  const double value = parse_common(text);
+  if (std::isnan(value)) return parse_any(text);
+  return value;
 }
 
 std::optional<Time> parse_time(std::string_view text) {
@@ -97,17 +196,9 @@ bool looks_numeric(std::string_view text) {
   return error == std::errc::result_out_of_range && end == digits.data() + digits.size();
 }
 
-void append_number(std::string& out, double value) { append_shortest(out, value); }
+void append_number(std::string& out, double value) { append(out, write_shortest, value); }
 
-void append_time(std::string& out, const Time& time) {
-  if (std::abs(time.hi) > two_to_63 || time.hi != std::trunc(time.hi)) {
-    append_shortest(out, time.hi);
-  } else if (time.hi == two_to_63) {
-    append_whole(out, (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(static_cast<std::int64_t>(time.lo)));
-  } else {
-    append_shortest(out, static_cast<std::int64_t>(time.hi) + static_cast<std::int64_t>(time.lo));
-  }
-}
+void append_time(std::string& out, const Time& time) { append(out, write_time, time); }
 
 std::string time_text(const Time& time) {
   std::string out;
@@ -115,6 +206,24 @@ std::string time_text(const Time& time) {
   return out;
 }
 
-void append_whole(std::string& out, std::uint64_t value) { append_shortest(out, value); }
+void append_whole(std::string& out, std::uint64_t value) { append(out, write_whole, value); }
+
+void append_fixed(std::string& out, double value, int decimals) {
+  std::array<char, number_room> text;
+  if (char* const end = write_fixed(value, decimals, text.data())) {
+    out.append(text.data(), end);
+  } else {
+    append_exactly(out, value, std::chars_format::fixed, decimals);
+  }
+}
+
+void append_digits(std::string& out, double value, int count) {
+  std::array<char, number_room> text;
+  if (char* const end = write_digits(value, count, text.data())) {
+    out.append(text.data(), end);
+  } else {
+    append_exactly(out, value, std::chars_format::general, count);
+  }
+}
 
 }  // namespace tcb::format

@@ -11,6 +11,8 @@
 #include <locale>
 #include <random>
 
+#include "doubles.hpp"
+
 namespace tcb::format {
 namespace {
 
@@ -199,6 +201,162 @@ TEST(Numbers, whole_numbers_have_all_their_digits) {
   std::string text = "n=";
   append_whole(text, std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(text, "n=18446744073709551615");
+}
+
+/// The text is read as std::from_chars reads it.
+void check_reading(std::string_view text) {
+  double expected = 0;
+  const auto error = std::from_chars(text.data(), text.data() + text.size(), expected).ec;
+  const auto value = parse_number(text);
+  if (error == std::errc()) {
+    ASSERT_TRUE(value) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(*value), std::bit_cast<std::uint64_t>(expected)) << text;
+  } else {
+    ASSERT_TRUE(!value || *value == 0) << text;
+  }
+}
+
+/// The value with `digits` digits in scientific notation, or as many decimals in fixed notation.
+std::string_view with_digits(std::array<char, 1200>& text, double value, std::chars_format notation, int digits) {
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, notation, digits).ptr};
+}
+
+/// What lies half between a double and the next one, cut to as many digits (where long double has the bits for it).
+std::string_view halfway(std::array<char, 1200>& text, double value, int digits) {
+  const long double next = std::nextafter(value, 0);
+  const long double middle = (static_cast<long double>(value) + next) / 2;
+  const int length = std::snprintf(text.data(), text.size(), "%.*Le", digits - 1, middle);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+void check_readings(double value) {
+  std::array<char, 1200> text;
+  for (const int digits : {1, 7, 15, 16, 17, 18, 19, 20, 25, 40}) {
+    check_reading(with_digits(text, value, std::chars_format::scientific, digits - 1));
+  }
+  if (std::abs(value) < 1e30) {
+    for (const int digits : {0, 1, 3, 6, 8, 9, 15, 16, 17, 20, 30}) {
+      check_reading(with_digits(text, value, std::chars_format::fixed, digits));
+    }
+  }
+  for (const int digits : {17, 18, 19, 20, 21, 60, 800}) check_reading(halfway(text, value, digits));
+}
+
+TEST(Numbers, are_read_as_from_chars_reads_them) {
+  int i = 0;
+  for_all_edges([&](double value) {
+    if (++i % 8 == 0) check_readings(value);
+  });
+  for_hard_ones(check_readings);
+  RandomDoubles random(7);
+  for (int n = 0; n < 5'000; ++n) {
+    check_readings(random.any());
+    check_readings(random.near());
+    check_readings(random.unit());
+    check_readings(random.short_decimal());
+  }
+}
+
+TEST(Numbers, a_million_of_17_digits_are_read_as_from_chars_reads_them) {
+  RandomDoubles random(8);
+  std::array<char, 1200> text;
+  for (int n = 0; n < 250'000; ++n) {
+    check_reading(with_digits(text, random.any(), std::chars_format::scientific, 16));
+    check_reading(with_digits(text, random.near(), std::chars_format::scientific, 18));
+    check_reading(with_digits(text, random.unit(), std::chars_format::fixed, 17));
+    check_reading(std::to_string(random.bits()) + "e" + std::to_string(static_cast<int>(random.bits() % 700) - 350));
+  }
+}
+
+TEST(Numbers, zeros_in_front_and_at_the_end_do_not_count) {
+  const std::string zeros(30, '0');
+  for (const std::string& text :
+       {zeros, "-" + zeros, zeros + "." + zeros, "0." + zeros + "123456789012345678", zeros + "1234567890123456789",
+        zeros + "12345678901234567890", "1" + zeros, "0." + zeros + zeros + "1e60", "1" + zeros + "e-30",
+        std::string("0e9999"), std::string("0e99999"), "0." + std::string(400, '0') + "5e400",
+        std::string(400, '0') + "7", std::string(2000, '0') + "7", "0." + std::string(2000, '0') + "7e2001"}) {
+    check_reading(text);
+  }
+}
+
+TEST(Numbers, no_character_beyond_the_text_is_looked_at) {
+  for (const char* number : {"1", "0.5", "12345678", "1.2345678", "0.1234567890123456789", "1e5", "12.5e-10"}) {
+    const std::string_view text(number);
+    for (std::size_t size = 1; size <= text.size(); ++size) {
+      const std::vector<char> alone(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size));
+      EXPECT_EQ(parse_number({alone.data(), size}), parse_number(std::string(text.substr(0, size)))) << number << size;
+    }
+  }
+}
+
+TEST(Numbers, rounded_numbers_are_appended_as_printf_writes_them) {
+  RandomDoubles random(9);
+  std::array<char, 1200> expected;
+  for (int i = 0; i < 20'000; ++i) {
+    for (const double value : {random.any(), random.near(), -random.short_decimal(), 0.0, -0.0}) {
+      const int n = static_cast<int>(random.bits() % 25);
+      std::string text = "x=";
+      append_fixed(text, value, n);
+      std::snprintf(expected.data(), expected.size(), "x=%.*f", n, value);
+      ASSERT_EQ(text, expected.data()) << n;
+      text = "x=";
+      append_digits(text, value, n);
+      std::snprintf(expected.data(), expected.size(), "x=%.*g", n, value);
+      ASSERT_EQ(text, expected.data()) << n;
+    }
+  }
+  std::string text;
+  append_fixed(text, std::numeric_limits<double>::infinity(), 2);
+  append_digits(text, -std::numeric_limits<double>::infinity(), 2);
+  EXPECT_EQ(text, "inf-inf");
+}
+
+// Some minutes: --gtest_also_run_disabled_tests --gtest_filter='Numbers.DISABLED*'
+template <class Next>
+void check_a_hundred_million(const Next& next) {
+  RandomDoubles random(10);
+  std::array<char, 1200> text;
+  for (int i = 0; i < 100'000'000; ++i) {
+    const std::string_view number = next(text, random);
+    double expected = 0;
+    const auto error = std::from_chars(number.data(), number.data() + number.size(), expected).ec;
+    const auto value = parse_number(number);
+    const bool same = error == std::errc() ? value == expected : !value || *value == 0;
+    if (!same) FAIL() << number;
+  }
+}
+
+TEST(Numbers, DISABLED_a_hundred_million_of_17_digits) {
+  check_a_hundred_million([](auto& text, RandomDoubles& random) {
+    return with_digits(text, random.any(), std::chars_format::scientific, 16);
+  });
+}
+
+TEST(Numbers, DISABLED_a_hundred_million_of_19_digits_at_near_exponents) {
+  check_a_hundred_million([](auto& text, RandomDoubles& random) {
+    return with_digits(text, random.near(), std::chars_format::scientific, 18);
+  });
+}
+
+TEST(Numbers, DISABLED_a_hundred_million_of_21_digits) {
+  check_a_hundred_million([](auto& text, RandomDoubles& random) {
+    return with_digits(text, random.any(), std::chars_format::scientific, 20);
+  });
+}
+
+TEST(Numbers, DISABLED_a_hundred_million_random_digits) {
+  check_a_hundred_million([](auto& text, RandomDoubles& random) {
+    const auto digits = static_cast<unsigned long long>(random.bits() >> (random.bits() % 40));
+    const int exponent = static_cast<int>(random.bits() % 660) - 340;
+    const int length = std::snprintf(text.data(), text.size(), "%llue%d", digits, exponent);
+    return std::string_view(text.data(), static_cast<std::size_t>(length));
+  });
+}
+
+TEST(Numbers, DISABLED_a_hundred_million_halfway) {
+  check_a_hundred_million([](auto& text, RandomDoubles& random) {
+    return halfway(text, random.any(), static_cast<int>(17 + random.bits() % 5));
+  });
 }
 
 TEST(Numbers, no_locale_changes_the_point) {

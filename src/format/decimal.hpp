@@ -1,0 +1,111 @@
+// Decimals: from a double to the digits that stand for it, and from digits to the nearest double.
+//
+// All three ways are one multiplication by a power of ten of 128 bits, of which the upper 128 bits are kept: F.
+// That they are enough rests on two facts. The power is rounded up, by less than 2^-127 of itself, and the low bits
+// of the product are cut off; so where the true product is a whole or a half, so is F. And nowhere else is the true
+// product so near to a whole or a half that F lies on another side of it: this holds for all numbers that come here,
+// found by a search over all powers with continued fractions (tests/format/decimal_proof.py).
+//
+// Source: R. Giulietti, "The Schubfach way to render doubles" (2020); R. Cox, "Floating-point printing and parsing
+//   can be simple and fast" (2026), https://research.swtch.com/fp; D. Lemire, doi:10.1002/spe.2984, and
+//   N. Mushtak and D. Lemire, doi:10.1002/spe.3198, for reading.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "format/digits.hpp"
+#include "format/power_of_ten.hpp"
+
+namespace tcb::format {
+
+/// digits 10^exponent.
+struct Decimal {
+  std::uint64_t digits;
+  int exponent;
+};
+
+inline constexpr std::uint64_t infinity = 0x7FF0'0000'0000'0000;  ///< its bits
+
+/// A positive double as m 2^q.
+struct Binary {
+  static constexpr std::uint64_t hidden = std::uint64_t{1} << 52;
+
+  explicit Binary(double value)
+      : bits(std::bit_cast<std::uint64_t>(value)),
+        m(bits < hidden ? bits : bits % hidden + hidden),
+        q(std::max(static_cast<int>(bits >> 52), 1) - 1075) {}
+
+  std::uint64_t bits, m;
+  int q;
+};
+
+/// The same number with 17 digits. Requires: 0 < digits < 10^17.
+Decimal widened(const Decimal& decimal);
+
+/// As shortest below, by products of their own for the value and both ends of its interval.
+Decimal shortest_with_care(double value);
+
+/// The decimal nearest to the value among the shortest ones that read back as it; zeros at its end fill it up to 16
+/// or 17 digits. Requires: value > 0, finite.
+inline Decimal shortest(double value) {
+  const Binary v(value);
+  if (v.m <= Binary::hidden) return shortest_with_care(value);  // a power of two, or subnormal
+
+  // In units of 10^-p the doubles that read back as the value fill an interval at least 1 and less than 10 wide:
+  // at most one of its integers ends in 0, and is then shorter than all others.
+  const int p = -floor_log10_power_of_two(v.q);
+  const Uint128 g = power_significand(p);
+  const int shift = v.q + floor_log2_power_of_ten(p) + 1;  // 1 to 4
+  const Uint128 product = high_product(v.m << shift, g);
+  const auto whole = static_cast<std::uint64_t>(product >> 64);
+  const auto part = static_cast<std::uint64_t>(product);
+
+  // In units of 2^-60, what lies above the last multiple of 10, and half the interval.
+  constexpr std::uint64_t one = std::uint64_t{1} << 60;
+  const std::uint64_t tens = whole / 10 * 10;
+  const std::uint64_t above = (whole - tens) * one + part / 16;
+  const std::uint64_t half = static_cast<std::uint64_t>(g >> 64) >> (5 - shift);
+  const std::uint64_t rest = 10 * one - above;
+  const bool certain = (above - half + 1 > 2) & (rest - half + 1 > 2) & (part != std::uint64_t{1} << 63);
+  if (!certain) return shortest_with_care(value);
+  const std::uint64_t round = choose(above < half, tens, tens + 10);
+  return {choose((above < half) | (rest < half), round, whole + (part >> 63)), -p};
+}
+
+/// value 10^p, rounded to an integer, half to even.
+/// Requires: the value positive and not subnormal, the result below 2^60; p from -308 to 340.
+inline std::uint64_t rounded(double value, int p) {
+  const Binary v(value);
+  const Uint128 product = high_product(v.m << 11, power_significand(p));
+  const int point = 74 - v.q - floor_log2_power_of_ten(p);
+  if (point > 128) return 0;
+  const Uint128 doubled = product >> (point - 1);
+  const bool inexact = doubled << (point - 1) != product;
+  const auto whole = static_cast<std::uint64_t>(doubled >> 1);
+  return whole + (doubled % 2 != 0 && (inexact || whole % 2 != 0) ? 1 : 0);
+}
+
+/// The double nearest to a decimal, half to even; not a number where it would be subnormal, zero or too large.
+/// Requires: digits > 0.
+inline double nearest(const Decimal& decimal) {
+  const int p = decimal.exponent;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (p < least_power || p > 308) return unknown;
+  const int shift = std::countl_zero(decimal.digits);
+  const Uint128 product = high_product(decimal.digits << shift, power_significand(p));
+  const auto high = static_cast<std::uint64_t>(product >> 64);
+  const auto low = static_cast<std::uint64_t>(product);
+  const int carry = static_cast<int>(high >> 63);
+  const std::uint64_t top = high << (1 - carry) | (low != 0 ? 1 : 0);  // the last bit says only whether all is said
+  const int exponent = floor_log2_power_of_ten(p) - shift + carry + 1086;
+  if (exponent < 1 || exponent > 2046) return unknown;
+  const std::uint64_t m = top >> 11;
+  const std::uint64_t up = (top % 0x800 + 0x3FF + m % 2) / 0x800;  // eleven bits are too many
+  const std::uint64_t bits = (static_cast<std::uint64_t>(exponent) << 52) + (m - Binary::hidden) + up;
+  return bits < infinity ? std::bit_cast<double>(bits) : unknown;
+}
+
+}  // namespace tcb::format

@@ -1,0 +1,153 @@
+// Numbers as text, written straight into a caller's buffer.
+#include "format/number_text.hpp"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include "format/decimal.hpp"
+#include "format/digits.hpp"
+
+namespace tcb::format {
+namespace {
+
+constexpr double two_to_63 = 9223372036854775808.0;
+
+constexpr Uint128 zeros_16 = static_cast<Uint128>(eight_zeros) << 64 | eight_zeros;
+
+/// Seventeen digits with the point after the first of them.
+struct Digits {
+  char first;
+  Uint128 others;  ///< the first of them lowest
+  int exponent;
+  int count;  ///< without the zeros at the end
+};
+
+/// Requires: 16 or 17 digits.
+Digits digits_of(Decimal decimal) {
+  constexpr std::uint64_t seventeen = 10'000'000'000'000'000;
+  const bool sixteen = decimal.digits < seventeen;
+  decimal = {choose(sixteen, decimal.digits * 10, decimal.digits), decimal.exponent - (sixteen ? 1 : 0)};
+  const std::uint64_t first = decimal.digits / seventeen;
+  const std::uint64_t others = decimal.digits - first * seventeen;
+  const std::uint64_t early = eight_digits(others / 100'000'000);
+  const std::uint64_t late = eight_digits(others % 100'000'000);
+  const int zeros = (late != 0 ? std::countl_zero(late) : 64 + std::countl_zero(early)) / 8;
+  return {static_cast<char>('0' + first), (static_cast<Uint128>(late) << 64 | early) | zeros_16, decimal.exponent + 16,
+          17 - zeros};
+}
+
+/// The exponent with its sign and two or three digits.
+char* write_exponent(int exponent, char* out) {
+  const auto size = static_cast<unsigned>(std::abs(exponent));
+  store<std::uint16_t>(out, static_cast<std::uint16_t>('e' | ('+' + ('-' - '+') * (exponent < 0 ? 1 : 0)) << 8));
+  out[2] = static_cast<char>('0' + size / 100);
+  out += size < 100 ? 2 : 3;
+  out[0] = static_cast<char>('0' + size / 10 % 10);
+  out[1] = static_cast<char>('0' + size % 10);
+  return out + 2;
+}
+
+char* write_scientific(const Digits& digits, char* out) {
+  out[0] = digits.first;
+  out[1] = '.';
+  store(out + 2, digits.others);
+  return write_exponent(digits.exponent, out + (digits.count == 1 ? 1 : digits.count + 1));
+}
+
+/// With `count` digits from the first one that is not zero, and all of those before the point.
+/// Requires: -18 <= digits.exponent <= 16.
+char* write_plain(const Digits& digits, int count, char* out) {
+  const int before = digits.exponent + 1;  // digits before the point
+  if (before <= 0) {
+    for (int i = 0; i < 24; i += 8) store(out + i, eight_zeros);
+    out[1] = '.';
+    out += 2 - before;
+    out[0] = digits.first;
+    store(out + 1, digits.others);
+    return out + count;
+  }
+  out[0] = digits.first;
+  store(out + 1, digits.others);
+  if (count <= before) return out + before;
+  out[before] = '.';
+  store(out + before + 1, digits.others >> 8 * (before - 1));
+  return out + count + 1;
+}
+
+/// The sign, if there is one.
+char* write_sign(double value, char* out) {
+  *out = '-';
+  return out + (std::signbit(value) ? 1 : 0);
+}
+
+constexpr int most_digits = 17;
+
+}  // namespace
+
+char* write_whole(std::uint64_t value, char* out) {
+  constexpr std::uint64_t eight = 100'000'000;
+  if (value >= eight) {
+    out = write_whole(value / eight, out);
+    store(out, eight_digits(value % eight) | eight_zeros);
+    return out + 8;
+  }
+  const std::uint64_t digits = eight_digits(value);
+  const int zeros = std::countr_zero(digits | std::uint64_t{1} << 56) / 8;  // at least the last digit stays
+  store(out, (digits | eight_zeros) >> 8 * zeros);
+  return out + 8 - zeros;
+}
+
+char* write_shortest(double value, char* out) {
+  const double size = std::abs(value);
+  const auto bits = std::bit_cast<std::uint64_t>(size);
+  if (bits - 1 >= infinity - 1) return std::to_chars(out, out + number_room, value).ptr;
+  out = write_sign(value, out);
+  const Digits digits = digits_of(shortest(size));
+  // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
+  const int lone = digits.count == 1 ? 1 : 0;
+  const auto above_least = static_cast<unsigned>(digits.exponent + 4 - lone);
+  if (above_least > static_cast<unsigned>(digits.count + 8 - 2 * lone)) return write_scientific(digits, out);
+  if (digits.exponent <= 15) return write_plain(digits, digits.count, out);
+  if (size < 2 * two_to_63) return write_whole(static_cast<std::uint64_t>(size), out);
+  return std::to_chars(out, out + number_room, size).ptr;
+}
+
+char* write_fixed(double value, int decimals, char* out) {
+  if (decimals < 0 || decimals > most_digits) return nullptr;
+  const double size = std::abs(value);
+  if (!(size < static_cast<double>(whole_power_of_ten(most_digits - decimals)))) return nullptr;
+  out = write_sign(value, out);
+  const std::uint64_t scaled = size == 0 ? 0 : rounded(size, decimals);
+  const Digits zero{'0', zeros_16, decimals == 0 ? 0 : -1, 1};
+  const Digits digits = scaled == 0 ? zero : digits_of(widened({scaled, -decimals}));
+  return write_plain(digits, digits.exponent + 1 + decimals, out);
+}
+
+char* write_digits(double value, int count, char* out) {
+  count = std::max(count, 1);
+  const double size = std::abs(value);
+  if (count > most_digits || !std::isnormal(value)) return size == 0 ? write_shortest(value, out) : nullptr;
+  int power = count - 1 - floor_log10_power_of_two(Binary(size).q + 52);
+  std::uint64_t scaled = rounded(size, power);
+  if (scaled >= whole_power_of_ten(count)) scaled = rounded(size, --power);
+  const Digits digits = digits_of(widened({scaled, -power}));
+  out = write_sign(value, out);
+  if (digits.exponent < -4 || digits.exponent >= count) return write_scientific(digits, out);
+  return write_plain(digits, digits.count, out);
+}
+
+char* write_time(const spline::Time<double>& time, char* out) {
+  if (!(time.hi >= -two_to_63 && time.hi <= two_to_63)) return write_shortest(time.hi, out);
+  if (time.hi == two_to_63) {
+    return write_whole((std::uint64_t{1} << 63) + static_cast<std::uint64_t>(static_cast<std::int64_t>(time.lo)), out);
+  }
+  const auto high = static_cast<std::int64_t>(time.hi);
+  if (static_cast<double>(high) != time.hi) return write_shortest(time.hi, out);
+  const std::int64_t whole = high + static_cast<std::int64_t>(time.lo);
+  *out = '-';
+  const auto bits = static_cast<std::uint64_t>(whole);
+  return whole < 0 ? write_whole(-bits, out + 1) : write_whole(bits, out);
+}
+
+}  // namespace tcb::format

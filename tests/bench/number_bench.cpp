@@ -1,0 +1,102 @@
+// Numbers to text and back: ours beside std::to_chars, fmt and std::from_chars.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "format/number.hpp"
+#include "format/number_text.hpp"
+
+namespace {
+
+using tcb::format::number_room;
+
+using Values = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+template <class Next>
+Values values(const Next& next) {
+  std::mt19937_64 random(1);
+  Values result(10'000);
+  for (double& value : result) value = next(random);
+  return result;
+}
+
+const Values random_bits =
+    values([](std::mt19937_64& random) { return std::bit_cast<double>(random() & 0xBFEFFFFFFFFFFFFF); });
+const Values between_0_and_1 = values(unit);
+const Values coordinates = values([](std::mt19937_64& random) { return 200 * unit(random) - 100; });
+const Values thousandths =
+    values([](std::mt19937_64& random) { return static_cast<double>(random() % 1'000'000) / 1000; });
+const Values integers = values([](std::mt19937_64& random) { return static_cast<double>(random() % 100'000); });
+
+Texts texts(const Values& values) {
+  Texts result;
+  for (const double value : values) result.push_back(fmt::format("{}", value));
+  return result;
+}
+
+template <class Write>
+void print(benchmark::State& state, const Values& values, const Write& write) {
+  std::array<char, 512> text;
+  for (auto _ : state) {
+    for (const double value : values) benchmark::DoNotOptimize(write(value, text.data()));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(values.size()));
+}
+
+template <class Read>
+void read(benchmark::State& state, const Values& values, const Read& parse) {
+  const Texts all = texts(values);
+  for (auto _ : state) {
+    for (const std::string& text : all) benchmark::DoNotOptimize(parse(text));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(values.size()));
+}
+
+char* to_chars(double value, char* out) { return std::to_chars(out, out + number_room, value).ptr; }
+char* to_chars_fixed(double value, char* out) {
+  return std::to_chars(out, out + 512, value, std::chars_format::fixed, 6).ptr;
+}
+char* to_chars_digits(double value, char* out) {
+  return std::to_chars(out, out + 512, value, std::chars_format::general, 9).ptr;
+}
+char* with_fmt(double value, char* out) { return fmt::format_to(out, "{}", value); }
+char* time(double value, char* out) { return tcb::format::write_time(value, out); }
+char* fixed(double value, char* out) { return tcb::format::write_fixed(value, 6, out); }
+char* digits(double value, char* out) { return tcb::format::write_digits(value, 9, out); }
+double from_chars(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+#define COMPARE(values)                                                         \
+  BENCHMARK_CAPTURE(print, ours / values, values, tcb::format::write_shortest); \
+  BENCHMARK_CAPTURE(print, time / values, values, time);                        \
+  BENCHMARK_CAPTURE(print, to_chars / values, values, to_chars);                \
+  BENCHMARK_CAPTURE(print, fmt / values, values, with_fmt);                     \
+  BENCHMARK_CAPTURE(read, ours / values, values, tcb::format::parse_number);    \
+  BENCHMARK_CAPTURE(read, time / values, values, tcb::format::parse_time);      \
+  BENCHMARK_CAPTURE(read, from_chars / values, values, from_chars)
+
+COMPARE(random_bits);
+COMPARE(between_0_and_1);
+COMPARE(coordinates);
+COMPARE(thousandths);
+COMPARE(integers);
+
+BENCHMARK_CAPTURE(print, six decimals, coordinates, fixed);
+BENCHMARK_CAPTURE(print, six decimals by to_chars, coordinates, to_chars_fixed);
+BENCHMARK_CAPTURE(print, nine digits, coordinates, digits);
+BENCHMARK_CAPTURE(print, nine digits by to_chars, coordinates, to_chars_digits);
+
+}  // namespace
+
+BENCHMARK_MAIN();
