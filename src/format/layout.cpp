@@ -16,38 +16,37 @@ void append_cell(std::string& out, CellKind kind, const Cell& cell) {
   }
 }
 
-/// A name as a cell: in quotes where RFC 4180 asks for them.
-std::string delimited_name(const std::string& name, char delimiter) {
-  const bool plain = name.find_first_of("\"\r\n") == std::string::npos && name.find(delimiter) == std::string::npos &&
-                     !(delimiter == ' ' && name.find_first_of(" \t") != std::string::npos);
-  if (plain) return name;
-  std::string quoted = "\"";
-  for (const char c : name) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
-/// A name as a JSON string.
-std::string json_name(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) {
-    if (c == '"' || c == '\\') text += '\\';
-    const auto code = static_cast<unsigned char>(c);
-    text += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
-  }
-  return text + '"';
-}
-
 /// The texts before the members of an object.
 std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
   std::vector<std::string> before;
   before.reserve(columns.size());
   for (const OutputColumn& column : columns) {
-    before.push_back((before.empty() ? "{" : ",") + json_name(column.name) + ":");
+    before.push_back((before.empty() ? "{" : ",") + json_text(column.name) + ":");
   }
   return before;
 }
 
 }  // namespace
+
+std::string delimited_text(std::string_view text, char delimiter) {
+  const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
+                     text.find(delimiter) == std::string_view::npos &&
+                     !(delimiter == ' ' && (text.empty() || text.find_first_of(" \t") != std::string_view::npos));
+  if (plain) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string json_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    quoted += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return quoted + '"';
+}
 
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first) {
@@ -69,7 +68,7 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter
   Layout layout;
   for (const OutputColumn& column : columns) {
     layout.before.emplace_back(layout.before.empty() ? "" : std::string(1, delimiter));
-    if (header) layout.head += layout.before.back() + delimited_name(column.name, delimiter);
+    if (header) layout.head += layout.before.back() + delimited_text(column.name, delimiter);
   }
   if (header) layout.head += '\n';
   layout.row_end = "\n";
