@@ -5,6 +5,7 @@
 #include <exception>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tcb {
 
@@ -32,15 +33,28 @@ class Error : public std::exception {
   Exit exit() const { return exit_; }
   const char* what() const noexcept override { return message_.c_str(); }
 
+  const Place& place() const { return place_; }
+
+  /// What else is wrong with the same input; it is said on lines of its own.
+  void add(Error other) { others_.push_back(std::move(other)); }
+
   /// The same error, said of this file unless it already names one.
   Error in(const std::string& file) const {
     Error error = *this;
     if (error.place_.file.empty()) error.place_.file = file;
+    for (Error& other : error.others_) other = other.in(file);
     return error;
   }
 
-  /// "FILE:LINE:COLUMN: error: message", or "tcbsample: error: message" where there is no file.
+  /// "FILE:LINE:COLUMN: error: message", or "tcbsample: error: message" where there is no file; a line for each.
   std::string text() const {
+    std::string all = line();
+    for (const Error& other : others_) all += "\n" + other.text();
+    return all;
+  }
+
+ private:
+  std::string line() const {
     if (place_.file.empty()) return "tcbsample: error: " + message_;
     std::string where = place_.file;
     if (place_.line != 0) where += ":" + std::to_string(place_.line);
@@ -48,10 +62,10 @@ class Error : public std::exception {
     return where + ": error: " + message_;
   }
 
- private:
   Exit exit_;
   Place place_;
   std::string message_;
+  std::vector<Error> others_;
 };
 
 }  // namespace tcb

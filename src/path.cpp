@@ -12,6 +12,7 @@
 #include "lookup.hpp"
 #include "sampler/bounds.hpp"
 #include "sampler/tolerance.hpp"
+#include "sparse.hpp"
 
 namespace tcb {
 namespace {
@@ -44,14 +45,14 @@ std::vector<Time> with_keys(const std::vector<Time>& times, const WholeCurve& cu
 }
 
 /// The settings beside the keys; what is wrong with them is said of their place.
-const CurveSettings& checked_settings(const format::Input& input) {
+const CurveSettings& checked_settings(const format::BesideKeys& beside_keys, const std::vector<std::string>& channels) {
   try {
-    (void)fitted(make_curve(input.settings), input.settings, input.channels);
-    return input.settings;
+    (void)fitted(make_curve(beside_keys.settings), beside_keys.settings, channels);
+    return beside_keys.settings;
   } catch (const Error& error) {
     std::string message = error.what();
     message.erase(0, message.find_first_not_of('-'));  // they are members here, not options
-    for (const auto& [name, place] : input.setting_places) {
+    for (const auto& [name, place] : beside_keys.places) {
       if (message.starts_with(name)) throw Error(Exit::data, place, message);
     }
     throw Error(Exit::data, message);
@@ -61,13 +62,15 @@ const CurveSettings& checked_settings(const format::Input& input) {
 }  // namespace
 
 Path::Path(const sampler::Request& request, const CurveSettings& settings, std::vector<std::size_t> fields,
-           const format::Input& input)
+           const format::Input& input, const format::BesideKeys& beside_keys)
     : request_(request),
-      settings_(over(settings, checked_settings(input))),
+      settings_(over(settings, checked_settings(beside_keys, input.channels))),
       curve_(fitted(make_curve(settings_), settings_, input.channels)),
       fields_(std::move(fields)),
       timed_(input.timed),
-      threads_(input.threads) {
+      threads_(input.threads),
+      may_miss_(input.may_miss),
+      channels_(input.channels) {
   if (timed_ && curve_.parameter) {
     throw Error(Exit::data, fmt::format("--parameter makes times, but column \"{}\" has them; expected one of the two; "
                                         "take --parameter out, or choose other columns with --columns",
@@ -90,7 +93,8 @@ Placed Path::place(Source<KeyBlock> blocks) const {
   if (!curve_.ease) blocks = without_ease(std::move(blocks));
   blocks = checked(std::move(blocks), is_single() ? 1 : 2);
   const bool anywhere = curve_.extrapolation != sampler::Extrapolation::error || sampler::needs_curve(request_.mode);
-  if (curve_.closed || anywhere || sampler::needs_end(request_)) return place_kept(KeptKeys(blocks), anywhere);
+  if (curve_.closed || anywhere || may_miss_ || sampler::needs_end(request_))
+    return place_kept(KeptKeys(blocks), anywhere);
   Source<Keys> keys = mapped(std::move(blocks), [](KeyBlock block) { return std::move(block.keys); });
   std::optional<Keys> first = keys();
   while (first && first->size() == 0) first = keys();
@@ -98,16 +102,28 @@ Placed Path::place(Source<KeyBlock> blocks) const {
   return place_streamed({preceded_by(std::move(*first), std::move(keys)), {}}, extent);
 }
 
+Source<Stretch> Path::stretches(LinkedKeys keys, bool measured, bool sparse) const {
+  return sparse ? sparse_stretches(std::move(keys), curve_.rules, measured, channels_)
+                : tcb::stretches(std::move(keys), curve_.rules, measured, threads_);
+}
+
 /// Rows as the curve goes by.
-Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths) const {
+Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths,
+                            bool sparse) const {
   const std::shared_ptr<sampler::Sampler> sampler = sampler::make_sampler(request_, extent);
-  auto pieces = stretches(std::move(keys), curve_.rules, needs_lengths() && !lengths, threads_);
+  auto pieces = stretches(std::move(keys), needs_lengths() && !lengths, sparse);
   if (lengths) pieces = with_lengths(std::move(pieces), std::move(*lengths));
   return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler, sampler, {}};
 }
 
 /// Rows once all keys are there: counts, closed curves, and rows in an order of their own.
 Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
+  const bool sparse = kept.are_sparse();
+  if (sparse && !kept.key(0).eases.empty()) {
+    throw Error(Exit::data,
+                "ease_in and ease_out warp all channels of a segment, and some are missing where --missing "
+                "skip-cell left cells out; expected numbers in all; fill them in, or give --no-ease");
+  }
   sampler::Extent extent{kept.key(0).times[0], {}, {}, curve_.closed};
   extent.last = curve_.closed ? close(kept, curve_, timed_) : kept.key(kept.size() - 1).times[0];
   Facts facts{
@@ -115,11 +131,11 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
   const auto linked = [&] { return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}}; };
   Placed placed;
   if (anywhere) {
-    placed = place_anywhere(linked(), extent);
+    placed = place_anywhere(linked(), extent, sparse);
   } else {
     std::optional<Lengths> lengths;
     if (sampler::by_length(request_.mode)) {
-      lengths = all_lengths(stretches(linked(), curve_.rules, true, threads_));
+      lengths = all_lengths(stretches(linked(), true, sparse));
       extent.length = total_length(*lengths);
       facts.emplace_back("length", fmt::format("{}", *extent.length));
     }
@@ -127,7 +143,7 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
       const Time step = sampler::nearest_time(sampler::spacing(request_, extent).grid.step());
       facts.emplace_back("step", format::time_text(step));
     }
-    placed = place_streamed(linked(), extent, std::move(lengths));
+    placed = place_streamed(linked(), extent, std::move(lengths), sparse);
   }
   placed.facts = std::move(facts);
   return placed;
@@ -148,9 +164,9 @@ std::vector<Time> Path::grid_times(const sampler::Extent& extent) const {
 }
 
 /// Rows at places in any order, also outside the curve.
-Placed Path::place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const {
-  const auto curve = std::make_shared<const WholeCurve>(stretches(std::move(keys), curve_.rules, needs_lengths(), threads_),
-                                                        curve_.rules.metric);
+Placed Path::place_anywhere(LinkedKeys keys, const sampler::Extent& extent, bool sparse) const {
+  const auto curve =
+      std::make_shared<const WholeCurve>(stretches(std::move(keys), needs_lengths(), sparse), curve_.rules.metric);
   std::vector<Time> places;
   if (request_.mode == Mode::tolerance) {
     const sampler::Pieces pieces{[curve](std::uint64_t number) { return curve->piece(number); }, curve->size()};

@@ -29,9 +29,9 @@ struct Placed {
 
 class Path {
  public:
-  /// Throws: Error where the settings do not fit the input.
+  /// Throws: Error where the settings, given and beside the keys, do not fit the input.
   Path(const sampler::Request& request, const CurveSettings& settings, std::vector<std::size_t> fields,
-       const format::Input& input);
+       const format::Input& input, const format::BesideKeys& beside_keys);
 
   /// Throws: Error (data) for keys that make no curve.
   Placed place(Source<format::KeyBlock> blocks) const;
@@ -42,9 +42,11 @@ class Path {
  private:
   bool is_single() const;
   bool needs_lengths() const;
-  Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths = {}) const;
+  Source<Stretch> stretches(LinkedKeys keys, bool measured, bool sparse) const;
+  Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths = {},
+                        bool sparse = false) const;
   Placed place_kept(KeptKeys kept, bool anywhere) const;
-  Placed place_anywhere(LinkedKeys keys, const sampler::Extent& extent) const;
+  Placed place_anywhere(LinkedKeys keys, const sampler::Extent& extent, bool sparse) const;
   std::vector<sampler::Time> grid_times(const sampler::Extent& extent) const;
 
   const sampler::Request& request_;
@@ -53,6 +55,8 @@ class Path {
   std::vector<std::size_t> fields_;
   bool timed_;
   unsigned threads_;
+  bool may_miss_;
+  std::vector<std::string> channels_;
 };
 
 }  // namespace tcb

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "error.hpp"
-#include "format/number.hpp"
 #include "spline/power.hpp"
 
 namespace tcb {
@@ -17,22 +17,6 @@ using format::KeyBlock;
 using spline::Time;
 using spline::Twice;
 
-/// A key's time, and its line.
-struct Row {
-  Time<double> time;
-  std::uint64_t line;
-};
-
-void require_increase(const Row& before, const Row& row) {
-  if (before.time < row.time) return;
-  const bool equal = before.time == row.time;
-  throw Error(
-      Exit::data, Place{"", row.line, 0},
-      fmt::format("time {} {} the time {} in line {}; expected times that increase; {}", format::time_text(row.time),
-                  equal ? "repeats" : "is less than", format::time_text(before.time), before.line,
-                  equal ? "take one of the rows out" : "sort the rows by time"));
-}
-
 void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
   for (const auto& [name, value] : {std::pair{"ease_in", ease.in}, std::pair{"ease_out", ease.out}}) {
     if (value >= 0 && value <= 1) continue;
@@ -41,17 +25,11 @@ void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
   }
 }
 
-Stretch measure(const spline::Window<double>& window, const Rules& rules, bool measured) {
+Stretch stretch_of(const spline::Window<double>& window, const Rules& rules, bool measured) {
   Stretch stretch{{}, {}, window.last, window.last && !window.ends};
   if (!window.has_segments() && !window.is_single_key()) return stretch;
   stretch.segments = spline::segments(window, rules);
-  if (!measured) return stretch;
-  spline::ArcLength<double> arc;
-  stretch.lengths.reserve(stretch.segments.size());
-  for (std::size_t i = 0; i < stretch.segments.size(); ++i) {
-    arc.assign(stretch.segments[i], rules.metric);
-    stretch.lengths.push_back(arc.total());
-  }
+  if (measured) measure(stretch, rules);
   return stretch;
 }
 
@@ -130,20 +108,16 @@ Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::ve
 }
 
 Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least) {
-  return [blocks = std::move(blocks), least, before = std::optional<Row>(),
-          count = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+  return [blocks = std::move(blocks), least, count = std::size_t{0},
+          line = std::uint64_t{0}]() mutable -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
     if (!block && count < least) {
-      throw Error(Exit::data,
+      throw Error(Exit::data, Place{"", line, 0},
                   fmt::format("only {} {}; a curve needs two at least; add keys", count, count == 1 ? "key" : "keys"));
     }
     if (!block) return std::nullopt;
-    for (std::size_t i = 0; i < block->keys.size(); ++i) {
-      const Row row{block->keys.times[i], block->lines[i]};
-      if (before) require_increase(*before, row);
-      before = row;
-      if (!block->keys.eases.empty()) require_ease(block->keys.eases[i], block->lines[i]);
-    }
+    for (std::size_t i = 0; i < block->keys.eases.size(); ++i) require_ease(block->keys.eases[i], block->lines[i]);
+    if (count == 0 && block->keys.size() > 0) line = block->lines[0];
     count += block->keys.size();
     return block;
   };
@@ -179,17 +153,32 @@ void KeptKeys::drop_last() {
   if (shorter.size() > 0) blocks_->push_back(std::move(shorter));
 }
 
+bool KeptKeys::are_sparse() const {
+  return std::ranges::any_of(*blocks_, [](const Keys& block) {
+    return std::ranges::any_of(block.positions, [](double position) { return std::isnan(position); });
+  });
+}
+
 Source<Keys> KeptKeys::source() const {
   return [blocks = blocks_, next = std::size_t{0}]() mutable {
     return next < blocks->size() ? std::optional((*blocks)[next++]) : std::nullopt;
   };
 }
 
+void measure(Stretch& stretch, const Rules& rules) {
+  spline::ArcLength<double> arc;
+  stretch.lengths.reserve(stretch.segments.size());
+  for (std::size_t i = 0; i < stretch.segments.size(); ++i) {
+    arc.assign(stretch.segments[i], rules.metric);
+    stretch.lengths.push_back(arc.total());
+  }
+}
+
 Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads) {
   auto windows = keys.context ? closed_windows(std::move(keys.keys), std::move(*keys.context))
                               : open_windows(std::move(keys.keys));
   const auto link = [rules, measured](const spline::Window<double>& window) {
-    return measure(window, rules, measured);
+    return stretch_of(window, rules, measured);
   };
   return ordered_map(std::move(windows), link, threads);
 }

@@ -32,8 +32,8 @@ Source<format::KeyBlock> parameterized(Source<format::KeyBlock> blocks, double e
 double parameter_step(std::span<const double> a, std::span<const double> b, double exponent,
                       std::span<const std::size_t> metric);
 
-/// The keys, once it is seen that there are enough of them, that their times increase and that their ease is
-/// in [0, 1]. Throws: Error (data) naming the rows.
+/// The keys, once it is seen that there are enough of them and that their ease is in [0, 1].
+/// Requires: times that increase. Throws: Error (data) naming the rows.
 Source<format::KeyBlock> checked(Source<format::KeyBlock> blocks, std::size_t least);
 
 /// Keys that were read to the end, to be gone through more than once.
@@ -46,6 +46,8 @@ class KeptKeys {
   /// A single key; the last one is number size() - 1.
   Keys key(std::size_t number) const;
   void drop_last();
+  /// Whether a position is missing.
+  bool are_sparse() const;
   std::uint64_t first_line() const { return first_line_; }
   std::uint64_t last_line() const { return last_line_; }
 
@@ -61,6 +63,9 @@ struct LinkedKeys {
   Source<Keys> keys;
   std::optional<Keys> context;  ///< of a closed curve: the key before the first
 };
+
+/// Sets the lengths of the segments.
+void measure(Stretch& stretch, const Rules& rules);
 
 /// The segments between the keys, each as soon as the key after its end has come.
 Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);

@@ -2,6 +2,7 @@
 #include "resample.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -12,7 +13,10 @@
 #include <utility>
 
 #include "error.hpp"
+#include "explain.hpp"
 #include "file.hpp"
+#include "format/frame.hpp"
+#include "labels.hpp"
 #include "path.hpp"
 #include "rows.hpp"
 
@@ -26,62 +30,74 @@ class Writer {
 
   /// The next file's rows follow. Throws: Error (data) where they have other columns than the rows before.
   void begin(const format::Input& input, bool live) {
-    auto columns = output_columns(plan_.fields, input);
-    if (columns_.empty()) {
+    format::OutputColumns columns{input.groups, output_columns(plan_.fields, input), input.carried};
+    if (columns_.numbers.empty()) {
       columns_ = std::move(columns);
-      layout_ = format::formats()[plan_.output_format].layout(columns_, plan_.output_header.value_or(input.named));
-      output_.write(layout_.head);
-    } else if (!std::ranges::equal(columns, columns_, {}, &format::OutputColumn::name, &format::OutputColumn::name)) {
+      frame_ =
+          format::Frame(format::formats()[plan_.output_format], columns_, plan_.output_header.value_or(input.named));
+      output_.write(frame_.head());
+    } else if (columns.names() != columns_.names()) {
       throw Error(Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give "
                                           "--output-dir to write an output for each file",
-                                          names(columns), names(columns_)));
+                                          fmt::join(columns.names(), ", "), fmt::join(columns_.names(), ", ")));
     }
+    group_.reset();
     output_.set_live(live);
   }
 
-  /// The text of some rows. A pure function but for the layout, which begin() has set.
+  /// The rows of the next curve of the file follow.
+  void begin_curve(const std::vector<std::string>& group) {
+    const std::string text = frame_.begin(group, group_ == group);
+    if (!text.empty()) output_.write(text);
+    group_ = group;
+  }
+
+  /// The text of some rows. A pure function but for the layout, which begin_curve() has set.
   std::string print(const std::vector<format::Cell>& cells, bool first) const {
     std::string text;
-    format::append_rows(text, layout_, columns_, cells, first && !any_rows_);
+    format::append_rows(text, frame_.layout(), columns_.numbers, cells, first && frame_.is_first());
     return text;
   }
 
-  void write(const std::string& rows) { output_.write(rows); }
-  void end(bool any_rows) { any_rows_ = any_rows_ || any_rows; }
+  /// The same for rows that end in labels.
+  std::string print(const LabelledBatch& batch, const sampler::Locator& locator) const {
+    return print_labelled(batch, locator, plan_.fields,
+                          [this, layout = frame_.layout()](std::string& out, const std::vector<format::Cell>& cells,
+                                                           const std::string& row_end, bool first) mutable {
+                            layout.row_end = row_end;
+                            format::append_rows(out, layout, columns_.numbers, cells, first && frame_.is_first());
+                          });
+  }
+
+  std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }
+
+  /// Writes the rows of a curve as they come.
+  void write(const Source<std::string>& rows) {
+    bool any = false;
+    while (const std::optional<std::string> text = rows()) {
+      output_.write(*text);
+      any = any || !text->empty();
+    }
+    if (any) frame_.set_written();
+  }
 
   void commit() {
-    output_.write(any_rows_ ? layout_.tail : layout_.no_rows);
+    output_.write(frame_.tail());
     output_.commit();
   }
 
  private:
-  static std::string names(const std::vector<format::OutputColumn>& columns) {
-    std::string text;
-    for (const auto& column : columns) text += (text.empty() ? "" : ", ") + column.name;
-    return text;
-  }
-
   const Plan& plan_;
   Output output_;
-  std::vector<format::OutputColumn> columns_;
-  format::Layout layout_;
-  bool any_rows_ = false;
+  format::OutputColumns columns_;
+  format::Frame frame_;
+  std::optional<std::vector<std::string>> group_;  ///< of the curve before in the same file
 };
 
 /// What the program tells the person at the terminal.
 void note(const Plan& plan, const std::string& path, const std::string& text) {
   if (!plan.notes) return;
   (void)std::fputs(fmt::format("{}: note: {}\n", shown_name(path), text).c_str(), stderr);
-}
-
-std::string shown(const sampler::Rational& value) { return fmt::format("{}", sampler::nearest_time(value).hi); }
-
-/// How far the end lies behind the last row, and what to do about it; empty where it does not.
-std::string left_out(const Placed& placed) {
-  const auto rest = placed.sampler == nullptr ? std::nullopt : placed.sampler->left_out();
-  if (!rest) return "";
-  return fmt::format("the end lies {} behind the last row and is left out; --end keep or --end fit includes it",
-                     shown(*rest));
 }
 
 /// What reading a file is told. Threads would have rows of a live pipe wait for those behind them.
@@ -91,57 +107,45 @@ format::InputOptions input_options(const Plan& plan, const std::string& path) {
   return options;
 }
 
+/// The rows of a curve as text.
+Source<std::string> printed(const Placed& placed, const Plan& plan, const Writer& writer,
+                            const std::shared_ptr<Labels>& labels, unsigned threads) {
+  if (labels == nullptr) {
+    const auto print = [&plan, &writer, &placed](const Batch& batch) {
+      return writer.print(evaluate(batch, *placed.locator, plan.fields), batch.first);
+    };
+    return ordered_map(placed.batches, print, threads);
+  }
+  const auto row_end = [&writer](std::span<const std::string_view> texts) { return writer.row_end(texts); };
+  const auto print = [&writer, &placed](const LabelledBatch& batch) { return writer.print(batch, *placed.locator); };
+  return ordered_map(Labels::joined(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
+}
+
 /// Bytes to bytes, for one file.
 void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
-  format::Input input = format::open_input(path, read_file(path), input_options(plan, path));
-  const Path curve(plan.sampling, plan.curve, plan.fields, input);
+  const bool live = is_live(path);
+  const format::Input input = format::open_input(path, read_file(path), input_options(plan, path));
   if (!input.timed && !plan.curve.parameter) note(plan, path, "no time column; the keys stand at 0, 1, 2, ...");
   for (const auto& [name, value] : input.facts) {
     if (name == "left out") note(plan, path, fmt::format("columns of text are left out: {}", value));
   }
-  writer.begin(input, is_live(path));
-  const Placed placed = curve.place(std::move(input.keys));
-  const auto print = [&plan, &writer, &placed](const Batch& batch) {
-    return writer.print(evaluate(batch, *placed.locator, plan.fields), batch.first);
-  };
-  const Source<std::string> rows = ordered_map(placed.batches, print, input.threads);
-  bool any = false;
-  while (const std::optional<std::string> text = rows()) {
-    writer.write(*text);
-    any = any || !text->empty();
+  Curves curves(input, plan.curves, live);
+  std::optional<Path> way;
+  for (std::shared_ptr<const format::BesideKeys> known; std::optional<CurveKeys> curve = curves.next();) {
+    if (curve->beside_keys != known) way.emplace(plan.sampling, plan.curve, plan.fields, input, *curve->beside_keys);
+    if (known == nullptr) writer.begin(input, live);
+    known = curve->beside_keys;
+    writer.begin_curve(curve->group);
+    const auto labels = input.carried.empty() ? nullptr : std::make_shared<Labels>(input.groups.size());
+    const Placed placed = way->place(labels == nullptr ? curve->keys : Labels::heard(labels, curve->keys));
+    writer.write(printed(placed, plan, writer, labels, input.threads));
+    if (const std::string text = left_out(placed); !text.empty()) note(plan, path, text);
+    for (const auto& [name, value] : placed.facts) {
+      if (name == "step" && plan.sampling.end != sampler::EndPolicy::drop)
+        note(plan, path, fmt::format("the step is {}", value));
+    }
   }
-  writer.end(any);
-  if (const std::string text = left_out(placed); !text.empty()) note(plan, path, text);
-  for (const auto& [name, value] : placed.facts) {
-    if (name == "step" && plan.sampling.end != sampler::EndPolicy::drop)
-      note(plan, path, fmt::format("the step is {}", value));
-  }
-}
-
-/// What was found in a file and would be done, a line each.
-std::string explanation(const std::string& path, const Plan& plan) {
-  format::Input input = format::open_input(path, read_file(path), input_options(plan, path));
-  const Path curve(plan.sampling, plan.curve, plan.fields, input);
-  Facts facts{{"file", shown_name(path)}};
-  const auto add = [&](const Facts& more) { facts.insert(facts.end(), more.begin(), more.end()); };
-  add(input.facts);
-  add(curve.rules());
-  const auto keys = std::make_shared<std::size_t>(0);
-  const Placed placed = curve.place(mapped(std::move(input.keys), [keys](format::KeyBlock block) {
-    *keys += block.lines.size();
-    return block;
-  }));
-  std::uint64_t rows = 0;
-  while (const auto batch = placed.batches()) {
-    for (const auto& part : batch->parts) rows += part.last - part.first;
-  }
-  facts.emplace_back("keys", fmt::format("{}", *keys));
-  add(placed.facts);
-  facts.emplace_back("rows", fmt::format("{}", rows));
-  if (const std::string text = left_out(placed); !text.empty()) facts.emplace_back("note", text);
-  std::string out;
-  for (const auto& [name, value] : facts) out += fmt::format("{}: {}\n", name, value);
-  return out;
+  if (curves.skipped() > 0) note(plan, path, fmt::format("rows left out for missing numbers: {}", curves.skipped()));
 }
 
 /// Where the samples of a file go: its name in the output folder, with the format's ending.

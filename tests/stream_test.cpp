@@ -91,7 +91,8 @@ TEST(OrderedMap, maps_may_follow_one_another) {
   const ThreadLimit limit(4);
   int asked = 0;
   const auto squares = ordered_map(numbers(100, asked), slowly_squared, 4);
-  const auto roots = all(ordered_map(squares, [](int square) { return std::lround(std::sqrt(square)); }, 4));
+  const auto roots = all(ordered_map(
+      squares, [](int square) { return std::lround(std::sqrt(square)); }, 4));
   ASSERT_EQ(roots.size(), 100U);
   EXPECT_EQ(roots.front(), 1);
   EXPECT_EQ(roots.back(), 100);

@@ -33,10 +33,34 @@ void declare_input(CLI::App& app, Typed& typed) {
   flag("--no-header", typed.no_header, "The first record is a key");
   option("--comment", typed.comment, "Lines that begin with this are skipped; none: no line is")->type_name("PREFIX");
   option("--columns", typed.columns,
-         "Which columns are what, by name or number, as in time=frame,position=px:py:pz,tension=k; by default by the "
-         "header, or without one the time first and positions after it")
+         "Which columns are what, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label; by "
+         "default by the header, or without one the time first and positions after it")
       ->type_name("ROLE=NAME,...");
   option("--tcb", typed.tcb, "Tension, continuity and bias of keys that carry none; default 0,0,0")->type_name("T,C,B");
+  option("--decimal", typed.decimal, "The mark before the decimals of numbers: . (default) or , (a comma)")
+      ->type_name("MARK");
+}
+
+void declare_curves(CLI::App& app, Typed& typed) {
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Input");
+  };
+  option("-g,--group", typed.group,
+         "Rows with the same values in these columns make a curve, in any order; the columns are repeated in front of "
+         "its samples")
+      ->type_name("COL[,COL]");
+  option(
+      "--missing", typed.missing,
+      "What becomes of a cell that is empty, NA, nan or null: error (default); skip-row leaves the key out; skip-cell "
+      "takes that channel through its other keys; break begins a new curve behind it")
+      ->type_name("WAY");
+  option(
+      "--duplicates", typed.duplicates,
+      "What becomes of keys with equal times: error (default); first or last keeps that one; break begins a new curve "
+      "with the second")
+      ->type_name("WAY");
+  app.add_flag("--sort", typed.sort, "Keys are sorted by time first; those of equal times stay as they came")
+      ->group("Input");
 }
 
 void declare_curve(CLI::App& app, Typed& typed) {
@@ -175,6 +199,7 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   auto app = std::make_unique<CLI::App>("Resamples curves through keys with tension, continuity and bias", "tcbsample");
   app->set_help_flag();
   declare_input(*app, typed);
+  declare_curves(*app, typed);
   declare_curve(*app, typed);
   declare_sampling(*app, typed);
   declare_range(*app, typed);

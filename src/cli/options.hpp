@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "resample.hpp"
+#include "task.hpp"
 
 namespace CLI {
 class App;
@@ -17,8 +17,8 @@ namespace tcb::cli {
 /// What was typed, option by option; what it means is a Plan.
 struct Typed {
   std::vector<std::string> files;
-  std::string input_format, delimiter, comment = "#", columns, tcb;
-  bool header = false, no_header = false;
+  std::string input_format, delimiter, comment = "#", columns, tcb, group, missing, duplicates, decimal;
+  bool header = false, no_header = false, sort = false;
   CurveSettings curve;
   bool closed = false;
   std::string step, rate, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance;

@@ -6,9 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
+#include "cli/input.hpp"
 #include "cli/sampling.hpp"
 #include "curve_plan.hpp"
 #include "error.hpp"
@@ -20,49 +20,6 @@ namespace tcb::cli {
 namespace {
 
 using sampler::Mode;
-
-char delimiter(const std::string& text) {
-  constexpr std::array names{std::pair{"tab", '\t'}, std::pair{"comma", ','}, std::pair{"semicolon", ';'},
-                             std::pair{"space", ' '}, std::pair{"pipe", '|'}};
-  for (const auto& [name, character] : names) {
-    if (text == name) return character;
-  }
-  const bool usable =
-      text.size() == 1 && std::string_view("\"\n\r+-.0123456789eE").find(text[0]) == std::string_view::npos;
-  if (!usable)
-    refuse_value("--delimiter", text,
-                 "one character that is no part of a number, or tab, comma, semicolon, space or pipe");
-  return text[0];
-}
-
-spline::Tcb<double> tcb(const std::string& text) {
-  const auto parts = split(text, ',');
-  std::array<double, 3> values{};
-  if (parts.size() != values.size()) refuse_value("--tcb", text, "three numbers T,C,B, such as 0,0.5,-0.25");
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto value = format::parse_number(parts[i]);
-    if (!value) refuse_value("--tcb", text, "three numbers T,C,B, such as 0,0.5,-0.25");
-    values[i] = *value;
-  }
-  return {values[0], values[1], values[2]};
-}
-
-format::InputOptions make_input(const Typed& typed) {
-  format::InputOptions input;
-  if (!typed.input_format.empty()) input.format = format::find_format("--input-format", typed.input_format);
-  if (!typed.delimiter.empty()) input.delimiter = delimiter(typed.delimiter);
-  if (typed.header && typed.no_header) {
-    throw Error(Exit::usage, "--header and --no-header contradict each other; expected one of them; take one out");
-  }
-  if (typed.header || typed.no_header) input.header = typed.header;
-  input.comment = typed.comment == "none" ? "" : typed.comment;
-  if (input.format && (input.delimiter || input.header) && !format::formats()[*input.format].has_header) {
-    throw Error(Exit::usage, "--delimiter, --header and --no-header have no effect on JSON; take them out");
-  }
-  if (!typed.columns.empty()) input.roles = format::parse_roles(typed.columns);
-  if (!typed.tcb.empty()) input.tcb = tcb(typed.tcb);
-  return input;
-}
 
 std::vector<std::size_t> make_fields(const std::string& text) {
   std::vector<std::string_view> known;
@@ -99,6 +56,12 @@ void check_curve(Plan& plan) {
   if (plan.curve.metric && !needs_metric(plan, curve)) {
     throw Error(Exit::usage, "--metric has no effect where no length or speed is asked for; take it out");
   }
+  if (plan.input.missing == format::Missing::skip_cell &&
+      (curve.rules.equal_speed || curve.parameter.value_or(0) != 0)) {
+    throw Error(Exit::usage,
+                "--missing skip-cell leaves channels apart, and --equal-speed and --parameter need all of them at each "
+                "key; expected one of the two; take one out");
+  }
 }
 
 /// At a key, the side is the right one unless said otherwise; where no field can tell, the earlier segment will do.
@@ -125,6 +88,7 @@ Plan make_plan(const Typed& typed) {
   Plan plan;
   plan.sampling = make_sampling(typed);
   plan.input = make_input(typed);
+  plan.curves = make_curves(typed);
   plan.curve = typed.curve;
   if (typed.closed) plan.curve.closed = true;
   plan.files = typed.files.empty() ? std::vector<std::string>{"-"} : typed.files;

@@ -1,4 +1,4 @@
-// Columns: which cell of a record is time, position, tension, continuity or bias.
+// Columns: which cell of a record is time, position, tension, continuity, bias, or a text that goes with the key.
 #include "format/columns.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <unordered_set>
 
 #include "error.hpp"
 #include "names.hpp"
@@ -18,17 +19,19 @@ struct RoleName {
   std::string_view name;
   Role role;
   bool any_case;
+  bool in_header = true;  ///< a column of that name has that role
 };
 
 /// Names that give a column its role; the first name of each role is also its name in --columns.
 constexpr std::array role_names{
-    RoleName{"time", Role::time, true},         RoleName{"position", Role::position, true},
-    RoleName{"tension", Role::tension, true},   RoleName{"continuity", Role::continuity, true},
-    RoleName{"bias", Role::bias, true},         RoleName{"ease_in", Role::ease_in, true},
-    RoleName{"ease_out", Role::ease_out, true}, RoleName{"t", Role::time, false},
-    RoleName{"frame", Role::time, true},        RoleName{"timestamp", Role::time, true},
-    RoleName{"seconds", Role::time, true},      RoleName{"T", Role::tension, false},
-    RoleName{"C", Role::continuity, false},     RoleName{"B", Role::bias, false},
+    RoleName{"time", Role::time, true},          RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true},    RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},          RoleName{"ease_in", Role::ease_in, true},
+    RoleName{"ease_out", Role::ease_out, true},  RoleName{"group", Role::group, true, false},
+    RoleName{"carry", Role::carry, true, false}, RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},         RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},       RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},      RoleName{"B", Role::bias, false},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
@@ -37,8 +40,17 @@ bool same_name(std::string_view a, std::string_view b, bool any_case) {
   return any_case ? std::ranges::equal(a, b, {}, lower, lower) : a == b;
 }
 
+/// Names in a message, which a hundred thousand of them would not make clearer.
+std::string listed(std::span<const std::string> names) {
+  constexpr std::size_t most = 20;
+  const auto first = names.first(std::min(names.size(), most));
+  return fmt::format("{}{}", fmt::join(first, ", "),
+                     names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
+}
+
 /// The cell that a name or number asks for.
-std::size_t find_cell(const std::string& wanted, std::span<const std::string> header, std::size_t cells) {
+std::size_t find_cell(const std::string& wanted, std::string_view option, std::span<const std::string> header,
+                      std::size_t cells) {
   const auto exact = std::ranges::find(header, wanted);
   if (exact != header.end()) return static_cast<std::size_t>(exact - header.begin());
   const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_name(name, wanted, true); });
@@ -51,7 +63,7 @@ std::size_t find_cell(const std::string& wanted, std::span<const std::string> he
       Exit::data,
       header.empty()
           ? fmt::format("no column {}; there are {}, without names; give numbers from 1 to {}", wanted, cells, cells)
-          : fmt::format("no column \"{}\"; the columns are {}; correct --columns", wanted, fmt::join(header, ", ")));
+          : fmt::format("no column \"{}\"; the columns are {}; correct {}", wanted, listed(header), option));
 }
 
 /// Sets the role of a cell, which must not have another.
@@ -60,15 +72,25 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
     throw Error(Exit::data,
                 fmt::format("column \"{}\" is named twice; a column has one role; correct --columns", name));
   }
-  const bool single = role != Role::position;
-  if (single && columns.has(role)) {
+  std::vector<std::string>* const several = role == Role::position ? &columns.channels
+                                            : role == Role::group  ? &columns.groups
+                                            : role == Role::carry  ? &columns.carried
+                                                                   : nullptr;
+  if (several == nullptr && columns.has(role)) {
     throw Error(Exit::data, fmt::format("two columns could be the {} column, the second is \"{}\"; expected one; "
                                         "choose with --columns",
                                         role_names[static_cast<std::size_t>(role) - 1].name, name));
   }
-  columns.cells[cell] = {role, columns.channels.size()};
-  if (role == Role::position) columns.channels.push_back(name);
+  columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
+  if (several != nullptr) several->push_back(name);
   if (role == Role::time) columns.time = name;
+}
+
+/// The texts of a key are what groups it, then its labels.
+void number_texts(Columns& columns) {
+  for (Columns::Column& column : columns.cells) {
+    if (column.role == Role::carry) column.channel += columns.groups.size();
+  }
 }
 
 /// Roles by name, or without a header time first; positions only where none were asked for.
@@ -78,12 +100,20 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
   const auto asked = columns.cells;
   std::array<bool, role_count> is_asked{};
   for (const Columns::Column& column : asked) is_asked[static_cast<std::size_t>(column.role)] = true;
+  const auto is_text = [](const auto& column) { return column.role == Role::group || column.role == Role::carry; };
+  const auto front = static_cast<std::size_t>(std::ranges::find_if_not(asked, is_text) - asked.begin());
+  std::unordered_set<std::string_view> names;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (asked[cell].role != Role::left_out) continue;
-    const bool first = cell == 0 && !timeless && !columns.has(Role::time);
+    const bool first = cell == front && !timeless && !columns.has(Role::time);
     const Role role = !header.empty() ? role_of_name(header[cell]) : first ? Role::time : Role::position;
     const bool asked_for = is_asked[static_cast<std::size_t>(role)];
     if (role == Role::position ? positions_given || !numeric[cell] : asked_for) continue;
+    if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
+      throw Error(Exit::data, fmt::format("two columns are called \"{}\"; expected different names; rename one, or "
+                                          "choose by number with --columns",
+                                          header[cell]));
+    }
     assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
   }
 }
@@ -102,8 +132,8 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
     const auto known = std::ranges::find_if(role_names, [&](const auto& row) { return row.name == name; });
     if (equals == std::string::npos || equals + 1 == part.size() || known == role_names.end()) {
       throw Error(Exit::usage, fmt::format("--columns: \"{}\" is no role with its columns; expected "
-                                           "time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, ease_in= or "
-                                           "ease_out=; "
+                                           "time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, ease_in=, "
+                                           "ease_out=, group= or carry=; "
                                            "for example --columns time=frame,position=px:py",
                                            part));
     }
@@ -114,8 +144,9 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
 }
 
 Role role_of_name(std::string_view name) {
-  const auto row = std::ranges::find_if(
-      role_names, [&](const RoleName& known) { return same_name(name, known.name, known.any_case); });
+  const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
+    return known.in_header && same_name(name, known.name, known.any_case);
+  });
   return row == role_names.end() ? Role::position : row->role;
 }
 
@@ -126,11 +157,14 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   columns.named = !header.empty();
   for (const RoleRequest& request : requests) {
     for (const std::string& name : request.columns) {
-      const std::size_t cell = find_cell(name, header, numeric.size());
-      assign(columns, cell, request.role, header.empty() ? name : header[cell]);
+      const std::size_t cell = find_cell(name, request.option, header, numeric.size());
+      const bool is_text = request.role == Role::group || request.role == Role::carry;
+      assign(columns, cell, request.role,
+             !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
     }
   }
   assign_the_rest(columns, header, numeric, timeless);
+  number_texts(columns);
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     if (columns.cells[cell].role == Role::left_out) columns.left_out.push_back(header[cell]);
   }

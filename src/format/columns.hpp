@@ -1,4 +1,4 @@
-// Columns: which cell of a record is time, position, tension, continuity or bias.
+// Columns: which cell of a record is time, position, tension, continuity, bias, or a text that goes with the key.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,15 @@
 
 namespace tcb::format {
 
-enum class Role { left_out, time, position, tension, continuity, bias, ease_in, ease_out };
+enum class Role { left_out, time, position, tension, continuity, bias, ease_in, ease_out, group, carry };
 
-inline constexpr std::size_t role_count = 8;
+inline constexpr std::size_t role_count = 10;
 
-/// Roles given by hand (--columns): each with the columns that have it, by name or by number from 1.
+/// Roles given by hand: each with the columns that have it, by name or by number from 1.
 struct RoleRequest {
   Role role;
   std::vector<std::string> columns;
+  std::string_view option = "--columns";  ///< which gave it
 };
 
 /// "time=frame,position=px:py:pz". Throws: Error (usage).
@@ -27,15 +28,18 @@ std::vector<RoleRequest> parse_roles(std::string_view text);
 struct Columns {
   struct Column {
     Role role = Role::left_out;
-    std::size_t channel = 0;  ///< for positions
+    std::size_t channel = 0;  ///< for positions; for groups and labels, which text of a key
   };
   std::vector<Column> cells;          ///< one a cell of a record
   bool named = false;                 ///< the input names its columns
   std::string time = "t";             ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
+  std::vector<std::string> groups;    ///< names of the columns that tell curves apart
+  std::vector<std::string> carried;   ///< names of the columns of labels
   std::vector<std::string> left_out;  ///< names of the columns that are nothing
 
   bool has(Role role) const;
+  std::size_t texts() const { return groups.size() + carried.size(); }  ///< of each key
 };
 
 /// The role that a column's name gives it, where nothing else says; otherwise position.

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "error.hpp"
-#include "format/number.hpp"
+#include "format/decimals.hpp"
+#include "format/refusal.hpp"
 
 namespace tcb::format {
 namespace {
@@ -16,93 +18,144 @@ using Cells = std::vector<std::string_view>;
 
 std::string counted_cells(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "cell" : "cells"); }
 
-/// Text as it is quoted in messages: cut to a length that fits a line.
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  if (text.size() <= longest) return fmt::format("\"{}\"", text);
-  std::size_t end = longest;
-  while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a character
-  return fmt::format("\"{}…\"", text.substr(0, end));
-}
-
-[[noreturn]] void refuse_cell(const Records& records, std::string_view cell, const std::string& column) {
-  const std::string text = unquoted(cell);
-  if (is_missing(text)) {
-    throw Error(Exit::data, records.place(cell),
-                fmt::format("{}: {} where a number was expected; fill it in, or take the row out", column,
-                            text.empty() ? "an empty cell" : shown(text)));
-  }
-  const bool too_large = looks_numeric(text);
-  throw Error(Exit::data, records.place(cell),
-              too_large
-                  ? fmt::format("{}: {} is not a finite double; expected less than 1.8e308 in size; correct the cell",
-                                column, shown(text))
-                  : fmt::format("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell",
-                                column, shown(text)));
+/// A cell as a text that is kept: a whole number as such, everything else as a string.
+std::string kept_text(std::string_view cell) {
+  const std::string_view digits = cell.substr(cell.starts_with('-') ? 1 : 0);
+  const bool is_digits = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool whole = is_digits && (digits == "0" ? digits.size() == cell.size() : digits[0] != '0');
+  return (whole ? "" : "\"") + unquoted(cell);
 }
 
 /// Turns records into keys, one after another.
 class KeyParser {
  public:
-  KeyParser(const Chunk& chunk, const DelimitedHead& head, const spline::Tcb<double>& tcb)
-      : head_(head), records_(chunk, head.dialect), tcb_(tcb) {
-    const Columns& columns = head.columns;
-    block_.keys.channels = columns.channels.size();
-    block_.keys.common_tcb = tcb;
-    carries_ease_ = columns.has(Role::ease_in) || columns.has(Role::ease_out);
-    carries_tcb_ = columns.has(Role::tension) || columns.has(Role::continuity) || columns.has(Role::bias);
+  KeyParser(const Chunk& chunk, const DelimitedHead& head)
+      : head_(head), columns_(head.columns), records_(chunk, head.dialect), decimals_(head.decimal) {
+    block_.keys.channels = columns_.channels.size();
+    block_.keys.common_tcb = head.tcb;
+    carries_ease_ = columns_.has(Role::ease_in) || columns_.has(Role::ease_out);
+    carries_tcb_ = columns_.has(Role::tension) || columns_.has(Role::continuity) || columns_.has(Role::bias);
+    const auto is_time = [](const Columns::Column& column) { return column.role == Role::time; };
+    time_cell_ = static_cast<std::size_t>(std::ranges::find_if(columns_.cells, is_time) - columns_.cells.begin());
+    timed_ = time_cell_ < columns_.cells.size();
+    texts_.resize(columns_.texts());
   }
 
   KeyBlock parse() {
-    for (Cells cells; records_.next(cells);) add_key(cells);
+    while (block_.faults.size() < most_faults && next_record()) {
+    }
+    block_.break_after = breaks_;
     return std::move(block_);
   }
 
  private:
-  void add_key(const Cells& cells) {
-    require_cells(cells);
-    spline::Keys<double>& keys = block_.keys;
-    spline::Tcb<double> tcb = tcb_;
-    spline::Ease<double> ease;
-    keys.positions.resize(keys.positions.size() + keys.channels);
-    double* const position = keys.positions.data() + keys.positions.size() - keys.channels;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto [role, channel] = head_.columns.cells[i];
-      switch (role) {
-        case Role::left_out: break;
-        case Role::time: keys.times.push_back(time(cells[i])); break;
-        case Role::position: position[channel] = number(cells[i], head_.columns.channels[channel]); break;
-        case Role::tension: tcb.tension = number(cells[i], "tension"); break;
-        case Role::continuity: tcb.continuity = number(cells[i], "continuity"); break;
-        case Role::bias: tcb.bias = number(cells[i], "bias"); break;
-        case Role::ease_in: ease.in = number(cells[i], "ease_in"); break;
-        case Role::ease_out: ease.out = number(cells[i], "ease_out"); break;
-      }
+  bool next_record() {
+    bool more = true, well_formed = true;
+    try {
+      more = records_.next(cells_);
+    } catch (const Error& error) {
+      block_.faults.push_back(error);
+      well_formed = false;
     }
-    if (carries_tcb_) keys.tcbs.push_back(tcb);
-    if (carries_ease_) keys.eases.push_back(ease);
+    breaks_ = breaks_ || records_.broken();
+    if (more && well_formed) add_key();
+    return more;
+  }
+
+  void add_key() {
+    const std::size_t expected = columns_.cells.size();
+    if (cells_.size() != expected) {
+      refuse(cells_[std::min(cells_.size(), expected + 1) - 1],
+             fmt::format("a row of {}; expected {} as in the rows above; complete or correct the row, or give the "
+                         "delimiter with -d",
+                         counted_cells(cells_.size()), expected));
+      return;
+    }
+    const std::size_t faults = block_.faults.size();
+    missing_ = false;
+    tcb_ = head_.tcb;
+    ease_ = {};
+    spline::Keys<double>& keys = block_.keys;
+    keys.positions.resize(keys.positions.size() + keys.channels);
+    for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], columns_.cells[i]);
+    const bool breaks_off = missing_ && head_.missing == Missing::break_curve;
+    if (block_.faults.size() > faults || (missing_ && !breaks_off)) {
+      keys.positions.resize(keys.positions.size() - keys.channels);
+      if (block_.faults.size() == faults) ++block_.skipped;
+      return;
+    }
+    if (breaks_off) block_.gaps.push_back(block_.lines.size());
+    if (timed_) keys.times.push_back(time_);
+    if (carries_tcb_) keys.tcbs.push_back(tcb_);
+    if (carries_ease_) keys.eases.push_back(ease_);
+    for (const std::string& text : texts_) block_.texts.add(text);
+    if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.lines.size());
     block_.lines.push_back(records_.line());
+    block_.columns.push_back(timed_ ? static_cast<std::uint32_t>(records_.place(cells_[time_cell_]).column) : 1);
   }
 
-  void require_cells(const Cells& cells) const {
-    const std::size_t expected = head_.columns.cells.size();
-    if (cells.size() == expected) return;
-    throw Error(Exit::data, records_.place(cells[std::min(cells.size(), expected + 1) - 1]),
-                fmt::format("a row of {}; expected {} as in the rows above; complete or correct the row, or give the "
-                            "delimiter with -d",
-                            counted_cells(cells.size()), expected));
+  void read_cell(std::string_view cell, Columns::Column column) {
+    spline::Keys<double>& keys = block_.keys;
+    double* const position = keys.positions.data() + keys.positions.size() - keys.channels;
+    switch (column.role) {
+      case Role::left_out: break;
+      case Role::time: read_time(cell); break;
+      case Role::position: read_number(cell, columns_.channels[column.channel], position[column.channel], nan_); break;
+      case Role::tension: read_number(cell, "tension", tcb_.tension, tcb_.tension); break;
+      case Role::continuity: read_number(cell, "continuity", tcb_.continuity, tcb_.continuity); break;
+      case Role::bias: read_number(cell, "bias", tcb_.bias, tcb_.bias); break;
+      case Role::ease_in: read_number(cell, "ease_in", ease_.in, 0); break;
+      case Role::ease_out: read_number(cell, "ease_out", ease_.out, 0); break;
+      case Role::group:
+      case Role::carry: read_text(cell, column); break;
+    }
   }
 
-  double number(std::string_view cell, const std::string& column) const {
-    const auto value = parse_number(bare(cell));
-    if (!value) refuse_cell(records_, cell, column);
-    return *value;
+  /// `otherwise`: what --missing skip-cell puts in the place of a number that is missing.
+  void read_number(std::string_view cell, std::string_view name, double& number, double otherwise) {
+    if (const auto value = decimals_.number(bare(cell))) {
+      number = *value;
+    } else if (may_miss(cell)) {
+      number = otherwise;
+      missing_ = missing_ || head_.missing != Missing::skip_cell;
+    } else {
+      refuse_number(cell, name);
+    }
   }
 
-  spline::Time<double> time(std::string_view cell) const {
-    const auto value = parse_time(bare(cell));
-    if (!value) refuse_cell(records_, cell, head_.columns.time);
-    return *value;
+  void read_time(std::string_view cell) {
+    if (const auto value = decimals_.time(bare(cell))) {
+      time_ = *value;
+    } else if (may_miss(cell) && head_.missing != Missing::skip_cell) {
+      time_ = Time(nan_);
+      missing_ = true;
+    } else {
+      refuse_number(cell, columns_.time);
+    }
+  }
+
+  void read_text(std::string_view cell, Columns::Column column) {
+    std::string& text = texts_[column.channel];
+    text = kept_text(cell);
+    const std::size_t foreign = find_foreign(text);
+    if (foreign != std::string::npos)
+      refuse(cell, fmt::format("{}: {}", shown(unquoted(cell)), foreign_byte(text[foreign])));
+    if (column.role != Role::group || !content(text).empty()) return;
+    missing_ = missing_ || head_.missing == Missing::skip_row;
+    if (head_.missing == Missing::skip_row) return;
+    refuse(cell, fmt::format("{}: an empty cell; expected what tells the curves apart; fill it in, or give --missing "
+                             "skip-row",
+                             columns_.groups[column.channel]));
+  }
+
+  bool may_miss(std::string_view cell) const { return head_.missing != Missing::error && is_missing(bare(cell)); }
+
+  void refuse_number(std::string_view cell, std::string_view name) {
+    refuse(cell, fmt::format("{}: {}", name, no_number(unquoted(cell), head_.decimal)));
+  }
+
+  void refuse(std::string_view cell, const std::string& message) {
+    if (block_.faults.size() < most_faults) block_.faults.emplace_back(Exit::data, records_.place(cell), message);
   }
 
   /// A number in quotes is a number all the same.
@@ -110,19 +163,27 @@ class KeyParser {
     return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
   }
 
+  static constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
+
   const DelimitedHead& head_;
+  const Columns& columns_;
   Records records_;
-  const spline::Tcb<double>& tcb_;
-  bool carries_tcb_ = false;
-  bool carries_ease_ = false;
+  Decimals decimals_;
+  Cells cells_;
+  std::size_t time_cell_ = 0;
+  bool timed_ = false, carries_tcb_ = false, carries_ease_ = false;
+  bool breaks_ = false;   ///< the curve breaks off before the next key
+  bool missing_ = false;  ///< the row at hand is not to be a key
+  Time time_;
+  spline::Tcb<double> tcb_;
+  spline::Ease<double> ease_;
+  std::vector<std::string> texts_;
   KeyBlock block_;
 };
 
 }  // namespace
 
-KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head, const spline::Tcb<double>& tcb) {
-  return KeyParser(chunk, head, tcb).parse();
-}
+KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return KeyParser(chunk, head).parse(); }
 
 Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   std::string beginning;
@@ -130,26 +191,33 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   while (!delimiter) {
     const std::optional<std::string> more = bytes();
     beginning += more.value_or("\n");  // the last record may lack its line end
-    delimiter = find_delimiter(beginning, options.comment);
+    if (beginning.size() > longest_record) refuse_long_record(1);
+    if (more && more->find('\n') == std::string::npos) continue;
+    delimiter = find_delimiter(beginning, options.comment, options.decimal);
     if (!more) {
       beginning.pop_back();
       break;
     }
   }
   const Dialect dialect{delimiter.value_or(','), options.comment};
+  if (dialect.delimiter == options.decimal) {
+    throw Error(Exit::data,
+                "--decimal , cannot be where the delimiter is , too; expected another one; give it with "
+                "-d, or take --decimal out");
+  }
   Source<Chunk> chunks = split_delimited(preceded_by(std::move(beginning), std::move(bytes)), dialect);
   Chunk rest;
   const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
-  const auto parse = [head, tcb = options.tcb](const Chunk& chunk) { return parse_delimited(chunk, *head, tcb); };
+  const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
   const Columns& columns = head->columns;
-  return {columns.named,
-          columns.has(Role::time),
-          columns.time,
-          columns.channels,
-          {},
-          ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse, options.threads),
-          {},
-          facts(*head)};
+  Input input{columns.named, columns.has(Role::time), columns.time, columns.channels, {}, {}};
+  input.keys = ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse, options.threads);
+  input.facts = facts(*head);
+  input.groups = columns.groups;
+  input.carried = columns.carried;
+  input.may_miss = options.missing == Missing::skip_cell;
+  input.may_break = dialect.delimiter == ' ' || options.missing == Missing::break_curve;
+  return input;
 }
 
 }  // namespace tcb::format

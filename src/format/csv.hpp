@@ -6,8 +6,8 @@
 
 namespace tcb::format {
 
-/// The keys of a chunk. A pure function. Throws: Error (data), placed at the cell.
-KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head, const spline::Tcb<double>& tcb);
+/// The keys of a chunk. A pure function. What is wrong stands in its faults, placed at the cell; ten at most.
+KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
 
 /// Opens delimited text whose delimiter is given, or else found in the first record.
 /// Requires: the bytes have no byte order mark. Throws: Error (data).

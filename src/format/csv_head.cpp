@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "error.hpp"
-#include "format/number.hpp"
+#include "format/decimals.hpp"
+#include "format/refusal.hpp"
 
 namespace tcb::format {
 namespace {
@@ -52,17 +53,37 @@ FirstRecords first_records(const Chunk& chunk, const Dialect& dialect) {
   return first;
 }
 
-bool is_header(const FirstRecords::Record& record) { return !std::ranges::all_of(record.cells, looks_numeric); }
+/// The cell is for a column of numbers. One with another decimal mark is too, to be refused as a number.
+bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
+  return Decimals('.').looks_numeric(cell) || (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
+}
 
-/// A column holds numbers unless both of the first two data records have text there.
-std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data) {
+bool is_header(const FirstRecords::Record& record, const DelimitedHead& head) {
+  return !std::ranges::all_of(record.cells, [&](const auto& cell) { return looks_numeric(cell, head); });
+}
+
+/// A column holds numbers unless both of the first two data records have text there, or nothing, not even a name.
+std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data, const std::vector<std::string>& names,
+                                  const DelimitedHead& head) {
   const auto& one = first.records[data].cells;
   const auto& two = data + 1 < first.records.size() ? first.records[data + 1].cells : one;
   std::vector<bool> numeric(one.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
-    numeric[i] = looks_numeric(one[i]) || (i < two.size() && looks_numeric(two[i]));
+    const std::string_view below = i < two.size() ? std::string_view(two[i]) : "";
+    const bool nameless = i < names.size() && names[i].empty();
+    const bool nothing = nameless && one[i].empty() && below.empty();
+    numeric[i] = !nothing && (looks_numeric(one[i], head) || (i < two.size() && looks_numeric(below, head)));
   }
   return numeric;
+}
+
+/// Throws: Error (data) for a name that cannot be written again.
+void require_characters(const std::vector<std::string>& names, std::uint64_t line) {
+  for (const std::string& name : names) {
+    const std::size_t foreign = find_foreign(name);
+    if (foreign == std::string::npos) continue;
+    throw Error(Exit::data, Place{"", line, 0}, fmt::format("column {}: {}", shown(name), foreign_byte(name[foreign])));
+  }
 }
 
 }  // namespace
@@ -76,10 +97,11 @@ DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const Inp
     rest.text += more->text;
     first = first_records(rest, dialect);
   }
+  DelimitedHead head{dialect, {}, options.tcb, options.decimal, options.missing};
   if (first.records.empty()) {
     throw Error(Exit::data, "no keys: the input is empty; expected a row for each key; see --help");
   }
-  const bool header = options.header.value_or(is_header(first.records[0]));
+  const bool header = options.header.value_or(is_header(first.records[0], head));
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   if (data == first.records.size()) {
@@ -97,26 +119,43 @@ DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const Inp
                             "them, or give the delimiter with -d",
                             row.cells.size(), names.size()));
   }
+  require_characters(names, first.records[0].line);
   rest.text.erase(0, row.offset);
   rest.line = row.line;
-  return {dialect, find_columns(names, numeric_columns(first, data), options.roles, options.timeless)};
+  const auto numeric = numeric_columns(first, data, names, head);
+  head.columns = find_columns(names, numeric, options.roles, options.timeless);
+  return head;
 }
 
-std::vector<std::pair<std::string, std::string>> facts(const DelimitedHead& head) {
-  const char delimiter = head.dialect.delimiter;
-  const Columns& columns = head.columns;
-  std::vector<std::pair<std::string, std::string>> found{{"delimiter", delimiter == '\t'  ? "tab"
-                                                                       : delimiter == ' ' ? "blanks"
-                                                                                          : std::string(1, delimiter)},
-                                                         {"header", columns.named ? "yes" : "no"}};
+std::vector<std::pair<std::string, std::string>> facts(const Columns& columns) {
+  std::vector<std::pair<std::string, std::string>> found;
+  const auto add = [&](const char* what, const std::vector<std::string>& names) {
+    if (!names.empty()) found.emplace_back(what, fmt::format("{}", fmt::join(names, ", ")));
+  };
+  add("group", columns.groups);
   if (columns.has(Role::time)) found.emplace_back("time", columns.time);
-  found.emplace_back("position", fmt::format("{}", fmt::join(columns.channels, ", ")));
+  add("position", columns.channels);
   for (const auto& [role, name] :
        {std::pair{Role::tension, "tension"}, std::pair{Role::continuity, "continuity"}, std::pair{Role::bias, "bias"},
         std::pair{Role::ease_in, "ease_in"}, std::pair{Role::ease_out, "ease_out"}}) {
     if (columns.has(role)) found.emplace_back(name, "in a column");
   }
-  if (!columns.left_out.empty()) found.emplace_back("left out", fmt::format("{}", fmt::join(columns.left_out, ", ")));
+  add("carry", columns.carried);
+  add("left out", columns.left_out);
+  return found;
+}
+
+std::vector<std::pair<std::string, std::string>> facts(const DelimitedHead& head) {
+  const char delimiter = head.dialect.delimiter;
+  std::vector<std::pair<std::string, std::string>> found{
+      {"delimiter", delimiter == '\t'  ? "tab"
+                    : delimiter == ' ' ? "blanks"
+                                       : std::string(1, delimiter)},
+      {"comment", head.dialect.comment.empty() ? "none" : head.dialect.comment},
+      {"decimal", std::string(1, head.decimal)},
+      {"header", head.columns.named ? "yes" : "no"}};
+  const auto columns = facts(head.columns);
+  found.insert(found.end(), columns.begin(), columns.end());
   return found;
 }
 

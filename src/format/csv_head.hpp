@@ -10,6 +10,9 @@ namespace tcb::format {
 struct DelimitedHead {
   Dialect dialect;
   Columns columns;
+  spline::Tcb<double> tcb = {};  ///< of keys that carry none
+  char decimal = '.';
+  Missing missing = Missing::error;
 };
 
 /// Dialect and columns, from the header if there is one and the first two records after it; a chunk is
@@ -18,5 +21,8 @@ DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const Inp
 
 /// Delimiter, header and columns in words.
 std::vector<std::pair<std::string, std::string>> facts(const DelimitedHead& head);
+
+/// The columns in words.
+std::vector<std::pair<std::string, std::string>> facts(const Columns& columns);
 
 }  // namespace tcb::format

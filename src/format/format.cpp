@@ -9,6 +9,8 @@
 #include "error.hpp"
 #include "format/csv.hpp"
 #include "format/json.hpp"
+#include "format/records.hpp"
+#include "format/texts.hpp"
 
 namespace tcb::format {
 namespace {
@@ -37,6 +39,20 @@ Layout ssv_rows(const std::vector<OutputColumn>& columns, bool header) {
 Layout json_rows(const std::vector<OutputColumn>& columns, bool) { return json_layout(columns); }
 Layout jsonl_rows(const std::vector<OutputColumn>& columns, bool) { return jsonl_layout(columns); }
 
+std::string csv_text(std::string_view text) { return delimited_text(content(text), ','); }
+std::string tsv_text(std::string_view text) { return delimited_text(content(text), '\t'); }
+std::string ssv_text(std::string_view text) { return text.empty() ? "NA" : delimited_text(content(text), ' '); }
+std::string json_cell(std::string_view text) {
+  return text.empty() ? "null" : is_string(text) ? json_text(content(text)) : std::string(text);
+}
+
+/// Throws: Error (data) for a text in two bytes a character.
+void require_bytes(std::string_view beginning) {
+  if (!beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
+  throw Error(Exit::data, Place{"", 1, 1},
+              "the text is UTF-16; expected UTF-8; convert it, for example with iconv -f UTF-16 -t UTF-8");
+}
+
 /// Drops a UTF-8 byte order mark.
 Source<std::string> without_mark(Source<std::string> bytes) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
@@ -46,6 +62,7 @@ Source<std::string> without_mark(Source<std::string> bytes) {
     if (!more) break;
     beginning += *more;
   }
+  require_bytes(beginning);
   if (beginning.starts_with(mark)) beginning.erase(0, mark.size());
   return preceded_by(std::move(beginning), std::move(bytes));
 }
@@ -64,9 +81,11 @@ std::size_t detect(const std::string& path, const std::string& beginning) {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> table{
-      {"csv", ".csv", open_delimited, csv_rows, true},   {"tsv", ".tsv", open_tsv, tsv_rows, true},
-      {"ssv", ".ssv", open_ssv, ssv_rows, true},         {"json", ".json", open_json, json_rows, false},
-      {"jsonl", ".jsonl", open_json, jsonl_rows, false},
+      {"csv", ".csv", open_delimited, csv_rows, true, csv_text, "\n", false},
+      {"tsv", ".tsv", open_tsv, tsv_rows, true, tsv_text, "\n", false},
+      {"ssv", ".ssv", open_ssv, ssv_rows, true, ssv_text, "\n", false},
+      {"json", ".json", open_json, json_rows, false, json_cell, "null", true},
+      {"jsonl", ".jsonl", open_json, jsonl_rows, false, json_cell, "null\n", false},
   };
   return table;
 }
@@ -83,10 +102,12 @@ std::size_t find_format(std::string_view option, std::string_view name) {
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options) {
   bytes = without_mark(std::move(bytes));
   std::string beginning;
-  while (beginning.find_first_not_of(" \t\r\n") == std::string::npos) {
+  for (bool blank = true; blank;) {
     auto more = bytes();
     if (!more) break;
+    blank = more->find_first_not_of(" \t\r\n") == std::string::npos;
     beginning += *more;
+    if (beginning.size() > longest_record) refuse_long_record(1);
   }
   const std::size_t format = options.format ? *options.format : detect(path, beginning);
   Input input = formats()[format].open(preceded_by(std::move(beginning), std::move(bytes)), options);

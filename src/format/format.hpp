@@ -18,7 +18,10 @@ struct Format {
   /// Opens an input whose first bytes were seen; nothing for formats that are only written.
   Input (*open)(Source<std::string> bytes, const InputOptions& options);
   Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
-  bool has_header;  ///< names stand once, above the rows
+  bool has_header;                             ///< names stand once, above the rows
+  std::string (*text)(std::string_view text);  ///< a text as in texts.hpp, as a cell
+  std::string_view divider;                    ///< the line between two curves that no text tells apart
+  bool nests;  ///< the rows of a curve are a list of their own, if a text tells it apart
 };
 
 /// All formats; the first is the default for output.

@@ -1,19 +1,35 @@
 // What an input is told from outside, what flows through its reading, and what it yields.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "error.hpp"
 #include "format/columns.hpp"
+#include "format/texts.hpp"
 #include "settings.hpp"
 #include "spline/key.hpp"
 #include "stream.hpp"
 
 namespace tcb::format {
+
+/// What becomes of a cell without a number.
+enum class Missing { error, skip_row, skip_cell, break_curve };
+
+/// How --missing names them.
+struct MissingName {
+  std::string_view name;
+  Missing way;
+};
+inline constexpr std::array missing_names{
+    MissingName{"error", Missing::error}, MissingName{"skip-row", Missing::skip_row},
+    MissingName{"skip-cell", Missing::skip_cell}, MissingName{"break", Missing::break_curve}};
 
 /// What the command line says about the input.
 struct InputOptions {
@@ -25,6 +41,8 @@ struct InputOptions {
   spline::Tcb<double> tcb;  ///< for keys that carry none
   bool timeless = false;    ///< no column is the time, unless its name says so
   unsigned threads = 1;     ///< that may work on it
+  char decimal = '.';       ///< between the digits of a number in delimited text
+  Missing missing = Missing::error;
 };
 
 /// Whole records of an input, as text.
@@ -33,12 +51,35 @@ struct Chunk {
   std::uint64_t line = 1;    ///< of the first character, from 1
   std::uint64_t column = 1;  ///< of the first character, from 1
   std::uint64_t first = 0;   ///< number of the first record, where the format counts them
+  std::string path = {};     ///< of the list that the records are in, where the format has one
 };
 
-/// Successive keys, and the line that each stands on. Where the input has no times, neither have the keys.
+/// What is said of a curve beside its keys.
+struct BesideKeys {
+  CurveSettings settings;
+  std::vector<std::pair<std::string, Place>> places = {};  ///< where each setting stands
+  std::string id = {};                                     ///< a text as in texts.hpp
+};
+
+/// So many faults of an input are said before it is given up.
+inline constexpr std::size_t most_faults = 10;
+
+/// Successive keys, and where each of them stands. Where the input has no times, neither have the keys.
+/// A position that is not a number stands for one that is missing; in a gap a time may be missing too.
 struct KeyBlock {
   spline::Keys<double> keys;
   std::vector<std::uint64_t> lines;
+  std::vector<std::uint32_t> columns = {};             ///< in those lines
+  std::string path = {};                               ///< of the list that they are in, if any
+  std::vector<std::uint64_t> numbers = {};             ///< in that list, if there is one
+  Texts texts = {};                                    ///< of each key: what groups it, then its labels
+  std::vector<std::size_t> gaps = {};                  ///< what is no key here, but breaks the curve off
+  std::vector<std::size_t> breaks = {};                ///< the keys here before which the curve breaks off
+  bool break_after = false;                            ///< it does so before the next block's first key too
+  std::shared_ptr<const BesideKeys> beside_keys = {};  ///< of the curve that begins here, where each has its own
+  std::uint64_t skipped = 0;                           ///< how many keys were left out
+  std::vector<Error> faults = {};                      ///< what is wrong with keys that are therefore not here
+  bool unreadable = false;                             ///< and nothing behind the last fault can be read
 };
 
 /// An input opened: what its numbers mean, and its keys in blocks.
@@ -47,11 +88,15 @@ struct Input {
   bool timed = false;                 ///< it has a time column
   std::string time;                   ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
-  CurveSettings settings;             ///< what stands beside the keys
+  BesideKeys beside_keys;             ///< what stands beside the keys, for all of them
   Source<KeyBlock> keys;
-  std::vector<std::pair<std::string, Place>> setting_places = {};  ///< where each setting stands
-  std::vector<std::pair<std::string, std::string>> facts = {};     ///< what was found, in words
-  unsigned threads = 1;                                            ///< that may work on it
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< what was found, in words
+  std::vector<std::string> groups = {};                         ///< names of the columns that tell curves apart
+  std::vector<std::string> carried = {};                        ///< names of the columns of labels
+  unsigned threads = 1;                                         ///< that may work on it
+  bool may_break = false;                                       ///< a curve may end before the input does
+  bool may_miss = false;                                        ///< positions may be missing
+  bool own_curves = false;  ///< blocks say where curves begin, and what is beside their keys
 };
 
 }  // namespace tcb::format

@@ -1,205 +1,223 @@
-// JSON: from the text of key objects to keys.
+// JSON: the shapes that an input may have, and the curves in it.
 #include "format/json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <utility>
 
 #include "error.hpp"
-#include "format/json_events.hpp"
+#include "format/csv_head.hpp"
+#include "format/json_beside.hpp"
+#include "format/json_columns.hpp"
+#include "format/json_keys.hpp"
 #include "format/json_split.hpp"
-#include "format/number.hpp"
 
 namespace tcb::format {
 namespace {
 
-using Member = JsonColumns::Member;
+using SharedColumns = std::shared_ptr<const JsonColumns>;
 
-/// Turns events into keys.
-class KeyBuilder : public JsonEvents {
- public:
-  KeyBuilder(const Chunk& chunk, const JsonColumns& columns, const spline::Tcb<double>& tcb)
-      : JsonEvents(chunk), columns_(columns), tcb_(tcb), seen_(columns.members.size()) {
-    block_.keys.channels = columns.columns.channels.size();
-    timed_ = columns.columns.has(Role::time);
-    eased_ = columns.columns.has(Role::ease_in) || columns.columns.has(Role::ease_out);
-  }
-  KeyBlock take() { return std::move(block_); }
-
- private:
-  bool on_key_start() override {
-    spline::Keys<double>& keys = block_.keys;
-    if (timed_) keys.times.emplace_back();
-    if (eased_) keys.eases.emplace_back();
-    keys.tcbs.push_back(tcb_);
-    keys.positions.resize(keys.positions.size() + keys.channels);
-    block_.lines.push_back(line());
-    seen_.assign(seen_.size(), false);
-    expected_ = 0;
-    return true;
-  }
-
-  bool on_member(const std::string& name) override {
-    const auto& members = columns_.members;
-    if (expected_ == members.size() || members[expected_].name != name) {
-      expected_ = static_cast<std::size_t>(std::ranges::find(members, name, &Member::name) - members.begin());
-    }
-    current_ = expected_ < members.size() ? &members[expected_] : nullptr;
-    if (current_ == nullptr) return true;
-    if (seen_[expected_]) fail(fmt::format("{}: a second time in one key; expected once; take one out", path()));
-    seen_[expected_++] = true;
-    return true;
-  }
-
-  bool on_number(const spline::Time<double>& value) override {
-    if (current_ == nullptr) {
-      if (in_array()) return true;
-      fail(fmt::format("{}: not in the first key; expected the same members in every key; add it there", path()));
-    }
-    if (current_->cells == 0) return true;
-    if (current_->array != in_array()) refuse_shape();
-    const std::size_t index = in_array() ? element() : 0;
-    if (index < current_->cells) store(columns_.columns.cells[current_->cell + index], value);
-    return true;
-  }
-
-  bool on_other(std::string_view text) override {
-    if (current_ == nullptr || current_->cells == 0) return true;
-    if (text == "null")
-      fail(fmt::format("{}: null where a number was expected; fill it in, or take the key out", path()));
-    fail(fmt::format("{}: \"{}\" is not a number; expected one without quotes; correct it", path(), text));
-  }
-
-  bool on_array_end() override {
-    if (current_ == nullptr || current_->cells == 0) return true;
-    if (!current_->array) refuse_shape();
-    if (element() == current_->cells) return true;
-    fail(fmt::format("{}: an array of {}; expected {} numbers, as in the first key; correct it", path(), element(),
-                     current_->cells));
-  }
-
-  bool on_key_end() override {
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-      const Member& member = columns_.members[i];
-      if (seen_[i] || !member.required) continue;
-      fail_key(fmt::format("a key without \"{}\"; expected the members of the first key; add it", member.name));
-    }
-    return true;
-  }
-
-  void store(Columns::Column column, const spline::Time<double>& value) {
-    spline::Keys<double>& keys = block_.keys;
-    switch (column.role) {
-      case Role::left_out: break;
-      case Role::time: keys.times.back() = value; break;
-      case Role::position: keys.positions[keys.positions.size() - keys.channels + column.channel] = value.hi; break;
-      case Role::tension: keys.tcbs.back().tension = value.hi; break;
-      case Role::continuity: keys.tcbs.back().continuity = value.hi; break;
-      case Role::bias: keys.tcbs.back().bias = value.hi; break;
-      case Role::ease_in: keys.eases.back().in = value.hi; break;
-      case Role::ease_out: keys.eases.back().out = value.hi; break;
-    }
-  }
-
-  [[noreturn]] void refuse_shape() {
-    fail(fmt::format("{}: expected {}, as in the first key; correct it", path(),
-                     current_->array ? "an array of numbers" : "a number"));
-  }
-
-  const JsonColumns& columns_;
-  const spline::Tcb<double>& tcb_;
-  std::vector<bool> seen_;
-  bool timed_ = false, eased_ = false;
-  std::size_t expected_ = 0;  ///< the member that comes next if all keys look alike
-  const Member* current_ = nullptr;
-  KeyBlock block_;
+/// A part of the text, and what the members of its keys mean.
+struct Task {
+  JsonPart part;
+  SharedColumns columns;
 };
 
-/// Reads what stands beside the keys in the object around them.
-class Envelope : public JsonEvents {
- public:
-  using JsonEvents::JsonEvents;
-  std::vector<std::string> channels;
-  CurveSettings settings;
-  std::vector<std::pair<std::string, Place>> places;
-
- private:
-  bool on_member(const std::string& name) override {
-    member_ = name;
-    return true;
-  }
-  bool on_number(const spline::Time<double>& value) override {
-    if (member_ == "channels") fail("channels: a number; expected names in quotes; correct it");
-    return on_other(time_text(value));
-  }
-  bool on_other(std::string_view text) override {
-    const std::string value(text);
-    places.emplace_back(member_, here());
-    if (member_ == "channels" && in_array()) channels.push_back(value);
-    if (member_ == "preset") settings.preset = value;
-    if (member_ == "tangents") settings.tangents = value;
-    if (member_ == "ends") settings.ends = settings.ends && in_array() ? *settings.ends + "," + value : value;
-    if (member_ == "period") settings.period = value;
-    if (member_ == "closed") {
-      if (text != "true" && text != "false")
-        fail(fmt::format("closed: \"{}\"; expected true or false; correct it", text));
-      settings.closed = text == "true";
-    }
-    return true;
-  }
-
-  std::string member_;
+/// Keys, or what stands beside those before.
+struct Parsed {
+  KeyBlock keys;
+  std::optional<JsonBeside> beside;
+  SharedColumns columns;
 };
+
+/// A pure function. Throws: Error (data) for what stands beside keys.
+Parsed parse_part(const Task& task) {
+  if (task.part.beside_keys) return {{}, read_beside(task.part), task.columns};
+  return {parse_json(task.part.chunk, *task.columns), {}, task.columns};
+}
+
+/// The parts of the text with the meaning of their keys, which the first key of each list tells.
+Source<Task> tasks(const std::shared_ptr<JsonSplitter>& splitter, const InputOptions& options) {
+  return [splitter, options, columns = SharedColumns()]() mutable -> std::optional<Task> {
+    std::optional<JsonPart> part = splitter->next();
+    if (!part) return std::nullopt;
+    if (part->beside_keys) return Task{std::move(*part), std::exchange(columns, nullptr)};
+    if (columns == nullptr) {
+      const auto channels = channels_before_keys(splitter->before_keys());
+      columns = std::make_shared<const JsonColumns>(find_members(part->chunk, options, channels));
+    }
+    return Task{std::move(*part), columns};
+  };
+}
+
+/// All keys of a list, and what stands beside them.
+struct Curve {
+  std::deque<KeyBlock> blocks;
+  JsonBeside beside;
+  JsonColumns columns;
+  std::string path;
+};
+
+/// Reads on to the end of a list of keys and of the object around it; nothing at the end of the input.
+std::optional<Curve> read_curve(const Source<Parsed>& parts) {
+  Curve curve;
+  SharedColumns columns;
+  while (std::optional<Parsed> part = parts()) {
+    if (part->columns != nullptr) columns = part->columns;
+    if (part->beside) {
+      curve.beside = std::move(*part->beside);
+      if (columns == nullptr) return curve;
+      curve.columns = *columns;
+      name_channels(curve.columns, curve.beside.channels);
+      return curve;
+    }
+    const bool unreadable = part->keys.unreadable;
+    curve.path = part->keys.path;
+    curve.blocks.push_back(std::move(part->keys));
+    if (!unreadable) continue;
+    curve.columns = *columns;
+    return curve;
+  }
+  return std::nullopt;
+}
+
+Source<KeyBlock> blocks_of(std::deque<KeyBlock> blocks) {
+  return [blocks = std::move(blocks)]() mutable -> std::optional<KeyBlock> {
+    if (blocks.empty()) return std::nullopt;
+    KeyBlock block = std::move(blocks.front());
+    blocks.pop_front();
+    return block;
+  };
+}
+
+void require_same_columns(const Columns& first, const Curve& curve) {
+  const Columns& columns = curve.columns.columns;
+  if (columns.channels == first.channels && columns.time == first.time &&
+      columns.has(Role::time) == first.has(Role::time))
+    return;
+  throw Error(Exit::data, fmt::format("{}: keys with {}, {}; expected {}, {}, as in the first curve; correct them",
+                                      curve.path, columns.time, fmt::join(columns.channels, ", "), first.time,
+                                      fmt::join(first.channels, ", ")));
+}
+
+/// It is no curve but the object around all of them, which comes last. Throws: Error (data) for settings there.
+bool is_around_curves(const Curve& curve) {
+  if (!curve.blocks.empty() || !curve.beside.path.empty()) return false;
+  const auto& places = curve.beside.keys.places;
+  if (places.empty()) return true;
+  throw Error(Exit::data, places[0].second,
+              fmt::format("{}: beside the curves; expected in each of them; move it there", places[0].first));
+}
+
+/// The blocks of a curve with what stands beside its keys.
+std::deque<KeyBlock> marked(Curve curve) {
+  auto first = std::ranges::find_if(curve.blocks, [](const KeyBlock& block) { return !block.lines.empty(); });
+  if (first != curve.blocks.end()) {
+    first->beside_keys = std::make_shared<const BesideKeys>(std::move(curve.beside.keys));
+  } else if (curve.blocks.empty()) {
+    curve.blocks.emplace_back().faults.emplace_back(
+        Exit::data, curve.beside.place,
+        fmt::format("{}: no keys; expected two at least; add them, or take the curve out", curve.beside.path));
+  }
+  return std::move(curve.blocks);
+}
+
+/// The keys of all curves, each kept until what stands beside them is known.
+Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
+  const Columns columns = first.columns.columns;
+  return [parts = std::move(parts), left = marked(std::move(first)), columns]() mutable -> std::optional<KeyBlock> {
+    while (left.empty()) {
+      std::optional<Curve> curve = read_curve(parts);
+      if (!curve || is_around_curves(*curve)) return std::nullopt;
+      if (!curve->blocks.empty()) require_same_columns(columns, *curve);
+      left = marked(std::move(*curve));
+    }
+    KeyBlock block = std::move(left.front());
+    left.pop_front();
+    return block;
+  };
+}
+
+[[noreturn]] void refuse_empty() {
+  throw Error(Exit::data, "no keys: the input is empty; expected an object for each key; see --help");
+}
+
+const char* shape_name(JsonSplitter::Shape shape) {
+  switch (shape) {
+    case JsonSplitter::Shape::list: return "an array of keys";
+    case JsonSplitter::Shape::wrapped: return "an object with keys";
+    case JsonSplitter::Shape::curves: return "an object with curves";
+    default: return "a key a line";
+  }
+}
+
+void describe(Input& input, const JsonColumns& meaning, JsonSplitter::Shape shape) {
+  Columns columns = meaning.columns;
+  columns.cells.resize(meaning.found);
+  input.named = true;
+  input.timed = columns.has(Role::time);
+  input.time = columns.time;
+  input.channels = columns.channels;
+  input.groups = columns.groups;
+  input.carried = columns.carried;
+  input.facts = facts(columns);
+  input.facts.emplace(input.facts.begin(), "shape", shape_name(shape));
+}
+
+Input open_list(Source<Task> source, JsonSplitter::Shape shape, unsigned threads) {
+  std::optional<Task> first = source();
+  if (!first) refuse_empty();
+  Input input;
+  describe(input, *first->columns, shape);
+  const auto parse = [](const Task& task) { return parse_json(task.part.chunk, *task.columns); };
+  input.keys = ordered_map(preceded_by(std::move(*first), std::move(source)), parse, threads);
+  return input;
+}
 
 }  // namespace
 
-KeyBlock parse_json(const Chunk& chunk, const JsonColumns& columns, const spline::Tcb<double>& tcb) {
-  KeyBuilder builder(chunk, columns, tcb);
-  builder.parse();
-  return builder.take();
-}
-
 Input open_json(Source<std::string> bytes, const InputOptions& options) {
-  if (options.delimiter || options.header) {
-    throw Error(
-        Exit::usage,
-        "--delimiter, --header and --no-header have no effect on JSON; take them out, or give the format with -i");
+  if (options.delimiter || options.header || options.decimal != '.') {
+    throw Error(Exit::usage,
+                "--delimiter, --header, --no-header and --decimal have no effect on JSON; take them out, or give the "
+                "format with -i");
   }
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
-  Source<Chunk> chunks = [splitter] { return splitter->next(); };
-  std::vector<std::string> channels;
-  CurveSettings settings;
-  std::vector<std::pair<std::string, Place>> places;
-  auto first = chunks();
-  if (splitter->wrapped()) {
-    // The settings may stand behind the keys, so all of the text is read before the first key is used.
-    std::vector<Chunk> kept;
-    for (; first; first = chunks()) kept.push_back(std::move(*first));
-    if (splitter->list_closed()) {
-      Envelope envelope(splitter->envelope());
-      envelope.parse_object();
-      channels = envelope.channels;
-      settings = envelope.settings;
-      places = std::move(envelope.places);
+  Source<Task> source = tasks(splitter, options);
+  std::optional<Task> first = source();
+  if (!first) refuse_empty();
+  const JsonSplitter::Shape shape = splitter->shape();
+  source = preceded_by(std::move(*first), std::move(source));
+  const bool wrapped = shape == JsonSplitter::Shape::wrapped, curves = shape == JsonSplitter::Shape::curves;
+  Input input;
+  if (!wrapped && !curves) {
+    input = open_list(std::move(source), shape, options.threads);
+  } else {
+    Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
+    std::optional<Curve> curve = read_curve(parts);
+    if (!curve || curve->columns.members.empty()) refuse_empty();
+    describe(input, curve->columns, shape);
+    if (wrapped) {
+      input.beside_keys = std::move(curve->beside.keys);
+      input.keys = blocks_of(std::move(curve->blocks));
+    } else {
+      if (!input.groups.empty()) {
+        throw Error(Exit::data,
+                    "--group has no meaning for an object with curves, which are told apart already; take "
+                    "it out");
+      }
+      input.groups = {"id"};
+      input.own_curves = true;
+      input.keys = keys_of_curves(std::move(parts), std::move(*curve));
     }
-    chunks = [kept = std::move(kept), next = std::size_t{0}]() mutable -> std::optional<Chunk> {
-      return next < kept.size() ? std::optional(std::move(kept[next++])) : std::nullopt;
-    };
-    first = chunks();
   }
-  if (!first) throw Error(Exit::data, "no keys: the input is empty; expected an object for each key; see --help");
-  const auto columns = std::make_shared<const JsonColumns>(find_members(*first, options, channels));
-  const auto parse = [columns, tcb = options.tcb](const Chunk& chunk) { return parse_json(chunk, *columns, tcb); };
-  const Columns& meaning = columns->columns;
-  return {true,
-          meaning.has(Role::time),
-          meaning.time,
-          meaning.channels,
-          settings,
-          ordered_map(preceded_by(std::move(*first), std::move(chunks)), parse, options.threads),
-          std::move(places)};
+  input.may_miss = options.missing == Missing::skip_cell;
+  input.may_break = curves || options.missing == Missing::break_curve;
+  return input;
 }
 
 }  // namespace tcb::format

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 #include <utility>
 
 #include "error.hpp"
 #include "format/json_events.hpp"
 #include "format/number.hpp"
+#include "format/refusal.hpp"
 
 namespace tcb::format {
 namespace {
@@ -22,41 +24,57 @@ class FirstKey : public JsonEvents {
   struct Found {
     std::string name;
     bool array = false;
-    std::size_t numbers = 0;
+    bool text = false;        ///< it is one text, or true or false
+    std::size_t numbers = 0;  ///< that it has, or that are missing there
   };
   using JsonEvents::JsonEvents;
   std::vector<Found> members;
 
  private:
   bool on_member(const std::string& name) override {
-    if (std::ranges::find(members, name, &Found::name) != members.end()) {
+    if (!names_.insert(name).second) {
       fail(fmt::format("{}: a second time in one key; expected once; take one out", path()));
     }
     members.push_back({name});
     return true;
   }
-  bool on_number(const spline::Time<double>&) override {
+  bool on_number(const spline::Time<double>&) override { return count(); }
+  bool on_other(std::string_view text) override {
+    if (text == "null" && !is_quoted()) return count();  // refused later, as a number that is missing
+    Found& member = members.back();
+    const bool has_role = role_of_name(member.name) != Role::position;
+    if (!in_array() && (has_role || (!text.empty() && looks_numeric(text)))) {
+      fail(fmt::format("{}: {} is not a number; expected one without quotes; correct it", path(), shown(text)));
+    }
+    if (in_array() && (member.name == "position" || member.name == "tcb")) return count();  // refused later too
+    member.text = !in_array() && text != "an object";
+    return true;
+  }
+  bool on_key_end() override { return false; }
+
+  bool count() {
     members.back().array = in_array();
     ++members.back().numbers;
     return true;
   }
-  bool on_other(std::string_view text) override {
-    if (text == "null") members.back().numbers = 1;  // refused later, as a number that is missing
-    const bool has_role = role_of_name(members.back().name) != Role::position;
-    if (text != "null" && !in_array() && (has_role || (!text.empty() && looks_numeric(text)))) {
-      fail(fmt::format("{}: \"{}\" is not a number; expected one without quotes; correct it", path(), text));
-    }
-    return true;
-  }
-  bool on_key_end() override { return false; }
+
+  std::unordered_set<std::string> names_;
 };
 
 /// The names of a member's cells, as a table would have them.
 std::vector<std::string> cell_names(const FirstKey::Found& member, const std::vector<std::string>& channels) {
+  if (member.text) return {member.name};
   if (!member.array) return std::vector<std::string>(member.numbers, member.name);
   if (member.name == "tcb") return {"tension", "continuity", "bias"};
   if (member.name != "position") return {};
   return channels.empty() ? default_channel_names(member.numbers) : channels;
+}
+
+void require_count(std::size_t names, std::size_t numbers) {
+  if (names == numbers) return;
+  throw Error(Exit::data, fmt::format("\"channels\" has {} names; expected {}, one for each number of \"position\"; "
+                                      "correct it",
+                                      names, numbers));
 }
 
 /// Tension, continuity and bias may come in any key, also where the first has none.
@@ -76,7 +94,9 @@ void add_optional_members(JsonColumns& columns) {
 bool is_required(const JsonColumns& columns, const Member& member) {
   return std::any_of(columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell),
                      columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell + member.cells),
-                     [](const auto& cell) { return cell.role == Role::time || cell.role == Role::position; });
+                     [](const auto& cell) {
+                       return cell.role == Role::time || cell.role == Role::position || cell.role == Role::group;
+                     });
 }
 
 }  // namespace
@@ -91,22 +111,31 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
   std::vector<bool> numeric;
   for (const auto& found : first.members) {
     const auto names = cell_names(found, channels);
-    if (found.array && found.name == "position" && names.size() != found.numbers) {
-      throw Error(Exit::data,
-                  fmt::format("\"channels\" has {} names; expected {}, one for each number of \"position\"; "
-                              "correct it",
-                              names.size(), found.numbers));
-    }
+    if (found.array && found.name == "position") require_count(names.size(), found.numbers);
     result.members.push_back({found.name, found.array, header.size(), names.size()});
     header.insert(header.end(), names.begin(), names.end());
     // Beside an array of positions, a number that is nothing else is not a position.
     const bool beside = has_array && !found.array && role_of_name(found.name) == Role::position;
-    numeric.resize(header.size(), !beside);
+    numeric.resize(header.size(), !beside && !found.text);
   }
   result.columns = find_columns(header, numeric, options.roles, options.timeless);
+  result.found = result.columns.cells.size();
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);
+  result.tcb = options.tcb;
+  result.missing = options.missing;
   return result;
+}
+
+void name_channels(JsonColumns& columns, const std::vector<std::string>& channels) {
+  const auto member =
+      std::ranges::find_if(columns.members, [](const Member& m) { return m.array && m.name == "position"; });
+  if (member == columns.members.end() || channels.empty()) return;
+  require_count(channels.size(), member->cells);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const Columns::Column column = columns.columns.cells[member->cell + i];
+    if (column.role == Role::position) columns.columns.channels[column.channel] = channels[i];
+  }
 }
 
 }  // namespace tcb::format

@@ -20,10 +20,16 @@ struct JsonColumns {
   };
   Columns columns;
   std::vector<Member> members;
+  std::size_t found = 0;         ///< so many cells are those of the first key; others may come in any key
+  spline::Tcb<double> tcb = {};  ///< of keys that carry none
+  Missing missing = Missing::error;
 };
 
 /// The meaning of the members of the first key of a chunk. `channels` names the numbers of "position",
 /// where the input says so. Throws: Error (data).
 JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const std::vector<std::string>& channels);
+
+/// Gives the numbers of "position" these names. Throws: Error (data) where there are not as many.
+void name_channels(JsonColumns& columns, const std::vector<std::string>& channels);
 
 }  // namespace tcb::format

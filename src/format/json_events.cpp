@@ -67,17 +67,22 @@ std::string reason(const std::string& message) {
 struct JsonEvents::Adapter {
   JsonEvents& events;
 
-  bool null() { return events.value(nullptr, "null"); }
-  bool boolean(bool value) { return events.value(nullptr, value ? "true" : "false"); }
-  bool number_integer(json::number_integer_t value) { return whole(value); }
-  bool number_unsigned(json::number_unsigned_t value) { return whole(value); }
-  bool number_float(json::number_float_t, const std::string& text) {
-    const auto number = parse_time(text);
-    if (!number)
-      events.fail(fmt::format("{} is not a finite double; expected less than 1.8e308 in size; correct it", text));
-    return events.value(&*number, text);
+  bool null() { return word("null"); }
+  bool boolean(bool value) { return word(value ? "true" : "false"); }
+  bool number_integer(json::number_integer_t value) {
+    if (value != 0) return whole(value);
+    return number_float(-0.0, {});  // only a zero with a sign comes here
   }
-  bool string(std::string& text) { return events.value(nullptr, text); }
+  bool number_unsigned(json::number_unsigned_t value) { return whole(value); }
+  bool number_float(json::number_float_t value, const std::string&) {
+    events.is_quoted_ = false;
+    const spline::Time<double> number(value);
+    return events.value(&number, {});
+  }
+  bool string(std::string& text) {
+    events.is_quoted_ = true;
+    return events.value(nullptr, text);
+  }
   bool binary(json::binary_t&) { return false; }
   bool start_object(std::size_t) { return events.open(true); }
   bool key(std::string& name) {
@@ -96,8 +101,14 @@ struct JsonEvents::Adapter {
                    fmt::format("not JSON: {}; correct the text", reason(error.what())));
   }
 
+  bool word(std::string_view text) {
+    events.is_quoted_ = false;
+    return events.value(nullptr, text);
+  }
+
   template <class Whole>
   bool whole(Whole value) {
+    events.is_quoted_ = false;
     const spline::Time<double> number = whole_time(value);
     return events.value(&number, {});
   }
@@ -115,8 +126,20 @@ void JsonEvents::parse() {
   for (const char* line = begin; line != end;) {
     const char* const line_end = std::find(line, end, '\n');
     const bool blank = std::all_of(line, line_end, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
-    if (!blank && !parse_range(line, line_end)) return;
+    if (!blank && !parse_line(line, line_end)) return;
     line = line_end == end ? end : line_end + 1;
+  }
+}
+
+/// Whether the events go on in the next line.
+bool JsonEvents::parse_line(const char* begin, const char* end) {
+  const std::size_t keys = keys_;
+  try {
+    return parse_range(begin, end);
+  } catch (const Error& error) {
+    if (!on_bad_line(error)) throw;
+    keys_ = keys + 1;
+    return true;
   }
 }
 
@@ -142,6 +165,7 @@ bool JsonEvents::value(const spline::Time<double>* number, std::string_view text
 
 bool JsonEvents::open(bool object) {
   bool more = true;
+  is_quoted_ = false;
   if (in_array()) {
     more = on_other(object ? "an object" : "an array");
     ++element_;
@@ -167,19 +191,29 @@ bool JsonEvents::close(bool object) {
   return array_of_member ? on_array_end() : key ? on_key_end() : true;
 }
 
-std::uint64_t JsonEvents::line() {
-  line_ += static_cast<std::uint64_t>(std::count(counted_, now_, '\n'));
-  counted_ = now_;
-  return line_;
+LinePlace JsonEvents::place_of_key() {
+  counted_place_ = place_after({counted_, static_cast<std::size_t>(key_ - counted_)}, counted_place_);
+  counted_ = key_;
+  return counted_place_;
+}
+
+std::string JsonEvents::key_path() const {
+  return fmt::format("{}[{}]", chunk_.path.empty() ? "keys" : chunk_.path, key_number());
 }
 
 std::string JsonEvents::path() const {
-  return fmt::format("keys[{}].{}{}", chunk_.first + keys_, member_, in_array() ? fmt::format("[{}]", element_) : "");
+  const std::string list = key_depth_ == 0 && part_ != nullptr ? chunk_.path : key_path();
+  return fmt::format("{}{}{}{}", list, list.empty() ? "" : ".", member_,
+                     in_array() ? fmt::format("[{}]", element_) : "");
 }
 
-void JsonEvents::fail(const std::string& message) const { fail_at(token_start(chunk_.text.data(), now_), message); }
+Error JsonEvents::error(const std::string& message) const {
+  return {Exit::data, place_of(token_start(chunk_.text.data(), now_)), message};
+}
 
-void JsonEvents::fail_key(const std::string& message) const { fail_at(key_, message); }
+Error JsonEvents::key_error(const std::string& message) const { return {Exit::data, place_of(key_), message}; }
+
+void JsonEvents::fail(const std::string& message) const { throw error(message); }
 
 Place JsonEvents::here() const { return place_of(token_start(chunk_.text.data(), now_)); }
 
@@ -189,6 +223,10 @@ void JsonEvents::fail_at(const char* where, const std::string& message) const {
 
 Place JsonEvents::place_of(const char* where) const {
   const std::string_view before(chunk_.text.data(), static_cast<std::size_t>(where - chunk_.text.data()));
+  if (part_ != nullptr && before.size() >= part_->gap) {
+    const std::string_view behind = before.substr(part_->gap);
+    return {"", part_->line + count_lines(behind), column_after(behind, part_->column)};
+  }
   return {"", chunk_.line + count_lines(before), column_after(before, chunk_.column)};
 }
 

@@ -8,6 +8,8 @@
 
 #include "error.hpp"
 #include "format/input.hpp"
+#include "format/json_split.hpp"
+#include "format/place.hpp"
 
 namespace tcb::format {
 
@@ -15,7 +17,10 @@ namespace tcb::format {
 /// A value is a member's own, or an element of the array that the member is; what lies deeper is passed over.
 class JsonEvents {
  public:
-  explicit JsonEvents(const Chunk& chunk) : chunk_(chunk), now_(chunk.text.data()), counted_(now_), line_(chunk.line) {}
+  explicit JsonEvents(const Chunk& chunk)
+      : chunk_(chunk), now_(chunk.text.data()), counted_(now_), counted_place_{chunk.line, chunk.column} {}
+  /// What stands beside keys.
+  explicit JsonEvents(const JsonPart& part) : JsonEvents(part.chunk) { part_ = &part; }
   JsonEvents(const JsonEvents&) = delete;
   JsonEvents& operator=(const JsonEvents&) = delete;
   virtual ~JsonEvents() = default;
@@ -36,23 +41,34 @@ class JsonEvents {
   /// A value that is no number, as it is shown in messages; strings without quotes.
   virtual bool on_other(std::string_view text) = 0;
   virtual bool on_array_end() { return true; }
+  /// A line of JSON Lines is no key. Returning false says it to the caller, returning true goes on in the next line.
+  virtual bool on_bad_line(const Error&) { return false; }
 
+  /// The value at hand that is no number is a string.
+  bool is_quoted() const { return is_quoted_; }
   bool in_array() const { return depth_ == key_depth_ + 2 && is_array_; }
   /// Number of the array element at hand from 0; at the array's end, their count.
   std::size_t element() const { return element_; }
-  /// The line of the text at hand. Requires: calls come in the order of the text.
-  std::uint64_t line();
+  /// Where the key at hand begins. Requires: calls come in the order of the text.
+  LinePlace place_of_key();
   /// The place of the value that is being parsed.
   Place here() const;
+  /// An error at the value that is being parsed.
+  Error error(const std::string& message) const;
+  /// An error at the beginning of the key that is being parsed.
+  Error key_error(const std::string& message) const;
   /// Throws: Error (data) at the value that is being parsed.
   [[noreturn]] void fail(const std::string& message) const;
-  /// Throws: Error (data) at the beginning of the key that is being parsed.
-  [[noreturn]] void fail_key(const std::string& message) const;
+  /// The number of the key at hand in its list.
+  std::uint64_t key_number() const { return chunk_.first + keys_; }
+  /// The key at hand, as in "curves[2].keys[17]".
+  std::string key_path() const;
   /// The member at hand, as in "keys[17].position[1]".
   std::string path() const;
 
  private:
   struct Adapter;
+  bool parse_line(const char* begin, const char* end);
   bool parse_range(const char* begin, const char* end);
   bool value(const spline::Time<double>* number, std::string_view text);
   bool open(bool object);
@@ -61,14 +77,16 @@ class JsonEvents {
   [[noreturn]] void fail_at(const char* where, const std::string& message) const;
 
   const Chunk& chunk_;
-  const char* now_;            ///< the parser has read up to here
-  const char* key_ = nullptr;  ///< where the key at hand begins
-  const char* counted_;        ///< line_ is the line here
-  std::uint64_t line_;
-  std::size_t key_depth_ = 0;  ///< how many brackets are around a key object
+  const JsonPart* part_ = nullptr;  ///< that the chunk is, where it is what stands beside keys
+  const char* now_;                 ///< the parser has read up to here
+  const char* key_ = nullptr;       ///< where the key at hand begins
+  const char* counted_;             ///< here is
+  LinePlace counted_place_;         ///< this place
+  std::size_t key_depth_ = 0;       ///< how many brackets are around a key object
   std::size_t depth_ = 0;
   std::size_t keys_ = 0;
   std::size_t element_ = 0;
+  bool is_quoted_ = false;
   bool is_array_ = false;  ///< the member at hand is an array, not an object
   std::string member_;
 };

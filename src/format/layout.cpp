@@ -3,38 +3,29 @@
 
 #include <fmt/format.h>
 
-#include "format/number.hpp"
+#include <algorithm>
+
+#include "format/number_text.hpp"
 
 namespace tcb::format {
 namespace {
 
-void append_cell(std::string& out, CellKind kind, const Cell& cell) {
+char* write_cell(char* out, CellKind kind, const Cell& cell) {
   switch (kind) {
-    case CellKind::time: append_time(out, cell); break;
-    case CellKind::real: append_number(out, cell.hi); break;
-    case CellKind::whole: append_whole(out, static_cast<std::uint64_t>(cell.hi)); break;
+    case CellKind::time: return write_time(cell, out);
+    case CellKind::real: return write_shortest(cell.hi, out);
+    case CellKind::whole: return write_whole(static_cast<std::uint64_t>(cell.hi), out);
   }
+  return out;
 }
 
-/// A name as a cell: in quotes where RFC 4180 asks for them.
-std::string delimited_name(const std::string& name, char delimiter) {
-  const bool plain = name.find_first_of("\"\r\n") == std::string::npos && name.find(delimiter) == std::string::npos &&
-                     !(delimiter == ' ' && name.find_first_of(" \t") != std::string::npos);
-  if (plain) return name;
-  std::string quoted = "\"";
-  for (const char c : name) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
+char* write_text(char* out, std::string_view text) { return std::copy(text.begin(), text.end(), out); }
 
-/// A name as a JSON string.
-std::string json_name(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) {
-    if (c == '"' || c == '\\') text += '\\';
-    const auto code = static_cast<unsigned char>(c);
-    text += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
-  }
-  return text + '"';
+/// Room for any row.
+std::size_t row_room(const Layout& layout) {
+  std::size_t room = layout.between_rows.size() + layout.row_end.size();
+  for (const std::string& before : layout.before) room += before.size() + std::max(number_room, layout.empty.size());
+  return room;
 }
 
 /// The texts before the members of an object.
@@ -42,34 +33,55 @@ std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
   std::vector<std::string> before;
   before.reserve(columns.size());
   for (const OutputColumn& column : columns) {
-    before.push_back((before.empty() ? "{" : ",") + json_name(column.name) + ":");
+    before.push_back((before.empty() ? "{" : ",") + json_text(column.name) + ":");
   }
   return before;
 }
 
 }  // namespace
 
+std::string delimited_text(std::string_view text, char delimiter) {
+  const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
+                     text.find(delimiter) == std::string_view::npos &&
+                     !(delimiter == ' ' && (text.empty() || text.find_first_of(" \t") != std::string_view::npos));
+  if (plain) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string json_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    quoted += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first) {
+  const std::size_t begin = out.size();
+  out.resize(begin + cells.size() / columns.size() * row_room(layout));
+  char* at = out.data() + begin;
   for (std::size_t row = 0; row < cells.size(); row += columns.size()) {
-    if (row > 0 || !first) out += layout.between_rows;
+    if (row > 0 || !first) at = write_text(at, layout.between_rows);
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      out += layout.before[i];
-      if (is_empty(cells[row + i])) {
-        out += layout.empty;
-      } else {
-        append_cell(out, columns[i].kind, cells[row + i]);
-      }
+      const Cell& cell = cells[row + i];
+      at = write_text(at, layout.before[i]);
+      at = is_empty(cell) ? write_text(at, layout.empty) : write_cell(at, columns[i].kind, cell);
     }
-    out += layout.row_end;
+    at = write_text(at, layout.row_end);
   }
+  out.resize(static_cast<std::size_t>(at - out.data()));
 }
 
 Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header) {
   Layout layout;
   for (const OutputColumn& column : columns) {
     layout.before.emplace_back(layout.before.empty() ? "" : std::string(1, delimiter));
-    if (header) layout.head += layout.before.back() + delimited_name(column.name, delimiter);
+    if (header) layout.head += layout.before.back() + delimited_text(column.name, delimiter);
   }
   if (header) layout.head += '\n';
   layout.row_end = "\n";

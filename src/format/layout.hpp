@@ -42,6 +42,12 @@ struct Layout {
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first);
 
+/// A text as a cell: in quotes where RFC 4180 asks for them.
+std::string delimited_text(std::string_view text, char delimiter);
+
+/// A text as a JSON string.
+std::string json_text(std::string_view text);
+
 /// Rows of cells with a delimiter between, and the names on top where wanted.
 Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header);
 

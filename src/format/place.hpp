@@ -25,4 +25,15 @@ inline std::uint64_t column_after(std::string_view text, std::uint64_t column) {
   return column + static_cast<std::uint64_t>(characters);
 }
 
+/// A line and a column in it.
+struct LinePlace {
+  std::uint64_t line = 1;
+  std::uint64_t column = 1;
+};
+
+/// The place behind a text that begins in the given one.
+inline LinePlace place_after(std::string_view text, LinePlace place) {
+  return {place.line + count_lines(text), column_after(text, place.column)};
+}
+
 }  // namespace tcb::format

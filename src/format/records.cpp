@@ -8,66 +8,9 @@
 namespace tcb::format {
 namespace {
 
-constexpr std::size_t longest_record = 64UL * 1024 * 1024;
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-/// The quote that ends the quoted cell begun at `open`, or npos.
-std::size_t closing_quote(std::string_view text, std::size_t open) {
-  for (std::size_t at = text.find('"', open + 1); at != std::string_view::npos; at = text.find('"', at + 2)) {
-    if (at + 1 == text.size() || text[at + 1] != '"') return at;
-  }
-  return std::string_view::npos;
-}
-
-/// The line end of the record or comment that begins at `at`, or npos.
-std::size_t end_of_record(std::string_view text, std::size_t at, const Dialect& dialect) {
-  while (at < text.size() && is_blank(text[at])) ++at;
-  if (!dialect.comment.empty() && text.substr(at).starts_with(dialect.comment)) return text.find('\n', at);
-  for (bool cell_begins = true; at < text.size() && text[at] != '\n'; ++at) {
-    if (cell_begins && text[at] == '"') {
-      at = closing_quote(text, at);
-      if (at == std::string_view::npos) return at;
-    }
-    const bool delimits = text[at] == dialect.delimiter || (dialect.delimiter == ' ' && text[at] == '\t');
-    cell_begins = delimits || (cell_begins && is_blank(text[at]));
-  }
-  return at < text.size() ? at : std::string_view::npos;
-}
-
-/// Where the last whole record of a text ends, 0 if there is none.
-std::size_t end_of_records(std::string_view text, const Dialect& dialect) {
-  if (text.find('"') == std::string_view::npos) return text.rfind('\n') + 1;  // npos + 1 is 0
-  std::size_t end = 0;
-  for (std::size_t at = end_of_record(text, 0, dialect); at != std::string_view::npos;
-       at = end_of_record(text, end, dialect)) {
-    end = at + 1;
-  }
-  return end;
-}
+bool is_blank(char c) { return Dialect::is_blank(c); }
 
 }  // namespace
-
-Source<Chunk> split_delimited(Source<std::string> bytes, Dialect dialect) {
-  return [bytes = std::move(bytes), dialect = std::move(dialect), rest = std::string(),
-          line = std::uint64_t{1}]() mutable -> std::optional<Chunk> {
-    for (;;) {
-      std::optional<std::string> more = bytes();
-      rest += more.value_or("");
-      const std::size_t end = more ? end_of_records(rest, dialect) : rest.size();
-      if (end == 0 && !more) return std::nullopt;
-      if (end == 0 && rest.size() > longest_record) {
-        throw Error(Exit::data, Place{"", line, 1},
-                    "a record of more than 64 MiB; a quote may have been opened and not closed; close it");
-      }
-      if (end == 0) continue;
-      Chunk chunk{rest.substr(0, end), line, 0};
-      rest.erase(0, end);
-      line += count_lines(chunk.text);
-      return chunk;
-    }
-  };
-}
 
 Records::Records(const Chunk& chunk, const Dialect& dialect)
     : dialect_(dialect),
@@ -89,12 +32,15 @@ bool Records::skip_to_record() {
     record_ = at_;
     while (at_ != end_ && is_blank(*at_)) ++at_;
     const std::string_view left(at_, static_cast<std::size_t>(end_ - at_));
-    if (!dialect_.comment.empty() && left.starts_with(dialect_.comment)) {
+    const bool divides = dialect_.is_divider(left);
+    if (divides || dialect_.is_comment(left)) {
       const std::size_t size = std::min(left.find('\n'), left.size());
-      comment_ = left.substr(0, size);
+      if (!divides) comment_ = left.substr(0, size);
+      broken_ = broken_ || divides;
       at_ += size;
     } else if (at_line_end()) {
       comment_ = {};
+      broken_ = broken_ || dialect_.delimiter == ' ';
     } else {
       at_ = record_;
       return true;
@@ -111,6 +57,7 @@ std::string_view Records::find_record() {
 bool Records::next(std::vector<std::string_view>& cells) {
   cells.clear();
   comment_ = {};
+  broken_ = false;
   if (!skip_to_record()) return false;
   record_line_ = line_;
   const bool blanks = dialect_.delimiter == ' ';
@@ -154,7 +101,10 @@ std::string_view Records::take_quoted() {
   const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
   while (!at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
   if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
-    throw Error(Exit::data, place({at_, 1}),
+    const Place where = place({at_, 1});
+    at_ = std::find(at_, end_, '\n');
+    pass_line_end();
+    throw Error(Exit::data, where,
                 "text after a quoted cell; expected the delimiter or the line's end; double the quotes inside a cell");
   }
   return cell;
@@ -175,9 +125,9 @@ std::string unquoted(std::string_view cell) {
   return text;
 }
 
-std::optional<char> find_delimiter(std::string_view text, const std::string& comment) {
+std::optional<char> find_delimiter(std::string_view text, const std::string& comment, char decimal) {
   const Chunk chunk{std::string(text)};
-  const Dialect any{'\n', comment};
+  const Dialect any{' ', comment};
   const std::string_view record = Records(chunk, any).find_record();
   std::string seen;
   bool quoted = false, ended = false;
@@ -188,7 +138,7 @@ std::optional<char> find_delimiter(std::string_view text, const std::string& com
     if (!quoted) seen += c;
   }
   if (!ended) return std::nullopt;
-  for (const char delimiter : {'\t', ';', ',', ' '}) {
+  for (const char delimiter : std::string_view(decimal == ',' ? "\t; " : "\t;, ")) {
     if (seen.find(delimiter) != std::string::npos) return delimiter;
   }
   return ',';

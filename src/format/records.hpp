@@ -3,7 +3,8 @@
 // Source: RFC 4180 for quotes: a cell that begins with a quote ends with one, holds delimiters and line
 //   ends as they are, and doubles each quote inside.
 // Differs: LF or CRLF ends a record, the last may lack it; comment lines and blank lines are skipped;
-//   where the delimiter is a blank, runs of blanks and tabs count as one.
+//   where the delimiter is a blank, runs of blanks and tabs count as one, and a blank line or one that
+//   begins with ">" sets curves apart.
 #pragma once
 
 #include <optional>
@@ -12,20 +13,9 @@
 #include <vector>
 
 #include "error.hpp"
-#include "format/input.hpp"
-#include "stream.hpp"
+#include "format/record_split.hpp"
 
 namespace tcb::format {
-
-/// How records are written.
-struct Dialect {
-  char delimiter = ',';       ///< ' ' stands for runs of blanks and tabs
-  std::string comment = "#";  ///< lines that begin with it are skipped; empty: none are
-};
-
-/// Cuts bytes into chunks of whole records. Requires: the bytes have no byte order mark.
-/// Throws: Error (data) for a record over 64 MiB, which only a quote left open makes.
-Source<Chunk> split_delimited(Source<std::string> bytes, Dialect dialect);
 
 /// Walks over the records of a chunk.
 class Records {
@@ -34,8 +24,11 @@ class Records {
 
   /// The cells of the next record, as they stand in the text but for blanks around them; false at the
   /// end. Comments and blank lines are skipped; the last comment skipped is in comment().
-  /// Throws: Error (data) for a quote out of place.
+  /// Throws: Error (data) for a quote out of place; the record is passed over by then.
   bool next(std::vector<std::string_view>& cells);
+
+  /// A line between the record before and this one, or at the end behind the last one, sets curves apart.
+  bool broken() const { return broken_; }
 
   /// The text from the next record on.
   std::string_view find_record();
@@ -61,13 +54,15 @@ class Records {
   const char* record_;
   std::uint64_t line_, record_line_;
   std::string_view comment_;
+  bool broken_ = false;
 };
 
 /// The text of a cell without its quotes.
 std::string unquoted(std::string_view cell);
 
 /// The delimiter of the first record: the first of tab, ";", "," and blank that occurs in it outside quotes, or ","
-/// where none does. Nothing if the text does not hold the whole of the first record, with its line end.
-std::optional<char> find_delimiter(std::string_view text, const std::string& comment);
+/// where none does; with a decimal comma "," comes last. Nothing if the text does not hold the whole of the first
+/// record, with its line end.
+std::optional<char> find_delimiter(std::string_view text, const std::string& comment, char decimal = '.');
 
 }  // namespace tcb::format

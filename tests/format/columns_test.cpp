@@ -124,8 +124,8 @@ TEST(Columns, role_requests_that_say_nothing_are_refused) {
     EXPECT_EQ(error_of([&] { parse_roles("bias=b," + part); }),
               "usage: f: error: --columns: \"" + part +
                   "\" is no role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
-                  "bias=, ease_in= or "
-                  "ease_out=; for example --columns time=frame,position=px:py");
+                  "bias=, ease_in=, "
+                  "ease_out=, group= or carry=; for example --columns time=frame,position=px:py");
   }
 }
 

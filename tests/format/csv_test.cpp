@@ -31,7 +31,8 @@ TEST(Csv, the_first_record_is_a_header_if_a_cell_in_it_is_no_number) {
   EXPECT_EQ(read("0,inf\n1,2\n"),
             "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
   EXPECT_EQ(read("0,NA\n1,2\n"),
-            "f:1:3: error: x: \"NA\" where a number was expected; fill it in, or take the row out");
+            "f:1:3: error: x: \"NA\" where a number was expected; fill it in, or give --missing skip-row, skip-cell or "
+            "break");
 }
 
 TEST(Csv, a_header_may_be_forced_or_denied) {
@@ -62,11 +63,13 @@ TEST(Csv, columns_are_asked_for_by_name_or_number) {
 
 TEST(Csv, columns_of_text_are_left_out_and_one_cell_that_is_missing_makes_no_text) {
   EXPECT_EQ(read("t,label,x\n0,one,1\n1,2,2\n2,three,3\n"),
-            "f:2:3: error: label: \"one\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell")
+            "f:2:3: error: label: \"one\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
+            "f:4:3: error: label: \"three\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell")
       << "of two rows, one is a number";
   EXPECT_EQ(read("t,label,x\n0,one,1\n1,two,2\n"), "t x\n2: 0 1\n3: 1 2\n");
   EXPECT_EQ(read("t,x\n0,\n1,2\n"),
-            "f:2:3: error: x: an empty cell where a number was expected; fill it in, or take the row out");
+            "f:2:3: error: x: an empty cell where a number was expected; fill it in, or give --missing skip-row, "
+            "skip-cell or break");
 }
 
 TEST(Csv, the_delimiter_is_found_or_given) {
@@ -116,7 +119,8 @@ TEST(Csv, a_cell_that_is_no_number_is_refused_at_its_character) {
       read("t,x,C,B\n0,1,0,0\n1,1,0,1e999\n"),
       "f:3:7: error: bias: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
   EXPECT_EQ(read("frame,x\n0,1\nNaN,1\n"),
-            "f:3:1: error: frame: \"NaN\" where a number was expected; fill it in, or take the row out");
+            "f:3:1: error: frame: \"NaN\" where a number was expected; fill it in, or give --missing skip-row, "
+            "skip-cell or break");
 }
 
 TEST(Csv, a_tiny_number_is_not_too_large) { EXPECT_EQ(read("t,x\n0,1e-400\n1,2\n"), "t x\n2: 0 0\n3: 1 2\n"); }
@@ -168,7 +172,7 @@ TEST(Csv, the_head_leaves_a_chunk_that_begins_with_the_first_key) {
   const DelimitedHead head = read_head(chunks, dialect, {}, rest);
   EXPECT_THAT(rest.text, testing::StartsWith("0,1\n1,2\n"));
   EXPECT_EQ(rest.line, 5U);
-  EXPECT_EQ(shown_key(parse_delimited(rest, head, {}), 1), "6: 1 2\n");
+  EXPECT_EQ(shown_key(parse_delimited(rest, head), 1), "6: 1 2\n");
 }
 
 // The law: what is read does not depend on how the bytes arrive.

@@ -16,7 +16,7 @@ class Log : public JsonEvents {
   bool stop_at_key_end = false;
 
  private:
-  bool on_key_start() override { return add(fmt::format("{}{{", line())); }
+  bool on_key_start() override { return add(fmt::format("{}{{", place_of_key().line)); }
   bool on_key_end() override { return add("}") && !stop_at_key_end; }
   bool on_member(const std::string& name) override { return add(" " + name + ":"); }
   bool on_number(const spline::Time<double>& value) override {

@@ -13,21 +13,31 @@ using testing::ElementsAre;
 /// Everything that a splitter hands on.
 struct Split {
   std::vector<std::string> texts;
-  std::vector<std::string> places;  ///< "LINE:COLUMN #FIRST"
-  bool wrapped = false;
-  Chunk envelope;
+  std::vector<std::string> places;  ///< "LINE:COLUMN PATH #FIRST"
+  std::vector<JsonPart> beside;
+  JsonSplitter::Shape shape = JsonSplitter::Shape::unknown;
 };
 
 Split split(const std::string& text, std::size_t piece = std::string::npos) {
   JsonSplitter splitter(pieces(text, piece));
   Split result;
-  while (const auto chunk = splitter.next()) {
-    result.texts.push_back(chunk->text);
-    result.places.push_back(fmt::format("{}:{} #{}", chunk->line, chunk->column, chunk->first));
+  while (const auto part = splitter.next()) {
+    const Chunk& chunk = part->chunk;
+    if (result.shape == JsonSplitter::Shape::unknown) result.shape = splitter.shape();
+    if (part->beside_keys) {
+      result.beside.push_back(*part);
+      continue;
+    }
+    result.texts.push_back(chunk.text);
+    result.places.push_back(fmt::format("{}:{} {}#{}", chunk.line, chunk.column,
+                                        chunk.path == "keys" ? "" : chunk.path + " ", chunk.first));
   }
-  result.wrapped = splitter.wrapped();
-  result.envelope = splitter.envelope();
   return result;
+}
+
+/// What stands beside keys, as "TEXT|LINE:COLUMN", where behind the bar is the place of what follows the keys.
+std::string shown_beside(const JsonPart& part) {
+  return fmt::format("{}|{}:{}", part.chunk.text, part.line, part.column);
 }
 
 TEST(JsonSplit, an_array_is_cut_into_arrays) {
@@ -35,26 +45,58 @@ TEST(JsonSplit, an_array_is_cut_into_arrays) {
   const Split cut = split(" [{\"t\":0},\n é{\"t\":1}, {}]", 1);
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[\n é{\"t\":1}]", "[ {}]"));
   EXPECT_THAT(cut.places, ElementsAre("1:2 #0", "1:10 #1", "2:10 #2")) << "of the bracket or comma, in characters";
-  EXPECT_FALSE(cut.wrapped);
+  EXPECT_EQ(cut.shape, JsonSplitter::Shape::list);
 }
 
 TEST(JsonSplit, keys_in_an_object_leave_an_envelope) {
   const Split cut = split("{\"a\":[1,{}],\n\"keys\": [{\"t\":0},{\"t\":1}],\"b\":2}\n", 1);
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[{\"t\":1}]"));
   EXPECT_THAT(cut.places, ElementsAre("2:9 #0", "2:17 #1"));
-  EXPECT_TRUE(cut.wrapped);
-  std::string bare = cut.envelope.text;
-  std::erase(bare, ' ');
-  EXPECT_EQ(bare, "{\"a\":[1,{}],\n\"keys\":[],\"b\":2}\n");
+  EXPECT_EQ(cut.shape, JsonSplitter::Shape::wrapped);
+  ASSERT_EQ(cut.beside.size(), 1U);
+  EXPECT_EQ(shown_beside(cut.beside[0]), "{\"a\":[1,{}],\n\"keys\": [],\"b\":2}\n|2:26");
 }
 
-TEST(JsonSplit, the_rest_of_the_envelope_stands_where_it_stands_in_the_file) {
-  for (const std::string text : {"{\"keys\":[\n{\"t\":0},\n{\"t\":1}\n ] ,\"b\":2}", "{\"keys\":[{\"t\":0}],\"b\":2}",
-                                 "{\n\"keys\":[{\"t\":0},\n{}],\"b\":2}"}) {
-    const Chunk envelope = split(text).envelope;
-    const auto column = [](const std::string& of) { return of.find("\"b\"") - (of.rfind('\n') + 1); };
-    EXPECT_EQ(std::ranges::count(envelope.text, '\n'), std::ranges::count(text, '\n'));
-    EXPECT_EQ(column(envelope.text), column(text)) << text;
+TEST(JsonSplit, what_follows_the_keys_keeps_its_place) {
+  const std::pair<const char*, const char*> places[] = {
+      {"{\"keys\":[\n{\"t\":0},\n{\"t\":1}\n ] ,\"b\":2}", "{\"keys\":[] ,\"b\":2}|4:3"},
+      {"{\"keys\":[{\"t\":0}],\"b\":2}", "{\"keys\":[],\"b\":2}|1:18"},
+      {"{\n\"keys\":[{\"t\":0},\n{}],\"b\":2}", "{\n\"keys\":[],\"b\":2}|3:4"}};
+  for (const auto& [text, expected] : places) {
+    for (std::size_t piece = 1; piece <= std::string(text).size(); ++piece) {
+      const auto beside = split(text, piece).beside;
+      ASSERT_EQ(beside.size(), 1U) << text;
+      EXPECT_EQ(shown_beside(beside[0]), expected);
+    }
+  }
+}
+
+TEST(JsonSplit, each_curve_has_its_keys_and_what_stands_beside_them) {
+  const std::string text =
+      "{\"v\":{\"curves\":[1]},\"curves\":[\n {\"id\":\"a\",\"keys\":[{\"t\":0},{\"t\":1}],\"closed\":true} ,\n"
+      "{\"keys\":[{\"t\":5}]},{\"id\":2}],\"w\":[]}\n";
+  for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+    const Split cut = split(text, piece);
+    std::string keys;
+    for (const std::string& part : cut.texts) keys += part;
+    EXPECT_THAT(keys, testing::AnyOf("[{\"t\":0}][{\"t\":1}][{\"t\":5}]", "[{\"t\":0},{\"t\":1}][{\"t\":5}]"));
+    EXPECT_EQ(cut.places.front(), "2:19 curves[0].keys #0");
+    EXPECT_EQ(cut.places.back(), "3:9 curves[1].keys #0");
+    ASSERT_EQ(cut.beside.size(), 4U);
+    EXPECT_EQ(shown_beside(cut.beside[0]), "{\"id\":\"a\",\"keys\":[],\"closed\":true}|2:36");
+    EXPECT_EQ(shown_beside(cut.beside[1]), "{\"keys\":[]}|3:18");
+    EXPECT_EQ(cut.beside[2].chunk.text, "{\"id\":2}");
+    EXPECT_EQ(cut.beside[2].chunk.path, "curves[2]");
+    EXPECT_EQ(shown_beside(cut.beside[3]), "{\"v\":{\"curves\":[1]},\"curves\":[],\"w\":[]}\n|3:29");
+  }
+}
+
+TEST(JsonSplit, between_curves_there_are_commas_and_nothing_else) {
+  const std::string curve = "{\"keys\":[{\"t\":0}]}";
+  for (const std::string& curves :
+       std::vector<std::string>{"[,", "[5", "[" + curve + curve, "[" + curve + ",]", "[" + curve + "}",
+                                "[" + curve + ",,", "[" + curve + " x"}) {
+    EXPECT_THAT(error_of([&] { split("{\"curves\":" + curves); }), testing::HasSubstr("correct the text")) << curves;
   }
 }
 
@@ -84,7 +126,7 @@ TEST(JsonSplit, brackets_commas_and_quotes_in_strings_mean_nothing) {
 TEST(JsonSplit, a_member_that_only_holds_the_word_keys_is_not_the_list) {
   const Split cut = split(R"({"a":"keys","b":[{}],"c":{"keys":[1]},"keys":[{"t":0}]})", 1);
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]"));
-  EXPECT_TRUE(cut.wrapped);
+  EXPECT_EQ(cut.shape, JsonSplitter::Shape::wrapped);
 }
 
 TEST(JsonSplit, every_byte_of_an_array_ends_up_in_a_chunk_at_its_place) {
@@ -118,7 +160,7 @@ TEST(JsonSplit, text_after_an_array_is_refused_where_it_stands) {
 TEST(JsonSplit, a_key_is_handed_on_before_more_is_asked_for) {
   int asked = 0;
   JsonSplitter splitter([&]() -> std::optional<std::string> { return ++asked == 1 ? "{\"t\":0}\n" : "{\"t\":1}\n"; });
-  EXPECT_THAT(splitter.next()->text, testing::HasSubstr("{\"t\":0}"));
+  EXPECT_THAT(splitter.next()->chunk.text, testing::HasSubstr("{\"t\":0}"));
   EXPECT_EQ(asked, 1);
 }
 

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "format/json_keys.hpp"
 #include "reading.hpp"
 
 namespace tcb::format {
@@ -80,13 +81,15 @@ std::string second(const std::string& first, const std::string& key) { return re
 TEST(Json, a_value_that_is_no_number_is_refused) {
   const std::string first = R"({"t":0,"x":1})";
   EXPECT_EQ(second(first, R"({"t":1,"x":null})"),
-            "f:2:12: error: keys[1].x: null where a number was expected; fill it in, or take the key out");
+            "f:2:12: error: keys[1].x: null where a number was expected; fill it in, or give --missing skip-row, "
+            "skip-cell or break");
   EXPECT_EQ(second(first, R"({"t":"é","x":1})"),
             "f:2:6: error: keys[1].t: \"é\" is not a number; expected one without quotes; correct it");
   EXPECT_EQ(second(first, R"({"é":"ü","t":1,"x":true})"),
             "f:2:20: error: keys[1].x: \"true\" is not a number; expected one without quotes; correct it");
   EXPECT_EQ(read(R"([{"t":0,"x":null}])"),
-            "f:1:13: error: keys[0].x: null where a number was expected; fill it in, or take the key out");
+            "f:1:13: error: keys[0].x: null where a number was expected; fill it in, or give --missing skip-row, "
+            "skip-cell or break");
   EXPECT_EQ(read(R"([{"t":0,"position":[1,"2",3]}])"),
             "f:1:23: error: keys[0].position[1]: \"2\" is not a number; expected one without quotes; correct it");
 }
@@ -94,7 +97,9 @@ TEST(Json, a_value_that_is_no_number_is_refused) {
 TEST(Json, a_member_that_is_missing_new_or_doubled_is_refused) {
   const std::string first = R"({"t":0,"x":1})";
   EXPECT_EQ(second(first, R"({"t":1})"),
-            "f:2:1: error: a key without \"x\"; expected the members of the first key; add it");
+            "f:2:1: error: a key without \"x\"; expected the members of the first key; add it, or give --missing "
+            "skip-row, skip-cell or "
+            "break");
   EXPECT_EQ(second(first, R"({"t":1,"x":2,"y":3})"),
             "f:2:18: error: keys[1].y: not in the first key; expected the same members in every key; add it there");
   EXPECT_EQ(second(first, R"({"t":1,"x":2,"x":3})"),
@@ -153,10 +158,10 @@ TEST(Json, the_first_key_tells_the_members) {
   ASSERT_GE(columns.members.size(), 4U);
   EXPECT_TRUE(columns.members[1].array);
   EXPECT_EQ(columns.members[1].cells, 2U);
-  EXPECT_EQ(columns.members[2].cells, 0U);
+  EXPECT_EQ(columns.columns.cells[columns.members[2].cell].role, Role::left_out);
   EXPECT_TRUE(columns.members[0].required && columns.members[1].required);
   EXPECT_FALSE(columns.members[2].required || columns.members[3].required);
-  EXPECT_EQ(shown_key(parse_json(chunk, columns, {}), 0), "1: 0 1 2 [1 0 0]\n");
+  EXPECT_EQ(shown_key(parse_json(chunk, columns), 0), "1: 0 1 2 [1 0 0]\n");
 }
 
 // The law: what is read does not depend on how the bytes arrive.

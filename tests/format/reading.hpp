@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "format/faults.hpp"
 #include "format/format.hpp"
 
 namespace tcb::format {
@@ -45,6 +46,9 @@ inline std::string shown_key(const KeyBlock& block, std::size_t i) {
   for (const double value : block.keys.position(i)) text += fmt::format(" {}", value);
   const auto& tcb = block.keys.tcb(i);
   if (tcb != spline::Tcb<double>{}) text += fmt::format(" [{} {} {}]", tcb.tension, tcb.continuity, tcb.bias);
+  for (std::size_t text_number = 0; text_number < block.texts.size() / block.lines.size(); ++text_number) {
+    text += fmt::format(" <{}>", block.texts[i * (block.texts.size() / block.lines.size()) + text_number]);
+  }
   return text + "\n";
 }
 
@@ -56,7 +60,8 @@ inline std::string read(const std::string& text, const InputOptions& options = {
     const Input input = open_input(path, pieces(text, piece), options);
     for (const std::string& name : input.channels) out += " " + name;
     out = input.named ? input.time + out + "\n" : "(" + input.time + out + ")\n";
-    while (const auto block = input.keys()) {
+    const Source<KeyBlock> keys = without_faults(input.keys, false);
+    while (const auto block = keys()) {
       for (std::size_t i = 0; i < block->keys.size(); ++i) out += shown_key(*block, i);
     }
   });

@@ -181,12 +181,14 @@ TEST(SplitDelimited, a_quote_left_open_is_refused_at_64_mib) {
   const auto endless = [first = true]() mutable -> std::optional<std::string> {
     return std::exchange(first, false) ? "0,1\n\"" : std::string(16U << 20U, '\n');
   };
-  EXPECT_EQ(error_of([&] {
-              const auto source = split_delimited(endless, {});
-              while (source()) {
-              }
-            }),
-            "f:2:1: error: a record of more than 64 MiB; a quote may have been opened and not closed; close it");
+  EXPECT_EQ(
+      error_of([&] {
+        const auto source = split_delimited(endless, {});
+        while (source()) {
+        }
+      }),
+      "f:2:1: error: a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote "
+      "that was left open");
 }
 
 TEST(FindDelimiter, it_is_the_first_of_tab_semicolon_comma_and_blank_in_the_first_record) {

@@ -1,0 +1,99 @@
+// What the input is like: the options that say it, and which of them have a meaning together.
+#include "cli/input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "error.hpp"
+#include "format/number.hpp"
+#include "names.hpp"
+
+namespace tcb::cli {
+namespace {
+
+char delimiter(const std::string& text) {
+  constexpr std::array names{std::pair{"tab", '\t'}, std::pair{"comma", ','}, std::pair{"semicolon", ';'},
+                             std::pair{"space", ' '}, std::pair{"pipe", '|'}};
+  for (const auto& [name, character] : names) {
+    if (text == name) return character;
+  }
+  const bool usable =
+      text.size() == 1 && std::string_view("\"\n\r+-.0123456789eE").find(text[0]) == std::string_view::npos;
+  if (!usable)
+    refuse_value("--delimiter", text,
+                 "one character that is no part of a number, or tab, comma, semicolon, space or pipe");
+  return text[0];
+}
+
+spline::Tcb<double> tcb(const std::string& text) {
+  const auto parts = split(text, ',');
+  std::array<double, 3> values{};
+  if (parts.size() != values.size()) refuse_value("--tcb", text, "three numbers T,C,B, such as 0,0.5,-0.25");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto value = format::parse_number(parts[i]);
+    if (!value) refuse_value("--tcb", text, "three numbers T,C,B, such as 0,0.5,-0.25");
+    values[i] = *value;
+  }
+  return {values[0], values[1], values[2]};
+}
+
+/// The columns of --group, besides those of --columns.
+format::RoleRequest groups(const std::string& text) {
+  const auto names = split(text, ',');
+  if (std::ranges::count(names, "") > 0) refuse_value("--group", text, "columns by name or number, apart by commas");
+  return {format::Role::group, {names.begin(), names.end()}, "--group"};
+}
+
+/// Throws: Error (usage) for options about delimited text where the input is JSON.
+void require_text(const format::InputOptions& input) {
+  const bool about_text = input.delimiter || input.header || input.decimal != '.';
+  if (!about_text || !input.format || format::formats()[*input.format].has_header) return;
+  throw Error(Exit::usage, "--delimiter, --header, --no-header and --decimal have no effect on JSON; take them out");
+}
+
+/// Throws: Error (usage) where a decimal comma would end cells.
+void require_delimiter(const format::InputOptions& input) {
+  if (input.decimal != ',' || input.delimiter != ',') return;
+  throw Error(Exit::usage,
+              "--decimal , and --delimiter , contradict each other; expected another delimiter; take one of them out");
+}
+
+}  // namespace
+
+format::InputOptions make_input(const Typed& typed) {
+  format::InputOptions input;
+  if (!typed.input_format.empty()) input.format = format::find_format("--input-format", typed.input_format);
+  if (!typed.delimiter.empty()) input.delimiter = delimiter(typed.delimiter);
+  if (typed.header && typed.no_header) {
+    throw Error(Exit::usage, "--header and --no-header contradict each other; expected one of them; take one out");
+  }
+  if (typed.header || typed.no_header) input.header = typed.header;
+  input.comment = typed.comment == "none" ? "" : typed.comment;
+  if (!typed.decimal.empty()) {
+    if (typed.decimal != "," && typed.decimal != ".") refuse_value("--decimal", typed.decimal, "a comma or a point");
+    input.decimal = typed.decimal[0];
+  }
+  require_text(input);
+  require_delimiter(input);
+  if (!typed.columns.empty()) input.roles = format::parse_roles(typed.columns);
+  if (!typed.group.empty()) input.roles.push_back(groups(typed.group));
+  if (!typed.tcb.empty()) input.tcb = tcb(typed.tcb);
+  if (!typed.missing.empty()) {
+    input.missing = format::missing_names[find_named("--missing", format::missing_names, typed.missing)].way;
+  }
+  return input;
+}
+
+CurveOptions make_curves(const Typed& typed) {
+  CurveOptions curves;
+  curves.sort = typed.sort;
+  if (!typed.duplicates.empty()) {
+    curves.duplicates = duplicates_names[find_named("--duplicates", duplicates_names, typed.duplicates)].way;
+  }
+  return curves;
+}
+
+}  // namespace tcb::cli

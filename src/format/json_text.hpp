@@ -1,0 +1,50 @@
+// JSON text as it comes: read on, looked at character by character, cut off, with its place.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "format/input.hpp"
+#include "stream.hpp"
+
+namespace tcb::format {
+
+class JsonText {
+ public:
+  explicit JsonText(Source<std::string> bytes) : bytes_(std::move(bytes)) {}
+
+  std::size_t size() const { return text_.size(); }
+  std::string_view view() const { return text_; }
+  bool is_blank() const;
+
+  /// Scanning has come to the end of what was read.
+  bool at_end() const { return at == text_.size(); }
+  char now() const { return text_[at]; }
+
+  void skip_blanks();
+  /// Up to the next quote, bracket, comma or line end; false where there is none.
+  bool skip_to_telling();
+  /// To the end of the string that is being scanned; false where more text has to come.
+  bool skip_string();
+
+  /// Cuts text off at `end`.
+  Chunk take(std::size_t end);
+
+  /// Reads on; false at the end of the input. Throws: Error (data) saying so where there is too much text.
+  bool read_more(const char* too_much);
+
+  /// Throws: Error (data) at the beginning of the text.
+  [[noreturn]] void refuse(const char* message) const;
+
+  std::size_t at = 0;                  ///< scanned up to here
+  bool in_string = false;              ///< which is inside a string
+  std::uint64_t line = 1, column = 1;  ///< of the first character
+
+ private:
+  Source<std::string> bytes_;
+  std::string text_;  ///< read and not yet cut off
+  bool escaped_ = false;
+};
+
+}  // namespace tcb::format

@@ -1,0 +1,144 @@
+// Where delimited records end: text is cut between them, without looking into them.
+#include "format/record_split.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "error.hpp"
+#include "format/place.hpp"
+
+namespace tcb::format {
+namespace {
+
+/// Finds where records end in text that grows, looking at each byte once.
+class RecordEnds {
+ public:
+  explicit RecordEnds(Dialect dialect) : dialect_(std::move(dialect)) {}
+
+  /// Where the last whole record of the text ends, 0 if there is none. Requires: text that goes on from the last one.
+  std::size_t last_end(std::string_view text) {
+    const std::string_view fresh = text.substr(at_);
+    if (state_ != State::quoted && state_ != State::quote && fresh.find('"') == std::string_view::npos) {
+      skip_lines(fresh);
+    }
+    while (at_ < text.size() && step(text)) {
+    }
+    return std::exchange(end_, 0);
+  }
+
+  /// The text was cut off at the end that was found.
+  void cut(std::size_t end) { at_ -= end; }
+
+ private:
+  enum class State { line_start, comment, cell_start, cell, quoted, quote };
+
+  /// Without quotes, a record ends with its line.
+  void skip_lines(std::string_view fresh) {
+    const std::size_t line_end = fresh.rfind('\n');
+    if (line_end == std::string_view::npos) return;
+    at_ += line_end + 1;
+    end_ = at_;
+    state_ = State::line_start;
+  }
+
+  /// One step on; false where more text has to come to tell.
+  bool step(std::string_view text) {
+    const char c = text[at_];
+    switch (state_) {
+      case State::line_start: return start_line(text.substr(at_));
+      case State::quoted:
+        at_ = std::min(text.find('"', at_), text.size());
+        if (at_ == text.size()) return false;
+        state_ = State::quote;
+        break;
+      case State::quote:  // it ends the cell, unless another one follows
+        state_ = c == '"' ? State::quoted : State::cell;
+        if (c != '"') return true;
+        break;
+      case State::cell_start:
+        if (c == '"') {
+          state_ = State::quoted;
+          break;
+        }
+        [[fallthrough]];
+      case State::comment:
+      case State::cell:
+        if (c == '\n') {
+          end_ = at_ + 1;
+          state_ = State::line_start;
+        } else if (state_ != State::comment) {
+          const bool delimits = c == dialect_.delimiter || (dialect_.delimiter == ' ' && c == '\t');
+          state_ = delimits || (state_ == State::cell_start && Dialect::is_blank(c)) ? State::cell_start : State::cell;
+        }
+    }
+    ++at_;
+    return true;
+  }
+
+  bool start_line(std::string_view line) {
+    if (line.size() < dialect_.comment.size() && dialect_.comment.starts_with(line)) return false;
+    if (Dialect::is_blank(line[0])) {
+      ++at_;
+      return true;
+    }
+    state_ = dialect_.is_comment(line) || dialect_.is_divider(line) ? State::comment : State::cell_start;
+    return true;
+  }
+
+  Dialect dialect_;
+  State state_ = State::line_start;
+  std::size_t at_ = 0, end_ = 0;
+};
+
+/// Cuts text into whole records.
+class RecordSplitter {
+ public:
+  RecordSplitter(Source<std::string> bytes, Dialect dialect) : bytes_(std::move(bytes)), ends_(std::move(dialect)) {}
+
+  std::optional<Chunk> next() {
+    for (;;) {
+      std::optional<std::string> more = bytes_();
+      if (more) add(*more);
+      const std::size_t end = more ? ends_.last_end(text_) : text_.size();
+      if (end == 0 && !more) return std::nullopt;
+      if (end == 0 && text_.size() > longest_record) refuse_long_record(line_);
+      if (end == 0) continue;
+      Chunk chunk{text_.substr(0, end), line_};
+      text_.erase(0, end);
+      ends_.cut(end);
+      line_ += count_lines(chunk.text);
+      return chunk;
+    }
+  }
+
+ private:
+  void add(const std::string& more) {
+    text_ += more;
+    const std::size_t nul = more.find('\0');
+    if (nul == std::string::npos) return;
+    const std::string_view before = std::string_view(text_).substr(0, text_.size() - more.size() + nul);
+    throw Error(Exit::data, Place{"", line_ + count_lines(before), column_after(before, 1)},
+                "a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8");
+  }
+
+  Source<std::string> bytes_;
+  RecordEnds ends_;
+  std::string text_;  ///< read and not yet cut off
+  std::uint64_t line_ = 1;
+};
+
+}  // namespace
+
+void refuse_long_record(std::uint64_t line) {
+  throw Error(Exit::data, Place{"", line, 1},
+              "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was "
+              "left open");
+}
+
+Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect) {
+  const auto splitter = std::make_shared<RecordSplitter>(std::move(bytes), dialect);
+  return [splitter] { return splitter->next(); };
+}
+
+}  // namespace tcb::format

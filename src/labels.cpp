@@ -1,0 +1,93 @@
+// Labels: texts that keys carry through to the rows; a row has those of the key at its time or before it.
+#include "labels.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace tcb {
+namespace {
+
+using format::KeyBlock;
+
+/// The field that says which key a row is.
+std::size_t key_field() {
+  const auto known = fields();
+  return static_cast<std::size_t>(std::ranges::find(known, "key", &Field::name) - known.begin());
+}
+
+}  // namespace
+
+Source<KeyBlock> Labels::heard(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks) {
+  return [labels, blocks = std::move(blocks)] {
+    std::optional<KeyBlock> block = blocks();
+    if (block && !block->lines.empty()) labels->add(*block);
+    return block;
+  };
+}
+
+Source<LabelledBatch> Labels::joined(const std::shared_ptr<Labels>& labels, Source<Batch> batches, RowEnd row_end,
+                                     bool forget) {
+  return
+      [labels, batches = std::move(batches), row_end = std::move(row_end), forget]() -> std::optional<LabelledBatch> {
+        std::optional<Batch> batch = batches();
+        if (!batch) return std::nullopt;
+        LabelledBatch labelled{std::move(*batch), {}};
+        for (const Batch::Part& part : labelled.batch.parts) {
+          if (forget) labels->forget_before(part.piece.number);
+          // A single key is a segment without duration, and has no key at its end.
+          const bool rests = part.piece.start == part.piece.end;
+          labelled.ends.emplace_back(row_end(labels->of(part.piece.number)),
+                                     row_end(labels->of(rests ? part.piece.number : part.piece.end_key)));
+        }
+        return labelled;
+      };
+}
+
+void Labels::add(const KeyBlock& block) {
+  const std::uint64_t next = kept_.empty() ? 0 : kept_.back().first_key + kept_.back().keys;
+  const std::size_t per_key = block.texts.size() / block.lines.size();
+  Kept kept{{}, next, block.lines.size()};
+  for (std::size_t key = 0; key < block.lines.size(); ++key) {
+    kept.texts.append(block.texts, key * per_key + first_, (key + 1) * per_key);
+  }
+  kept_.push_back(std::move(kept));
+}
+
+std::vector<std::string_view> Labels::of(std::uint64_t key) const {
+  const auto after = std::ranges::upper_bound(kept_, key, {}, &Kept::first_key);
+  const Kept& kept = *std::prev(after);
+  const std::size_t per_key = kept.texts.size() / kept.keys;
+  std::vector<std::string_view> texts;
+  for (std::size_t i = 0; i < per_key; ++i) texts.push_back(kept.texts[(key - kept.first_key) * per_key + i]);
+  return texts;
+}
+
+void Labels::forget_before(std::uint64_t key) {
+  while (kept_.size() > 1 && kept_[1].first_key <= key) kept_.pop_front();
+}
+
+std::string print_labelled(const LabelledBatch& labelled, const sampler::Locator& locator,
+                           std::span<const std::size_t> chosen,
+                           const std::function<void(std::string& out, const std::vector<format::Cell>& cells,
+                                                    const std::string& row_end, bool first)>& print) {
+  std::vector<std::size_t> with_key(chosen.begin(), chosen.end());
+  with_key.push_back(key_field());
+  std::string out;
+  bool first = labelled.batch.first;
+  for (std::size_t i = 0; i < labelled.batch.parts.size(); ++i) {
+    const Batch::Part& part = labelled.batch.parts[i];
+    const std::vector<format::Cell> cells = evaluate({labelled.batch.owner, {part}, false}, locator, with_key);
+    const auto width = static_cast<std::ptrdiff_t>(cells.size() / (part.last - part.first));
+    for (auto row = cells.begin(); row != cells.end(); row += width) {
+      const format::Cell& key = row[width - 1];
+      const bool at_end = !format::is_empty(key) && key.hi == static_cast<double>(part.piece.end_key) &&
+                          key.hi != static_cast<double>(part.piece.number);
+      print(out, {row, row + width - 1}, at_end ? labelled.ends[i].second : labelled.ends[i].first, first);
+      first = false;
+    }
+  }
+  return out;
+}
+
+}  // namespace tcb
