@@ -1,6 +1,7 @@
 // From keys to measured pieces of the curve: checked, linked to segments, and measured where lengths matter.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -71,7 +72,7 @@ void measure(Stretch& stretch, const Rules& rules);
 Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
 
 /// The lengths of all segments in order.
-using Lengths = std::vector<spline::Length<double>>;
+using Lengths = std::deque<spline::Length<double>>;  // it grows without a copy
 Lengths all_lengths(const Source<Stretch>& measured);
 
 /// The length of the whole curve.

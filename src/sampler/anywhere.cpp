@@ -33,8 +33,8 @@ Time AnywhereInLength::on_curve(std::uint64_t row) const {
 
 void AnywhereInLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
   located.arc.assign(piece.cubics, piece.metric);
-  spline::ArcInverse<double> inverse(located.arc);
-  fill(located, first, last, [&](std::uint64_t row) { return at_length(piece, inverse, place(row)); });
+  LengthToSample sample(piece, located.arc);
+  fill(located, first, last, [&](std::uint64_t row) { return sample(place(row)); });
 }
 
 }  // namespace tcb::sampler

@@ -12,23 +12,25 @@ Time rounded_time(const Time& t) {
   return spline::Twice::normalized(t.hi, (t.lo + round_to_whole) - round_to_whole);
 }
 
-Sample at_length(const Piece& piece, spline::ArcInverse<double>& inverse, const Time& s) {
+LengthToSample::LengthToSample(const Piece& piece, const spline::ArcLength<double>& arc)
+    : piece_(piece), duration_(piece.end - piece.start), inverse_(arc, piece.s_end - piece.s_start) {}
+
+Sample LengthToSample::operator()(const Time& s) {
   // A length that is printed as that of a key is the key's.
-  if (s <= Time(piece.s_start.hi)) return {piece.start, {0, -1}, s.hi};
-  if (s >= Time(piece.s_end.hi)) return {piece.end, {1, 0}, s.hi};
-  const spline::Local<double> at = inverse.at(s - piece.s_start, piece.s_end - s);
-  if (at.u == 0) return {piece.start, at, s.hi};
-  if (at.w == 0) return {piece.end, at, s.hi};
-  return {rounded_time(piece.start + piece.warp.inverse(at) * (piece.end - piece.start)), at, s.hi};
+  if (s <= Time(piece_.s_start.hi)) return {piece_.start, {0, -1}, s.hi};
+  if (s >= Time(piece_.s_end.hi)) return {piece_.end, {1, 0}, s.hi};
+  const spline::Local<double> at = inverse_.at(s - piece_.s_start);
+  if (at.u == 0) return {piece_.start, at, s.hi};
+  if (at.w == 0) return {piece_.end, at, s.hi};
+  return {rounded_time(piece_.start + piece_.warp.inverse(at) * duration_), at, s.hi};
 }
 
 void ByLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
   located.arc.assign(piece.cubics, piece.metric);
-  spline::ArcInverse<double> inverse(located.arc);
+  LengthToSample sample(piece, located.arc);
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     const Time s = coordinate(piece, row);
-    if (row == Row::at_key) return {piece.start, {0, -1}, s.hi};
-    return at_length(piece, inverse, s);
+    return row == Row::at_key ? Sample{piece.start, {0, -1}, s.hi} : sample(s);
   });
 }
 

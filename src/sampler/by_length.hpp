@@ -9,9 +9,19 @@ namespace tcb::sampler {
 /// A time worked out from a place on a segment, rounded once: to a double, or beyond 2^53 to a whole number.
 Time rounded_time(const Time& t);
 
-/// The place on a piece at which the curve has the arc length s, and its time, rounded once. `inverse` is
-/// that of the piece.
-Sample at_length(const Piece& piece, spline::ArcInverse<double>& inverse, const Time& s);
+/// The sample at which the curve has an arc length that lies on a piece; its time is rounded once.
+class LengthToSample {
+ public:
+  /// `arc` is that of the piece. Requires: both outlive it.
+  LengthToSample(const Piece& piece, const spline::ArcLength<double>& arc);
+
+  Sample operator()(const Time& s);
+
+ private:
+  const Piece& piece_;
+  Time duration_;
+  spline::ArcInverse<double> inverse_;
+};
 
 class ByLength : public OnGrid {
  public:

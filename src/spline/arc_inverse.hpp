@@ -23,20 +23,21 @@ class ArcInverse {
  public:
   using W = working_t<S>;
 
+  /// `total` is the length of the segment, which may have more digits than that of `arc`.
   /// Requires: `arc` outlives it.
-  explicit ArcInverse(const ArcLength<S>& arc) : arc_(arc) {}
+  ArcInverse(const ArcLength<S>& arc, const W& total) : arc_(arc), total_(total) {
+    if (arc.speed().unit() != S(0)) scale_ = S(1) / arc.speed().unit();
+  }
 
-  /// The first place at which a length is reached. `s` is that from the start, `rest` the length from there
-  /// to the end. Requires: 0 <= s <= total. Promises: right to some units in the last place of the total, and
-  /// the same whatever was asked for before; lengths in order are found soonest.
-  Local<S> at(const W& s, const W& rest) {
-    const S& unit = arc_.speed().unit();
-    if (s <= W(0) || unit == S(0)) return {S(0), S(-1)};
-    if (rest <= W(0)) return {S(1), S(0)};
-    if (arc_.panels().empty()) return {narrow<S>(s / (s + rest)), narrow<S>(-(rest / (s + rest)))};
-    const W wanted = s * W(S(1) / unit);
+  /// The first place at which the length from the start is s. Requires: 0 <= s <= total. Promises: right to some units
+  /// in the last place of the total, and the same whatever was asked for before; lengths in order are found soonest.
+  Local<S> at(const W& s) {
+    if (s <= W(0) || scale_ == S(0)) return {S(0), S(-1)};
+    if (s >= total_) return {S(1), S(0)};
+    if (arc_.panels().empty()) return {narrow<S>(s / total_), narrow<S>((s - total_) / total_)};
+    const W wanted = scaled<S>(s, scale_);
     const Panel<S>& panel = panel_at(wanted);
-    const S into = std::min(narrow<S>(wanted - panel.before), panel.length);
+    const S into = std::min(difference<S>(wanted, panel.before), panel.length);
     const S v = panel.middle + panel.width * place(panel, into);
     return panel.half == 0 ? Local<S>{v, v - S(1)} : Local<S>{S(1) + v, v};
   }
@@ -75,6 +76,8 @@ class ArcInverse {
   Step step(const Panel<S>& panel, const S& z, const S& missing) const;
 
   const ArcLength<S>& arc_;
+  W total_;
+  S scale_{0};  ///< from lengths to units of the speed
   std::size_t index_ = 0;
   std::optional<Guess> guess_;
 };

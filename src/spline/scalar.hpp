@@ -115,6 +115,26 @@ constexpr S narrow(const working_t<S>& value) {
   }
 }
 
+/// a - b, to within a rounding or two.
+template <class S>
+constexpr S difference(const working_t<S>& a, const working_t<S>& b) {
+  if constexpr (std::is_same_v<S, double>) {
+    return (a.hi - b.hi) + (a.lo - b.lo);
+  } else {
+    return a - b;
+  }
+}
+
+/// value times a power of two, exactly.
+template <class S>
+constexpr working_t<S> scaled(const working_t<S>& value, const S& power_of_two) {
+  if constexpr (std::is_same_v<S, double>) {
+    return {value.hi * power_of_two, value.lo * power_of_two};
+  } else {
+    return value * power_of_two;
+  }
+}
+
 /// What narrow() rounded away, itself rounded to the scalar.
 template <class S>
 constexpr S rest(const working_t<S>& value) {

@@ -35,11 +35,11 @@ double measure(Length& length, const Segment& segment) {
 double find_places(const Length& length, std::int64_t samples) {
   const double total = length.total().value;
   const double step = total / static_cast<double>(samples);
-  tcb::spline::ArcInverse<double> inverse(length);
+  tcb::spline::ArcInverse<double> inverse(length, total);
   double sum = 0;
   for (std::int64_t i = 0; i < samples; ++i) {
     const double s = (static_cast<double>(i) + 0.5) * step;
-    sum += inverse.at(s, total - s).u;
+    sum += inverse.at(s).u;
   }
   return sum;
 }
