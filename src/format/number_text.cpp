@@ -101,9 +101,13 @@ char* write_whole(std::uint64_t value, char* out) {
 
 char* write_shortest(double value, char* out) {
   const double size = std::abs(value);
-  const auto bits = std::bit_cast<std::uint64_t>(size);
-  if (bits - 1 >= infinity - 1) return std::to_chars(out, out + number_room, value).ptr;
+  if (!std::isfinite(value)) return std::to_chars(out, out + number_room, value).ptr;
   out = write_sign(value, out);
+  constexpr double all_below_are_plain = 100'000;  // which is 1e+05
+  if (size < all_below_are_plain) {
+    const auto whole = static_cast<std::uint32_t>(size);
+    if (whole == size) return write_whole(whole, out);
+  }
   const Digits digits = digits_of(shortest(size));
   // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
   const int lone = digits.count == 1 ? 1 : 0;
