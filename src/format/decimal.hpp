@@ -2,9 +2,9 @@
 //
 // All three ways are one multiplication by a power of ten of 128 bits, of which the upper 128 bits are kept: F.
 // That they are enough rests on two facts. The power is rounded up, by less than 2^-127 of itself, and the low bits
-// of the product are cut off; so where the true product is a whole or a half, so is F. And nowhere else is the true
-// product so near to a whole or a half that F lies on another side of it: this holds for all numbers that come here,
-// found by a search over all powers with continued fractions (tests/format/decimal_proof.py).
+// of the product are cut off; so where the true product is whole or half, so is F. And nowhere else is the true
+// product so near to a whole or a half that F lies on another side of it. This holds for all numbers that come here:
+// tests/format/decimal_proof.py searches all powers for others, and finds none.
 //
 // Source: R. Giulietti, "The Schubfach way to render doubles" (2020); R. Cox, "Floating-point printing and parsing
 //   can be simple and fast" (2026), https://research.swtch.com/fp; D. Lemire, doi:10.1002/spe.2984, and
@@ -63,7 +63,8 @@ inline Decimal shortest(double value) {
   const auto whole = static_cast<std::uint64_t>(product >> 64);
   const auto part = static_cast<std::uint64_t>(product);
 
-  // In units of 2^-60, what lies above the last multiple of 10, and half the interval.
+  // What lies above the last multiple of 10, and below the next one, against half the interval; in units of 2^-60.
+  // Only where they are equal to the last unit, or the two nearest integers are equally near, is more care due.
   constexpr std::uint64_t one = std::uint64_t{1} << 60;
   const std::uint64_t tens = whole / 10 * 10;
   const std::uint64_t above = (whole - tens) * one + part / 16;
@@ -76,12 +77,12 @@ inline Decimal shortest(double value) {
 }
 
 /// value 10^p, rounded to an integer, half to even.
-/// Requires: the value positive and not subnormal, the result below 2^60; p from -308 to 340.
+/// Requires: the value positive; p from -308 to 340; the result below 2^60, and 0 if the value is subnormal.
 inline std::uint64_t rounded(double value, int p) {
   const Binary v(value);
   const Uint128 product = high_product(v.m << 11, power_significand(p));
-  const int point = 74 - v.q - floor_log2_power_of_ten(p);
-  if (point > 128) return 0;
+  const int point = 74 - v.q - floor_log2_power_of_ten(p);  // how many bits of the product are behind it
+  if (point > 128) return 0;                                // less than a half
   const Uint128 doubled = product >> (point - 1);
   const bool inexact = doubled << (point - 1) != product;
   const auto whole = static_cast<std::uint64_t>(doubled >> 1);
@@ -99,11 +100,11 @@ inline double nearest(const Decimal& decimal) {
   const auto high = static_cast<std::uint64_t>(product >> 64);
   const auto low = static_cast<std::uint64_t>(product);
   const int carry = static_cast<int>(high >> 63);
-  const std::uint64_t top = high << (1 - carry) | (low != 0 ? 1 : 0);  // the last bit says only whether all is said
+  const std::uint64_t top = high << (1 - carry) | (low != 0 ? 1 : 0);  // its last bit stands for all that follow
   const int exponent = floor_log2_power_of_ten(p) - shift + carry + 1086;
   if (exponent < 1 || exponent > 2046) return unknown;
-  const std::uint64_t m = top >> 11;
-  const std::uint64_t up = (top % 0x800 + 0x3FF + m % 2) / 0x800;  // eleven bits are too many
+  const std::uint64_t m = top / 2048;
+  const std::uint64_t up = (top % 2048 + 1023 + m % 2) / 2048;  // half to even
   const std::uint64_t bits = (static_cast<std::uint64_t>(exponent) << 52) + (m - Binary::hidden) + up;
   return bits < infinity ? std::bit_cast<double>(bits) : unknown;
 }

@@ -19,7 +19,8 @@ inline constexpr std::uint64_t eight_zeros = 0x3030303030303030;  ///< "00000000
 /// The digits of n in eight bytes, the first digit lowest. Requires: n < 10^8.
 constexpr std::uint64_t eight_digits(std::uint64_t n) {
   // Each step cuts the lanes in two: a = 100 q + r becomes q + (r << 16), as (a << 16) - q ((100 << 16) - 1).
-  const std::uint64_t fours = (n << 32) - n / 10000 * ((10000ULL << 32) - 1);
+  const std::uint64_t upper = (n * 109951163) >> 40;  // 109951163 / 2^40: a ten-thousandth
+  const std::uint64_t fours = (n << 32) - upper * ((10000ULL << 32) - 1);
   const std::uint64_t hundreds = ((fours * 10486) >> 20) & 0x0000007F0000007F;  // 10486 / 2^20: a hundredth
   const std::uint64_t twos = (fours << 16) - hundreds * ((100ULL << 16) - 1);
   const std::uint64_t tens = ((twos * 103) >> 10) & 0x000F000F000F000F;  // 103 / 2^10: a tenth

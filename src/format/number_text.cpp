@@ -24,17 +24,18 @@ struct Digits {
 };
 
 /// Requires: 16 or 17 digits.
-Digits digits_of(Decimal decimal) {
-  constexpr std::uint64_t seventeen = 10'000'000'000'000'000;
-  const bool sixteen = decimal.digits < seventeen;
-  decimal = {choose(sixteen, decimal.digits * 10, decimal.digits), decimal.exponent - (sixteen ? 1 : 0)};
-  const std::uint64_t first = decimal.digits / seventeen;
-  const std::uint64_t others = decimal.digits - first * seventeen;
-  const std::uint64_t early = eight_digits(others / 100'000'000);
-  const std::uint64_t late = eight_digits(others % 100'000'000);
+Digits digits_of(const Decimal& decimal) {
+  const std::uint64_t missing = decimal.digits < 10'000'000'000'000'000 ? 1 : 0;
+  const std::uint64_t seventeen = decimal.digits * (1 + 9 * missing);
+
+  constexpr std::uint64_t eight = 100'000'000;
+  const std::uint64_t nine = seventeen / eight;
+  const std::uint64_t first = (nine * 1441151881) >> 57;  // 1441151881 / 2^57: 10^-8
+  const std::uint64_t early = eight_digits(nine - first * eight);
+  const std::uint64_t late = eight_digits(seventeen - nine * eight);
   const int zeros = (late != 0 ? std::countl_zero(late) : 64 + std::countl_zero(early)) / 8;
-  return {static_cast<char>('0' + first), (static_cast<Uint128>(late) << 64 | early) | zeros_16, decimal.exponent + 16,
-          17 - zeros};
+  return {static_cast<char>('0' + first), (static_cast<Uint128>(late) << 64 | early) | zeros_16,
+          decimal.exponent - static_cast<int>(missing) + 16, 17 - zeros};
 }
 
 /// The exponent with its sign and two or three digits.
@@ -100,9 +101,13 @@ char* write_whole(std::uint64_t value, char* out) {
 
 char* write_shortest(double value, char* out) {
   const double size = std::abs(value);
-  const auto bits = std::bit_cast<std::uint64_t>(size);
-  if (bits - 1 >= infinity - 1) return std::to_chars(out, out + number_room, value).ptr;
+  if (!std::isfinite(value)) return std::to_chars(out, out + number_room, value).ptr;
   out = write_sign(value, out);
+  constexpr double all_below_are_plain = 100'000;  // which is 1e+05
+  if (size < all_below_are_plain) {
+    const auto whole = static_cast<std::uint32_t>(size);
+    if (whole == size) return write_whole(whole, out);
+  }
   const Digits digits = digits_of(shortest(size));
   // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
   const int lone = digits.count == 1 ? 1 : 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <random>
 #include <string>
@@ -77,26 +78,36 @@ double from_chars(const std::string& text) {
   return value;
 }
 
-#define COMPARE(values)                                                         \
-  BENCHMARK_CAPTURE(print, ours / values, values, tcb::format::write_shortest); \
-  BENCHMARK_CAPTURE(print, time / values, values, time);                        \
-  BENCHMARK_CAPTURE(print, to_chars / values, values, to_chars);                \
-  BENCHMARK_CAPTURE(print, fmt / values, values, with_fmt);                     \
-  BENCHMARK_CAPTURE(read, ours / values, values, tcb::format::parse_number);    \
-  BENCHMARK_CAPTURE(read, time / values, values, tcb::format::parse_time);      \
-  BENCHMARK_CAPTURE(read, from_chars / values, values, from_chars)
-
-COMPARE(random_bits);
-COMPARE(between_0_and_1);
-COMPARE(coordinates);
-COMPARE(thousandths);
-COMPARE(integers);
-
-BENCHMARK_CAPTURE(print, six decimals, coordinates, fixed);
-BENCHMARK_CAPTURE(print, six decimals by to_chars, coordinates, to_chars_fixed);
-BENCHMARK_CAPTURE(print, nine digits, coordinates, digits);
-BENCHMARK_CAPTURE(print, nine digits by to_chars, coordinates, to_chars_digits);
+void compare(const std::string& name, const Values& values) {
+  const auto printing = [&](const char* way, auto write) {
+    benchmark::RegisterBenchmark(("print/" + name + "/" + way).c_str(),
+                                 [=, &values](benchmark::State& state) { print(state, values, write); });
+  };
+  const auto reading = [&](const char* way, auto parse) {
+    benchmark::RegisterBenchmark(("read/" + name + "/" + way).c_str(),
+                                 [=, &values](benchmark::State& state) { read(state, values, parse); });
+  };
+  printing("ours", tcb::format::write_shortest);
+  printing("ours_as_time", time);
+  printing("to_chars", to_chars);
+  printing("fmt", with_fmt);
+  printing("six_decimals", fixed);
+  printing("six_decimals_by_to_chars", to_chars_fixed);
+  printing("nine_digits", digits);
+  printing("nine_digits_by_to_chars", to_chars_digits);
+  reading("ours", tcb::format::parse_number);
+  reading("ours_as_time", tcb::format::parse_time);
+  reading("from_chars", from_chars);
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) {
+  compare("random_bits", random_bits);
+  compare("between_0_and_1", between_0_and_1);
+  compare("coordinates", coordinates);
+  compare("thousandths", thousandths);
+  compare("integers", integers);
+  benchmark::Initialize(&count, arguments);
+  benchmark::RunSpecifiedBenchmarks();
+}

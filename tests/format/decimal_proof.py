@@ -1,5 +1,4 @@
-#!/usr/bin/env python3
-# A search for doubles and decimals that 128 bits of a power of ten could not tell apart: there are none. Takes a minute.
+# A search for doubles and decimals that 128 bits of a power of ten could not tell apart: there are none.
 #
 # The product X = x g of src/format/decimal.hpp, without its lowest 64 bits, stands for Y = x 10^p 2^k >= X - x. It
 # misleads only if X mod M < 2^64 for M the place of the last bit that matters, and Y is no multiple of M.

@@ -76,9 +76,9 @@ TEST(NumberText, notation_is_the_shorter_one) {
       {10000, "10000"},      {100000, "1e+05"},    {1200000, "1200000"},
       {12000000, "1.2e+07"}, {1e22, "1e+22"},      {1.2345678901234567e20, "123456789012345667584"},
       {-0.0, "-0"},          {5e-324, "5e-324"}};
-  for (const auto& [value, text] : texts) {
+  for (const auto& example : texts) {
     Text ours;
-    EXPECT_EQ(written(ours, [&](char* out) { return write_shortest(value, out); }), text);
+    EXPECT_EQ(written(ours, [&](char* out) { return write_shortest(example.first, out); }), example.second);
   }
 }
 
