@@ -34,24 +34,46 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
 }
 
 /// The first three records of an input, or as many as there are: enough to tell header and columns.
-struct FirstRecords {
+class FirstRecords {
+ public:
   struct Record {
     std::vector<std::string> cells;
-    std::string comment;  ///< the comment line directly above
+    std::string comment;    ///< the comment line directly above
+    std::size_t chunk = 0;  ///< in which it stands, and where there
     std::size_t offset = 0;
     std::uint64_t line = 1;
   };
-  std::vector<Record> records;
-};
 
-FirstRecords first_records(const Chunk& chunk, const Dialect& dialect) {
-  FirstRecords first;
-  Records records(chunk, dialect);
-  for (Cells cells; first.records.size() < 3 && records.next(cells);) {
-    first.records.push_back({texts(cells), std::string(records.comment()), records.offset(), records.line()});
+  FirstRecords(const Source<Chunk>& source, const Dialect& dialect) {
+    while (records.size() < 3) {
+      std::optional<Chunk> chunk = source();
+      if (!chunk) break;
+      add(std::move(*chunk), dialect);
+    }
   }
-  return first;
-}
+
+  std::vector<Record> records;
+  std::vector<Chunk> chunks;  ///< with records, or with a line that sets curves apart
+
+ private:
+  void add(Chunk chunk, const Dialect& dialect) {
+    Records walk(chunk, dialect);
+    const std::size_t before = records.size();
+    bool more = true;
+    for (Cells cells; records.size() < 3 && (more = walk.next(cells));) {
+      if (!walk.comment().empty() || walk.follows_blank()) comment_.clear();
+      if (!walk.comment().empty()) comment_ = walk.comment();
+      records.push_back({texts(cells), std::exchange(comment_, {}), chunks.size(), walk.offset(), walk.line()});
+    }
+    if (!more && walk.follows_blank()) comment_.clear();
+    if (!more && !walk.comment().empty()) comment_ = walk.comment();
+    if (records.size() == before && !walk.broken()) return;
+    if (records.size() == before) chunk.text = "\n";
+    if (!records.empty()) chunks.push_back(std::move(chunk));
+  }
+
+  std::string comment_;  ///< the last line, where that is one
+};
 
 /// The cell is for a column of numbers. One with another decimal mark is too, to be refused as a number.
 bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
@@ -88,15 +110,9 @@ void require_characters(const std::vector<std::string>& names, std::uint64_t lin
 
 }  // namespace
 
-DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options, Chunk& rest) {
-  FirstRecords first;
-  rest = {};
-  while (first.records.size() < 3) {
-    std::optional<Chunk> more = chunks();
-    if (!more) break;
-    rest.text += more->text;
-    first = first_records(rest, dialect);
-  }
+DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
+                        std::vector<Chunk>& rest) {
+  FirstRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.tcb, options.decimal, options.missing};
   if (first.records.empty()) {
     throw Error(Exit::data, "no keys: the input is empty; expected a row for each key; see --help");
@@ -120,8 +136,9 @@ DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const Inp
                             row.cells.size(), names.size()));
   }
   require_characters(names, first.records[0].line);
-  rest.text.erase(0, row.offset);
-  rest.line = row.line;
+  rest.assign(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk), first.chunks.end());
+  rest[0].text.erase(0, row.offset);
+  rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);
   head.columns = find_columns(names, numeric, options.roles, options.timeless);
   return head;

@@ -165,14 +165,16 @@ TEST(Csv, columns_that_are_missing_are_refused) {
             "f: error: no column \"y\"; the columns are t, x; correct --columns");
 }
 
-TEST(Csv, the_head_leaves_a_chunk_that_begins_with_the_first_key) {
+TEST(Csv, the_head_leaves_chunks_that_begin_with_the_first_key) {
   const Dialect dialect;
   Source<Chunk> chunks = split_delimited(pieces("\n# c\nt,x\n\n0,1\n1,2\n2,3\n3,4\n", 4), dialect);
-  Chunk rest;
+  std::vector<Chunk> rest;
   const DelimitedHead head = read_head(chunks, dialect, {}, rest);
-  EXPECT_THAT(rest.text, testing::StartsWith("0,1\n1,2\n"));
-  EXPECT_EQ(rest.line, 5U);
-  EXPECT_EQ(shown_key(parse_delimited(rest, head), 1), "6: 1 2\n");
+  std::string text;
+  for (const Chunk& chunk : rest) text += chunk.text;
+  EXPECT_THAT(text, testing::StartsWith("0,1\n1,2\n"));
+  EXPECT_EQ(rest[0].line, 5U);
+  EXPECT_EQ(shown_key(parse_delimited(rest[0], head), 0), "5: 0 1\n");
 }
 
 // The law: what is read does not depend on how the bytes arrive.
@@ -185,7 +187,8 @@ void expect_same_in_pieces(const std::string& text) {
 
 TEST(Csv, pieces_of_any_size_give_the_same_keys_or_the_same_error) {
   for (const char* text :
-       {"t,x\n0,1\n1,2\n", "\xEF\xBB\xBFt;x\r\n0;1\r\n\r\n1;2", "#t,x\n0,1\n1,2\n", "0\t1\n1\t2\n# c\n2\t3\n",
+       {"# t x\n> one\n0 1\n\n1 2\n> two\n2 3\n", "#a\n\n#t,x\n#\n0,1\n", "#a\n#t,x\n0,1\n", "#t,x\n\n0,1\n",
+        "t,x\n0,1\n1,2\n", "\xEF\xBB\xBFt;x\r\n0;1\r\n\r\n1;2", "#t,x\n0,1\n1,2\n", "0\t1\n1\t2\n# c\n2\t3\n",
         "t,x,l\n0,1,\"a\nb\"\n1,2,\"c\"\"\n\n\"\n2,3,d", "t,x\n0,1\né,2\n", "t,x\n0,1\n1,\"2\n3,4\n",
         "t,l,x\n0,\"a\nü\" z,1\n", "t,x\n0,1\n1\n2,3\n", "t,x\n", "", "\n\n", "t,x\n0,1"}) {
     expect_same_in_pieces(text);
