@@ -108,6 +108,38 @@ void require_characters(const std::vector<std::string>& names, std::uint64_t lin
   }
 }
 
+/// Throws: Error (data) where the first record may be a header or a key with a slip in it: one of its cells is text,
+/// another a number, and none a name that says something.
+void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const InputOptions& options) {
+  const auto is_number = [&](const std::string& cell) { return !is_missing(cell) && looks_numeric(cell, head); };
+  const auto is_asked_for = [&](const std::string& name) {
+    return std::ranges::any_of(options.roles,
+                               [&](const auto& role) { return std::ranges::count(role.columns, name) > 0; });
+  };
+  const auto says_something = [&](const std::string& cell) {
+    return !is_number(cell) && (role_of_name(cell) != Role::position || is_asked_for(cell));
+  };
+  const auto number = std::ranges::find_if(record.cells, is_number);
+  if (number == record.cells.end() || std::ranges::any_of(record.cells, says_something)) return;
+  const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return looks_numeric(cell, head); });
+  throw Error(
+      Exit::data, Place{"", record.line, 1},
+      fmt::format("the first record has text, {}, and a number, {}; expected names or numbers alone; give --header "
+                  "if they are names, --no-header if they are not",
+                  shown(*text), shown(*number)));
+}
+
+/// Throws: Error (data) for an input of one line.
+[[noreturn]] void refuse_header_alone(const FirstRecords::Record& record) {
+  const bool carriage_returns =
+      std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
+  throw Error(Exit::data, Place{"", record.line, 1},
+              carriage_returns
+                  ? "no keys: there is one line, with carriage returns in it; expected a line for each key; "
+                    "change them to line feeds, for example with tr"
+                  : "no keys: there is a header and no row; expected a row for each key; see --help");
+}
+
 }  // namespace
 
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
@@ -120,10 +152,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const bool header = options.header.value_or(is_header(first.records[0], head));
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
-  if (data == first.records.size()) {
-    throw Error(Exit::data, Place{"", first.records[0].line, 1},
-                "no keys: there is a header and no row; expected a row for each key; see --help");
-  }
+  if (header && !options.header) require_clear_header(first.records[0], head, options);
+  if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);
     if (above.size() == first.records[0].cells.size()) names = std::move(above);
