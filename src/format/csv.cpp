@@ -9,6 +9,7 @@
 
 #include "error.hpp"
 #include "format/decimals.hpp"
+#include "format/delimiter.hpp"
 #include "format/refusal.hpp"
 
 namespace tcb::format {
@@ -186,32 +187,24 @@ class KeyParser {
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return KeyParser(chunk, head).parse(); }
 
 Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
-  std::string beginning;
-  std::optional<char> delimiter = options.delimiter;
-  while (!delimiter) {
-    const std::optional<std::string> more = bytes();
-    beginning += more.value_or("\n");  // the last record may lack its line end
-    if (beginning.size() > longest_record) refuse_long_record(1);
-    if (more && more->find('\n') == std::string::npos) continue;
-    delimiter = find_delimiter(beginning, options.comment, options.decimal);
-    if (!more) {
-      beginning.pop_back();
-      break;
-    }
-  }
-  const Dialect dialect{delimiter.value_or(','), options.comment};
+  Beginning beginning;
+  if (options.delimiter) beginning.delimiter = *options.delimiter;
+  if (!options.delimiter) beginning = find_delimiter(bytes, options);
+  const Dialect dialect{beginning.delimiter, options.comment};
   if (dialect.delimiter == options.decimal) {
     throw Error(Exit::data,
                 "--decimal , cannot be where the delimiter is , too; expected another one; give it with "
                 "-d, or take --decimal out");
   }
-  Source<Chunk> chunks = split_delimited(preceded_by(std::move(beginning), std::move(bytes)), dialect);
-  Chunk rest;
+  Source<Chunk> chunks =
+      split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
+  std::vector<Chunk> rest;
   const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
+  for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
   const Columns& columns = head->columns;
   Input input{columns.named, columns.has(Role::time), columns.time, columns.channels, {}, {}};
-  input.keys = ordered_map(preceded_by(std::move(rest), std::move(chunks)), parse, options.threads);
+  input.keys = ordered_map(std::move(chunks), parse, options.threads);
   input.facts = facts(*head);
   input.groups = columns.groups;
   input.carried = columns.carried;

@@ -34,24 +34,46 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
 }
 
 /// The first three records of an input, or as many as there are: enough to tell header and columns.
-struct FirstRecords {
+class FirstRecords {
+ public:
   struct Record {
     std::vector<std::string> cells;
-    std::string comment;  ///< the comment line directly above
+    std::string comment;    ///< the comment line directly above
+    std::size_t chunk = 0;  ///< in which it stands, and where there
     std::size_t offset = 0;
     std::uint64_t line = 1;
   };
-  std::vector<Record> records;
-};
 
-FirstRecords first_records(const Chunk& chunk, const Dialect& dialect) {
-  FirstRecords first;
-  Records records(chunk, dialect);
-  for (Cells cells; first.records.size() < 3 && records.next(cells);) {
-    first.records.push_back({texts(cells), std::string(records.comment()), records.offset(), records.line()});
+  FirstRecords(const Source<Chunk>& source, const Dialect& dialect) {
+    while (records.size() < 3) {
+      std::optional<Chunk> chunk = source();
+      if (!chunk) break;
+      add(std::move(*chunk), dialect);
+    }
   }
-  return first;
-}
+
+  std::vector<Record> records;
+  std::vector<Chunk> chunks;  ///< with records, or with a line that sets curves apart
+
+ private:
+  void add(Chunk chunk, const Dialect& dialect) {
+    Records walk(chunk, dialect);
+    const std::size_t before = records.size();
+    bool more = true;
+    for (Cells cells; records.size() < 3 && (more = walk.next(cells));) {
+      if (!walk.comment().empty() || walk.follows_blank()) comment_.clear();
+      if (!walk.comment().empty()) comment_ = walk.comment();
+      records.push_back({texts(cells), std::exchange(comment_, {}), chunks.size(), walk.offset(), walk.line()});
+    }
+    if (!more && walk.follows_blank()) comment_.clear();
+    if (!more && !walk.comment().empty()) comment_ = walk.comment();
+    if (records.size() == before && !walk.broken()) return;
+    if (records.size() == before) chunk.text = "\n";
+    if (!records.empty()) chunks.push_back(std::move(chunk));
+  }
+
+  std::string comment_;  ///< the last line, where that is one
+};
 
 /// The cell is for a column of numbers. One with another decimal mark is too, to be refused as a number.
 bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
@@ -86,17 +108,43 @@ void require_characters(const std::vector<std::string>& names, std::uint64_t lin
   }
 }
 
+/// Throws: Error (data) where the first record may be a header or a key with a slip in it: one of its cells is text,
+/// another a number, and none a name that says something.
+void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const InputOptions& options) {
+  const auto is_number = [&](const std::string& cell) { return !is_missing(cell) && looks_numeric(cell, head); };
+  const auto is_asked_for = [&](const std::string& name) {
+    return std::ranges::any_of(options.roles,
+                               [&](const auto& role) { return std::ranges::count(role.columns, name) > 0; });
+  };
+  const auto says_something = [&](const std::string& cell) {
+    return !is_number(cell) && (role_of_name(cell) != Role::position || is_asked_for(cell));
+  };
+  const auto number = std::ranges::find_if(record.cells, is_number);
+  if (number == record.cells.end() || std::ranges::any_of(record.cells, says_something)) return;
+  const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return looks_numeric(cell, head); });
+  throw Error(
+      Exit::data, Place{"", record.line, 1},
+      fmt::format("the first record has text, {}, and a number, {}; expected names or numbers alone; give --header "
+                  "if they are names, --no-header if they are not",
+                  shown(*text), shown(*number)));
+}
+
+/// Throws: Error (data) for an input of one line.
+[[noreturn]] void refuse_header_alone(const FirstRecords::Record& record) {
+  const bool carriage_returns =
+      std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
+  throw Error(Exit::data, Place{"", record.line, 1},
+              carriage_returns
+                  ? "no keys: there is one line, with carriage returns in it; expected a line for each key; "
+                    "change them to line feeds, for example with tr"
+                  : "no keys: there is a header and no row; expected a row for each key; see --help");
+}
+
 }  // namespace
 
-DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options, Chunk& rest) {
-  FirstRecords first;
-  rest = {};
-  while (first.records.size() < 3) {
-    std::optional<Chunk> more = chunks();
-    if (!more) break;
-    rest.text += more->text;
-    first = first_records(rest, dialect);
-  }
+DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
+                        std::vector<Chunk>& rest) {
+  FirstRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.tcb, options.decimal, options.missing};
   if (first.records.empty()) {
     throw Error(Exit::data, "no keys: the input is empty; expected a row for each key; see --help");
@@ -104,10 +152,8 @@ DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const Inp
   const bool header = options.header.value_or(is_header(first.records[0], head));
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
-  if (data == first.records.size()) {
-    throw Error(Exit::data, Place{"", first.records[0].line, 1},
-                "no keys: there is a header and no row; expected a row for each key; see --help");
-  }
+  if (header && !options.header) require_clear_header(first.records[0], head, options);
+  if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);
     if (above.size() == first.records[0].cells.size()) names = std::move(above);
@@ -120,8 +166,9 @@ DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const Inp
                             row.cells.size(), names.size()));
   }
   require_characters(names, first.records[0].line);
-  rest.text.erase(0, row.offset);
-  rest.line = row.line;
+  rest.assign(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk), first.chunks.end());
+  rest[0].text.erase(0, row.offset);
+  rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);
   head.columns = find_columns(names, numeric, options.roles, options.timeless);
   return head;

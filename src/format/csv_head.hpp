@@ -15,9 +15,10 @@ struct DelimitedHead {
   Missing missing = Missing::error;
 };
 
-/// Dialect and columns, from the header if there is one and the first two records after it; a chunk is
-/// left in `rest` that begins with the first record of numbers. Throws: Error (data).
-DelimitedHead read_head(Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options, Chunk& rest);
+/// Dialect and columns, from the header if there is one and the first two records after it; what was read from the
+/// first record of numbers on is left in `rest`. Throws: Error (data).
+DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
+                        std::vector<Chunk>& rest);
 
 /// Delimiter, header and columns in words.
 std::vector<std::pair<std::string, std::string>> facts(const DelimitedHead& head);

@@ -8,9 +8,10 @@
 namespace tcb::format {
 namespace {
 
-/// Takes the faults of a block, in the order of their lines.
+/// Takes the faults of a block, in the order of their places.
 void gather(std::vector<Error>& faults, KeyBlock& block) {
-  std::ranges::stable_sort(block.faults, {}, [](const Error& fault) { return fault.place().line; });
+  std::ranges::stable_sort(block.faults, {},
+                           [](const Error& fault) { return std::pair(fault.place().line, fault.place().column); });
   std::ranges::move(block.faults, std::back_inserter(faults));
 }
 

@@ -12,11 +12,15 @@
 #include "format/json_events.hpp"
 #include "format/number.hpp"
 #include "format/refusal.hpp"
+#include "names.hpp"
 
 namespace tcb::format {
 namespace {
 
 using Member = JsonColumns::Member;
+
+constexpr std::array<std::string_view, 8> known_names{"time",       "position", "tcb",     "tension",
+                                                      "continuity", "bias",     "ease_in", "ease_out"};
 
 /// Collects the members of the first key, then stops.
 class FirstKey : public JsonEvents {
@@ -26,6 +30,8 @@ class FirstKey : public JsonEvents {
     bool array = false;
     bool text = false;        ///< it is one text, or true or false
     std::size_t numbers = 0;  ///< that it has, or that are missing there
+    std::string near = "";    ///< what is said of a name that is nearly a known one,
+    Place place = {};         ///< and where
   };
   using JsonEvents::JsonEvents;
   std::vector<Found> members;
@@ -36,6 +42,11 @@ class FirstKey : public JsonEvents {
       fail(fmt::format("{}: a second time in one key; expected once; take one out", path()));
     }
     members.push_back({name});
+    if (role_of_name(name) != Role::position || name.size() < 3) return true;
+    const std::string near = did_you_mean(name, known_names);
+    if (near.empty() || near.find(" " + name + "?") != std::string::npos) return true;
+    members.back().near = fmt::format("{}: no member of a key{} (rename it if not)", path(), near);
+    members.back().place = here();
     return true;
   }
   bool on_number(const spline::Time<double>&) override { return count(); }
@@ -77,18 +88,26 @@ void require_count(std::size_t names, std::size_t numbers) {
                                       names, numbers));
 }
 
-/// Tension, continuity and bias may come in any key, also where the first has none.
+/// Tension, continuity and bias may come in any key, also where the first has none, and alone or as "tcb".
 void add_optional_members(JsonColumns& columns) {
   constexpr std::array roles{std::pair{"tension", Role::tension}, std::pair{"continuity", Role::continuity},
                              std::pair{"bias", Role::bias}};
-  const bool none = std::ranges::none_of(roles, [&](const auto& role) { return columns.columns.has(role.second); });
-  const std::size_t cell = columns.columns.cells.size();
+  const auto is_there = [&](std::string_view name) {
+    return std::ranges::find(columns.members, name, &Member::name) != columns.members.end();
+  };
+  const bool tcb = is_there("tcb");
+  const std::size_t first = columns.columns.cells.size();
   for (const auto& [name, role] : roles) {
-    if (columns.columns.has(role)) continue;
-    columns.members.push_back({name, false, columns.columns.cells.size(), 1});
+    if (tcb || !columns.columns.has(role)) columns.members.push_back({name, false, columns.columns.cells.size(), 1});
     columns.columns.cells.push_back({role, 0});
   }
-  if (none) columns.members.push_back({"tcb", true, cell, roles.size()});
+  if (!tcb) columns.members.push_back({"tcb", true, first, roles.size()});
+}
+
+/// Throws: Error (data) for a number beside an array of positions that is nothing, but nearly something.
+void require_no_slip(const FirstKey::Found& member) {
+  if (member.near.empty()) return;
+  throw Error(Exit::data, member.place, member.near);
 }
 
 bool is_required(const JsonColumns& columns, const Member& member) {
@@ -116,6 +135,7 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
     header.insert(header.end(), names.begin(), names.end());
     // Beside an array of positions, a number that is nothing else is not a position.
     const bool beside = has_array && !found.array && role_of_name(found.name) == Role::position;
+    if (beside && !found.text) require_no_slip(found);
     numeric.resize(header.size(), !beside && !found.text);
   }
   result.columns = find_columns(header, numeric, options.roles, options.timeless);

@@ -9,6 +9,7 @@
 
 #include "format/number.hpp"
 #include "format/place.hpp"
+#include "format/refusal.hpp"
 
 namespace tcb::format {
 namespace {
@@ -55,10 +56,18 @@ const char* last_token(const char* begin, const char* now) {
   return single ? now - 1 : token_start(begin, now);
 }
 
-/// What nlohmann-json says is wrong, without its own place.
+/// What nlohmann-json says is wrong, without its own place, and with what it read last shown as text is here.
 std::string reason(const std::string& message) {
   const std::size_t start = message.find("syntax error");
-  return start == std::string::npos ? message.substr(message.find("] ") + 2) : message.substr(start);
+  if (start == std::string::npos) return message.substr(message.find("] ") + 2);
+  constexpr std::string_view mark = "; last read: '";
+  const std::size_t read = message.find(mark, start);
+  if (read == std::string::npos) return message.substr(start);
+  const std::size_t begin = read + mark.size();
+  const std::size_t end = std::min(message.find("'; expected ", begin), message.size() - 1);
+  std::string text = message.substr(begin, end - begin);
+  if (text.rfind('"') == 0) text.erase(0, 1);  // of a string that was begun
+  return fmt::format("{} in {}{}", message.substr(start, read - start), shown(text), message.substr(end + 1));
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ class KeyBuilder : public JsonEvents {
     place_ = place_of_key();
     number_ = key_number();
     tcb_ = columns_.tcb;
+    tcb_given_ = 0;
     ease_ = {};
     time_ = Time(nan);
     std::ranges::fill(texts_, std::string());
@@ -139,14 +140,21 @@ class KeyBuilder : public JsonEvents {
       case Role::left_out: break;
       case Role::time: time_ = value; break;
       case Role::position: position[column.channel] = value.hi; break;
-      case Role::tension: tcb_.tension = value.hi; break;
-      case Role::continuity: tcb_.continuity = value.hi; break;
-      case Role::bias: tcb_.bias = value.hi; break;
+      case Role::tension: store_once(0, tcb_.tension, value.hi); break;
+      case Role::continuity: store_once(1, tcb_.continuity, value.hi); break;
+      case Role::bias: store_once(2, tcb_.bias, value.hi); break;
       case Role::ease_in: ease_.in = value.hi; break;
       case Role::ease_out: ease_.out = value.hi; break;
       case Role::group:
       case Role::carry: texts_[column.channel] = time_text(value); break;
     }
+  }
+
+  /// Tension, continuity or bias, which may stand in two ways but not in both.
+  void store_once(unsigned number, double& target, double value) {
+    if (((tcb_given_ >> number) & 1U) != 0) refuse("besides \"tcb\"; expected one of them; take one out");
+    tcb_given_ |= 1U << number;
+    target = value;
   }
 
   bool store_text(Columns::Column column, std::string_view text) {
@@ -201,6 +209,7 @@ class KeyBuilder : public JsonEvents {
   std::uint64_t number_ = 0;  ///< of the key at hand
   Time time_;
   spline::Tcb<double> tcb_;
+  unsigned tcb_given_ = 0;  ///< a bit for each of the three
   spline::Ease<double> ease_;
   std::size_t faults_ = 0;    ///< how many there were before the key at hand
   std::size_t expected_ = 0;  ///< the member that comes next if all keys look alike

@@ -8,11 +8,12 @@
 
 #include "error.hpp"
 #include "format/place.hpp"
+#include "format/refusal.hpp"
 
 namespace tcb::format {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+bool is_white(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 constexpr std::size_t longest_part = 64UL * 1024 * 1024;
 
 /// The characters that tell where keys end; between them lie most of the others.
@@ -24,9 +25,11 @@ constexpr std::array<bool, 256> telling = [] {
 
 }  // namespace
 
-bool JsonText::is_blank() const { return text_.find_first_not_of(blanks) == std::string::npos; }
+bool JsonText::is_blank() const { return std::ranges::all_of(text_, is_white); }
 
-void JsonText::skip_blanks() { at = std::min(text_.find_first_not_of(blanks, at), text_.size()); }
+void JsonText::skip_blanks() {
+  while (at != text_.size() && is_white(text_[at])) ++at;
+}
 
 bool JsonText::skip_to_telling() {
   const char* const begin = text_.data();
@@ -60,9 +63,13 @@ Chunk JsonText::take(std::size_t end) {
 
 bool JsonText::read_more(const char* too_much) {
   if (text_.size() > longest_part) refuse(too_much);
-  std::optional<std::string> more = bytes_();
-  if (more) text_ += *more;
-  return more.has_value();
+  const std::optional<std::string> more = bytes_();
+  if (!more) return false;
+  text_ += *more;
+  const std::size_t nul = more->find('\0');
+  if (nul == std::string::npos) return true;
+  const LinePlace place = place_after(view().substr(0, text_.size() - more->size() + nul), {line, column});
+  throw Error(Exit::data, Place{"", place.line, place.column}, nul_byte());
 }
 
 void JsonText::refuse(const char* message) const { throw Error(Exit::data, Place{"", line, column}, message); }

@@ -7,6 +7,7 @@
 
 #include "error.hpp"
 #include "format/place.hpp"
+#include "format/refusal.hpp"
 
 namespace tcb::format {
 namespace {
@@ -94,7 +95,8 @@ class RecordEnds {
 /// Cuts text into whole records.
 class RecordSplitter {
  public:
-  RecordSplitter(Source<std::string> bytes, Dialect dialect) : bytes_(std::move(bytes)), ends_(std::move(dialect)) {}
+  RecordSplitter(Source<std::string> bytes, Dialect dialect, std::uint64_t line)
+      : bytes_(std::move(bytes)), ends_(std::move(dialect)), line_(line) {}
 
   std::optional<Chunk> next() {
     for (;;) {
@@ -118,14 +120,13 @@ class RecordSplitter {
     const std::size_t nul = more.find('\0');
     if (nul == std::string::npos) return;
     const std::string_view before = std::string_view(text_).substr(0, text_.size() - more.size() + nul);
-    throw Error(Exit::data, Place{"", line_ + count_lines(before), column_after(before, 1)},
-                "a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8");
+    throw Error(Exit::data, Place{"", line_ + count_lines(before), column_after(before, 1)}, nul_byte());
   }
 
   Source<std::string> bytes_;
   RecordEnds ends_;
   std::string text_;  ///< read and not yet cut off
-  std::uint64_t line_ = 1;
+  std::uint64_t line_;
 };
 
 }  // namespace
@@ -136,8 +137,8 @@ void refuse_long_record(std::uint64_t line) {
               "left open");
 }
 
-Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect) {
-  const auto splitter = std::make_shared<RecordSplitter>(std::move(bytes), dialect);
+Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line) {
+  const auto splitter = std::make_shared<RecordSplitter>(std::move(bytes), dialect, line);
   return [splitter] { return splitter->next(); };
 }
 

@@ -23,7 +23,8 @@ struct Dialect {
 
 /// Cuts bytes into chunks of whole records. Requires: the bytes have no byte order mark.
 /// Throws: Error (data) for a record over 64 MiB, which hardly anything but a quote left open makes, and for a NUL.
-Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect);
+/// `line` is that of the first byte.
+Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line = 1);
 
 inline constexpr std::size_t longest_record = 64UL * 1024 * 1024;
 [[noreturn]] void refuse_long_record(std::uint64_t line);

@@ -40,6 +40,7 @@ bool Records::skip_to_record() {
       at_ += size;
     } else if (at_line_end()) {
       comment_ = {};
+      follows_blank_ = true;
       broken_ = broken_ || dialect_.delimiter == ' ';
     } else {
       at_ = record_;
@@ -49,15 +50,10 @@ bool Records::skip_to_record() {
   return false;
 }
 
-std::string_view Records::find_record() {
-  (void)skip_to_record();
-  return {at_, static_cast<std::size_t>(end_ - at_)};
-}
-
 bool Records::next(std::vector<std::string_view>& cells) {
   cells.clear();
   comment_ = {};
-  broken_ = false;
+  broken_ = follows_blank_ = false;
   if (!skip_to_record()) return false;
   record_line_ = line_;
   const bool blanks = dialect_.delimiter == ' ';
@@ -123,25 +119,6 @@ std::string unquoted(std::string_view cell) {
     if (cell[i] == '"') ++i;
   }
   return text;
-}
-
-std::optional<char> find_delimiter(std::string_view text, const std::string& comment, char decimal) {
-  const Chunk chunk{std::string(text)};
-  const Dialect any{' ', comment};
-  const std::string_view record = Records(chunk, any).find_record();
-  std::string seen;
-  bool quoted = false, ended = false;
-  for (const char c : record) {
-    if (c == '"') quoted = !quoted;
-    ended = c == '\n' && !quoted;
-    if (ended) break;
-    if (!quoted) seen += c;
-  }
-  if (!ended) return std::nullopt;
-  for (const char delimiter : std::string_view(decimal == ',' ? "\t; " : "\t;, ")) {
-    if (seen.find(delimiter) != std::string::npos) return delimiter;
-  }
-  return ',';
 }
 
 }  // namespace tcb::format

@@ -29,9 +29,8 @@ class Records {
 
   /// A line between the record before and this one, or at the end behind the last one, sets curves apart.
   bool broken() const { return broken_; }
-
-  /// The text from the next record on.
-  std::string_view find_record();
+  /// A blank line does.
+  bool follows_blank() const { return follows_blank_; }
 
   std::uint64_t line() const { return record_line_; }
   std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
@@ -54,15 +53,10 @@ class Records {
   const char* record_;
   std::uint64_t line_, record_line_;
   std::string_view comment_;
-  bool broken_ = false;
+  bool broken_ = false, follows_blank_ = false;
 };
 
 /// The text of a cell without its quotes.
 std::string unquoted(std::string_view cell);
-
-/// The delimiter of the first record: the first of tab, ";", "," and blank that occurs in it outside quotes, or ","
-/// where none does; with a decimal comma "," comes last. Nothing if the text does not hold the whole of the first
-/// record, with its line end.
-std::optional<char> find_delimiter(std::string_view text, const std::string& comment, char decimal = '.');
 
 }  // namespace tcb::format

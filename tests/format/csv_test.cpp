@@ -35,6 +35,22 @@ TEST(Csv, the_first_record_is_a_header_if_a_cell_in_it_is_no_number) {
             "break");
 }
 
+TEST(Csv, a_first_record_of_text_and_numbers_without_a_known_name_is_refused) {
+  EXPECT_EQ(
+      read("0,1x\n1,2\n"),
+      "f:1:1: error: the first record has text, \"1x\", and a number, \"0\"; expected names or numbers alone; give "
+      "--header if they are names, --no-header if they are not");
+  EXPECT_EQ(read("t,2019,2020\n0,1,2\n"), "t 2019 2020\n2: 0 1 2\n") << "years are names beside a known one";
+  EXPECT_EQ(read("a,2019\n0,1\n", with_columns("time=a")), "a 2019\n2: 0 1\n") << "or beside one asked for";
+}
+
+TEST(Csv, carriage_returns_alone_end_no_lines) {
+  EXPECT_EQ(
+      read("t,x\r0,1\r1,2\r"),
+      "f:1:1: error: no keys: there is one line, with carriage returns in it; expected a line for each key; change "
+      "them to line feeds, for example with tr");
+}
+
 TEST(Csv, a_header_may_be_forced_or_denied) {
   InputOptions options = with_columns("time=1");
   options.header = true;
@@ -165,14 +181,16 @@ TEST(Csv, columns_that_are_missing_are_refused) {
             "f: error: no column \"y\"; the columns are t, x; correct --columns");
 }
 
-TEST(Csv, the_head_leaves_a_chunk_that_begins_with_the_first_key) {
+TEST(Csv, the_head_leaves_chunks_that_begin_with_the_first_key) {
   const Dialect dialect;
   Source<Chunk> chunks = split_delimited(pieces("\n# c\nt,x\n\n0,1\n1,2\n2,3\n3,4\n", 4), dialect);
-  Chunk rest;
+  std::vector<Chunk> rest;
   const DelimitedHead head = read_head(chunks, dialect, {}, rest);
-  EXPECT_THAT(rest.text, testing::StartsWith("0,1\n1,2\n"));
-  EXPECT_EQ(rest.line, 5U);
-  EXPECT_EQ(shown_key(parse_delimited(rest, head), 1), "6: 1 2\n");
+  std::string text;
+  for (const Chunk& chunk : rest) text += chunk.text;
+  EXPECT_THAT(text, testing::StartsWith("0,1\n1,2\n"));
+  EXPECT_EQ(rest[0].line, 5U);
+  EXPECT_EQ(shown_key(parse_delimited(rest[0], head), 0), "5: 0 1\n");
 }
 
 // The law: what is read does not depend on how the bytes arrive.
@@ -183,9 +201,54 @@ void expect_same_in_pieces(const std::string& text) {
   }
 }
 
+TEST(Csv, missing_numbers_are_treated_as_asked_for) {
+  InputOptions options;
+  const std::string text = "t,x,y,T\n0,1,2,0.5\n1,,NA,\n2,3,null,1\n";
+  options.missing = Missing::skip_row;
+  EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n");
+  options.missing = Missing::skip_cell;
+  options.tcb = {0.25, 0, 0};
+  EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n3: 1 nan nan [0.25 0 0]\n4: 2 3 nan [1 0 0]\n");
+  EXPECT_EQ(
+      read("t,x\n0,1\n,2\n", options),
+      "f:3:1: error: t: an empty cell where a number was expected; fill it in, or give --missing skip-row, skip-cell "
+      "or break")
+      << "a time cannot be skipped alone";
+}
+
+TEST(Csv, texts_of_groups_and_labels_go_with_the_keys) {
+  EXPECT_EQ(read("id,t,x,l\n7,0,1,\"a \"\"b\"\"\"\n-07,1,2,\n", with_columns("group=id,carry=l")),
+            "t x\n2: 0 1 <7> <\"a \"b\">\n3: 1 2 <\"-07> <\">\n")
+      << "a whole number is no string";
+  EXPECT_EQ(
+      read("t,x,l\n0,1,\xFC\n", with_columns("carry=l")),
+      "f:2:5: error: \"\\xFC\": the byte FC is no UTF-8; expected UTF-8; convert the text, for example with iconv");
+}
+
+TEST(Csv, faults_do_not_end_the_reading) {
+  EXPECT_EQ(read("t,x\n0,o\n1,2,3\n2,1\np,q\n"),
+            "f:2:3: error: x: \"o\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
+            "f:3:5: error: a row of 3 cells; expected 2 as in the rows above; complete or correct the row, or give the "
+            "delimiter with -d\n"
+            "f:5:1: error: t: \"p\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
+            "f:5:3: error: x: \"q\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
+}
+
+TEST(Csv, two_columns_of_one_name_are_refused_unless_they_are_chosen_by_number) {
+  EXPECT_EQ(read("t,x,x\n0,1,2\n"),
+            "f: error: two columns are called \"x\"; expected different names; rename one, or choose by number with "
+            "--columns");
+  EXPECT_EQ(read("t,x,x\n0,1,2\n", with_columns("position=3")), "t x\n2: 0 2\n");
+}
+
+TEST(Csv, a_column_without_a_name_and_without_cells_is_left_out) {
+  EXPECT_EQ(read("t,x,\n0,1,\n1,2,\n"), "t x\n2: 0 1\n3: 1 2\n");
+}
+
 TEST(Csv, pieces_of_any_size_give_the_same_keys_or_the_same_error) {
   for (const char* text :
-       {"t,x\n0,1\n1,2\n", "\xEF\xBB\xBFt;x\r\n0;1\r\n\r\n1;2", "#t,x\n0,1\n1,2\n", "0\t1\n1\t2\n# c\n2\t3\n",
+       {"# t x\n> one\n0 1\n\n1 2\n> two\n2 3\n", "#a\n\n#t,x\n#\n0,1\n", "#a\n#t,x\n0,1\n", "#t,x\n\n0,1\n",
+        "t,x\n0,1\n1,2\n", "\xEF\xBB\xBFt;x\r\n0;1\r\n\r\n1;2", "#t,x\n0,1\n1,2\n", "0\t1\n1\t2\n# c\n2\t3\n",
         "t,x,l\n0,1,\"a\nb\"\n1,2,\"c\"\"\n\n\"\n2,3,d", "t,x\n0,1\né,2\n", "t,x\n0,1\n1,\"2\n3,4\n",
         "t,l,x\n0,\"a\nü\" z,1\n", "t,x\n0,1\n1\n2,3\n", "t,x\n", "", "\n\n", "t,x\n0,1"}) {
     expect_same_in_pieces(text);

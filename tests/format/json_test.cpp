@@ -202,6 +202,78 @@ TEST(Json, two_keys_on_a_line_are_the_same_in_pieces_of_any_size) {
   }
 }
 
+TEST(Json, missing_numbers_are_treated_as_asked_for) {
+  InputOptions options;
+  const std::string text = R"([{"t":0,"x":1,"y":2},{"t":1,"x":null,"y":3},{"t":2,"y":4},{"t":3,"x":5,"y":6}])";
+  options.missing = Missing::skip_row;
+  EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 3 5 6\n");
+  options.missing = Missing::skip_cell;
+  EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 1 nan 3\n1: 2 nan 4\n1: 3 5 6\n");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1,null]},{"t":1,"position":[null,2]}])", options),
+            "t x y\n1: 0 1 nan\n1: 1 nan 2\n");
+  EXPECT_THAT(read(R"([{"t":0,"x":1},{"t":null,"x":1}])", options), HasSubstr("keys[1].t: null where a number"));
+}
+
+TEST(Json, texts_of_groups_and_labels_go_with_the_keys) {
+  EXPECT_EQ(read(R"([{"id":7,"t":0,"x":1,"l":"a\"b"},{"id":"7","t":1,"x":2},{"id":true,"t":1,"x":3,"l":null}])",
+                 with_columns("group=id,carry=l")),
+            "t x\n1: 0 1 <7> <\"a\"b>\n1: 1 2 <\"7> <>\n1: 1 3 <true> <>\n");
+  EXPECT_THAT(read(R"([{"id":7,"t":0,"x":1},{"t":1,"x":2}])", with_columns("group=id")),
+              HasSubstr("a key without \"id\""));
+}
+
+TEST(Json, faults_do_not_end_the_reading) {
+  EXPECT_EQ(read("[{\"t\":0,\"x\":1},\n{\"t\":\"a\",\"x\":\"b\"},\n{\"t\":2,\"x\":3},\n{\"t\":4,\"y\":5}]"),
+            "f:2:6: error: keys[1].t: \"a\" is not a number; expected one without quotes; correct it\n"
+            "f:2:14: error: keys[1].x: \"b\" is not a number; expected one without quotes; correct it\n"
+            "f:4:1: error: a key without \"x\"; expected the members of the first key; add it, or give --missing "
+            "skip-row, skip-cell or break\n"
+            "f:4:12: error: keys[3].y: not in the first key; expected the same members in every key; add it there");
+  EXPECT_THAT(read("{\"t\":0,\"x\":1}\n{\"t\":1 \"x\":2}\n{\"t\":2}\n"),
+              testing::AllOf(HasSubstr("f:2:8: error: not JSON"), HasSubstr("f:3:1: error: a key without")));
+}
+
+TEST(Json, a_zero_keeps_its_sign) { EXPECT_EQ(read(R"([{"t":0,"x":-0,"y":-0.0,"z":0}])"), "t x y z\n1: 0 -0 -0 0\n"); }
+
+TEST(Json, curves_have_their_own_keys_and_settings) {
+  const Input input = open_input(
+      "f",
+      pieces(R"({"curves":[{"id":"a","keys":[{"t":0,"x":1}],"preset":"vtk"},{"keys":[{"t":5,"x":6}],"id":7}]})", 1),
+      {});
+  EXPECT_TRUE(input.own_curves && input.may_break);
+  EXPECT_THAT(input.groups, testing::ElementsAre("id"));
+  std::string ids;
+  while (const auto block = input.keys()) {
+    if (block->beside_keys == nullptr) continue;
+    ids += fmt::format("{} {} {}, ", block->beside_keys->id, block->keys.positions.at(0),
+                       block->beside_keys->settings.preset.value_or("none"));
+  }
+  EXPECT_EQ(ids, "\"a 1 vtk, 7 6 none, ");
+}
+
+TEST(Json, settings_beside_curves_are_refused) {
+  EXPECT_EQ(read(R"({"preset":"vtk","curves":[{"keys":[{"t":0,"x":1}]}]})"),
+            "f:1:11: error: preset: beside the curves; expected in each of them; move it there");
+}
+
+TEST(Json, tcb_and_its_parts_may_take_turns_but_not_stand_together) {
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":0.5},{"t":1,"x":2,"tcb":[1,2,3]},{"t":2,"x":3,"bias":4}])"),
+            "t x\n1: 0 1 [0.5 0 0]\n1: 1 2 [1 2 3]\n1: 2 3 [0 0 4]\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]},{"t":1,"x":2,"tension":5}])"),
+            "t x\n1: 0 1 [1 2 3]\n1: 1 2 [5 0 0]\n");
+  EXPECT_THAT(second(R"({"t":0,"x":1})", R"({"t":1,"x":2,"bias":1,"tcb":[1,2,3]})"),
+              HasSubstr("keys[1].tcb[2]: besides \"tcb\"; expected one of them"));
+  EXPECT_THAT(second(R"({"t":0,"x":1,"tension":0})", R"({"t":1,"x":2,"tcb":[1,2]})"),
+              HasSubstr("keys[1].tcb: an array of 2; expected 3 numbers"));
+}
+
+TEST(Json, a_number_that_would_be_passed_over_and_is_nearly_a_known_member_is_refused) {
+  EXPECT_EQ(read(R"([{"t":0,"position":[1],"tensoin":0.5}])"),
+            "f:1:24: error: keys[0].tensoin: no member of a key; did you mean tension? (rename it if not)");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1],"weight":0.5,"id":3}])"), "t x\n1: 0 1\n");
+  EXPECT_EQ(read(R"([{"t":0,"tensoin":0.5}])"), "t tensoin\n1: 0 0.5\n") << "a channel is seen in the rows";
+}
+
 /// Keys in one of the three shapes, freely laid out, and what they mean.
 class RandomJson {
  public:

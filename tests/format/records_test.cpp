@@ -191,21 +191,5 @@ TEST(SplitDelimited, a_quote_left_open_is_refused_at_64_mib) {
       "that was left open");
 }
 
-TEST(FindDelimiter, it_is_the_first_of_tab_semicolon_comma_and_blank_in_the_first_record) {
-  EXPECT_EQ(find_delimiter("a b,c;d\te\n", "#"), '\t');
-  EXPECT_EQ(find_delimiter("a b,c;d\n1\t2", "#"), ';');
-  EXPECT_EQ(find_delimiter("a b,c\n1;2", "#"), ',');
-  EXPECT_EQ(find_delimiter("a b\n1,2", "#"), ' ');
-  EXPECT_EQ(find_delimiter("a\n1;2", "#"), ',');
-  EXPECT_EQ(find_delimiter("", "#"), std::nullopt);
-  EXPECT_EQ(find_delimiter("a;b", "#"), std::nullopt) << "more cells may follow";
-  EXPECT_EQ(find_delimiter("\"a\n", "#"), std::nullopt) << "the line end is inside quotes";
-  EXPECT_EQ(find_delimiter("\n# a\tb\n1;2\n", "#"), ';') << "comments and blank lines are no records";
-}
-
-TEST(FindDelimiter, a_quoted_first_cell_is_like_any_other) {
-  EXPECT_EQ(error_of([] { EXPECT_EQ(find_delimiter("\"t\";\"x\"\n0;1\n", "#"), ';'); }), "no error");
-}
-
 }  // namespace
 }  // namespace tcb::format
