@@ -20,6 +20,10 @@ Source<KeyBlock> prepared(const format::Input& input, const CurveOptions& option
                 "--sort orders rows by time, and there is no time column; take it out, or name the column "
                 "with --columns time=NAME");
   }
+  if (options.duplicates != Duplicates::error && !input.timed) {
+    throw Error(Exit::data, "--duplicates is about equal times, and there is no time column; take it out, or name the "
+                            "column with --columns time=NAME");
+  }
   if (by_text || options.sort) {
     blocks = grouped(format::without_faults(std::move(blocks), false),
                      {by_text ? input.groups.size() : 0, options.sort, input.own_curves});

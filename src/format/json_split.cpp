@@ -111,11 +111,11 @@ bool JsonSplitter::scan_object() {
 bool JsonSplitter::scan_keys() {
   const bool listed = stage_ == Stage::list;
   for (; !text_.at_end(); ++text_.at) {
-    if (text_.in_string && !text_.skip_string()) return false;
     if (!text_.skip_to_telling()) return false;
     switch (text_.now()) {
-      case '"': text_.in_string = true; break;
       case '{':
+        if (depth_ == (listed ? 1U : 0U)) text_.skip_plain_object();
+        [[fallthrough]];
       case '[': ++depth_; break;
       case ',':
         if (!listed || depth_ != 1) break;

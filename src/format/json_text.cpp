@@ -33,30 +33,58 @@ void JsonText::skip_blanks() {
 
 bool JsonText::skip_to_telling() {
   const char* const begin = text_.data();
-  const char* now = begin + at;
   const char* const end = begin + text_.size();
-  while (now != end && !telling[static_cast<unsigned char>(*now)]) ++now;
+  const char* now = begin + at;
+  for (;;) {
+    if (in_string) {
+      at = static_cast<std::size_t>(now - begin);
+      if (!skip_string()) return false;
+      now = begin + at;
+    }
+    while (now != end && !telling[static_cast<unsigned char>(*now)]) ++now;
+    in_string = now != end && *now == '"';
+    if (!in_string) break;
+    ++now;
+  }
   at = static_cast<std::size_t>(now - begin);
   return now != end;
 }
 
-bool JsonText::skip_string() {
-  for (; at < text_.size(); ++at) {
-    if (std::exchange(escaped_, false)) continue;
-    escaped_ = text_[at] == '\\';
-    if (text_[at] != '"') continue;
-    in_string = false;
-    ++at;
-    return true;
+void JsonText::skip_plain_object() {
+  // Without another brace and without a backslash, quotes come in pairs up to a brace outside of strings.
+  const std::size_t end = text_.find('}', at);
+  if (end == std::string::npos) return;
+  std::uint8_t odd = 0, doubtful = 0;
+  for (const char c : view().substr(at + 1, end - at - 1)) {
+    odd = static_cast<std::uint8_t>(odd ^ static_cast<std::uint8_t>(c == '"'));
+    doubtful = static_cast<std::uint8_t>(doubtful | static_cast<std::uint8_t>(c == '{') |
+                                         static_cast<std::uint8_t>(c == '\\'));
   }
-  return false;
+  if (odd == 0 && doubtful == 0) at = end - 1;
+}
+
+bool JsonText::skip_string() {
+  const char* const begin = text_.data();
+  const char* const end = begin + text_.size();
+  const char* now = begin + at;
+  if (now != end && std::exchange(escaped_, false)) ++now;
+  while (now != end && *now != '"') {
+    while (now != end && *now != '"' && *now != '\\') ++now;
+    if (now == end || *now == '"') break;
+    escaped_ = now + 1 == end;
+    now += escaped_ ? 1 : 2;
+  }
+  in_string = now == end;
+  at = static_cast<std::size_t>(now - begin) + (in_string ? 0 : 1);
+  return !in_string;
 }
 
 Chunk JsonText::take(std::size_t end) {
-  Chunk chunk{text_.substr(0, end), line, column};
+  std::string rest = text_.substr(end);
+  text_.resize(end);
+  Chunk chunk{std::exchange(text_, std::move(rest)), line, column};
   column = column_after(chunk.text, column);
   line += count_lines(chunk.text);
-  text_.erase(0, end);
   at -= std::min(at, end);
   return chunk;
 }

@@ -23,8 +23,10 @@ class JsonText {
   char now() const { return text_[at]; }
 
   void skip_blanks();
-  /// Up to the next quote, bracket, comma or line end; false where there is none.
+  /// Up to the next bracket, comma or line end outside strings; false where more text has to come to find one.
   bool skip_to_telling();
+  /// From the opening brace at hand to before the closing one, where that is easily seen.
+  void skip_plain_object();
   /// To the end of the string that is being scanned; false where more text has to come.
   bool skip_string();
 

@@ -106,8 +106,9 @@ class RecordSplitter {
       if (end == 0 && !more) return std::nullopt;
       if (end == 0 && text_.size() > longest_record) refuse_long_record(line_);
       if (end == 0) continue;
-      Chunk chunk{text_.substr(0, end), line_};
-      text_.erase(0, end);
+      std::string rest = text_.substr(end);
+      text_.resize(end);
+      Chunk chunk{std::exchange(text_, std::move(rest)), line_};
       ends_.cut(end);
       line_ += count_lines(chunk.text);
       return chunk;

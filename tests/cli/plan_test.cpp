@@ -52,6 +52,47 @@ TEST(Plan, without_options_but_a_step_all_is_default) {
   EXPECT_EQ(plan.input.tcb, spline::Tcb<double>{});
 }
 
+TEST(Plan, options_about_curves_and_cells_have_their_meaning) {
+  const Plan plain = make_plan(only(&Typed::step, "1"));
+  EXPECT_EQ(plain.input.missing, format::Missing::error);
+  EXPECT_EQ(plain.input.decimal, '.');
+  EXPECT_EQ(plain.curves.duplicates, Duplicates::error);
+  EXPECT_FALSE(plain.curves.sort);
+  EXPECT_EQ(make_plan(typed(&Typed::missing, "skip-cell")).input.missing, format::Missing::skip_cell);
+  EXPECT_EQ(make_plan(typed(&Typed::duplicates, "break")).curves.duplicates, Duplicates::break_curve);
+  EXPECT_EQ(make_plan(typed(&Typed::decimal, ",")).input.decimal, ',');
+  Typed grouped = typed(&Typed::group, "id,take");
+  grouped.columns = "carry=label";
+  const auto roles = make_plan(grouped).input.roles;
+  ASSERT_EQ(roles.size(), 2U);
+  EXPECT_EQ(roles[1].role, format::Role::group);
+  EXPECT_THAT(roles[1].columns, ElementsAre("id", "take"));
+  EXPECT_EQ(roles[1].option, "--group");
+}
+
+TEST(Plan, options_about_curves_and_cells_that_mean_nothing_are_refused) {
+  EXPECT_EQ(refusal(typed(&Typed::missing, "skip")),
+            "--missing: unknown name \"skip\"; expected one of error, skip-row, skip-cell, break");
+  EXPECT_EQ(refusal(typed(&Typed::duplicates, "fist")),
+            "--duplicates: unknown name \"fist\"; expected one of error, first, last, break; did you mean first?");
+  EXPECT_EQ(refusal(typed(&Typed::decimal, ";")), "--decimal \";\": expected a comma or a point");
+  EXPECT_EQ(refusal(typed(&Typed::group, "id,")),
+            "--group \"id,\": expected columns by name or number, apart by commas");
+  Typed comma = typed(&Typed::decimal, ",");
+  comma.delimiter = "comma";
+  EXPECT_EQ(refusal(comma),
+            "--decimal , and --delimiter , contradict each other; expected another delimiter; take one of them out");
+  Typed json = typed(&Typed::decimal, ",");
+  json.input_format = "json";
+  EXPECT_EQ(refusal(json),
+            "--delimiter, --header, --no-header and --decimal have no effect on JSON; take them out");
+  Typed sparse = typed(&Typed::missing, "skip-cell");
+  sparse.curve.equal_speed = true;
+  EXPECT_EQ(refusal(sparse),
+            "--missing skip-cell leaves channels apart, and --equal-speed and --parameter need all of them at each key; "
+            "expected one of the two; take one out");
+}
+
 TEST(Plan, each_way_to_sample_has_its_mode_and_value) {
   const auto sampling = [](std::string Typed::*option, const std::string& value) {
     return make_plan(only(option, value)).sampling;
