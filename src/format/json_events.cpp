@@ -104,8 +104,12 @@ struct JsonEvents::Adapter {
   bool end_array() { return events.close(false); }
   bool parse_error(std::size_t, const std::string&, const json::exception& error) {
     constexpr int number_too_large = 406;
-    if (error.id == number_too_large)
-      events.fail("the number is not a finite double; expected less than 1.8e308 in size; correct it");
+    if (error.id == number_too_large) {
+      const char* const start = token_start(events.chunk_.text.data(), events.now_);
+      const std::string_view behind(start, static_cast<std::size_t>(events.now_ - start));
+      events.fail(fmt::format("{} is not a finite double; expected less than 1.8e308 in size; correct it",
+                              shown(behind.substr(0, behind.find_first_of(" \t\r\n,]}")))));
+    }
     events.fail_at(last_token(events.chunk_.text.data(), events.now_),
                    fmt::format("not JSON: {}; correct the text", reason(error.what())));
   }

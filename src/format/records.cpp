@@ -75,9 +75,13 @@ bool Records::next(std::vector<std::string_view>& cells) {
 
 std::string_view Records::take_cell() {
   const char* const start = at_;
-  if (*at_ == '"') return take_quoted();
-  const bool blanks = dialect_.delimiter == ' ';
-  while (!at_line_end() && *at_ != dialect_.delimiter && !(blanks && *at_ == '\t')) ++at_;
+  if (*start == '"') return take_quoted();
+  const char delimiter = dialect_.delimiter, other = delimiter == ' ' ? '\t' : delimiter;
+  const char* const end = end_;
+  const char* now = start;
+  while (now != end && *now != delimiter && *now != '\n' && *now != other) ++now;
+  const bool at_end = now == end || *now == '\n';
+  at_ = at_end && now != start && now[-1] == '\r' ? now - 1 : now;
   const char* last = at_;
   while (last != start && is_blank(last[-1])) --last;
   return {start, static_cast<std::size_t>(last - start)};

@@ -125,7 +125,7 @@ TEST(JsonEvents, text_that_is_not_json_is_refused_at_its_place) {
 
 TEST(JsonEvents, a_number_too_large_is_json_and_refused_as_a_number) {
   EXPECT_EQ(log("[{\"a\":1e999}]"),
-            "f:1:7: error: the number is not a finite double; expected less than 1.8e308 in size; correct it");
+            "f:1:7: error: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct it");
 }
 
 TEST(JsonEvents, a_tiny_number_is_zero) { EXPECT_EQ(log("[{\"a\":1e-400}]"), "1{ a:0}"); }
