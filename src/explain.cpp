@@ -137,7 +137,7 @@ Facts in_full(const Outcome& outcome) {
 std::string in_short(const Outcome& outcome) {
   std::string text = fmt::format("{} keys", outcome.keys);
   for (const auto& [name, value] : outcome.facts) {
-    if (name != "note") text += ", " + (name == "curve" ? value : name + " " + value);
+    if (name != "note") text += fmt::format(", {}{}", name == "curve" ? "" : name + " ", value);
   }
   return text + fmt::format(", {} rows", outcome.rows);
 }
