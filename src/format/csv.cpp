@@ -101,9 +101,7 @@ class KeyParser {
     switch (column.role) {
       case Role::left_out: break;
       case Role::time: read_time(cell); break;
-      case Role::position:
-        read_number(cell, columns_.channels[column.channel], position[column.channel], missing);
-        break;
+      case Role::position: read_number(cell, columns_.channels[column.channel], position[column.channel], nan); break;
       case Role::tension: read_number(cell, "tension", tcb_.tension, tcb_.tension); break;
       case Role::continuity: read_number(cell, "continuity", tcb_.continuity, tcb_.continuity); break;
       case Role::bias: read_number(cell, "bias", tcb_.bias, tcb_.bias); break;
@@ -130,7 +128,7 @@ class KeyParser {
     if (const auto value = decimals_.time(bare(cell))) {
       time_ = *value;
     } else if (may_miss(cell) && head_.missing != Missing::skip_cell) {
-      time_ = Time(missing);
+      time_ = Time(nan);
       missing_ = true;
     } else {
       refuse_number(cell, columns_.time);
@@ -166,7 +164,7 @@ class KeyParser {
     return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
   }
 
-  static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
   const DelimitedHead& head_;
   const Columns& columns_;
