@@ -7,6 +7,11 @@
 #include <mutex>
 
 namespace tcb {
+namespace {
+
+std::mutex waiting_mutex;  ///< of all tasks that wait; taking one is quick
+
+}  // namespace
 
 struct ThreadLimit::Control {
   tbb::global_control limit;
@@ -17,19 +22,19 @@ ThreadLimit::ThreadLimit(unsigned threads)
 ThreadLimit::~ThreadLimit() = default;
 
 /// Tasks wait in a queue of our own, and oneTBB's task is to take one: the packaged library is not instrumented, so
-/// the thread sanitizer does not see what it hands from thread to thread, but it does see the lock.
+/// the thread sanitizer does not see what it hands from thread to thread, but it does see the lock. This file is
+/// not instrumented for it either: oneTBB's headers are in it.
 struct Background::Group {
   void run_one() {
     std::function<void()> task;
     {
-      const std::lock_guard lock(mutex);
+      const std::lock_guard lock(waiting_mutex);
       task = std::move(waiting.front());
       waiting.pop_front();
     }
     task();
   }
 
-  std::mutex mutex;
   std::deque<std::function<void()>> waiting;
   tbb::task_group tasks;
 };
@@ -45,10 +50,10 @@ Background::~Background() {
 void Background::run(std::function<void()> task) {
   if (!group_) group_ = std::make_unique<Group>();
   {
-    const std::lock_guard lock(group_->mutex);
+    const std::lock_guard lock(waiting_mutex);
     group_->waiting.push_back(std::move(task));
   }
-  group_->tasks.run([group = group_.get()]() __attribute__((no_sanitize("thread"))) { group->run_one(); });
+  group_->tasks.run([group = group_.get()] { group->run_one(); });
 }
 
 }  // namespace tcb
