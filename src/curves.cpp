@@ -21,8 +21,9 @@ Source<KeyBlock> prepared(const format::Input& input, const CurveOptions& option
                 "with --columns time=NAME");
   }
   if (options.duplicates != Duplicates::error && !input.timed) {
-    throw Error(Exit::data, "--duplicates is about equal times, and there is no time column; take it out, or name the "
-                            "column with --columns time=NAME");
+    throw Error(Exit::data,
+                "--duplicates is about equal times, and there is no time column; take it out, or name the "
+                "column with --columns time=NAME");
   }
   if (by_text || options.sort) {
     blocks = grouped(format::without_faults(std::move(blocks), false),

@@ -103,7 +103,7 @@ Placed Path::place(Source<KeyBlock> blocks) const {
 }
 
 Source<Stretch> Path::stretches(LinkedKeys keys, bool measured, bool sparse) const {
-  return sparse ? sparse_stretches(std::move(keys), curve_.rules, measured, channels_)
+  return sparse ? sparse_stretches(keys, curve_.rules, measured, channels_)
                 : tcb::stretches(std::move(keys), curve_.rules, measured, threads_);
 }
 

@@ -36,7 +36,7 @@ Cubic<double> part(const Cubic<double>& whole, const Time<double>& start, const 
 }
 
 /// All keys in one, the context of a closed curve before them.
-Keys whole(LinkedKeys linked) {
+Keys whole(const LinkedKeys& linked) {
   Keys all = linked.context.value_or(Keys{});
   while (const std::optional<Keys> block = linked.keys()) spline::append(all, *block, 0, block->size());
   return all;
@@ -112,24 +112,24 @@ class Channel {
 
 }  // namespace
 
-Source<Stretch> sparse_stretches(LinkedKeys linked, const Rules& rules, bool measured,
-                                 const std::vector<std::string>& names) {
+Source<Stretch> sparse_stretches(const LinkedKeys& linked, const Rules& rules, bool measured,
+                                 const std::vector<std::string>& channels) {
   const bool closed = linked.context.has_value();
-  const Keys keys = whole(std::move(linked));
+  const Keys keys = whole(linked);
   const std::size_t first = closed ? 1 : 0, last = keys.size() - (closed ? 2 : 1);
-  std::vector<Channel> channels;
+  std::vector<Channel> lanes;
   for (std::size_t i = 0; i < keys.channels; ++i) {
-    channels.emplace_back(keys, i, rules, first, last);
-    if (channels.back().any()) continue;
+    lanes.emplace_back(keys, i, rules, first, last);
+    if (lanes.back().any()) continue;
     throw Error(Exit::data, fmt::format("{}: no key has a number; expected one at least; fill one in, or leave the "
                                         "column out with --columns",
-                                        names[i]));
+                                        channels[i]));
   }
   Stretch stretch{{keys.channels, {}, {}, {}}, {}, true, closed};
   for (std::size_t key = first; key <= last; ++key) {
     stretch.segments.times.push_back(keys.times[key]);
     for (std::size_t i = 0; i < keys.channels && key < last; ++i) {
-      stretch.segments.cubics.push_back(channels[i].between(keys.times[key], keys.times[key + 1]));
+      stretch.segments.cubics.push_back(lanes[i].between(keys.times[key], keys.times[key + 1]));
     }
   }
   if (first == last) stretch.segments = spline::resting(keys);

@@ -13,7 +13,7 @@ namespace tcb {
 /// rules and with the neighbours of those alone; before the first and after the last of them it rests.
 /// Promises: a channel without a missing position has the cubics that it would have alone, bit for bit.
 /// Throws: Error (data) for a channel without any position.
-Source<Stretch> sparse_stretches(LinkedKeys keys, const Rules& rules, bool measured,
+Source<Stretch> sparse_stretches(const LinkedKeys& linked, const Rules& rules, bool measured,
                                  const std::vector<std::string>& channels);
 
 }  // namespace tcb
