@@ -133,13 +133,17 @@ Facts in_full(const Outcome& outcome) {
   return facts;
 }
 
+std::string counted(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 /// One of several curves in a line.
 std::string in_short(const Outcome& outcome) {
-  std::string text = fmt::format("{} keys", outcome.keys);
+  std::string text = counted(outcome.keys, "key");
   for (const auto& [name, value] : outcome.facts) {
     if (name != "note") text += fmt::format(", {}{}", name == "curve" ? "" : name + " ", value);
   }
-  return text + fmt::format(", {} rows", outcome.rows);
+  return text + ", " + counted(outcome.rows, "row");
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::vector<std::string_view> Labels::of(std::uint64_t key) const {
 }
 
 void Labels::forget_before(std::uint64_t key) {
-  while (kept_.size() > 1 && kept_[1].first_key <= key) kept_.pop_front();
+  while (kept_.size() > 2 && kept_[2].first_key <= key) kept_.erase(kept_.begin() + 1);
 }
 
 std::string print_labelled(const LabelledBatch& labelled, const sampler::Locator& locator,

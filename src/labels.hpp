@@ -40,6 +40,7 @@ class Labels {
  private:
   void add(const format::KeyBlock& block);
   std::vector<std::string_view> of(std::uint64_t key) const;
+  /// The first keys stay, to which a closed curve comes back.
   void forget_before(std::uint64_t key);
 
   struct Kept {

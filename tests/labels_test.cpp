@@ -46,5 +46,20 @@ TEST(Labels, a_segment_has_those_of_its_first_key_and_its_end_those_of_its_last)
   }
 }
 
+TEST(Labels, a_closed_curve_comes_back_to_the_first) {
+  const auto labels = std::make_shared<Labels>(0);
+  const auto keys = Labels::heard(labels, keys_of("0 0 a\n1 0 b\n2 0 c\n3 0 d\n", 1));
+  while (keys()) {
+  }
+  Batch round = batch_on({0, 1, 2, 3});
+  round.parts.back().piece.end_key = 0;
+  const auto joined = Labels::joined(
+      labels, [left = std::optional(round)]() mutable { return std::exchange(left, std::nullopt); },
+      [](std::span<const std::string_view> texts) { return std::string(texts[0]); }, true);
+  const auto labelled = joined();
+  EXPECT_EQ(labelled->ends[2], (std::pair<std::string, std::string>{"c", "d"}));
+  EXPECT_EQ(labelled->ends[3], (std::pair<std::string, std::string>{"d", "a"}));
+}
+
 }  // namespace
 }  // namespace tcb

@@ -48,10 +48,11 @@ format::RoleRequest groups(const std::string& text) {
 }
 
 /// Throws: Error (usage) for options about delimited text where the input is JSON.
-void require_text(const format::InputOptions& input) {
-  const bool about_text = input.delimiter || input.header || input.decimal != '.';
+void require_text(const format::InputOptions& input, const Typed& typed) {
+  const bool about_text = input.delimiter || input.header || !typed.decimal.empty() || !typed.comment.empty();
   if (!about_text || !input.format || format::formats()[*input.format].has_header) return;
-  throw Error(Exit::usage, "--delimiter, --header, --no-header and --decimal have no effect on JSON; take them out");
+  throw Error(Exit::usage,
+              "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out");
 }
 
 /// Throws: Error (usage) where a decimal comma would end cells.
@@ -71,12 +72,12 @@ format::InputOptions make_input(const Typed& typed) {
     throw Error(Exit::usage, "--header and --no-header contradict each other; expected one of them; take one out");
   }
   if (typed.header || typed.no_header) input.header = typed.header;
-  input.comment = typed.comment == "none" ? "" : typed.comment;
+  if (!typed.comment.empty()) input.comment = typed.comment == "none" ? "" : typed.comment;
   if (!typed.decimal.empty()) {
     if (typed.decimal != "," && typed.decimal != ".") refuse_value("--decimal", typed.decimal, "a comma or a point");
     input.decimal = typed.decimal[0];
   }
-  require_text(input);
+  require_text(input, typed);
   require_delimiter(input);
   if (!typed.columns.empty()) input.roles = format::parse_roles(typed.columns);
   if (!typed.group.empty()) input.roles.push_back(groups(typed.group));

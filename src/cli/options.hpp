@@ -17,7 +17,7 @@ namespace tcb::cli {
 /// What was typed, option by option; what it means is a Plan.
 struct Typed {
   std::vector<std::string> files;
-  std::string input_format, delimiter, comment = "#", columns, tcb, group, missing, duplicates, decimal;
+  std::string input_format, delimiter, comment, columns, tcb, group, missing, duplicates, decimal;
   bool header = false, no_header = false, sort = false;
   CurveSettings curve;
   bool closed = false;

@@ -181,10 +181,10 @@ Input open_list(Source<Task> source, JsonSplitter::Shape shape, unsigned threads
 }  // namespace
 
 Input open_json(Source<std::string> bytes, const InputOptions& options) {
-  if (options.delimiter || options.header || options.decimal != '.') {
+  if (options.delimiter || options.header || options.decimal != '.' || options.comment != "#") {
     throw Error(Exit::usage,
-                "--delimiter, --header, --no-header and --decimal have no effect on JSON; take them out, or give the "
-                "format with -i");
+                "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out, or "
+                "give the format with -i");
   }
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
   Source<Task> source = tasks(splitter, options);
