@@ -31,7 +31,8 @@ void declare_input(CLI::App& app, Typed& typed) {
       ->type_name("CHAR");
   flag("--header", typed.header, "The first record names the columns; by default it does if a cell in it is no number");
   flag("--no-header", typed.no_header, "The first record is a key");
-  option("--comment", typed.comment, "Lines that begin with this are skipped; default #; none: no line is")->type_name("PREFIX");
+  option("--comment", typed.comment, "Lines that begin with this are skipped; default #; none: no line is")
+      ->type_name("PREFIX");
   option("--columns", typed.columns,
          "Which columns are what, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label; by "
          "default by the header, or without one the time first and positions after it")

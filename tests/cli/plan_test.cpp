@@ -84,7 +84,8 @@ TEST(Plan, options_about_curves_and_cells_that_mean_nothing_are_refused) {
             "--decimal , and --delimiter , contradict each other; expected another delimiter; take one of them out");
   Typed json = typed(&Typed::decimal, ",");
   json.input_format = "json";
-  EXPECT_EQ(refusal(json), "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out");
+  EXPECT_EQ(refusal(json),
+            "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out");
   Typed sparse = typed(&Typed::missing, "skip-cell");
   sparse.curve.equal_speed = true;
   EXPECT_EQ(
