@@ -109,6 +109,7 @@ Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler>
 
 std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, std::span<const std::size_t> chosen) {
   std::vector<Cell> cells;
+  cells.reserve(Batch::most_rows * chosen.size());
   sampler::Located located;
   Point point;
   for (const auto& [piece, first, last] : batch.parts) {

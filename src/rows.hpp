@@ -24,7 +24,7 @@ struct Batch {
   std::vector<Part> parts;
   bool first = false;  ///< no row came before these
 
-  static constexpr std::uint64_t most_rows = 4096;
+  static constexpr std::uint64_t most_rows = 1024;
 };
 
 /// The samples of a curve in order, in batches; nothing is held back.

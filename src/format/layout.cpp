@@ -19,7 +19,11 @@ char* write_cell(char* out, CellKind kind, const Cell& cell) {
   return out;
 }
 
-char* write_text(char* out, std::string_view text) { return std::copy(text.begin(), text.end(), out); }
+char* write_text(char* out, std::string_view text) {
+  if (text.size() != 1) return std::copy(text.begin(), text.end(), out);
+  *out = text.front();  // as a rule it is a delimiter
+  return out + 1;
+}
 
 /// Room for any row.
 std::size_t row_room(const Layout& layout) {

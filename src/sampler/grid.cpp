@@ -27,7 +27,8 @@ Time nearest_twice(const Rational& value) {
 
 }  // namespace
 
-Grid::Grid(const Rational& start, const Rational& step) : start_(start), step_(step) {
+Grid::Grid(const Rational& start, const Rational& step)
+    : start_(start), step_(step), first_time_(nearest_time(start)), is_single_(step == 0) {
   denominator_ = lcm(denominator(start), denominator(step));
   first_ = numerator(start) * (denominator_ / denominator(start));
   increment_ = numerator(step) * (denominator_ / denominator(step));

@@ -29,12 +29,16 @@ class Grid {
 
   const Rational& start() const { return start_; }
   const Rational& step() const { return step_; }
+  const Time& first() const { return first_time_; }  ///< row 0
+  bool is_single() const { return is_single_; }      ///< the step is 0
 
  private:
   /// A row number that is right or a little off, for the exact search to start from.
   std::uint64_t estimate(const Time& t) const;
 
   Rational start_, step_;
+  Time first_time_;
+  bool is_single_;
   Integer first_, increment_, denominator_;  ///< row j is (first + j increment) / denominator
   std::uint64_t double_rows_ = 0;            ///< up to this row numerator and denominator are exact doubles,
   double double_first_{}, double_increment_{}, double_denominator_{};  ///< made of these

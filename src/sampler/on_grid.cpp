@@ -28,11 +28,11 @@ void OnGrid::require_bounds(const Piece& piece, const Range& on) const {
 std::uint64_t OnGrid::rows_up_to(const Piece& piece, const Range& on, const Time& stop, bool final) const {
   const Grid& grid = spacing_.grid;
   const bool with_end = final || from_left_ || on.start == on.end;
-  if (grid.step() == 0) {
-    const bool here = with_end ? grid.time(0) <= stop : grid.time(0) < stop;
+  if (grid.is_single()) {
+    const bool here = with_end ? grid.first() <= stop : grid.first() < stop;
     return here ? spacing_.rows : 0;
   }
-  if (stop < grid.time(0)) return 0;
+  if (stop < grid.first()) return 0;
   if (spacing_.rows == Spacing::unlimited) {
     if (grid.rough_rows(stop) > static_cast<double>(max_rows_) * 0.99) {
       require_rows(steps_between(grid.start(), exact_time(stop), grid.step()), max_rows_, !final);
@@ -51,7 +51,7 @@ void OnGrid::add_keys(Run& run, const Range& on, const Time& stop, bool final) c
     const Time distance = grid.time(row) - key;
     return distance <= near_ && -distance <= near_;
   };
-  run.key = on.start >= grid.time(0) - near_ && on.start <= stop;
+  run.key = on.start >= grid.first() - near_ && on.start <= stop;
   if (run.first < run.last && beside(run.first, on.start)) ++run.first;
   if (run.first < run.last && beside(run.last - 1, on.end)) --run.last;
   if (final && on.end <= stop + near_) run.end = true;

@@ -29,7 +29,7 @@ class Warp {
 
   /// Where the curve is when the fraction u of the segment's duration has passed. `left` is 1 - u.
   Local<S> at(const working_t<S>& u, const working_t<S>& left) const {
-    if (is_identity()) return {narrow<S>(u), narrow<S>(-left)};
+    if (is_identity()) return u < left ? from_start(u) : from_end(left);
     if (u < f_) return from_start(k_ / f_ * u * u);
     if (left > e_) return from_start(k_ * (u + u - f_));
     return from_end(e_ == W(0) ? W(0) : k_ / e_ * left * left);
@@ -63,8 +63,8 @@ class Warp {
  private:
   using W = working_t<S>;
 
-  static Local<S> from_start(const W& u) { return {narrow<S>(u), narrow<S>(u - W(1))}; }
-  static Local<S> from_end(const W& left) { return {narrow<S>(W(1) - left), narrow<S>(-left)}; }
+  static Local<S> from_start(const W& u) { return {narrow<S>(u), narrow<S>(u + S(-1))}; }
+  static Local<S> from_end(const W& left) { return {narrow<S>(-left + S(1)), narrow<S>(-left)}; }
 
   W f_{0}, e_{0}, k_{0.5};
 };
@@ -75,7 +75,7 @@ class Locate {
  public:
   /// Requires: start <= end.
   Locate(const Time<S>& start, const Time<S>& end, const Warp<S>& warp = {})
-      : start_(start), end_(end), warp_(warp), duration_(end - start) {
+      : start_(start), end_(end), warp_(warp), duration_(elapsed<S>(start, end)) {
     if (duration_ > W(0x1p-900) && duration_ < W(0x1p900)) rate_ = W(1) / duration_;
   }
 
@@ -83,10 +83,10 @@ class Locate {
   Local<S> operator()(const Time<S>& t) const {
     if (t == start_) return {S(0), S(-1)};
     if (t == end_) return {S(1), S(0)};
-    const W passed = fraction(t - start_);
-    if (passed < W(0.5)) return warp_.at(passed, W(1) - passed);
-    const W left = fraction(end_ - t);
-    return warp_.at(W(1) - left, left);
+    const W passed = fraction(elapsed<S>(start_, t));
+    if (passed < W(0.5)) return warp_.at(passed, -passed + S(1));
+    const W left = fraction(elapsed<S>(t, end_));
+    return warp_.at(-left + S(1), left);
   }
 
  private:

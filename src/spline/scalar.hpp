@@ -125,6 +125,17 @@ constexpr S difference(const working_t<S>& a, const working_t<S>& b) {
   }
 }
 
+/// The time from start to end, exact where both are doubles or whole numbers.
+template <class S>
+constexpr Time<S> elapsed(const Time<S>& start, const Time<S>& end) {
+  if constexpr (std::is_same_v<S, double>) {
+    const auto high = two_sum(end.hi, -start.hi);
+    return Twice::normalized(high.value, high.error + (end.lo - start.lo));
+  } else {
+    return end - start;
+  }
+}
+
 /// value times a power of two, exactly.
 template <class S>
 constexpr working_t<S> scaled(const working_t<S>& value, const S& power_of_two) {
