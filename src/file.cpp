@@ -78,6 +78,8 @@ Source<std::string> read_file(const std::string& path) {
   };
 }
 
+std::string folder_of(const std::string& path) { return std::filesystem::path(path).parent_path(); }
+
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

@@ -18,6 +18,9 @@ std::string shown_name(const std::string& path);
 /// Reads from a pipe, a socket or a terminal: rows should be written as soon as they are known.
 bool is_live(const std::string& path);
 
+/// The folder that a file of this name is in; "" where the name alone says.
+std::string folder_of(const std::string& path);
+
 /// Makes a folder and those above it, where they are not there yet. Throws: Error (usage).
 void make_folder(const std::string& path);
 

@@ -21,8 +21,7 @@ int main(int argc, char** argv) {
   try {
     const tcb::cli::Request request = tcb::cli::parse(argc, argv);
     if (request.text) return say(tcb::Exit::done, *request.text);
-    tcb::resample(request.plan);
-    return static_cast<int>(tcb::Exit::done);
+    return static_cast<int>(tcb::resample(request.plan));
   } catch (const tcb::Error& error) {
     return say(error.exit(), error.text());
   } catch (const std::bad_alloc&) {

@@ -1,12 +1,14 @@
 // The whole path, from the bytes of keys to the bytes of samples.
 #pragma once
 
+#include "error.hpp"
 #include "task.hpp"
 
 namespace tcb {
 
-/// Reads the keys of every file and writes the samples of their curves.
+/// Reads the keys of every file and writes the samples of their curves; answers the program's exit code, which is
+/// not Exit::done where a file of a folder's worth failed, and was reported.
 /// Throws: Error, naming the file. An output that is not complete does not stand under its name.
-void resample(const Plan& plan);
+Exit resample(const Plan& plan);
 
 }  // namespace tcb

@@ -101,6 +101,12 @@ class Placer {
 
 }  // namespace
 
+std::uint64_t Batch::rows() const {
+  std::uint64_t rows = 0;
+  for (const Part& part : parts) rows += part.last - part.first;
+  return rows;
+}
+
 Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler> sampler,
                     std::vector<std::size_t> metric) {
   const auto placer = std::make_shared<Placer>(std::move(stretches), std::move(sampler), std::move(metric));
@@ -109,7 +115,7 @@ Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler>
 
 std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, std::span<const std::size_t> chosen) {
   std::vector<Cell> cells;
-  cells.reserve(Batch::most_rows * chosen.size());
+  cells.reserve(batch.rows() * chosen.size());
   sampler::Located located;
   Point point;
   for (const auto& [piece, first, last] : batch.parts) {

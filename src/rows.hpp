@@ -25,6 +25,7 @@ struct Batch {
   bool first = false;  ///< no row came before these
 
   static constexpr std::uint64_t most_rows = 1024;
+  std::uint64_t rows() const;
 };
 
 /// The samples of a curve in order, in batches; nothing is held back.

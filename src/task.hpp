@@ -12,9 +12,27 @@
 
 namespace tcb {
 
+/// Which files there are besides those named, and what is done with all of them.
+struct BatchOptions {
+  std::string list;        ///< a file that names files; "-": standard input; empty: none
+  bool nul = false;        ///< the names in the list end in NUL, not in a new line
+  bool recursive = false;  ///< folders stand for the files in them
+  std::string suffix;      ///< of the outputs' names, before the ending
+  bool update = false;     ///< leaves out what has an output that is not older
+  bool fail_fast = false;  ///< stops at the first file that fails
+};
+
+/// What is said on standard error besides errors.
+struct Talk {
+  bool quiet = false;     ///< nothing
+  bool notes = false;     ///< what may surprise
+  bool progress = false;  ///< how far the work is, once it takes a while
+};
+
 /// Everything that one run of the program is to do.
 struct Plan {
   std::vector<std::string> files;  ///< "-" is standard input
+  BatchOptions batch;
   format::InputOptions input;
   CurveOptions curves;
   CurveSettings curve;
@@ -22,9 +40,9 @@ struct Plan {
   std::vector<std::size_t> fields;  ///< indices into fields(), in output order
   std::size_t output_format = 0;    ///< index into format::formats()
   std::optional<bool> output_header;
-  bool explain = false;                      ///< say what was found and would be done, and do not
-  std::optional<unsigned> jobs;              ///< threads; nothing: all cores, one for a live pipe
-  bool notes = false;                        ///< say on standard error what may surprise
+  bool explain = false;          ///< say what was found and would be done, and do not
+  std::optional<unsigned> jobs;  ///< threads; nothing: all cores, one for a live pipe
+  Talk talk;
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder
 };

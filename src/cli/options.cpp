@@ -144,8 +144,6 @@ void declare_output(CLI::App& app, Typed& typed) {
   };
   option("-o,--output", typed.output, "Writes to FILE, which appears when it is complete; -: standard output")
       ->type_name("FILE");
-  option("--output-dir", typed.output_dir, "Writes a file for each input into this folder, with the format's ending")
-      ->type_name("DIR");
   option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json or jsonl")->type_name("FORMAT");
   option("--fields", typed.fields,
          "What a row shows, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
@@ -165,9 +163,33 @@ void declare_output(CLI::App& app, Typed& typed) {
       ->group("Output");
 }
 
+void declare_batch(CLI::App& app, Typed& typed) {
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Many files");
+  };
+  const auto flag = [&](const char* name, bool& value, const char* text) {
+    return app.add_flag(name, value, text)->group("Many files");
+  };
+  option("--output-dir", typed.output_dir, "Writes a file for each input into this folder, with the format's ending")
+      ->type_name("DIR");
+  option("--files", typed.list, "More files, one a line of LIST; -: standard input")->type_name("LIST");
+  flag("-0", typed.nul, "The names in LIST end in NUL, not in a new line");
+  flag("--recursive", typed.recursive,
+       "A folder stands for the files below it that end as a format does, or with --input-format for all; the tree is "
+       "mirrored in DIR");
+  option("--suffix", typed.suffix, "What to append to the outputs' names, before the ending")->type_name("S");
+  flag("--update", typed.update, "Only files that are newer than their outputs, or have none");
+  flag("--fail-fast", typed.fail_fast, "Stops at the first file that fails; without it the others are finished");
+}
+
 void declare_about(CLI::App& app, Typed& typed) {
   app.add_flag("--explain", typed.explain, "Says what was found and would be done, without samples")->group("About");
-  app.add_flag("-q,--quiet", typed.quiet, "No notes on standard error")->group("About");
+  app.add_flag("--progress", typed.progress,
+               "Shows on a terminal how far the work is, once it takes a second, also where rows go to it; by default "
+               "where they do not")
+      ->group("About");
+  app.add_flag("--no-progress", typed.no_progress, "Does not show how far the work is")->group("About");
+  app.add_flag("-q,--quiet", typed.quiet, "Nothing but errors on standard error")->group("About");
   app.add_option("--generate", typed.generate,
                  "Prints the manual page, or completions for a shell: man, bash, zsh or fish")
       ->type_name("KIND")
@@ -205,6 +227,7 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   declare_sampling(*app, typed);
   declare_range(*app, typed);
   declare_output(*app, typed);
+  declare_batch(*app, typed);
   declare_about(*app, typed);
   return app;
 }

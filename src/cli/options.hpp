@@ -27,6 +27,8 @@ struct Typed {
   std::string from, to;
   std::string output, output_dir, output_format, fields;
   bool no_output_header = false;
+  std::string list, suffix;
+  bool nul = false, recursive = false, update = false, fail_fast = false, progress = false, no_progress = false;
   std::string generate;
   bool list_presets = false, help = false, version = false;
 };

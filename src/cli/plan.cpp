@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <string_view>
 
+#include "cli/batch.hpp"
 #include "cli/input.hpp"
 #include "cli/sampling.hpp"
 #include "curve_plan.hpp"
@@ -91,13 +91,15 @@ Plan make_plan(const Typed& typed) {
   plan.curves = make_curves(typed);
   plan.curve = typed.curve;
   if (typed.closed) plan.curve.closed = true;
-  plan.files = typed.files.empty() ? std::vector<std::string>{"-"} : typed.files;
+  plan.batch = make_batch(typed);
+  plan.files = typed.files;
+  if (plan.files.empty() && plan.batch.list.empty()) plan.files = {"-"};
   plan.fields = make_fields(typed.fields.empty() ? "time,position" : typed.fields);
   plan.sampling.from_left = from_left(typed.side, plan.fields);
   check_curve(plan);
   plan.explain = typed.explain;
   if (!typed.jobs.empty()) plan.jobs = make_jobs(typed.jobs);
-  plan.notes = !typed.quiet && ::isatty(STDERR_FILENO) != 0;
+  plan.talk = make_talk(typed);
   if (!typed.output_format.empty()) plan.output_format = format::find_format("--output-format", typed.output_format);
   if (typed.no_output_header) {
     if (!format::formats()[plan.output_format].has_header) {

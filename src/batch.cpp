@@ -1,0 +1,62 @@
+// Batch: many files, each to an output of its own, on all threads, and none in another's way.
+#include "batch.hpp"
+
+#include <optional>
+
+#include "error.hpp"
+#include "stream.hpp"
+
+namespace tcb {
+namespace {
+
+/// From this size on a file is worth all threads; smaller ones share them.
+constexpr std::uintmax_t large_file = 4UL * 1024 * 1024;
+
+/// What became of a file.
+struct Outcome {
+  std::uintmax_t size = 0;
+  std::uint64_t rows = 0;
+  std::optional<Error> error;
+};
+
+Outcome outcome_of(const InputFile& file, unsigned threads, const Convert& convert) {
+  try {
+    return {file.size, convert(file, threads), {}};
+  } catch (const Error& error) {
+    return {file.size, 0, error.in(file.path)};
+  } catch (const std::bad_alloc&) {
+    return {file.size, 0, Error(Exit::usage, Place{file.path}, "out of memory")};
+  }
+}
+
+}  // namespace
+
+Summary convert_all(const Inputs& inputs, const Plan& plan, unsigned threads, Report& report, const Convert& convert) {
+  Summary summary;
+  summary.left_alone = inputs.left_alone;
+  bool stopped = false;
+  const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
+    for (; next != inputs.files.end() && next->is_current; ++next) {
+      ++summary.skipped;
+      report.add_file(next->size);
+    }
+    if (stopped || next == inputs.files.end()) return std::nullopt;
+    return &*next++;
+  };
+  const auto work = [&](const InputFile* file) {
+    const bool alone = file->size >= large_file || inputs.files.size() == 1;
+    return outcome_of(*file, alone ? threads : 1, convert);
+  };
+  const Source<Outcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);
+  while (const std::optional<Outcome> outcome = outcomes()) {
+    report.add_file(outcome->size);
+    summary.rows += outcome->rows;
+    ++(outcome->error ? summary.failed : summary.done);
+    if (!outcome->error) continue;
+    report.error(*outcome->error);
+    stopped = plan.batch.fail_fast;
+  }
+  return summary;
+}
+
+}  // namespace tcb

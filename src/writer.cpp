@@ -1,0 +1,63 @@
+// The writer of one output: what stands around the rows of files and curves, and the rows themselves.
+#include "writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+
+#include "error.hpp"
+
+namespace tcb {
+
+void Writer::begin(const format::Input& input, bool live) {
+  format::OutputColumns columns{input.groups, output_columns(plan_.fields, input), input.carried};
+  if (columns_.numbers.empty()) {
+    columns_ = std::move(columns);
+    frame_ = format::Frame(format::formats()[plan_.output_format], columns_, plan_.output_header.value_or(input.named));
+    output_.write(frame_.head());
+  } else if (columns.names() != columns_.names()) {
+    throw Error(Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give "
+                                        "--output-dir to write an output for each file",
+                                        fmt::join(columns.names(), ", "), fmt::join(columns_.names(), ", ")));
+  }
+  group_.reset();
+  output_.set_live(live);
+}
+
+void Writer::begin_curve(const std::vector<std::string>& group) {
+  const std::string text = frame_.begin(group, group_ == group);
+  if (!text.empty()) output_.write(text);
+  group_ = group;
+}
+
+std::string Writer::print(const std::vector<format::Cell>& cells, bool first) const {
+  std::string text;
+  format::append_rows(text, frame_.layout(), columns_.numbers, cells, first && frame_.is_first());
+  return text;
+}
+
+std::string Writer::print(const LabelledBatch& batch, const sampler::Locator& locator) const {
+  return print_labelled(batch, locator, plan_.fields,
+                        [this, layout = frame_.layout()](std::string& out, const std::vector<format::Cell>& cells,
+                                                         const std::string& row_end, bool first) mutable {
+                          layout.row_end = row_end;
+                          format::append_rows(out, layout, columns_.numbers, cells, first && frame_.is_first());
+                        });
+}
+
+void Writer::write(const Source<std::string>& rows) {
+  bool any = false;
+  while (const std::optional<std::string> text = rows()) {
+    output_.write(*text);
+    any = any || !text->empty();
+  }
+  if (any) frame_.set_written();
+}
+
+void Writer::commit() {
+  output_.write(frame_.tail());
+  output_.commit();
+}
+
+}  // namespace tcb

@@ -1,0 +1,50 @@
+// The writer of one output: what stands around the rows of files and curves, and the rows themselves.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "file.hpp"
+#include "format/frame.hpp"
+#include "labels.hpp"
+#include "task.hpp"
+
+namespace tcb {
+
+/// One output, which takes the rows of one file or of several.
+class Writer {
+ public:
+  Writer(const Plan& plan, std::string path) : plan_(plan), output_(std::move(path)) {}
+
+  /// The next file's rows follow. Throws: Error (data) where they have other columns than the rows before.
+  void begin(const format::Input& input, bool live);
+
+  /// The rows of the next curve of the file follow.
+  void begin_curve(const std::vector<std::string>& group);
+
+  /// The text of some rows. A pure function but for the layout, which begin_curve() has set.
+  std::string print(const std::vector<format::Cell>& cells, bool first) const;
+
+  /// The same for rows that end in labels.
+  std::string print(const LabelledBatch& batch, const sampler::Locator& locator) const;
+
+  std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }
+
+  /// Writes the rows of a curve as they come.
+  void write(const Source<std::string>& rows);
+
+  /// All rows are written. Throws: Error (usage) if the output cannot be completed.
+  void commit();
+
+ private:
+  const Plan& plan_;
+  Output output_;
+  format::OutputColumns columns_;
+  format::Frame frame_;
+  std::optional<std::vector<std::string>> group_;  ///< of the curve before in the same file
+};
+
+}  // namespace tcb
