@@ -71,7 +71,7 @@ bool names_a_file(std::string_view options) {
 
 /// What a line of options asks for: from standard input to standard output, and few rows. Nothing for other requests.
 std::optional<Plan> parse(std::string_view line) {
-  if (names_a_file(line)) return std::nullopt;
+  if (names_a_file(line) || format::find_foreign(line) != std::string_view::npos) return std::nullopt;
   std::vector<std::string> words{"tcbsample"};
   for (const std::string_view word : split(line, ' ')) {
     if (!word.empty()) words.emplace_back(word.substr(0, word.find('\0')));
