@@ -44,8 +44,7 @@ Summary convert_all(const Inputs& inputs, const Plan& plan, unsigned threads, Re
     return &*next++;
   };
   const auto work = [&](const InputFile* file) {
-    const bool alone = file->size >= large_file || inputs.files.size() == 1;
-    return outcome_of(*file, alone ? threads : 1, convert);
+    return outcome_of(*file, file->size >= large_file ? threads : 1, convert);
   };
   const Source<Outcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);
   while (const std::optional<Outcome> outcome = outcomes()) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@ enum class Exit : int {
   done = 0,
   data = 1,   ///< the data was rejected
   usage = 2,  ///< wrong usage, or a file that cannot be opened or written
+  interrupted = 130,
 };
 
 /// A place in an input; line and column count from 1, column in characters, 0 where there is none.
@@ -55,11 +57,23 @@ class Error : public std::exception {
 
  private:
   std::string line() const {
-    if (place_.file.empty()) return "tcbsample: error: " + message_;
+    if (place_.file.empty()) return in_one_line("tcbsample: error: " + message_);
     std::string where = place_.file;
     if (place_.line != 0) where += ":" + std::to_string(place_.line);
     if (place_.line != 0 && place_.column != 0) where += ":" + std::to_string(place_.column);
-    return where + ": error: " + message_;
+    return in_one_line(where + ": error: " + message_);
+  }
+
+  /// Control characters, which names may have in them, as \xNN.
+  static std::string in_one_line(const std::string& text) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string shown;
+    for (const char c : text) {
+      const auto code = static_cast<unsigned char>(c);
+      const bool control = code < 0x20 || code == 0x7F;
+      shown += control ? std::string{'\\', 'x', digits[code / 16], digits[code % 16]} : std::string(1, c);
+    }
+    return shown;
   }
 
   Exit exit_;

@@ -3,18 +3,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "error.hpp"
+#include "unfinished.hpp"
 
 namespace tcb {
 namespace {
@@ -33,6 +33,25 @@ struct Descriptor {
   }
 };
 
+struct stat status_of(int descriptor) {
+  struct stat status {};
+  (void)::fstat(descriptor, &status);
+  return status;
+}
+
+bool is_same(const struct stat& a, const struct stat& b) {
+  return a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
+}
+
+/// Whether what failed is to be tried again; waits until it may succeed.
+bool is_to_repeat(int descriptor, short events) {
+  if (errno == EINTR) return true;
+  if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
+  pollfd ready{descriptor, events, 0};
+  (void)::poll(&ready, 1, -1);
+  return true;
+}
+
 /// The permissions of the file if it is there, else those of a new one.
 mode_t mode_for(const std::string& path) {
   struct stat status {};
@@ -43,7 +62,14 @@ mode_t mode_for(const std::string& path) {
 }
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
-  throw Error(Exit::usage, Place{shown_name(path)}, fmt::format("{}: {}", what, std::strerror(errno)));
+  const char* const remedy = errno == EISDIR ? "; give --recursive and --output-dir for the files in it" : "";
+  throw Error(Exit::usage, Place{shown_name(path)}, fmt::format("{}: {}{}", what, std::strerror(errno), remedy));
+}
+
+[[noreturn]] void refuse_change(const std::string& path) {
+  throw Error(Exit::usage, Place{shown_name(path)},
+              "it changed while it was read; expected a file at rest; wait until it is written, or read what is there "
+              "of it from a pipe, as in cat FILE | tcbsample");
 }
 
 int open_for_reading(const std::string& path) {
@@ -65,14 +91,17 @@ bool is_live(const std::string& path) {
 
 Source<std::string> read_file(const std::string& path) {
   const auto file = std::make_shared<Descriptor>(open_for_reading(path));
-  return [file, path]() -> std::optional<std::string> {
+  return [file, path, before = status_of(file->number)]() -> std::optional<std::string> {
     std::string bytes(read_size, '\0');
     ssize_t count = 0;
     do {
       count = ::read(file->number, bytes.data(), bytes.size());
-    } while (count < 0 && errno == EINTR);
+    } while (count < 0 && is_to_repeat(file->number, POLLIN));
     if (count < 0) fail(path, "cannot be read");
-    if (count == 0) return std::nullopt;
+    if (count == 0) {
+      if (S_ISREG(before.st_mode) && !is_same(before, status_of(file->number))) refuse_change(path);
+      return std::nullopt;
+    }
     bytes.resize(static_cast<std::size_t>(count));
     return bytes;
   };
@@ -97,18 +126,23 @@ Output::Output(std::string path) : path_(std::move(path)) {
     if (descriptor_ < 0) fail("cannot be written");
     return;
   }
-  temporary_ = path_ + ".XXXXXX";
-  descriptor_ = ::mkostemp(temporary_.data(), O_CLOEXEC);
-  if (descriptor_ < 0) {
-    temporary_.clear();
+  descriptor_ = create_unfinished(path_, temporary_);
+  unfinished_ = descriptor_ >= 0;
+  if (!unfinished_) fail("cannot be written");
+  if (::fchmod(descriptor_, mode_for(path_)) != 0) {
+    const int reason = errno;
+    remove();
+    errno = reason;
     fail("cannot be written");
   }
-  if (::fchmod(descriptor_, mode_for(path_)) != 0) fail("cannot be written");
 }
 
-Output::~Output() {
-  if (descriptor_ > 2) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+Output::~Output() { remove(); }
+
+void Output::remove() {
+  if (descriptor_ > 2) ::close(std::exchange(descriptor_, -1));
+  if (!temporary_.empty()) discard(temporary_);
+  temporary_.clear();
 }
 
 void Output::fail(const char* what) const {
@@ -124,7 +158,7 @@ void Output::write(std::string_view text) {
 void Output::flush() {
   for (std::string_view left = pending_; !left.empty();) {
     const ssize_t count = ::write(descriptor_, left.data(), left.size());
-    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && is_to_repeat(descriptor_, POLLOUT)) continue;
     if (count < 0) fail("cannot be written");
     left.remove_prefix(static_cast<std::size_t>(count));
   }
@@ -134,9 +168,8 @@ void Output::flush() {
 void Output::commit() {
   flush();
   if (path_ == "-") return;
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot be written");
-  if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be written");
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (!(unfinished_ ? finish(descriptor, temporary_, path_) : ::close(descriptor) == 0)) fail("cannot be written");
   temporary_.clear();
 }
 

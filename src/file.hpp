@@ -43,9 +43,12 @@ class Output {
 
  private:
   void flush();
+  void remove();
   [[noreturn]] void fail(const char* what) const;
 
-  std::string path_, temporary_;
+  std::string path_;
+  std::string temporary_;    ///< its name until it is complete, if it needs one
+  bool unfinished_ = false;  ///< it is to get its name when it is complete
   std::string pending_;
   int descriptor_ = 1;
   bool live_ = false;

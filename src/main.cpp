@@ -6,27 +6,37 @@
 #include "cli/options.hpp"
 #include "cli/reference.hpp"
 #include "error.hpp"
+#include "file.hpp"
 #include "resample.hpp"
+#include "unfinished.hpp"
 
 namespace {
 
-int say(tcb::Exit exit, const std::string& text) {
-  (void)std::fprintf(exit == tcb::Exit::done ? stdout : stderr, "%s\n", text.c_str());
+int refuse(tcb::Exit exit, const std::string& text) {
+  (void)std::fprintf(stderr, "%s\n", text.c_str());
   return static_cast<int>(exit);
+}
+
+void print(const std::string& text) {
+  tcb::Output output("-");
+  output.write(text + "\n");
+  output.commit();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  tcb::end_when_interrupted();
   try {
     const tcb::cli::Request request = tcb::cli::parse(argc, argv);
-    if (request.text) return say(tcb::Exit::done, *request.text);
-    return static_cast<int>(tcb::resample(request.plan));
+    if (!request.text) return static_cast<int>(tcb::resample(request.plan));
+    print(*request.text);
+    return static_cast<int>(tcb::Exit::done);
   } catch (const tcb::Error& error) {
-    return say(error.exit(), error.text());
+    return refuse(error.exit(), error.text());
   } catch (const std::bad_alloc&) {
-    return say(tcb::Exit::usage, "tcbsample: error: out of memory");
+    return refuse(tcb::Exit::usage, "tcbsample: error: out of memory");
   } catch (const std::exception& error) {
-    return say(tcb::Exit::usage, std::string("tcbsample: error: ") + error.what());
+    return refuse(tcb::Exit::usage, std::string("tcbsample: error: ") + error.what());
   }
 }

@@ -112,6 +112,11 @@ Exit resample_each(const Inputs& inputs, const Plan& plan, unsigned threads, Rep
     writer.commit();
     return rows;
   };
+  const InputFile& first = inputs.files.front();
+  if (inputs.files.size() + inputs.left_alone == 1 && !first.is_current) {  // its errors are the program's
+    in_file(first.path, [&] { convert(first, threads); });
+    return Exit::done;
+  }
   const Summary summary = convert_all(inputs, plan, threads, report, convert);
   report.summary(summary);
   return summary.failed == 0 ? Exit::done : Exit::data;

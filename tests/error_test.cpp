@@ -28,10 +28,16 @@ TEST(Errors, a_file_is_filled_in_once_and_nothing_else_changes) {
   EXPECT_EQ(error.text(), "tcbsample: error: wrong") << "the error itself stays as it was";
 }
 
+TEST(Errors, each_keeps_to_its_line) {
+  EXPECT_EQ(Error(Exit::data, Place{"a\nb", 1, 2}, "a column \"x\r\n\x1b[1m\x7f\"").text(),
+            "a\\x0Ab:1:2: error: a column \"x\\x0D\\x0A\\x1B[1m\\x7F\"");
+}
+
 TEST(Errors, exit_codes_are_those_of_the_manual) {
   EXPECT_EQ(static_cast<int>(Exit::done), 0);
   EXPECT_EQ(static_cast<int>(Exit::data), 1);
   EXPECT_EQ(static_cast<int>(Exit::usage), 2);
+  EXPECT_EQ(static_cast<int>(Exit::interrupted), 130);
   EXPECT_EQ(Error(Exit::usage, "wrong").exit(), Exit::usage);
 }
 

@@ -35,6 +35,8 @@ struct Cursor {
   bool operator==(const Cursor& other) const { return at == other.at; }
 };
 
+constexpr const char* no_key = "nothing where a key was expected; expected {…}; take the comma out";
+
 /// Where the token ends that was read last, and then where it begins, by looking back.
 const char* token_start(const char* begin, const char* now) {
   constexpr std::string_view between = " \t\r\n,:]}";
@@ -64,7 +66,8 @@ std::string reason(const std::string& message) {
   const std::size_t read = message.find(mark, start);
   if (read == std::string::npos) return message.substr(start);
   const std::size_t begin = read + mark.size();
-  const std::size_t end = std::min(message.find("'; expected ", begin), message.size() - 1);
+  const bool expects = message.find("while parsing value") > read;  // or else what was read is the last it says
+  const std::size_t end = expects ? message.rfind("'; expected ") : message.size() - 1;
   std::string text = message.substr(begin, end - begin);
   if (text.rfind('"') == 0) text.erase(0, 1);  // of a string that was begun
   return fmt::format("{} in {}{}", message.substr(start, read - start), shown(text), message.substr(end + 1));
@@ -110,8 +113,11 @@ struct JsonEvents::Adapter {
       events.fail(fmt::format("{} is not a finite double; expected less than 1.8e308 in size; correct it",
                               shown(behind.substr(0, behind.find_first_of(" \t\r\n,]}")))));
     }
-    events.fail_at(last_token(events.chunk_.text.data(), events.now_),
-                   fmt::format("not JSON: {}; correct the text", reason(error.what())));
+    const char* const token = last_token(events.chunk_.text.data(), events.now_);
+    const bool at_keys = events.key_depth_ == 1 && events.depth_ == 1;
+    const bool no_value = std::string_view(error.what()).find("'[', '{', or a literal") != std::string_view::npos;
+    if (at_keys && no_value && (*token == ',' || *token == ']')) events.fail_at(token, no_key);
+    events.fail_at(token, fmt::format("not JSON: {}; correct the text", reason(error.what())));
   }
 
   bool word(std::string_view text) {
@@ -133,7 +139,7 @@ void JsonEvents::parse() {
   if (chunk_.text.starts_with('[')) {
     key_depth_ = 1;
     (void)parse_range(begin, end);
-    if (keys_ == 0) fail_at(end - 1, "nothing where a key was expected; expected {…}; take the comma out");
+    if (keys_ == 0) fail_at(end - 1, no_key);
     return;
   }
   for (const char* line = begin; line != end;) {

@@ -91,13 +91,16 @@ Chunk JsonText::take(std::size_t end) {
 
 bool JsonText::read_more(const char* too_much) {
   if (text_.size() > longest_part) refuse(too_much);
+  if (at_nul_) {
+    const LinePlace place = place_after(text_, {line, column});
+    throw Error(Exit::data, Place{"", place.line, place.column}, nul_byte());
+  }
   const std::optional<std::string> more = bytes_();
   if (!more) return false;
-  text_ += *more;
   const std::size_t nul = more->find('\0');
-  if (nul == std::string::npos) return true;
-  const LinePlace place = place_after(view().substr(0, text_.size() - more->size() + nul), {line, column});
-  throw Error(Exit::data, Place{"", place.line, place.column}, nul_byte());
+  at_nul_ = nul != std::string::npos;
+  text_.append(*more, 0, nul);
+  return true;
 }
 
 void JsonText::refuse(const char* message) const { throw Error(Exit::data, Place{"", line, column}, message); }

@@ -33,7 +33,8 @@ class JsonText {
   /// Cuts text off at `end`.
   Chunk take(std::size_t end);
 
-  /// Reads on; false at the end of the input. Throws: Error (data) saying so where there is too much text.
+  /// Reads on, up to a NUL; false at the end of the input.
+  /// Throws: Error (data) where there is too much text, saying so, and at a NUL, once the text before it was read.
   bool read_more(const char* too_much);
 
   /// Throws: Error (data) at the beginning of the text.
@@ -47,6 +48,7 @@ class JsonText {
   Source<std::string> bytes_;
   std::string text_;  ///< read and not yet cut off
   bool escaped_ = false;
+  bool at_nul_ = false;  ///< the byte behind the text is one
 };
 
 }  // namespace tcb::format

@@ -43,12 +43,12 @@ bool is_tiny(std::string_view text) {
   const std::string_view digits = text.substr(0, mark);
   const std::size_t first = digits.find_first_of("123456789");
   const std::size_t point = std::min(digits.find('.'), digits.size());
-  long long exponent = 0;
+  int exponent = 0;
   if (mark != std::string_view::npos) {
     const std::string_view power = without_plus(text.substr(mark + 1));
     if (std::from_chars(power.data(), power.data() + power.size(), exponent).ec != std::errc()) return power[0] == '-';
   }
-  return exponent + static_cast<long long>(point) - static_cast<long long>(first) < 0;
+  return exponent + static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first) < 0;
 }
 
 /// Takes the character c where it is the next one.

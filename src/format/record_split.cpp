@@ -100,8 +100,7 @@ class RecordSplitter {
 
   std::optional<Chunk> next() {
     for (;;) {
-      std::optional<std::string> more = bytes_();
-      if (more) add(*more);
+      const bool more = read_more();
       const std::size_t end = more ? ends_.last_end(text_) : text_.size();
       if (end == 0 && !more) return std::nullopt;
       if (end == 0 && text_.size() > longest_record) refuse_long_record(line_);
@@ -116,18 +115,25 @@ class RecordSplitter {
   }
 
  private:
-  void add(const std::string& more) {
-    text_ += more;
-    const std::size_t nul = more.find('\0');
-    if (nul == std::string::npos) return;
-    const std::string_view before = std::string_view(text_).substr(0, text_.size() - more.size() + nul);
-    throw Error(Exit::data, Place{"", line_ + count_lines(before), column_after(before, 1)}, nul_byte());
+  /// Reads on, up to a NUL: the records before it go first.
+  bool read_more() {
+    if (at_nul_) {
+      const LinePlace place = place_after(text_, {line_, 1});
+      throw Error(Exit::data, Place{"", place.line, place.column}, nul_byte());
+    }
+    const std::optional<std::string> more = bytes_();
+    if (!more) return false;
+    const std::size_t nul = more->find('\0');
+    at_nul_ = nul != std::string::npos;
+    text_.append(*more, 0, nul);
+    return true;
   }
 
   Source<std::string> bytes_;
   RecordEnds ends_;
   std::string text_;  ///< read and not yet cut off
   std::uint64_t line_;
+  bool at_nul_ = false;  ///< the byte behind the text is one
 };
 
 }  // namespace

@@ -294,6 +294,17 @@ class RandomCsv {
   std::uint64_t line_ = 1;
 };
 
+TEST(Csv, what_stands_before_a_nul_is_read_first) {
+  using namespace std::string_literals;
+  for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
+    EXPECT_EQ(
+        read("t,x\n0,1\n1,a\n2,\0"s, {}, piece),
+        "f:3:3: error: x: \"a\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
+        "f:4:3: error: a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t "
+        "UTF-8");
+  }
+}
+
 TEST(Csv, random_texts_give_their_keys_in_pieces_of_any_size) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const RandomCsv csv(seed);

@@ -1,0 +1,41 @@
+// Invariants: what must hold of every input; where one does not, the fuzzer is told by a crash.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "format/refusal.hpp"
+
+namespace tcb::fuzz {
+
+inline void require(bool holds, std::string_view what, std::string_view seen) {
+  if (holds) return;
+  (void)std::fputs(fmt::format("{}:\n{}\n", what, seen).c_str(), stderr);
+  std::abort();
+}
+
+inline void require_same(std::string_view one, std::string_view other, std::string_view what) {
+  if (one != other) require(false, what, fmt::format("one:\n{}\nother:\n{}", one, other));
+}
+
+/// A refusal fits a terminal: UTF-8 in lines of its own, each naming the file or the program, ten faults at most.
+inline void require_refusal(std::string_view text, std::string_view file) {
+  require(format::find_foreign(text) == std::string_view::npos, "a refusal is not UTF-8", text);
+  std::size_t lines = 0;
+  for (std::string_view left = text; !left.empty(); ++lines) {
+    const std::string_view line = left.substr(0, left.find('\n'));
+    left.remove_prefix(std::min(left.size(), line.size() + 1));
+    const bool named = line.starts_with(file) || line.starts_with("tcbsample:");
+    require(named && line.find(": error: ") != std::string_view::npos, "a refusal without a place", text);
+    const bool plain = std::ranges::none_of(line, [](char c) { return static_cast<unsigned char>(c) < ' '; });
+    require(plain, "a refusal with control characters", text);
+  }
+  require(lines >= 1 && lines <= 10, "not one to ten faults", text);
+}
+
+}  // namespace tcb::fuzz

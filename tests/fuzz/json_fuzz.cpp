@@ -1,0 +1,21 @@
+// The JSON reader: any text as JSON of any shape.
+#include <fuzzer/FuzzedDataProvider.h>
+
+#include <cstdint>
+
+#include "reading.hpp"
+
+/// The last bytes choose the options.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tcb;
+  FuzzedDataProvider choices(data, size);
+  format::InputOptions options;
+  options.format = format::find_format("", choices.PickValueInArray({"json", "jsonl"}));
+  options.missing = choices.PickValueInArray(format::missing_names).way;
+  options.timeless = choices.ConsumeBool();
+  const char* const columns = choices.PickValueInArray({"", "", "carry=label", "group=id", "position=x:y,time=t"});
+  if (*columns != '\0') options.roles = format::parse_roles(columns);
+  const auto piece = choices.ConsumeIntegralInRange<std::size_t>(1, 64);
+  fuzz::require_same_readings(choices.ConsumeRemainingBytesAsString(), options, piece, false);
+  return 0;
+}

@@ -1,0 +1,117 @@
+// The number path: texts read as the C library reads them; doubles written as the standard library writes them, and
+// read back.
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "format/decimals.hpp"
+#include "format/number.hpp"
+#include "invariant.hpp"
+
+namespace tcb::fuzz {
+namespace {
+
+bool same(std::optional<double> a, std::optional<double> b) {
+  return a.has_value() == b.has_value() && (!a || std::bit_cast<std::uint64_t>(*a) == std::bit_cast<std::uint64_t>(*b));
+}
+
+std::size_t digits_at(std::string_view text, std::size_t at) {
+  return std::min(text.find_first_not_of("0123456789", at), text.size()) - at;
+}
+
+/// Digits with an optional sign, point and exponent.
+bool is_decimal(std::string_view text) {
+  const auto skip = [&](std::size_t at, std::string_view any) {
+    return at + (at < text.size() && any.find(text[at]) != std::string_view::npos ? 1 : 0);
+  };
+  std::size_t at = skip(0, "+-");
+  std::size_t digits = digits_at(text, at);
+  at += digits;
+  if (const std::size_t point = skip(at, "."); point != at) {
+    digits += digits_at(text, point);
+    at = point + digits_at(text, point);
+  }
+  if (digits == 0 || at == text.size()) return digits > 0;
+  const std::size_t power = skip(at, "eE");
+  const std::size_t first = skip(power, "+-");
+  return power != at && first < text.size() && first + digits_at(text, first) == text.size();
+}
+
+std::optional<double> expected_number(const std::string& text) {
+  const double value = is_decimal(text) ? std::strtod(text.c_str(), nullptr) : std::nan("");
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<std::int64_t> expected_whole(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+void read(const std::string& text) {
+  const std::optional<double> wanted = expected_number(text);
+  require(same(format::parse_number(text), wanted), "read otherwise than by strtod", text);
+  require(!wanted || format::looks_numeric(text), "a number that does not look like one", text);
+
+  std::string with_comma = text;
+  for (char& c : with_comma) c = c == ',' ? '.' : c == '.' ? ',' : c;
+  require(same(format::Decimals(',').number(with_comma), wanted), "a decimal comma changes the number", text);
+
+  const std::optional<format::Time> time = format::parse_time(text);
+  require(time.has_value() == wanted.has_value(), "a time, but no number", text);
+  if (!wanted) return;
+  const auto whole = is_decimal(text) && text.find('.') == std::string::npos ? expected_whole(text) : std::nullopt;
+  if (!whole) return require(time->hi == *wanted && time->lo == 0, "a time is not its number", text);
+  require(static_cast<__int128>(time->hi) + static_cast<__int128>(time->lo) == *whole, "digits lost", text);
+  require_same(format::time_text(*time), std::to_string(*whole), "a time is written otherwise");
+}
+
+std::string by_to_chars(double value) {
+  char text[64];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+template <class... Arguments>
+std::string by_printf(const char* form, Arguments... arguments) {
+  std::string text(1024, '\0');
+  text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), form, arguments...)));
+  return text;
+}
+
+void write(double value, int places) {
+  std::string shortest, fixed, digits;
+  format::append_number(shortest, value);
+  require_same(shortest, by_to_chars(value), "the shortest text");
+  require(same(format::parse_number(shortest), value), "not read back", shortest);
+  format::append_fixed(fixed, value, places);
+  require_same(fixed, by_printf("%.*f", places, value), fmt::format("{} decimals", places));
+  format::append_digits(digits, value, places);
+  require_same(digits, by_printf("%.*g", places, value), fmt::format("{} digits", places));
+
+  // A time has one text, which is its number's unless it is whole.
+  const std::string time = format::time_text(format::Time(value));
+  const bool whole = std::trunc(value) == value && std::abs(value) < 0x1p63;
+  require_same(time, whole ? std::to_string(static_cast<std::int64_t>(value)) : shortest, "a time");
+}
+
+}  // namespace
+}  // namespace tcb::fuzz
+
+/// The first bytes are a double and a number of places too.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  tcb::fuzz::read({reinterpret_cast<const char*>(data), size});
+  double value = 0;
+  if (size <= sizeof value) return 0;
+  std::memcpy(&value, data, sizeof value);
+  const int places = data[sizeof value] % 64 < 48 ? data[sizeof value] % 20 : data[sizeof value];
+  if (std::isfinite(value)) tcb::fuzz::write(value, places);
+  return 0;
+}

@@ -1,0 +1,184 @@
+// The whole program on options and an input: whatever they are, it prints sound rows or refuses them, and says the
+// same on one thread and on four.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "error.hpp"
+#include "fields.hpp"
+#include "format/format.hpp"
+#include "format/number.hpp"
+#include "invariant.hpp"
+#include "resample.hpp"
+
+namespace tcb::fuzz {
+namespace {
+
+constexpr std::uint64_t most_rows = 300;
+
+std::vector<std::string_view> split(std::string_view text, char delimiter) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    parts.push_back(text.substr(0, text.find(delimiter)));
+    if (parts.back().size() == text.size()) return parts;
+    text.remove_prefix(parts.back().size() + 1);
+  }
+}
+
+/// A file in memory in the place of standard input or output.
+class MemoryFile {
+ public:
+  explicit MemoryFile(int descriptor) : descriptor_(descriptor) {
+    const int file = ::memfd_create("fuzz", MFD_CLOEXEC);
+    require(file >= 0 && ::dup2(file, descriptor) == descriptor, "no file in memory", "");
+    ::close(file);
+  }
+
+  void set(std::string_view text) const {
+    const bool emptied = ::ftruncate(descriptor_, 0) == 0 && ::lseek(descriptor_, 0, SEEK_SET) == 0;
+    const ssize_t count = ::pwrite(descriptor_, text.data(), text.size(), 0);
+    require(emptied && count == static_cast<ssize_t>(text.size()), "a file in memory fails", "");
+  }
+
+  std::string text() const {
+    std::string text(static_cast<std::size_t>(::lseek(descriptor_, 0, SEEK_END)), '\0');
+    const ssize_t count = ::pread(descriptor_, text.data(), text.size(), 0);
+    require(count == static_cast<ssize_t>(text.size()), "a file in memory fails", "");
+    return text;
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// Slashes are for ratios: no file but standard input is to be touched.
+bool names_a_file(std::string_view options) {
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const bool ratio = i > 0 && std::isdigit(static_cast<unsigned char>(options[i - 1])) != 0;
+    if (options[i] == '@' || (options[i] == '/' && !ratio)) return true;
+  }
+  return false;
+}
+
+/// What a line of options asks for: from standard input to standard output, and few rows. Nothing for other requests.
+std::optional<Plan> parse(std::string_view line) {
+  if (names_a_file(line) || format::find_foreign(line) != std::string_view::npos) return std::nullopt;
+  std::vector<std::string> words{"tcbsample"};
+  for (const std::string_view word : split(line, ' ')) {
+    if (!word.empty()) words.emplace_back(word.substr(0, word.find('\0')));
+  }
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  try {
+    cli::Request request = cli::parse(static_cast<int>(arguments.size()), arguments.data());
+    if (request.text) return std::nullopt;
+    request.plan.files = {"-"};
+    request.plan.output = "-";
+    request.plan.output_folder.reset();
+    request.plan.notes = false;
+    request.plan.sampling.max_rows = std::min(request.plan.sampling.max_rows, most_rows);
+    return request.plan;
+  } catch (const Error& error) {
+    require(error.exit() == Exit::usage, "options refused as if they were data", error.text());
+    require(error.text().starts_with("tcbsample: error: "), "options refused elsewhere", error.text());
+    return std::nullopt;
+  }
+}
+
+/// As parse, which takes longer than all the rest, of lines that were not seen lately.
+const std::optional<Plan>& parsed(std::string_view line) {
+  static std::map<std::string, std::optional<Plan>, std::less<>> known;
+  constexpr std::size_t most = 4096;
+  if (const auto found = known.find(line); found != known.end()) return found->second;
+  if (known.size() == most) known.clear();
+  return known.emplace(line, parse(line)).first->second;
+}
+
+/// What comes of it: rows, or a refusal.
+struct Outcome {
+  std::string out, refusal;
+};
+
+Outcome run(Plan plan, unsigned jobs, std::string_view input) {
+  static const MemoryFile in(STDIN_FILENO), out(STDOUT_FILENO);
+  in.set(input);
+  out.set("");
+  plan.jobs = jobs;
+  try {
+    resample(plan);
+    return {out.text(), {}};
+  } catch (const Error& error) {
+    require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error.text());
+    require_refusal(error.text(), "standard input");
+    return {{}, error.text()};
+  }
+}
+
+/// Every cell of delimited rows is a finite number or empty, and time does not go back.
+void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
+  std::optional<format::Time> last;
+  for (const std::string_view row : split(rows, '\n')) {
+    const std::vector<std::string_view> cells = split(row, delimiter);
+    for (const std::string_view cell : cells) {
+      const bool undefined = cell.empty() || (delimiter == ' ' && cell == "NA");
+      require(undefined || format::parse_number(cell).has_value(), "a cell that is no number", rows);
+    }
+    const auto time = format::parse_time(cells[0]);
+    require(!ordered || !last || !time || !(*time < *last), "time goes back", rows);
+    last = time;  // an empty row begins a new curve
+  }
+}
+
+/// Requires: rows that were not refused.
+void require_sound(const Plan& plan, std::string_view text, std::string_view rows) {
+  const format::Format& format = format::formats()[plan.output_format];
+  if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
+  if (format.name == "jsonl") {
+    for (const std::string_view row : split(rows, '\n')) {
+      require(row.empty() || nlohmann::json::accept(row), "not JSON", rows);
+    }
+    return;
+  }
+  const auto bytes = [text, read = false]() mutable {
+    return std::exchange(read, true) ? std::nullopt : std::optional(std::string(text));
+  };
+  const format::Input input = format::open_input("-", bytes, plan.input);
+  if (!input.groups.empty() || !input.carried.empty()) return;  // their texts may be anything
+  if (plan.output_header.value_or(input.named)) {
+    if (rows.substr(0, rows.find('\n')).find('"') != std::string_view::npos) return;
+    rows.remove_prefix(std::min(rows.size(), rows.find('\n') + 1));
+  }
+  const auto mode = plan.sampling.mode;
+  const bool in_order = mode != sampler::Mode::at && mode != sampler::Mode::arc_at;
+  const char delimiter = format.name == "csv" ? ',' : format.name == "tsv" ? '\t' : ' ';
+  require_sound_rows(rows, delimiter, in_order && fields()[plan.fields[0]].name == "time");
+}
+
+}  // namespace
+}  // namespace tcb::fuzz
+
+/// The first line is the options, the rest the input.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tcb::fuzz;
+  const std::string_view all(reinterpret_cast<const char*>(data), size);
+  const std::string_view line = all.substr(0, all.find('\n'));
+  const std::string_view input = all.substr(std::min(all.size(), line.size() + 1));
+  const auto& plan = parsed(line);
+  if (!plan) return 0;
+  const Outcome outcome = run(*plan, 1, input);
+  if (outcome.refusal.empty() && !plan->explain) require_sound(*plan, input, outcome.out);
+  if (size % 4 != 0) return 0;
+  const Outcome threaded = run(*plan, 4, input);
+  require_same(outcome.out, threaded.out, "-j 1 and -j 4");
+  require_same(outcome.refusal, threaded.refusal, "-j 1 and -j 4");
+  return 0;
+}

@@ -1,0 +1,121 @@
+// Readers: what they make of a text does not hang on how it comes, and is finite or refused with its place.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "error.hpp"
+#include "format/faults.hpp"
+#include "format/format.hpp"
+#include "invariant.hpp"
+
+namespace tcb::fuzz {
+
+/// The text in pieces of `size` bytes.
+inline Source<std::string> pieces(std::string_view text, std::size_t size) {
+  return [text, size]() mutable -> std::optional<std::string> {
+    if (text.empty()) return std::nullopt;
+    std::string piece(text.substr(0, size));
+    text.remove_prefix(piece.size());
+    return piece;
+  };
+}
+
+/// Keys as text, one a line, with what breaks a curve between them, and the checks that hold of each of them.
+class ShownKeys {
+ public:
+  ShownKeys(std::uint64_t lines, bool may_miss) : lines_(lines), may_miss_(may_miss) {}
+
+  void add(const format::KeyBlock& block) {
+    const std::size_t texts = block.lines.empty() ? 0 : block.texts.size() / block.lines.size();
+    for (std::size_t i = 0; i < block.lines.size(); ++i) {
+      if (std::ranges::count(block.breaks, i) > 0 || breaks_) text_ += "break\n";
+      breaks_ = false;
+      if (std::ranges::count(block.gaps, i) > 0) {
+        text_ += "gap\n";
+      } else {
+        add_key(block, i);
+      }
+      for (std::size_t j = 0; j < texts; ++j) text_ += fmt::format("text {}\n", block.texts[i * texts + j]);
+    }
+    if (block.beside_keys) text_ += fmt::format("id {}\n", block.beside_keys->id);
+    breaks_ = breaks_ || block.break_after;
+    skipped_ += block.skipped;
+  }
+
+  std::string text() const { return text_ + fmt::format("{} skipped\n", skipped_); }
+
+ private:
+  void add_number(double value, bool may_be_missing = false) {
+    text_ += fmt::format(" {}", value);
+    require(std::isfinite(value) || may_be_missing, "a key that is not finite", text_);
+  }
+
+  void add_key(const format::KeyBlock& block, std::size_t i) {
+    const spline::Keys<double>& keys = block.keys;
+    text_ += fmt::format("{}:{}", block.lines[i], block.columns.empty() ? 0 : block.columns[i]);
+    require(block.lines[i] >= 1 && block.lines[i] <= lines_, "a key on no line", text_);
+    if (!keys.times.empty()) {
+      add_number(keys.times.at(i).hi);
+      add_number(keys.times.at(i).lo);
+    }
+    require(keys.positions.size() == block.lines.size() * keys.channels, "positions missing", text_);
+    for (const double value : keys.position(i)) add_number(value, may_miss_);
+    for (const double value : {keys.tcb(i).tension, keys.tcb(i).continuity, keys.tcb(i).bias}) add_number(value);
+    if (!keys.eases.empty()) add_number(keys.eases.at(i).in);
+    if (!keys.eases.empty()) add_number(keys.eases.at(i).out);
+    text_ += '\n';
+  }
+
+  std::uint64_t lines_;
+  bool may_miss_;
+  std::string text_;
+  std::uint64_t skipped_ = 0;
+  bool breaks_ = false;
+};
+
+/// What a reader makes of a text: keys as text, or a refusal.
+struct Reading {
+  std::string text;
+  bool refused = false;
+};
+
+inline Reading read(std::string_view text, const format::InputOptions& options, std::size_t piece) {
+  const auto lines = static_cast<std::uint64_t>(std::ranges::count(text, '\n')) + 1;
+  try {
+    const format::Input input = format::open_input("f", pieces(text, piece), options);
+    std::string found;
+    for (const auto& [name, value] : input.facts) found += fmt::format("{}: {}\n", name, value);
+    ShownKeys shown(lines, input.may_miss);
+    const Source<format::KeyBlock> keys = format::without_faults(input.keys, false);
+    while (const auto block = keys()) shown.add(*block);
+    return {found + shown.text()};
+  } catch (const Error& error) {
+    const std::string refusal = error.in("f").text();
+    require_refusal(refusal, "f");
+    const bool there = error.place().line <= lines && error.place().column <= text.size() + 1;
+    require(there, "a place that is not there", refusal);
+    return {refusal, true};
+  }
+}
+
+/// The text read whole and in pieces, on one thread and, now and then, on three. Where pieces are cut may decide what
+/// is said first of a text that is refused, unless `same_refusals`.
+inline void require_same_readings(std::string_view text, format::InputOptions options, std::size_t piece,
+                                  bool same_refusals) {
+  const Reading whole = read(text, options, std::string_view::npos);
+  const Reading pieced = read(text, options, piece);
+  const bool both_refused = whole.refused && pieced.refused;
+  if (same_refusals || !both_refused) require_same(whole.text, pieced.text, "whole and in pieces");
+  if (piece % 8 != 0) return;
+  options.threads = 3;
+  require_same(pieced.text, read(text, options, piece).text, "on one thread and on three");
+}
+
+}  // namespace tcb::fuzz
