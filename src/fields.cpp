@@ -104,7 +104,7 @@ void Point::set(const sampler::Piece& piece) {
 }
 
 void Point::set(const sampler::Sample& sample) {
-  sample_ = sample;
+  sample_ = &sample;
   has_motion_ = false;
   shape_.reset();
 }
@@ -117,8 +117,8 @@ const spline::ArcLength<double>& Point::arc() {
 const spline::Motion<double>& Point::motion() {
   if (has_motion_) return motion_;
   has_motion_ = true;
-  const auto& at = sample_.at;
-  const auto& outside = sample_.outside;
+  const auto& at = sample_->at;
+  const auto& outside = sample_->outside;
   const double passed = at.u == 0 || at.w == 0 ? at.u : piece_->warp.inverse(at).hi;
   spline::set_motion<double>(motion_, piece_->cubics, at, piece_->warp, passed, (piece_->end - piece_->start).hi);
   const double forth = outside.holds || piece_->start == piece_->end ? 0 : outside.backward ? -1 : 1;

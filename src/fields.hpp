@@ -14,7 +14,7 @@
 
 namespace tcb {
 
-/// A sample on its piece, and what is worked out there, once and only if it is asked for.
+/// A sample on its piece, and what is worked out there, once and only if it is asked for. It looks into both.
 class Point {
  public:
   /// On another piece; a sample on it is to follow.
@@ -22,14 +22,14 @@ class Point {
   void set(const sampler::Sample& sample);
 
   const sampler::Piece& piece() const { return *piece_; }
-  const sampler::Sample& sample() const { return sample_; }
+  const sampler::Sample& sample() const { return *sample_; }
   const spline::ArcLength<double>& arc();
   const spline::Motion<double>& motion();
   const spline::Shape<double>& shape();
 
  private:
   const sampler::Piece* piece_ = nullptr;
-  sampler::Sample sample_;
+  const sampler::Sample* sample_ = nullptr;
   spline::ArcLength<double> arc_;
   bool has_arc_ = false;
   spline::Motion<double> motion_;

@@ -20,7 +20,7 @@ namespace tcb {
 namespace {
 
 constexpr std::size_t read_size = 256UL * 1024;
-constexpr std::size_t write_size = 256UL * 1024;
+constexpr std::size_t write_size = 32UL * 1024;
 
 /// An open file that closes itself; standard input stays open.
 struct Descriptor {
@@ -151,18 +151,27 @@ void Output::fail(const char* what) const {
 }
 
 void Output::write(std::string_view text) {
-  pending_ += text;
-  if (live_ || pending_.size() >= write_size) flush();
+  if (!live_ && text.size() < write_size) {
+    pending_ += text;
+    if (pending_.size() >= write_size) flush();
+    return;
+  }
+  flush();
+  put(text);
 }
 
 void Output::flush() {
-  for (std::string_view left = pending_; !left.empty();) {
+  put(pending_);
+  pending_.clear();
+}
+
+void Output::put(std::string_view text) {
+  for (std::string_view left = text; !left.empty();) {
     const ssize_t count = ::write(descriptor_, left.data(), left.size());
     if (count < 0 && is_to_repeat(descriptor_, POLLOUT)) continue;
     if (count < 0) fail("cannot be written");
     left.remove_prefix(static_cast<std::size_t>(count));
   }
-  pending_.clear();
 }
 
 void Output::commit() {

@@ -43,6 +43,7 @@ class Output {
 
  private:
   void flush();
+  void put(std::string_view text);
   void remove();
   [[noreturn]] void fail(const char* what) const;
 

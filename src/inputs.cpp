@@ -136,6 +136,15 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const Plan& plan) {
   return identities;
 }
 
+[[noreturn]] void refuse_none(const Inputs& inputs, const Plan& plan) {
+  if (inputs.left_alone == 0 && !plan.batch.list.empty()) {
+    throw Error(Exit::usage, Place{shown_name(plan.batch.list)}, "no names of files; expected one a line; add some");
+  }
+  throw Error(Exit::usage, fmt::format("no files of keys among {} in the folders; expected .csv, .tsv, .ssv, .json or "
+                                       ".jsonl; give --input-format to take all",
+                                       inputs.left_alone));
+}
+
 }  // namespace
 
 std::string output_path(const InputFile& file, const Plan& plan) {
@@ -160,11 +169,7 @@ Inputs find_inputs(const Plan& plan) {
       inputs.files.push_back({name});
     }
   }
-  if (inputs.files.empty()) {
-    throw Error(Exit::usage, fmt::format("no files to read, and {} left alone; expected files that end in .csv, .tsv, "
-                                         ".ssv, .json or .jsonl; name some, or give --input-format to take all",
-                                         inputs.left_alone));
-  }
+  if (inputs.files.empty()) refuse_none(inputs, plan);
   if (plan.output_folder) require_distinct_outputs(inputs.files, plan);
   require_not_over_inputs(inputs.files, look_up(inputs.files, plan), plan);
   return inputs;

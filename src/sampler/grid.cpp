@@ -34,6 +34,8 @@ Grid::Grid(const Rational& start, const Rational& step)
   increment_ = numerator(step) * (denominator_ / denominator(step));
   near_start_ = nearest_twice(start);
   near_step_ = nearest_twice(step);
+  upper_step_ = spline::upper_half(near_step_.hi);
+  lower_step_ = near_step_.hi - upper_step_;
   if (denominator_ >= Integer(whole_from)) return;
   double_rows_ = rows_within_doubles(first_, increment_);
   if (double_rows_ == 0) return;
@@ -42,12 +44,22 @@ Grid::Grid(const Rational& start, const Rational& step)
   double_denominator_ = static_cast<double>(denominator_);
 }
 
+/// The time of a row in twice the precision.
+Time Grid::near_time(double row) const {
+  if (row >= 0x1p26) return near_start_ + near_step_ * Time(row);
+  // Half of the bits of the step times a row number this small are exact.
+  const auto first = spline::two_sum(near_start_.hi, upper_step_ * row);
+  const auto second = spline::two_sum(first.value, lower_step_ * row);
+  const double low = (near_start_.lo + near_step_.lo * row) + (first.error + second.error);
+  return Time::normalized(second.value, low);
+}
+
 Time Grid::time(std::uint64_t j) const {
   // Numerator and denominator are whole numbers below 2^53, so the one division rounds once.
   const auto row = static_cast<double>(j);
   if (j <= double_rows_ && double_rows_ > 0) return {(double_first_ + double_increment_ * row) / double_denominator_};
   if (j < static_cast<std::uint64_t>(whole_from)) {
-    const Time near = near_start_ + near_step_ * Time(row);
+    const Time near = near_time(row);
     const double doubt = (std::abs(near_start_.hi) + std::abs(near.hi)) * 0x1p-98;
     if (const auto time = rounded_once(near, doubt)) return *time;
   }

@@ -33,6 +33,8 @@ class Grid {
   bool is_single() const { return is_single_; }      ///< the step is 0
 
  private:
+  Time near_time(double row) const;
+
   /// A row number that is right or a little off, for the exact search to start from.
   std::uint64_t estimate(const Time& t) const;
 
@@ -43,6 +45,7 @@ class Grid {
   std::uint64_t double_rows_ = 0;            ///< up to this row numerator and denominator are exact doubles,
   double double_first_{}, double_increment_{}, double_denominator_{};  ///< made of these
   Time near_start_, near_step_;                                        ///< in twice the precision
+  double upper_step_, lower_step_;                                     ///< the high part of the step in two halves
 };
 
 }  // namespace tcb::sampler

@@ -75,29 +75,31 @@ class Locate {
  public:
   /// Requires: start <= end.
   Locate(const Time<S>& start, const Time<S>& end, const Warp<S>& warp = {})
-      : start_(start), end_(end), warp_(warp), duration_(elapsed<S>(start, end)) {
-    if (duration_ > W(0x1p-900) && duration_ < W(0x1p900)) rate_ = W(1) / duration_;
-  }
+      : start_(start), end_(end), warp_(warp), duration_(elapsed<S>(start, end)), plain_(warp.is_identity()) {}
 
   /// Requires: start <= t <= end.
   Local<S> operator()(const Time<S>& t) const {
     if (t == start_) return {S(0), S(-1)};
     if (t == end_) return {S(1), S(0)};
-    const W passed = fraction(elapsed<S>(start_, t));
-    if (passed < W(0.5)) return warp_.at(passed, -passed + S(1));
-    const W left = fraction(elapsed<S>(t, end_));
-    return warp_.at(-left + S(1), left);
+    const W passed = elapsed<S>(start_, t);
+    const W left = elapsed<S>(t, end_);
+    if (plain_ && rest<S>(passed) == S(0) && rest<S>(left) == S(0) && rest<S>(duration_) == S(0)) {
+      return {narrow<S>(passed) / narrow<S>(duration_), -narrow<S>(left) / narrow<S>(duration_)};
+    }
+    if (passed < left) return warped(passed / duration_);
+    return warped_from_end(left / duration_);
   }
 
  private:
   using W = working_t<S>;
 
-  W fraction(const W& time) const { return rate_ == W(0) ? time / duration_ : time * rate_; }
+  Local<S> warped(const W& u) const { return warp_.at(u, -u + S(1)); }
+  Local<S> warped_from_end(const W& left) const { return warp_.at(-left + S(1), left); }
 
   Time<S> start_, end_;
   Warp<S> warp_;
   W duration_;
-  W rate_{0};  ///< 1 / duration, where nothing is lost by that
+  bool plain_;  ///< not warped
 };
 
 }  // namespace tcb::spline

@@ -27,11 +27,15 @@ constexpr Rounded<S> two_sum(const S& a, const S& b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
+/// The upper 26 bits of a double; the other 27 are what is left of it.
+constexpr double upper_half(double value) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & 0xFFFF'FFFF'F800'0000);
+}
+
 /// a * b and its rounding error (exact to 2^-105 of the product, and while nothing underflows).
 constexpr Rounded<double> two_product(double a, double b) {
-  constexpr std::uint64_t upper_26_bits = 0xFFFF'FFFF'F800'0000;
-  const double a1 = std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) & upper_26_bits);
-  const double b1 = std::bit_cast<double>(std::bit_cast<std::uint64_t>(b) & upper_26_bits);
+  const double a1 = upper_half(a);
+  const double b1 = upper_half(b);
   const double a2 = a - a1;
   const double b2 = b - b1;
   const double product = a * b;
