@@ -82,7 +82,7 @@ bool Records::next(std::vector<std::string_view>& cells) {
 }
 
 void Records::refuse_cells() {
-  const Place where = place({record_, 0});
+  const Place where = place({record_, 1});
   skip_line();
   throw Error(Exit::data, where,
               fmt::format("a record of more than {} cells; expected fewer; correct the row, or give the delimiter with "
