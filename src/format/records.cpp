@@ -71,11 +71,7 @@ bool Records::next(std::vector<std::string_view>& cells) {
     if (cells.size() == most_cells) refuse_cells();
     cells.push_back(take_cell());
     if (at_line_end()) break;
-    ++at_;  // the delimiter
-    if (!blanks && at_line_end()) {
-      cells.emplace_back(at_, 0U);
-      break;
-    }
+    ++at_;  // the delimiter, behind which there is another cell
   }
   pass_line_end();
   return true;
