@@ -48,12 +48,21 @@ Background::~Background() {
 }
 
 void Background::run(std::function<void()> task) {
-  if (!group_) group_ = std::make_unique<Group>();
-  {
-    const std::lock_guard lock(waiting_mutex);
-    group_->waiting.push_back(std::move(task));
+  if (!has_threads_) return;
+  try {
+    if (!group_) {
+      auto group = std::make_unique<Group>();
+      group->tasks.wait();  // oneTBB sets itself up, and may lack the memory: better here than with a task half begun
+      group_ = std::move(group);
+    }
+    {
+      const std::lock_guard lock(waiting_mutex);
+      group_->waiting.push_back(std::move(task));
+    }
+    group_->tasks.run([group = group_.get()] { group->run_one(); });
+  } catch (const std::exception&) {  // no memory, or no thread to be had
+    has_threads_ = false;
   }
-  group_->tasks.run([group = group_.get()] { group->run_one(); });
 }
 
 }  // namespace tcb

@@ -47,7 +47,8 @@ class ThreadLimit {
   std::unique_ptr<Control> control_;
 };
 
-/// Tasks for other threads, as far as there are any; the destructor waits for those that have begun.
+/// Tasks for other threads, as far as there are any and the system has room for them; whoever needs the answer of one
+/// that is not taken up does it. The destructor waits for those that have begun.
 class Background {
  public:
   Background();
@@ -57,6 +58,7 @@ class Background {
  private:
   struct Group;
   std::unique_ptr<Group> group_;
+  bool has_threads_ = true;
 };
 
 /// f(item), worked out by whichever thread claims it first.

@@ -89,11 +89,13 @@ int create_unfinished(const std::string& path, std::string& name) {
 }
 
 bool finish(int descriptor, const std::string& name, const std::string& path) {
-  const bool named = !name.empty() || name_it(descriptor, path);
+  const int other = ::dup(descriptor);  // closing it tells what closing the file would, before that has its name
+  const bool sound = other >= 0 && ::close(other) == 0;
+  const bool finished = sound && (name.empty() ? name_it(descriptor, path) : rename_it(name, path));
   const int reason = errno;
-  const bool closed = ::close(descriptor) == 0;
-  if (!named) errno = reason;
-  return named && closed && (name.empty() || rename_it(name, path));
+  ::close(descriptor);
+  errno = reason;
+  return finished;
 }
 
 void discard(const std::string& name) {

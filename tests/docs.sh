@@ -14,6 +14,8 @@ file=$folder/$(basename "$2")
 scratch=$(mktemp -d) || exit 2
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 130' INT TERM
+LANGUAGE=en # in which other programs speak, whatever the locale
+export LANGUAGE
 mkdir "$scratch/folder" "$scratch/cases" || exit 2
 for entry in "$folder"/*; do
   [ "$entry" = "$folder/build" ] || cp -R "$entry" "$scratch/folder" || exit 2

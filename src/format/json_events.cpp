@@ -106,17 +106,15 @@ struct JsonEvents::Adapter {
   bool start_array(std::size_t) { return events.open(false); }
   bool end_array() { return events.close(false); }
   bool parse_error(std::size_t, const std::string&, const json::exception& error) {
-    constexpr int number_too_large = 406;
-    if (error.id == number_too_large) {
+    if (error.id == 406) {  // a number that is too large
       const char* const start = token_start(events.chunk_.text.data(), events.now_);
       const std::string_view behind(start, static_cast<std::size_t>(events.now_ - start));
       events.fail(fmt::format("{} is not a finite double; expected less than 1.8e308 in size; correct it",
                               shown(behind.substr(0, behind.find_first_of(" \t\r\n,]}")))));
     }
     const char* const token = last_token(events.chunk_.text.data(), events.now_);
-    const bool at_keys = events.key_depth_ == 1 && events.depth_ == 1;
-    const bool no_value = std::string_view(error.what()).find("'[', '{', or a literal") != std::string_view::npos;
-    if (at_keys && no_value && (*token == ',' || *token == ']')) events.fail_at(token, no_key);
+    const bool at_keys = events.key_depth_ == 1 && events.depth_ == 1 && (*token == ',' || *token == ']');
+    if (at_keys && std::string_view(error.what()).ends_with("'[', '{', or a literal")) events.fail_at(token, no_key);
     events.fail_at(token, fmt::format("not JSON: {}; correct the text", reason(error.what())));
   }
 

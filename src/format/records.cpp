@@ -1,6 +1,8 @@
 // Delimited records: where they end, and which cells they have.
 #include "format/records.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "format/place.hpp"
@@ -25,6 +27,11 @@ void Records::pass_line_end() {
   if (at_ != end_ && *at_ == '\r') ++at_;
   if (at_ != end_) ++at_;
   ++line_;
+}
+
+void Records::skip_line() {
+  at_ = std::find(at_, end_, '\n');
+  pass_line_end();
 }
 
 bool Records::skip_to_record() {
@@ -61,16 +68,22 @@ bool Records::next(std::vector<std::string_view>& cells) {
     while (!at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
     while (blanks && !at_line_end() && is_blank(*at_)) ++at_;
     if (blanks && at_line_end()) break;
+    if (cells.size() == most_cells) refuse_cells();
     cells.push_back(take_cell());
     if (at_line_end()) break;
-    ++at_;  // the delimiter
-    if (!blanks && at_line_end()) {
-      cells.emplace_back(at_, 0U);
-      break;
-    }
+    ++at_;  // the delimiter, behind which there is another cell
   }
   pass_line_end();
   return true;
+}
+
+void Records::refuse_cells() {
+  const Place where = place({record_, 1});
+  skip_line();
+  throw Error(Exit::data, where,
+              fmt::format("a record of more than {} cells; expected fewer; correct the row, or give the delimiter with "
+                          "-d",
+                          most_cells));
 }
 
 std::string_view Records::take_cell() {
@@ -102,8 +115,7 @@ std::string_view Records::take_quoted() {
   while (!at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
   if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
     const Place where = place({at_, 1});
-    at_ = std::find(at_, end_, '\n');
-    pass_line_end();
+    skip_line();
     throw Error(Exit::data, where,
                 "text after a quoted cell; expected the delimiter or the line's end; double the quotes inside a cell");
   }

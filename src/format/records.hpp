@@ -17,6 +17,8 @@
 
 namespace tcb::format {
 
+inline constexpr std::size_t most_cells = std::size_t{1} << 20;  ///< of a record
+
 /// Walks over the records of a chunk.
 class Records {
  public:
@@ -24,7 +26,7 @@ class Records {
 
   /// The cells of the next record, as they stand in the text but for blanks around them; false at the
   /// end. Comments and blank lines are skipped; the last comment skipped is in comment().
-  /// Throws: Error (data) for a quote out of place; the record is passed over by then.
+  /// Throws: Error (data) for a quote out of place and for more than most_cells; the record is passed over by then.
   bool next(std::vector<std::string_view>& cells);
 
   /// A line between the record before and this one, or at the end behind the last one, sets curves apart.
@@ -41,6 +43,8 @@ class Records {
 
  private:
   bool skip_to_record();
+  void skip_line();
+  [[noreturn]] void refuse_cells();
   std::string_view take_cell();
   std::string_view take_quoted();
   bool at_line_end() const {

@@ -1,6 +1,7 @@
 // What a system may do to a program: preloaded, it makes reading and writing fail as TCBSAMPLE_FAULT says.
 //
 // FAULT or FAULT:NUMBER, such as write-full:1000, which is a disk with room for 1000 bytes; run holds them all.
+// With TCBSAMPLE_NAMED the file system has no files without names.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdarg>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -86,6 +88,22 @@ ssize_t write(int descriptor, const void* buffer, std::size_t size) {
   const ssize_t count = ::syscall(SYS_write, descriptor, buffer, size);
   bytes_written += std::max<ssize_t>(count, 0);
   return count;
+}
+
+int open(const char* path, int flags, ...) {
+  std::va_list arguments;
+  va_start(arguments, flags);
+  const mode_t mode = va_arg(arguments, mode_t);
+  va_end(arguments);
+  const bool nameless = (flags & O_TMPFILE) == O_TMPFILE;
+  if (nameless && std::getenv("TCBSAMPLE_NAMED") != nullptr) return static_cast<int>(fail(EOPNOTSUPP));
+  if (nameless && is_fault("read-only")) return static_cast<int>(fail(EROFS));
+  return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+}
+
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
+  if (is_fault("linkat-fails")) return static_cast<int>(fail(EXDEV));
+  return static_cast<int>(::syscall(SYS_linkat, from_folder, from, to_folder, to, flags));
 }
 
 int mkostemp(char* name, int flags) {

@@ -315,8 +315,8 @@ TEST(Json, what_stands_before_a_nul_is_read_first) {
   using namespace std::string_literals;
   for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
     EXPECT_EQ(
-        read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":true},\n\0"s, {}, piece),
-        "f:2:12: error: keys[1].x: true is not a number; expected a number, as in the first key; correct it\n"
+        read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
+        "f:2:12: error: keys[1].x: \"a\" is not a number; expected one without quotes; correct it\n"
         "f:3:1: error: a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t "
         "UTF-8");
   }
@@ -324,10 +324,10 @@ TEST(Json, what_stands_before_a_nul_is_read_first) {
 
 TEST(Json, a_text_that_reads_like_a_message_is_shown_as_text) {
   EXPECT_EQ(read("[{\"'; expected \xFF"),
-            "f:1:3: error: not JSON: syntax error while parsing object key - invalid string: ill-formed UTF-8 byte in "
+            "f:1:16: error: not JSON: syntax error while parsing object key - invalid string: ill-formed UTF-8 byte in "
             "\"'; expected \\xFF\"; expected string literal; correct the text");
   EXPECT_EQ(read("[{\"a\":\"'; expected \xFF"),
-            "f:1:7: error: not JSON: syntax error while parsing value - invalid string: ill-formed UTF-8 byte in "
+            "f:1:20: error: not JSON: syntax error while parsing value - invalid string: ill-formed UTF-8 byte in "
             "\"'; expected \\xFF\"; correct the text");
 }
 

@@ -46,6 +46,20 @@ TEST(Records, empty_cells_stand_at_either_end_and_between) {
   EXPECT_EQ(table("\t1\t\t2\t\n", {'\t', "#"}), (Table{{"", "1", "", "2", ""}}));
 }
 
+TEST(Records, a_record_of_too_many_cells_is_passed_over) {
+  const Chunk chunk{std::string(most_cells - 1, ',') + "\n" + std::string(most_cells, ',') + "\n1,2\n"};
+  const Dialect dialect;
+  Records records(chunk, dialect);
+  std::vector<std::string_view> cells;
+  EXPECT_TRUE(records.next(cells));
+  EXPECT_EQ(cells.size(), most_cells);
+  EXPECT_EQ(error_of([&] { records.next(cells); }),
+            "f:2:1: error: a record of more than 1048576 cells; expected fewer; correct the row, or give the delimiter "
+            "with -d");
+  EXPECT_TRUE(records.next(cells));
+  EXPECT_THAT(cells, ElementsAre("1", "2"));
+}
+
 TEST(Records, runs_of_blanks_and_tabs_count_as_one_delimiter) {
   EXPECT_EQ(table("  1 \t  2\t3 \r\n4 5 6", {' ', "#"}), (Table{{"1", "2", "3"}, {"4", "5", "6"}}));
 }
