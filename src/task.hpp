@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison.hpp"
 #include "curves.hpp"
 #include "format/format.hpp"
 #include "sampler/request.hpp"
@@ -37,8 +38,9 @@ struct Plan {
   CurveOptions curves;
   CurveSettings curve;
   sampler::Request sampling;
-  std::vector<std::size_t> fields;  ///< indices into fields(), in output order
-  std::size_t output_format = 0;    ///< index into format::formats()
+  std::vector<std::size_t> fields;       ///< indices into fields(), in output order; none: those of the comparison
+  std::optional<Comparison> comparison;  ///< instead of printing samples
+  std::size_t output_format = 0;         ///< index into format::formats()
   std::optional<bool> output_header;
   bool explain = false;          ///< say what was found and would be done, and do not
   std::optional<unsigned> jobs;  ///< threads; nothing: all cores, one for a live pipe

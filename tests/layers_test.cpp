@@ -38,8 +38,12 @@ std::string room(const fs::path& relative) {
 
 // Who may include whom. What is not listed here is an arrow against the flow.
 const std::map<std::string, std::set<std::string>> allowed{
-    {"main", {"cli", "resample", "file", "unfinished", "error"}},
-    {"task", {"curves", "settings", "sampler", "format"}},
+    {"main", {"cli", "resample", "compare", "file", "unfinished", "error"}},
+    {"task", {"comparison", "curves", "settings", "sampler", "format"}},
+    {"comparison", {}},
+    {"compare",
+     {"task", "comparison", "path", "curves", "curve_plan", "fields", "lookup", "rows", "sampler", "format", "spline",
+      "settings", "file", "stream", "names", "error"}},
     {"cli", {"task", "order", "curve_plan", "fields", "settings", "sampler", "format", "spline", "names", "error"}},
     {"resample",
      {"task", "explain", "path", "curves", "labels", "rows", "sampler", "format", "file", "stream", "error"}},

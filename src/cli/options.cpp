@@ -182,6 +182,27 @@ void declare_batch(CLI::App& app, Typed& typed) {
   flag("--fail-fast", typed.fail_fast, "Stops at the first file that fails; without it the others are finished");
 }
 
+void declare_comparison(CLI::App& app, Typed& typed) {
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Comparison");
+  };
+  option("--check", typed.check,
+         "Compares the samples in FILE, from anywhere, with the curve at their times, or arc lengths s, and prints a "
+         "report; exit code 1 where they differ")
+      ->type_name("FILE");
+  option("--abs", typed.abs, "With --check: numbers may be this far apart, in all columns or in one, as in x=1e-6")
+      ->type_name("[COL=]D,...")
+      ->join(',');
+  option("--rel", typed.rel, "The same in parts of the curve's number")->type_name("[COL=]D,...")->join(',');
+  option("--ulp", typed.ulp, "The same in doubles from one to the other; default 0, so equality")
+      ->type_name("[COL=]N,...")
+      ->join(',');
+  option("--identify", typed.identify,
+         "Says which tangents, ends, speeds, and order and signs of T, C, B made the positions in FILE, with a ranked "
+         "table; exit code 1 if none did")
+      ->type_name("FILE");
+}
+
 void declare_about(CLI::App& app, Typed& typed) {
   app.add_flag("--explain", typed.explain, "Says what was found and would be done, without samples")->group("About");
   app.add_flag("--progress", typed.progress,
@@ -228,6 +249,7 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   declare_range(*app, typed);
   declare_output(*app, typed);
   declare_batch(*app, typed);
+  declare_comparison(*app, typed);
   declare_about(*app, typed);
   return app;
 }
