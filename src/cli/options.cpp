@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/meta.hpp"
 #include "cli/plan.hpp"
 #include "cli/presets.hpp"
 #include "cli/reference.hpp"
@@ -158,6 +159,12 @@ void declare_output(CLI::App& app, Typed& typed) {
          "How many threads to use; default one a core, and a single one for a live pipe. The bytes are the same for "
          "every N")
       ->type_name("N");
+  app.add_flag("--meta", typed.meta,
+               "Provenance goes with the rows: version, rules, options, SHA-256 of the input, and counts, as comment "
+               "lines or in JSON as an object")
+      ->group("Output");
+  option("--from-meta", typed.from_meta, "Makes FILE, an output with provenance, again: takes all options from it")
+      ->type_name("FILE");
   app.add_flag("--no-output-header", typed.no_output_header,
                "No names above the rows; the default where the input has none")
       ->group("Output");
@@ -254,25 +261,50 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   return app;
 }
 
-Request parse(int argc, const char* const* argv) {
-  Typed typed;
-  const auto app = declare(typed);
+namespace {
+
+/// Sets what was typed, and finds nothing empty. Throws: Error (usage).
+void read_words(CLI::App& app, std::vector<std::string> words) {
+  std::ranges::reverse(words);  // as CLI11 takes them
   try {
-    app->parse(argc, argv);
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    refuse(*app, error, *app);
+    refuse(app, error, app);
   }
-  for (const CLI::Option* option : app->get_options()) {
+  for (const CLI::Option* option : app.get_options()) {
     if (option->count() > 0 && std::ranges::count(option->results(), "") > 0) {
       throw Error(Exit::usage,
                   option->get_name() + ": an empty value; expected one as in --help; give it, or take the option out");
     }
   }
+}
+
+}  // namespace
+
+Request parse(int argc, const char* const* argv) {
+  Typed typed;
+  auto app = declare(typed);
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  read_words(*app, words);
   if (typed.help) return {help_text(*app), {}};
   if (typed.list_presets) return {presets_text(), {}};
   if (typed.version) return {version_text(), {}};
   if (!typed.generate.empty()) return {generated_text(*app, typed.generate), {}};
-  return {std::nullopt, make_plan(typed)};
+  std::optional<MetaRequest> meta;
+  if (!typed.from_meta.empty()) {
+    meta = earlier_meta(*app, typed);
+    words.insert(words.begin(), meta->earlier.options.begin(), meta->earlier.options.end());
+    typed = {};
+    app = declare(typed);
+    read_words(*app, words);
+  }
+  if (typed.meta) {
+    const MetaRequest earlier = meta.value_or(MetaRequest{});
+    meta = MetaRequest{new_meta(*app, typed), earlier.earlier, earlier.from};
+  }
+  Plan plan = make_plan(typed);
+  plan.meta = std::move(meta);
+  return {std::nullopt, std::move(plan)};
 }
 
 }  // namespace tcb::cli
