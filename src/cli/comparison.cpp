@@ -52,6 +52,7 @@ void require_effects(const Typed& typed, std::string_view option) {
                         Idle{"--keys", typed.keys},
                         Idle{"--max-rows", !typed.max_rows.empty()},
                         Idle{"--explain", typed.explain},
+                        Idle{"--progress", typed.progress},
                         Idle{"--output-dir", !typed.output_dir.empty()},
                         Idle{"--files", !typed.list.empty()},
                         Idle{"--recursive", typed.recursive},

@@ -83,7 +83,7 @@ std::vector<Convention> conventions(std::size_t orders, bool closed) {
     for (const bool equal_speed : {false, true}) {
       for (std::size_t tangents = 0; tangents < tangent_rules<double>.size(); ++tangents) {
         for (std::size_t ends = 0; ends < (closed ? 1 : end_rules<double>.size()); ++ends) {
-          if (!end_rules<double>[ends].takes_velocity) all.push_back({tangents, ends, equal_speed, order});
+          if (!end_rules<double>[ends].takes_velocity) all.push_back({tangents, ends, ends, equal_speed, order});
         }
       }
     }
@@ -91,16 +91,34 @@ std::vector<Convention> conventions(std::size_t orders, bool closed) {
   return all;
 }
 
+std::vector<Convention> with_mixed_ends(const Convention& convention) {
+  std::vector<Convention> all;
+  for (std::size_t start = 0; start < end_rules<double>.size(); ++start) {
+    for (std::size_t end = 0; end < end_rules<double>.size(); ++end) {
+      const bool given = end_rules<double>[start].takes_velocity || end_rules<double>[end].takes_velocity;
+      if (start != end && !given)
+        all.push_back({convention.tangents, start, end, convention.equal_speed, convention.order});
+    }
+  }
+  return all;
+}
+
+/// RULE or RULE,RULE.
+std::string ends_of(const Convention& convention) {
+  const std::string start(end_rules<double>[convention.start].name), end(end_rules<double>[convention.end].name);
+  return start == end ? start : start + "," + end;
+}
+
 CurveSettings settings_of(const Convention& convention, CurveSettings others, bool closed) {
   others.tangents = tangent_rules<double>[convention.tangents].name;
-  if (!closed) others.ends = end_rules<double>[convention.ends].name;
+  if (!closed) others.ends = ends_of(convention);
   others.equal_speed = convention.equal_speed;
   return others;
 }
 
 std::string name_of(const Convention& convention, bool closed) {
   std::string text = "tangents " + std::string(tangent_rules<double>[convention.tangents].name);
-  if (!closed) text += ", ends " + std::string(end_rules<double>[convention.ends].name);
+  if (!closed) text += ", ends " + ends_of(convention);
   return text + (convention.equal_speed ? ", equal speed" : "");
 }
 
@@ -108,7 +126,7 @@ std::vector<std::string> presets_of(const Convention& convention, bool closed) {
   std::vector<std::string> names;
   for (const auto& preset : spline::presets) {
     const bool same = preset.tangents == tangent_rules<double>[convention.tangents].name &&
-                      (closed || preset.ends == end_rules<double>[convention.ends].name) && !convention.equal_speed;
+                      (closed || preset.ends == ends_of(convention)) && !convention.equal_speed;
     if (same) names.emplace_back(preset.name);
   }
   return names;

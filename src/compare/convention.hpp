@@ -31,17 +31,23 @@ struct TcbOrders {
 std::vector<TcbOrders> distinct_orders(const KeptCurves& kept);
 
 struct Convention {
-  std::size_t tangents = 0;  ///< index into tangent_rules
-  std::size_t ends = 0;      ///< index into end_rules
+  std::size_t tangents = 0;        ///< index into tangent_rules
+  std::size_t start = 0, end = 0;  ///< indices into end_rules
   bool equal_speed = false;
   std::size_t order = 0;  ///< index into the orders at hand
 };
 
-/// All conventions with some orders, the most usual first; `closed`: curves have no ends.
+/// All conventions with some orders and with one rule for both ends, the most usual first; `closed`: curves have none.
 std::vector<Convention> conventions(std::size_t orders, bool closed);
+
+/// The same convention with all pairs of different rules for the two ends.
+std::vector<Convention> with_mixed_ends(const Convention& convention);
 
 /// The settings that ask for a convention, over others that do not say anything about rules.
 CurveSettings settings_of(const Convention& convention, CurveSettings others, bool closed);
+
+/// As --ends has them.
+std::string ends_of(const Convention& convention);
 
 /// As in "tangents velocity, ends half".
 std::string name_of(const Convention& convention, bool closed);

@@ -2,6 +2,7 @@
 #include "compare/identify.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "compare/pairs.hpp"
@@ -13,7 +14,7 @@
 namespace tcb::compare {
 namespace {
 
-constexpr std::size_t most_chosen = 64;
+constexpr std::size_t most_chosen = 64, most_mixed = 16;
 
 /// Leaves the columns of positions alone among those that are compared.
 void leave_positions(Sides& sides) {
@@ -78,6 +79,51 @@ std::vector<Convention> chosen(const Ranking& ranking) {
   return left;
 }
 
+/// The best conventions with different rules at their ends.
+std::vector<Convention> mixed(const Ranking& ranking) {
+  std::vector<Convention> tried, all;
+  for (const Candidate& candidate : ranking.candidates) {
+    const auto same = [&](const Convention& other) {
+      const Convention& one = candidate.convention;
+      return one.tangents == other.tangents && one.equal_speed == other.equal_speed && one.order == other.order;
+    };
+    if (tried.size() == most_mixed || std::ranges::any_of(tried, same)) continue;
+    tried.push_back(candidate.convention);
+    const auto more = with_mixed_ends(candidate.convention);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+/// Ranks by few rows first, and the best of them by all.
+class Search {
+ public:
+  Search(const Comparer& comparer, const std::vector<Sample>& samples, Few few, bool closed, unsigned threads)
+      : comparer_(comparer), samples_(samples), few_(std::move(few)), closed_(closed), threads_(threads) {}
+
+  Ranking rank(const std::vector<Convention>& conventions) const {
+    Ranking ranking = rank(conventions, few_.samples);
+    return few_.all ? ranking : rank(chosen(ranking), samples_);
+  }
+
+  /// The candidates of both.
+  Ranking joined(Ranking one, Ranking other) const {
+    std::ranges::move(other.candidates, std::back_inserter(one.candidates));
+    return ranked(std::move(one.candidates), count_rows(samples_), closed_);
+  }
+
+ private:
+  Ranking rank(const std::vector<Convention>& conventions, const std::vector<Sample>& samples) const {
+    return ranked(compared(comparer_, conventions, samples, threads_), count_rows(samples), closed_);
+  }
+
+  const Comparer& comparer_;
+  const std::vector<Sample>& samples_;
+  Few few_;
+  bool closed_;
+  unsigned threads_;
+};
+
 }  // namespace
 
 Identified identify(const Plan& plan) {
@@ -100,12 +146,12 @@ Identified identify(const Plan& plan) {
     const std::vector<Sample> samples = samples_of(std::move(pairs.pairs), sides);
     const Comparer comparer(plan, sides, result.orders, result.closed);
     say_off_curve(comparer, samples, result);
-    const Few few = few_of(samples, sides, !result.closed);
-    result.ranking =
-        ranked(compared(comparer, all, few.samples, sides.threads), count_rows(few.samples), result.closed);
-    if (few.all) return;
-    result.ranking =
-        ranked(compared(comparer, chosen(result.ranking), samples, sides.threads), result.rows, result.closed);
+    const Search search(comparer, samples, few_of(samples, sides, !result.closed), result.closed, sides.threads);
+    result.ranking = search.rank(all);
+    if (result.fits() || result.closed) return;
+    const std::vector<Convention> more = mixed(result.ranking);
+    result.conventions += more.size();
+    result.ranking = search.joined(std::move(result.ranking), search.rank(more));
   });
   return result;
 }

@@ -10,7 +10,6 @@
 
 #include "compare/words.hpp"
 #include "format/layout.hpp"
-#include "spline/end.hpp"
 #include "spline/tangent.hpp"
 
 namespace tcb::compare {
@@ -88,13 +87,13 @@ std::string same_orders(const Identified& identified) {
 }
 
 std::string row_json(const Identified& identified, const Candidate& candidate, bool fits) {
-  const auto& [tangents, ends, equal_speed, order] = candidate.convention;
+  const Convention& convention = candidate.convention;
   return fmt::format(
       "{{\"fits\":{},\"tangents\":{},\"ends\":{},\"equal_speed\":{},\"order\":{},\"presets\":{},\"largest\":{},"
       "\"rows_off\":{}}}",
-      fits, json_text(spline::tangent_rules<double>[tangents].name),
-      identified.closed ? "null" : json_text(spline::end_rules<double>[ends].name), equal_speed,
-      json_text(identified.orders[order].order.name()), list_json(presets_of(candidate.convention, identified.closed)),
+      fits, json_text(spline::tangent_rules<double>[convention.tangents].name),
+      identified.closed ? "null" : json_text(ends_of(convention)), convention.equal_speed,
+      json_text(order_of(identified, candidate).order.name()), list_json(presets_of(convention, identified.closed)),
       number_json(candidate.largest), candidate.rows_off);
 }
 

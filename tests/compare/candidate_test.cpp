@@ -10,7 +10,7 @@ using testing::ElementsAre;
 
 /// A candidate, told apart by its tangents, with its largest error in allowances of each precision.
 Candidate candidate(std::size_t tangents, double largest, std::array<double, 3> excess, std::uint64_t rows_off = 0) {
-  return {{tangents, 0, false, 0}, largest, excess, rows_off, {}, {}};
+  return {{tangents, 0, 0, false, 0}, largest, excess, rows_off, {}, {}};
 }
 
 std::vector<std::size_t> tangents(const Ranking& ranking) {

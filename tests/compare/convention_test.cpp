@@ -49,14 +49,16 @@ TEST(Conventions, are_all_rules_but_a_given_velocity) {
 }
 
 TEST(Conventions, are_asked_for_by_name) {
-  const Convention vtk{2, 4, false, 0};
+  const Convention vtk{2, 4, 4, false, 0};
   EXPECT_EQ(name_of(vtk, false), "tangents interval, ends zero");
   EXPECT_THAT(presets_of(vtk, false), ElementsAre("vtk"));
-  EXPECT_THAT(presets_of({2, 4, true, 0}, false), IsEmpty()) << "no preset makes speeds equal";
+  EXPECT_THAT(presets_of({2, 4, 4, true, 0}, false), IsEmpty()) << "no preset makes speeds equal";
   const CurveSettings settings = settings_of(vtk, {}, false);
   EXPECT_EQ(settings.tangents, "interval");
   EXPECT_EQ(settings.ends, "zero");
   EXPECT_FALSE(settings_of(vtk, {}, true).ends);
+  EXPECT_EQ(name_of({2, 4, 0, false, 0}, false), "tangents interval, ends zero,half");
+  EXPECT_EQ(with_mixed_ends(vtk).size(), 9U * 8);
 }
 
 }  // namespace
