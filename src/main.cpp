@@ -5,6 +5,7 @@
 
 #include "cli/options.hpp"
 #include "cli/reference.hpp"
+#include "compare/compare.hpp"
 #include "error.hpp"
 #include "file.hpp"
 #include "resample.hpp"
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
   tcb::end_when_interrupted();
   try {
     const tcb::cli::Request request = tcb::cli::parse(argc, argv);
+    if (request.plan.comparison) return static_cast<int>(tcb::compare::compare(request.plan));
     if (!request.text) return static_cast<int>(tcb::resample(request.plan));
     print(*request.text);
     return static_cast<int>(tcb::Exit::done);

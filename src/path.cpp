@@ -9,7 +9,6 @@
 #include "closed.hpp"
 #include "error.hpp"
 #include "format/number.hpp"
-#include "lookup.hpp"
 #include "sampler/bounds.hpp"
 #include "sampler/tolerance.hpp"
 #include "sparse.hpp"
@@ -88,10 +87,15 @@ bool Path::needs_lengths() const {
          std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].needs_lengths; });
 }
 
-Placed Path::place(Source<KeyBlock> blocks) const {
+/// The keys with times, checked.
+Source<KeyBlock> Path::prepared(Source<KeyBlock> blocks) const {
   if (!timed_) blocks = parameterized(std::move(blocks), curve_.parameter.value_or(0), curve_.rules.metric);
   if (!curve_.ease) blocks = without_ease(std::move(blocks));
-  blocks = checked(std::move(blocks), is_single() ? 1 : 2);
+  return checked(std::move(blocks), is_single() ? 1 : 2);
+}
+
+Placed Path::place(Source<KeyBlock> blocks) const {
+  blocks = prepared(std::move(blocks));
   const bool anywhere = curve_.extrapolation != sampler::Extrapolation::error || sampler::needs_curve(request_.mode);
   if (curve_.closed || anywhere || may_miss_ || sampler::needs_end(request_))
     return place_kept(KeptKeys(blocks), anywhere);
@@ -116,26 +120,43 @@ Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent, std:
   return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler, sampler, {}};
 }
 
-/// Rows once all keys are there: counts, closed curves, and rows in an order of their own.
-Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
-  const bool sparse = kept.are_sparse();
-  if (sparse && !kept.key(0).eases.empty()) {
+/// From which time to which the keys are a curve.
+sampler::Extent Path::extent(KeptKeys& kept) const {
+  if (kept.are_sparse() && !kept.key(0).eases.empty()) {
     throw Error(Exit::data,
                 "ease_in and ease_out warp all channels of a segment, and some are missing where --missing "
                 "skip-cell left cells out; expected numbers in all; fill them in, or give --no-ease");
   }
   sampler::Extent extent{kept.key(0).times[0], {}, {}, curve_.closed};
   extent.last = curve_.closed ? close(kept, curve_, timed_) : kept.key(kept.size() - 1).times[0];
+  return extent;
+}
+
+LinkedKeys Path::linked(const KeptKeys& kept, const sampler::Extent& extent) const {
+  return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}};
+}
+
+Whole Path::whole(Source<KeyBlock> blocks) const {
+  KeptKeys kept(prepared(std::move(blocks)));
+  const bool sparse = kept.are_sparse();
+  const sampler::Extent range = extent(kept);
+  auto pieces = stretches(linked(kept, range), needs_lengths(), sparse);
+  return {std::make_shared<const WholeCurve>(std::move(pieces), curve_.rules.metric), range, curve_.extrapolation};
+}
+
+/// Rows once all keys are there: counts, closed curves, and rows in an order of their own.
+Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
+  const bool sparse = kept.are_sparse();
+  sampler::Extent extent = this->extent(kept);
   Facts facts{
       {"curve", fmt::format("from {} to {}", format::time_text(extent.first), format::time_text(*extent.last))}};
-  const auto linked = [&] { return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}}; };
   Placed placed;
   if (anywhere) {
-    placed = place_anywhere(linked(), extent, sparse);
+    placed = place_anywhere(linked(kept, extent), extent, sparse);
   } else {
     std::optional<Lengths> lengths;
     if (sampler::by_length(request_.mode)) {
-      lengths = all_lengths(stretches(linked(), true, sparse));
+      lengths = all_lengths(stretches(linked(kept, extent), true, sparse));
       extent.length = total_length(*lengths);
       facts.emplace_back("length", fmt::format("{}", *extent.length));
     }
@@ -143,7 +164,7 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
       const Time step = sampler::nearest_time(sampler::spacing(request_, extent).grid.step());
       facts.emplace_back("step", format::time_text(step));
     }
-    placed = place_streamed(linked(), extent, std::move(lengths), sparse);
+    placed = place_streamed(linked(kept, extent), extent, std::move(lengths), sparse);
   }
   placed.facts = std::move(facts);
   return placed;

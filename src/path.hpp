@@ -9,10 +9,12 @@
 
 #include "curve_plan.hpp"
 #include "format/input.hpp"
+#include "lookup.hpp"
 #include "pieces.hpp"
 #include "rows.hpp"
 #include "sampler/anywhere.hpp"
 #include "sampler/request.hpp"
+#include "sampler/spacing.hpp"
 
 namespace tcb {
 
@@ -27,6 +29,13 @@ struct Placed {
   Facts facts;
 };
 
+/// A curve kept whole, to be looked up anywhere.
+struct Whole {
+  std::shared_ptr<const WholeCurve> curve;
+  sampler::Extent extent;
+  sampler::Extrapolation extrapolation;
+};
+
 class Path {
  public:
   /// Throws: Error where the settings, given and beside the keys, do not fit the input.
@@ -36,12 +45,18 @@ class Path {
   /// Throws: Error (data) for keys that make no curve.
   Placed place(Source<format::KeyBlock> blocks) const;
 
+  /// The whole curve, for samples that are placed by whoever asks. Throws: Error (data) for keys that make no curve.
+  Whole whole(Source<format::KeyBlock> blocks) const;
+
   /// The rules of the curve in words.
   Facts rules() const;
 
  private:
   bool is_single() const;
   bool needs_lengths() const;
+  Source<format::KeyBlock> prepared(Source<format::KeyBlock> blocks) const;
+  sampler::Extent extent(KeptKeys& kept) const;
+  LinkedKeys linked(const KeptKeys& kept, const sampler::Extent& extent) const;
   Source<Stretch> stretches(LinkedKeys keys, bool measured, bool sparse) const;
   Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths = {},
                         bool sparse = false) const;

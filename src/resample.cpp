@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -50,13 +51,23 @@ Source<std::string> printed(const Placed& placed, const Plan& plan, const Writer
   return ordered_map(Labels::joined(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
 }
 
+/// The rules of a curve in words, with the preset that they go out from.
+Facts rules(const Path& way, const Plan& plan, const format::BesideKeys& beside_keys) {
+  Facts facts{{"preset", plan.curve.preset.value_or(beside_keys.settings.preset.value_or("gte"))}};
+  const Facts more = way.rules();
+  facts.insert(facts.end(), more.begin(), more.end());
+  return facts;
+}
+
 /// Bytes to bytes, for one file; answers how many rows it has.
 std::uint64_t resample_file(const std::string& path, const Plan& plan, unsigned threads, Report& report,
                             Writer& writer) {
   const bool live = is_live(path);
   format::InputOptions options = plan.input;
   options.threads = live && !plan.jobs ? 1 : threads;  // more would have rows wait for those behind them
-  const format::Input input = format::open_input(path, told_bytes(path, report), options);
+  Recorder& recorder = writer.recorder();
+  const format::Input input =
+      format::open_input(path, recorder.bytes(shown_name(path), told_bytes(path, report)), options);
   if (!input.timed && !plan.curve.parameter) report.note(path, "no time column; the keys stand at 0, 1, 2, ...");
   for (const auto& [name, value] : input.facts) {
     if (name == "left out") report.note(path, fmt::format("columns of text are left out: {}", value));
@@ -66,19 +77,22 @@ std::uint64_t resample_file(const std::string& path, const Plan& plan, unsigned 
   std::optional<Path> way;
   for (std::shared_ptr<const format::BesideKeys> known; std::optional<CurveKeys> curve = curves.next();) {
     if (curve->beside_keys != known) way.emplace(plan.sampling, plan.curve, plan.fields, input, *curve->beside_keys);
-    if (known == nullptr) writer.begin(input, live);
+    if (known == nullptr) writer.begin(input, live, rules(*way, plan, *curve->beside_keys));
     known = curve->beside_keys;
     writer.begin_curve(curve->group);
     const auto labels = input.carried.empty() ? nullptr : std::make_shared<Labels>(input.groups.size());
-    Placed placed = way->place(labels == nullptr ? curve->keys : Labels::heard(labels, curve->keys));
-    placed.batches = counted(std::move(placed.batches), rows, report);
+    const auto keys = recorder.keys(curve->keys);
+    Placed placed = way->place(labels == nullptr ? keys : Labels::heard(labels, keys));
+    placed.batches = recorder.rows(counted(std::move(placed.batches), rows, report));
     writer.write(printed(placed, plan, writer, labels, input.threads));
+    recorder.end_curve();
     if (const std::string text = left_out(placed); !text.empty()) report.note(path, text);
     for (const auto& [name, value] : placed.facts) {
       if (name == "step" && plan.sampling.end != sampler::EndPolicy::drop)
         report.note(path, fmt::format("the step is {}", value));
     }
   }
+  recorder.end_input();
   if (curves.skipped() > 0) report.note(path, fmt::format("rows left out for missing numbers: {}", curves.skipped()));
   return rows;
 }
@@ -91,6 +105,15 @@ void in_file(const std::string& path, F f) {
   } catch (const Error& error) {
     throw error.in(shown_name(path));
   }
+}
+
+/// An output made again by another version may have other digits.
+void warn_of_other_maker(const Plan& plan) {
+  if (!plan.meta || plan.meta->from.empty() || plan.meta->earlier.program == plan.meta->meta.program) return;
+  (void)std::fputs(fmt::format("{}: warning: made by {}; this is {}, whose digits may differ\n", plan.meta->from,
+                               plan.meta->earlier.program, plan.meta->meta.program)
+                       .c_str(),
+                   stderr);
 }
 
 void explain(const Inputs& inputs, const Plan& plan) {
@@ -142,6 +165,7 @@ Exit resample(const Plan& plan) {
     explain(inputs, plan);
     return Exit::done;
   }
+  warn_of_other_maker(plan);
   Report report(plan.talk);
   std::uintmax_t bytes = 0;
   for (const InputFile& file : inputs.files) bytes += file.size;

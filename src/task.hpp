@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "comparison.hpp"
 #include "curves.hpp"
 #include "format/format.hpp"
+#include "recorder.hpp"
 #include "sampler/request.hpp"
 #include "settings.hpp"
 
@@ -37,11 +39,13 @@ struct Plan {
   CurveOptions curves;
   CurveSettings curve;
   sampler::Request sampling;
-  std::vector<std::size_t> fields;  ///< indices into fields(), in output order
-  std::size_t output_format = 0;    ///< index into format::formats()
+  std::vector<std::size_t> fields;       ///< indices into fields(), in output order; none: those of the comparison
+  std::optional<Comparison> comparison;  ///< instead of printing samples
+  std::size_t output_format = 0;         ///< index into format::formats()
   std::optional<bool> output_header;
-  bool explain = false;          ///< say what was found and would be done, and do not
-  std::optional<unsigned> jobs;  ///< threads; nothing: all cores, one for a live pipe
+  std::optional<MetaRequest> meta;  ///< provenance goes with the rows
+  bool explain = false;             ///< say what was found and would be done, and do not
+  std::optional<unsigned> jobs;     ///< threads; nothing: all cores, one for a live pipe
   Talk talk;
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder

@@ -10,12 +10,13 @@
 
 namespace tcb {
 
-void Writer::begin(const format::Input& input, bool live) {
+void Writer::begin(const format::Input& input, bool live, Facts rules) {
   format::OutputColumns columns{input.groups, output_columns(plan_.fields, input), input.carried};
   if (columns_.numbers.empty()) {
     columns_ = std::move(columns);
-    frame_ = format::Frame(format::formats()[plan_.output_format], columns_, plan_.output_header.value_or(input.named));
-    output_.write(frame_.head());
+    const format::Format& format = format::formats()[plan_.output_format];
+    frame_ = format::Frame(format, columns_, plan_.output_header.value_or(input.named));
+    output_.write(recorder_.head(format, std::move(rules), frame_.head(), frame_.is_nested()));
   } else if (columns.names() != columns_.names()) {
     throw Error(Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give "
                                         "--output-dir to write an output for each file",
@@ -56,7 +57,7 @@ void Writer::write(const Source<std::string>& rows) {
 }
 
 void Writer::commit() {
-  output_.write(frame_.tail());
+  output_.write(recorder_.tail(frame_.tail()));
   output_.commit();
 }
 

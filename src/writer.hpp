@@ -10,6 +10,8 @@
 #include "file.hpp"
 #include "format/frame.hpp"
 #include "labels.hpp"
+#include "path.hpp"
+#include "recorder.hpp"
 #include "task.hpp"
 
 namespace tcb {
@@ -17,10 +19,14 @@ namespace tcb {
 /// One output, which takes the rows of one file or of several.
 class Writer {
  public:
-  Writer(const Plan& plan, std::string path) : plan_(plan), output_(std::move(path)) {}
+  Writer(const Plan& plan, std::string path) : plan_(plan), output_(std::move(path)), recorder_(plan.meta) {}
 
-  /// The next file's rows follow. Throws: Error (data) where they have other columns than the rows before.
-  void begin(const format::Input& input, bool live);
+  /// What the output's provenance says is told to it.
+  Recorder& recorder() { return recorder_; }
+
+  /// The next file's rows follow, the first of them on a curve with these rules. Throws: Error (data) where they have
+  /// other columns than the rows before.
+  void begin(const format::Input& input, bool live, Facts rules);
 
   /// The rows of the next curve of the file follow.
   void begin_curve(const std::vector<std::string>& group);
@@ -44,6 +50,7 @@ class Writer {
   Output output_;
   format::OutputColumns columns_;
   format::Frame frame_;
+  Recorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before in the same file
 };
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/meta.hpp"
 #include "cli/plan.hpp"
 #include "cli/presets.hpp"
 #include "cli/reference.hpp"
@@ -158,6 +159,12 @@ void declare_output(CLI::App& app, Typed& typed) {
          "How many threads to use; default one a core, and a single one for a live pipe. The bytes are the same for "
          "every N")
       ->type_name("N");
+  app.add_flag("--meta", typed.meta,
+               "Provenance goes with the rows: version, rules, options, SHA-256 of the input, and counts, as comment "
+               "lines or in JSON as an object")
+      ->group("Output");
+  option("--from-meta", typed.from_meta, "Makes FILE, an output with provenance, again: takes all options from it")
+      ->type_name("FILE");
   app.add_flag("--no-output-header", typed.no_output_header,
                "No names above the rows; the default where the input has none")
       ->group("Output");
@@ -180,6 +187,27 @@ void declare_batch(CLI::App& app, Typed& typed) {
   option("--suffix", typed.suffix, "What to append to the outputs' names, before the ending")->type_name("S");
   flag("--update", typed.update, "Only files that are newer than their outputs, or have none");
   flag("--fail-fast", typed.fail_fast, "Stops at the first file that fails; without it the others are finished");
+}
+
+void declare_comparison(CLI::App& app, Typed& typed) {
+  const auto option = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Comparison");
+  };
+  option("--check", typed.check,
+         "Compares the samples in FILE, from anywhere, with the curve at their times, or arc lengths s, and prints a "
+         "report; exit code 1 where they differ")
+      ->type_name("FILE");
+  option("--abs", typed.abs, "With --check: numbers may be this far apart, in all columns or in one, as in x=1e-6")
+      ->type_name("[COL=]D,...")
+      ->join(',');
+  option("--rel", typed.rel, "The same in parts of the curve's number")->type_name("[COL=]D,...")->join(',');
+  option("--ulp", typed.ulp, "The same in doubles from one to the other; default 0, so equality")
+      ->type_name("[COL=]N,...")
+      ->join(',');
+  option("--identify", typed.identify,
+         "Says which tangents, ends, speeds, and order and signs of T, C, B made the positions in FILE, with a ranked "
+         "table; exit code 1 if none did")
+      ->type_name("FILE");
 }
 
 void declare_about(CLI::App& app, Typed& typed) {
@@ -228,29 +256,55 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   declare_range(*app, typed);
   declare_output(*app, typed);
   declare_batch(*app, typed);
+  declare_comparison(*app, typed);
   declare_about(*app, typed);
   return app;
 }
 
-Request parse(int argc, const char* const* argv) {
-  Typed typed;
-  const auto app = declare(typed);
+namespace {
+
+/// Sets what was typed, and finds nothing empty. Throws: Error (usage).
+void read_words(CLI::App& app, std::vector<std::string> words) {
+  std::ranges::reverse(words);  // as CLI11 takes them
   try {
-    app->parse(argc, argv);
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    refuse(*app, error, *app);
+    refuse(app, error, app);
   }
-  for (const CLI::Option* option : app->get_options()) {
+  for (const CLI::Option* option : app.get_options()) {
     if (option->count() > 0 && std::ranges::count(option->results(), "") > 0) {
       throw Error(Exit::usage,
                   option->get_name() + ": an empty value; expected one as in --help; give it, or take the option out");
     }
   }
+}
+
+}  // namespace
+
+Request parse(int argc, const char* const* argv) {
+  Typed typed;
+  auto app = declare(typed);
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  read_words(*app, words);
   if (typed.help) return {help_text(*app), {}};
   if (typed.list_presets) return {presets_text(), {}};
   if (typed.version) return {version_text(), {}};
   if (!typed.generate.empty()) return {generated_text(*app, typed.generate), {}};
-  return {std::nullopt, make_plan(typed)};
+  std::optional<MetaRequest> meta;
+  if (!typed.from_meta.empty()) {
+    meta = earlier_meta(*app, typed);
+    words.insert(words.begin(), meta->earlier.options.begin(), meta->earlier.options.end());
+    typed = {};
+    app = declare(typed);
+    read_words(*app, words);
+  }
+  if (typed.meta) {
+    const MetaRequest earlier = meta.value_or(MetaRequest{});
+    meta = MetaRequest{new_meta(*app, typed), earlier.earlier, earlier.from};
+  }
+  Plan plan = make_plan(typed);
+  plan.meta = std::move(meta);
+  return {std::nullopt, std::move(plan)};
 }
 
 }  // namespace tcb::cli

@@ -29,6 +29,9 @@ struct Typed {
   bool no_output_header = false;
   std::string list, suffix;
   bool nul = false, recursive = false, update = false, fail_fast = false, progress = false, no_progress = false;
+  bool meta = false;
+  std::string from_meta;
+  std::string check, abs, rel, ulp, identify;
   std::string generate;
   bool list_presets = false, help = false, version = false;
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cli/batch.hpp"
+#include "cli/comparison.hpp"
 #include "cli/input.hpp"
 #include "cli/sampling.hpp"
 #include "curve_plan.hpp"
@@ -53,7 +54,7 @@ bool needs_metric(const Plan& plan, const CurvePlan& curve) {
 void check_curve(Plan& plan) {
   const CurvePlan curve = make_curve(plan.curve);
   plan.input.timeless = plan.curve.parameter.has_value();
-  if (plan.curve.metric && !needs_metric(plan, curve)) {
+  if (plan.curve.metric && !plan.comparison && !needs_metric(plan, curve)) {
     throw Error(Exit::usage, "--metric has no effect where no length or speed is asked for; take it out");
   }
   if (plan.input.missing == format::Missing::skip_cell &&
@@ -65,8 +66,10 @@ void check_curve(Plan& plan) {
 }
 
 /// At a key, the side is the right one unless said otherwise; where no field can tell, the earlier segment will do.
+/// No field chosen may be any of them.
 bool from_left(const std::string& side, const std::vector<std::size_t>& chosen) {
-  const bool matters = std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].has_side; });
+  const bool matters =
+      chosen.empty() || std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].has_side; });
   if (side.empty()) return !matters;
   if (side != "left" && side != "right") refuse_value("--side", side, "left or right");
   if (!matters)
@@ -86,7 +89,8 @@ unsigned make_jobs(const std::string& text) {
 
 Plan make_plan(const Typed& typed) {
   Plan plan;
-  plan.sampling = make_sampling(typed);
+  plan.comparison = make_comparison(typed);
+  if (!plan.comparison) plan.sampling = make_sampling(typed);
   plan.input = make_input(typed);
   plan.curves = make_curves(typed);
   plan.curve = typed.curve;
@@ -94,7 +98,8 @@ Plan make_plan(const Typed& typed) {
   plan.batch = make_batch(typed);
   plan.files = typed.files;
   if (plan.files.empty() && plan.batch.list.empty()) plan.files = {"-"};
-  plan.fields = make_fields(typed.fields.empty() ? "time,position" : typed.fields);
+  if (!typed.fields.empty() || !plan.comparison)
+    plan.fields = make_fields(typed.fields.empty() ? "time,position" : typed.fields);
   plan.sampling.from_left = from_left(typed.side, plan.fields);
   check_curve(plan);
   plan.explain = typed.explain;

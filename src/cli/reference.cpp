@@ -128,7 +128,9 @@ std::string help_text(const CLI::App& app) {
     out += fmt::format("  {}{}\n", joined(entry.names, ", "), entry.value.empty() ? "" : " " + entry.value);
     out += wrapped(entry.text, 6);
   }
-  out += "\nExit status: 0 done, 1 the data was rejected, 2 wrong usage or a file that\ncannot be opened or written.";
+  out +=
+      "\nExit status: 0 done, 1 the data was rejected or differs, 2 wrong usage or a file that\ncannot be opened or "
+      "written.";
   return out;
 }
 

@@ -36,28 +36,13 @@ std::uint64_t positive_count(std::string_view option, const std::string& text) {
   return value;
 }
 
-/// A list typed after the option, or one in a file behind "@".
 std::vector<Rational> list(std::string_view option, const std::string& text) {
-  std::string items = text;
-  if (text.starts_with('@')) {
-    const std::string path = text.substr(1);
-    std::ifstream file(path);
-    std::ostringstream content;
-    content << file.rdbuf();
-    if (!file)
-      throw Error(Exit::usage, Place{path}, fmt::format("cannot be read for {}; expected a file of numbers", option));
-    items = content.str();
-    std::ranges::replace_if(
-        items, [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; }, ',');
-  }
   std::vector<Rational> values;
-  for (const std::string_view item : split(items, ',')) {
-    if (item.empty() && text.starts_with('@')) continue;
+  for (const std::string_view item : split(text, ',')) {
     const auto value = sampler::parse_rational(item);
     if (!value) refuse_value(option, item, "decimals or ratios, apart by commas, such as 0,0.5,7/24");
     values.push_back(*value);
   }
-  if (values.empty()) refuse_value(option, text, "one number at least");
   return values;
 }
 
@@ -73,7 +58,7 @@ void set_count(Request& request, std::string_view name, const std::string& value
   request.count = positive_count(name, value);
 }
 void set_places(Request& request, std::string_view name, const std::string& value) {
-  request.places = list(name, value);
+  request.places = list(name, listed(name, value));
 }
 void set_tolerance(Request& request, std::string_view name, const std::string& value) {
   const auto tolerance = format::parse_number(value);
@@ -143,6 +128,24 @@ void require_extrapolation(const Typed& typed, const Way& way) {
 }
 
 }  // namespace
+
+std::string listed(std::string_view option, const std::string& text) {
+  if (!text.starts_with('@')) return text;
+  const std::string path = text.substr(1);
+  std::ifstream file(path);
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file)
+    throw Error(Exit::usage, Place{path}, fmt::format("cannot be read for {}; expected a file of numbers", option));
+  std::string items, all = content.str();
+  std::ranges::replace_if(
+      all, [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; }, ',');
+  for (const std::string_view item : split(all, ',')) {
+    if (!item.empty()) items += (items.empty() ? "" : ",") + std::string(item);
+  }
+  if (items.empty()) refuse_value(option, text, "one number at least");
+  return items;
+}
 
 sampler::Request make_sampling(const Typed& typed) {
   const Way& way = chosen_way(typed);

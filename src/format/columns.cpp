@@ -180,6 +180,36 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   return columns;
 }
 
+Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                            const SampleNames& names, bool timeless) {
+  const auto place = [&](const auto& is_it) { return std::ranges::find_if(header, is_it) - header.begin(); };
+  const auto number = [](std::ptrdiff_t cell) { return fmt::format("{}", cell + 1); };
+  std::vector<RoleRequest> requests;
+  std::vector<std::ptrdiff_t> taken;
+  const auto request = [&](Role role, std::ptrdiff_t cell) {
+    taken.push_back(cell);
+    requests.push_back({role, {number(cell)}});
+  };
+  const auto cells = static_cast<std::ptrdiff_t>(numeric.size());
+  std::vector<std::ptrdiff_t> groups;
+  for (const std::string& name : names.groups) {
+    groups.push_back(header.empty() ? std::ssize(groups) : place([&](const auto& other) { return other == name; }));
+  }
+  if (std::ranges::all_of(groups, [&](std::ptrdiff_t cell) { return cell < cells; })) {
+    for (const std::ptrdiff_t cell : groups) request(Role::group, cell);
+  }
+  if (header.empty()) return find_columns(header, numeric, requests, timeless);
+  std::ptrdiff_t time = place([&](const auto& name) { return name == names.time; });
+  if (time == cells) time = place([](const auto& name) { return role_of_name(name) == Role::time; });
+  if (time < cells) request(Role::time, time);
+  for (std::ptrdiff_t cell = 0; cell < cells; ++cell) {
+    const auto at = static_cast<std::size_t>(cell);
+    const bool is_label = std::ranges::count(names.labels, header[at]) > 0;
+    if (numeric[at] && !is_label && std::ranges::count(taken, cell) == 0) request(Role::position, cell);
+  }
+  return find_columns(header, numeric, requests, true);
+}
+
 std::vector<std::string> default_channel_names(std::size_t channels) {
   if (channels <= 3) {
     const std::vector<std::string> names{"x", "y", "z"};

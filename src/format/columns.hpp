@@ -52,6 +52,18 @@ Role role_of_name(std::string_view name);
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                      std::span<const RoleRequest> requests, bool timeless = false);
 
+/// What is known of the rows of samples of a curve before they are read.
+struct SampleNames {
+  std::string time;                      ///< of the time column, if it is not one of the usual names
+  std::vector<std::string> groups = {};  ///< of the columns that tell curves apart, if they are there
+  std::vector<std::string> labels = {};  ///< of columns that are passed over
+};
+
+/// The columns of samples: the time, what tells curves apart, and every other column of numbers as a channel,
+/// whatever its name. Throws: Error (data) as find_columns.
+Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                            const SampleNames& names, bool timeless);
+
 /// Names for channels without any: x, y, z, or p1, p2, … for more than three.
 std::vector<std::string> default_channel_names(std::size_t channels);
 

@@ -190,7 +190,7 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   Beginning beginning;
   if (options.delimiter) beginning.delimiter = *options.delimiter;
   if (!options.delimiter) beginning = find_delimiter(bytes, options);
-  const Dialect dialect{beginning.delimiter, options.comment};
+  const Dialect dialect{beginning.delimiter, options.comment, options.samples.has_value()};
   if (dialect.delimiter == options.decimal) {
     throw Error(Exit::data,
                 "--decimal , cannot be where the delimiter is , too; expected another one; give it with "
@@ -209,7 +209,7 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   input.groups = columns.groups;
   input.carried = columns.carried;
   input.may_miss = options.missing == Missing::skip_cell;
-  input.may_break = dialect.delimiter == ' ' || options.missing == Missing::break_curve;
+  input.may_break = dialect.delimiter == ' ' || dialect.divided || options.missing == Missing::break_curve;
   return input;
 }
 

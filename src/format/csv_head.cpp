@@ -170,7 +170,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);
-  head.columns = find_columns(names, numeric, options.roles, options.timeless);
+  head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
+                                 : find_columns(names, numeric, options.roles, options.timeless);
   return head;
 }
 

@@ -28,6 +28,9 @@ class Frame {
   Frame() = default;
   Frame(const Format& format, const OutputColumns& columns, bool header);
 
+  /// Each curve is an object with its rows.
+  bool is_nested() const { return nested_; }
+
   /// What stands before all rows.
   const std::string& head() const { return head_; }
 

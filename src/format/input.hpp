@@ -43,6 +43,7 @@ struct InputOptions {
   unsigned threads = 1;     ///< that may work on it
   char decimal = '.';       ///< between the digits of a number in delimited text
   Missing missing = Missing::error;
+  std::optional<SampleNames> samples;  ///< the records are no keys but samples of a curve
 };
 
 /// Whole records of an input, as text.

@@ -138,7 +138,8 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
     if (beside && !found.text) require_no_slip(found);
     numeric.resize(header.size(), !beside && !found.text);
   }
-  result.columns = find_columns(header, numeric, options.roles, options.timeless);
+  result.columns = options.samples ? find_sample_columns(header, numeric, *options.samples, options.timeless)
+                                   : find_columns(header, numeric, options.roles, options.timeless);
   result.found = result.columns.cells.size();
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);

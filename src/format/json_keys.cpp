@@ -54,13 +54,14 @@ class KeyBuilder : public JsonEvents {
     std::ranges::fill(texts_, std::string());
     std::fill(seen_.begin(), seen_.end(), false);
     expected_ = 0;
-    missing_ = false;
+    missing_ = is_meta_ = false;
     faults_ = block_.faults.size();
     return true;
   }
 
   bool on_member(const std::string& name) override {
     const auto& members = columns_.members;
+    is_meta_ = is_meta_ || name == "meta";
     if (expected_ == members.size() || members[expected_].name != name) {
       expected_ = static_cast<std::size_t>(std::ranges::find(members, name, &Member::name) - members.begin());
     }
@@ -110,6 +111,7 @@ class KeyBuilder : public JsonEvents {
   }
 
   bool on_key_end() override {
+    if (is_meta_ && std::ranges::count(seen_, true) == 0) return true;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       if (columns_.members[i].required && !seen_[i]) miss_member(columns_.members[i]);
     }
@@ -205,6 +207,7 @@ class KeyBuilder : public JsonEvents {
   std::vector<std::string> texts_;  ///< of the key at hand
   bool timed_ = false, eased_ = false;
   bool missing_ = false;      ///< the key at hand is not to be one
+  bool is_meta_ = false;      ///< the object at hand is provenance, unless it has a member of a key
   LinePlace place_;           ///< of the key at hand
   std::uint64_t number_ = 0;  ///< of the key at hand
   Time time_;

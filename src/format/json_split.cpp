@@ -66,7 +66,7 @@ bool JsonSplitter::scan_start() {
 
 /// The array that begins here may be that of the keys, or of the curves.
 bool JsonSplitter::begin_list() {
-  const bool keys = !listed_ && member_ == "keys\"";
+  const bool keys = !listed_ && (member_ == "keys\"" || member_ == "rows\"");
   const bool curves = shape_ == Shape::unknown && member_ == "curves\"";
   if (keys || curves) start_list(keys ? Shape::wrapped : Shape::curves);
   return keys || curves;

@@ -2,6 +2,7 @@
 //
 // The text may be an array of keys, an object with an array "keys" among its members, an object with an array
 // "curves" of such objects, or one key object after another (JSON Lines). What is not keys stands beside them.
+// Where the program writes "rows" for "keys", it reads that too.
 #pragma once
 
 #include <cstdint>

@@ -14,6 +14,7 @@ namespace tcb::format {
 struct Dialect {
   char delimiter = ',';       ///< ' ' stands for runs of blanks and tabs
   std::string comment = "#";  ///< lines that begin with it are skipped; empty: none are
+  bool divided = false;       ///< a blank line sets curves apart, whatever the delimiter
 
   static bool is_blank(char c) { return c == ' ' || c == '\t'; }
   bool is_comment(std::string_view line) const { return !comment.empty() && line.starts_with(comment); }

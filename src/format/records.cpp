@@ -48,7 +48,7 @@ bool Records::skip_to_record() {
     } else if (at_line_end()) {
       comment_ = {};
       follows_blank_ = true;
-      broken_ = broken_ || dialect_.delimiter == ' ';
+      broken_ = broken_ || dialect_.divided || dialect_.delimiter == ' ';
     } else {
       at_ = record_;
       return true;

@@ -1,0 +1,36 @@
+// Comparing someone's samples with the curve, from the files to the report.
+#include "compare/compare.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include "compare/check.hpp"
+#include "compare/report.hpp"
+#include "file.hpp"
+#include "stream.hpp"
+
+namespace tcb::compare {
+
+namespace {
+
+template <class Outcome>
+Exit report(const Outcome& outcome, bool good, const Plan& plan) {
+  Output output(plan.output);
+  output.write(format::formats()[plan.output_format].name == "json" ? json(outcome) : text(outcome));
+  output.commit();
+  return good ? Exit::done : Exit::data;
+}
+
+}  // namespace
+
+Exit compare(const Plan& plan) {
+  const ThreadLimit limit(plan.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+  if (plan.comparison->identify) {
+    const Identified identified = identify(plan);
+    return report(identified, identified.fits(), plan);
+  }
+  const Check checked = check(plan);
+  return report(checked, checked.passed(), plan);
+}
+
+}  // namespace tcb::compare

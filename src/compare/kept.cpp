@@ -1,0 +1,31 @@
+// Kept curves: the keys of an input, to be gone through more than once.
+#include "compare/kept.hpp"
+
+#include <thread>
+#include <utility>
+
+#include "file.hpp"
+#include "format/format.hpp"
+
+namespace tcb::compare {
+
+Source<format::KeyBlock> KeptCurve::keys() const {
+  return [this, next = std::size_t{0}]() mutable {
+    return next < blocks.size() ? std::optional(blocks[next++]) : std::nullopt;
+  };
+}
+
+KeptCurves keep(const Plan& plan) {
+  const std::string& path = plan.files[0];
+  format::InputOptions options = plan.input;
+  options.threads = plan.jobs.value_or(std::thread::hardware_concurrency());
+  KeptCurves kept{format::open_input(path, read_file(path), options), {}};
+  Curves curves(kept.input, plan.curves, false);
+  while (const std::optional<CurveKeys> curve = curves.next()) {
+    KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->beside_keys, {}});
+    while (std::optional<format::KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
+  }
+  return kept;
+}
+
+}  // namespace tcb::compare

@@ -1,0 +1,139 @@
+// Samples: someone's rows with the precision of their numbers, all of them or a few that stand for them.
+#include "compare/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tcb::compare {
+namespace {
+
+constexpr std::size_t most_rows = 1000, most_keys = 256;
+
+/// The numbers of one column, over all curves.
+std::vector<double> numbers_of(const std::vector<Sample>& samples, const Table& table, const Column& column) {
+  std::vector<double> numbers;
+  for (const Sample& sample : samples) {
+    for (std::size_t row = 0; row < sample.rows.size(); ++row) {
+      numbers.push_back(sample.rows.numbers[row * table.columns.size() + column.theirs]);
+    }
+  }
+  return numbers;
+}
+
+double largest_position(const KeptCurves& kept, std::size_t channel) {
+  double largest = 0;
+  for (const KeptCurve& curve : kept.curves) {
+    for (const format::KeyBlock& block : curve.blocks) {
+      for (std::size_t key = 0; key < block.lines.size(); ++key) {
+        const double position = std::abs(block.keys.positions[key * block.keys.channels + channel]);
+        if (position > largest) largest = position;
+      }
+    }
+  }
+  return largest;
+}
+
+/// A row of a sample added to others of its curve.
+void add_row(Sample& to, const Sample& from, std::size_t row, std::size_t numbers, std::size_t width) {
+  const auto copy = [row](auto& target, const auto& source, std::size_t stride) {
+    const auto begin = source.begin() + static_cast<std::ptrdiff_t>(row * stride);
+    if (!source.empty()) target.insert(target.end(), begin, begin + static_cast<std::ptrdiff_t>(stride));
+  };
+  copy(to.rows.times, from.rows.times, 1);
+  copy(to.rows.numbers, from.rows.numbers, numbers);
+  copy(to.rows.lines, from.rows.lines, 1);
+  copy(to.numbers, from.numbers, 1);
+  copy(to.allowances, from.allowances, width);
+}
+
+/// The first keys of a curve.
+KeptCurve beginning_of(const KeptCurve& curve) {
+  KeptCurve cut{curve.group, curve.beside_keys, {}};
+  std::size_t left = most_keys;
+  for (const format::KeyBlock& block : curve.blocks) {
+    if (left == 0) break;
+    const std::size_t count = std::min(left, block.lines.size());
+    format::KeyBlock& part = cut.blocks.emplace_back();
+    part.keys.channels = block.keys.channels;
+    part.keys.common_tcb = block.keys.common_tcb;
+    spline::append(part.keys, block.keys, 0, count);
+    part.lines.assign(block.lines.begin(), block.lines.begin() + static_cast<std::ptrdiff_t>(count));
+    left -= count;
+  }
+  return cut;
+}
+
+std::size_t keys_of(const KeptCurve& curve) {
+  std::size_t keys = 0;
+  for (const format::KeyBlock& block : curve.blocks) keys += block.lines.size();
+  return keys;
+}
+
+/// The rows before the last keys of a beginning, which the keys behind it bear on.
+Sample on_beginning(const Sample& sample, const KeptCurve& beginning, const Sides& sides) {
+  const spline::Keys<double>& last = beginning.blocks.back().keys;
+  const spline::Time<double> end = last.times[last.size() - std::min<std::size_t>(last.size(), 3)];
+  Sample before{&beginning, {}, {}, {}};
+  for (std::size_t row = 0; row < sample.rows.size(); ++row) {
+    if (sample.rows.times[row] > end) continue;
+    add_row(before, sample, row, sides.table.columns.size(), sides.columns.compared.size());
+  }
+  return before;
+}
+
+std::size_t count_rows(const std::vector<Sample>& samples) {
+  std::size_t rows = 0;
+  for (const Sample& sample : samples) rows += sample.rows.size();
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Sample> samples_of(std::vector<Pair> pairs, const Sides& sides) {
+  std::vector<Sample> samples;
+  for (Pair& pair : pairs) {
+    Sample& sample = samples.emplace_back(Sample{pair.curve, std::move(pair.rows), {}, {}});
+    for (std::size_t row = 0; row < sample.rows.size(); ++row) sample.numbers.push_back(row + 1);
+    sample.allowances.resize(sample.rows.size() * sides.columns.compared.size());
+  }
+  const std::size_t width = sides.columns.compared.size();
+  for (std::size_t i = 0; i < width; ++i) {
+    const Column& column = sides.columns.compared[i];
+    const auto allowed =
+        allowances(numbers_of(samples, sides.table, column), largest_position(sides.kept, column.ours));
+    std::size_t next = 0;
+    for (Sample& sample : samples) {
+      for (std::size_t row = 0; row < sample.rows.size(); ++row) sample.allowances[row * width + i] = allowed[next++];
+    }
+  }
+  return samples;
+}
+
+Few few_of(const std::vector<Sample>& samples, const Sides& sides, bool open) {
+  Few few{samples, {}, true};
+  const bool cuttable = open && sides.kept.input.timed && !sides.kept.input.may_miss && !sides.columns.by_length;
+  few.curves.reserve(samples.size());
+  for (Sample& sample : few.samples) {
+    if (!cuttable || keys_of(*sample.curve) <= most_keys) continue;
+    Sample before = on_beginning(sample, few.curves.emplace_back(beginning_of(*sample.curve)), sides);
+    if (before.rows.size() * 4 < most_keys) continue;
+    sample = std::move(before);
+    few.all = false;
+  }
+  const std::size_t rows = count_rows(few.samples);
+  if (rows <= most_rows) return few;
+  few.all = false;
+  std::size_t number = 0;
+  for (Sample& sample : few.samples) {
+    Sample thin{sample.curve, {}, {}, {}};
+    for (std::size_t row = 0; row < sample.rows.size(); ++row, ++number) {
+      if (number * most_rows / rows == (number + 1) * most_rows / rows) continue;
+      add_row(thin, sample, row, sides.table.columns.size(), sides.columns.compared.size());
+    }
+    sample = std::move(thin);
+  }
+  return few;
+}
+
+}  // namespace tcb::compare

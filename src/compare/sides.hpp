@@ -1,0 +1,39 @@
+// The two sides of a comparison: keys, and someone's samples of their curves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/columns.hpp"
+#include "compare/kept.hpp"
+#include "compare/table.hpp"
+#include "error.hpp"
+
+namespace tcb::compare {
+
+struct Sides {
+  KeptCurves kept;
+  Table table;
+  Columns columns;
+  std::string keys, file;  ///< their names for messages
+  unsigned threads = 1;
+
+  /// The column that says where the samples are.
+  std::string place_name() const { return columns.by_length ? "s" : kept.input.time; }
+};
+
+/// Reads both, and finds which columns are the same; `fields` as match_columns takes them.
+/// Throws: Error, naming the file that is not as it should be.
+Sides read_sides(const Plan& plan, const std::vector<std::size_t>& fields);
+
+/// Runs f; what it throws is said of this file.
+template <class F>
+auto in_file(const std::string& name, F f) {
+  try {
+    return f();
+  } catch (const Error& error) {
+    throw error.in(name);
+  }
+}
+
+}  // namespace tcb::compare

@@ -1,0 +1,71 @@
+// Tables: someone's samples, as they stand in a file.
+#include "compare/table.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "curves.hpp"
+#include "file.hpp"
+#include "format/format.hpp"
+#include "names.hpp"
+#include "stream.hpp"
+
+namespace tcb::compare {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The mark stands between two digits somewhere.
+bool has_between_digits(std::string_view text, char mark) {
+  for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark, at + 1)) {
+    if (at > 0 && at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1])) return true;
+  }
+  return false;
+}
+
+char decimal_of(std::string_view beginning) {
+  const bool apart = beginning.find_first_of(";\t") != std::string_view::npos;
+  const bool commas = apart && !has_between_digits(beginning, '.') && has_between_digits(beginning, ',');
+  return commas ? ',' : '.';
+}
+
+void append(Rows& rows, const format::KeyBlock& block) {
+  rows.times.insert(rows.times.end(), block.keys.times.begin(), block.keys.times.end());
+  rows.numbers.insert(rows.numbers.end(), block.keys.positions.begin(), block.keys.positions.end());
+  rows.lines.insert(rows.lines.end(), block.lines.begin(), block.lines.end());
+}
+
+}  // namespace
+
+format::InputOptions table_options(const format::Input& keys, bool timeless, unsigned threads) {
+  format::InputOptions options;
+  options.samples = format::SampleNames{keys.time, keys.groups, keys.carried};
+  options.missing = format::Missing::skip_cell;
+  options.timeless = timeless;
+  options.threads = threads;
+  return options;
+}
+
+Table read_table(const std::string& path, format::InputOptions options) {
+  Source<std::string> bytes = read_file(path);
+  std::string beginning = bytes().value_or("");
+  options.decimal = decimal_of(beginning);
+  format::Input input = format::open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
+  Table table{input.named, input.timed, input.time, input.channels, {}, {}};
+  for (const auto& [name, value] : input.facts) {
+    if (name != "left out") continue;
+    for (const std::string_view column : split(value, ',')) {
+      table.left_out.emplace_back(column.substr(std::min(column.find_first_not_of(' '), column.size())));
+    }
+  }
+  input.timed = false;  // rows may stand in any order
+  Curves curves(input, {}, false);
+  while (const std::optional<CurveKeys> curve = curves.next()) {
+    Rows& rows = table.curves.emplace_back(Rows{curve->group, {}, {}, {}});
+    while (const std::optional<format::KeyBlock> block = curve->keys()) append(rows, *block);
+  }
+  return table;
+}
+
+}  // namespace tcb::compare

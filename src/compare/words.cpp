@@ -1,0 +1,27 @@
+// Words of reports: numbers and lists, as text and as JSON.
+#include "compare/words.hpp"
+
+#include <cmath>
+
+#include "format/layout.hpp"
+#include "format/number.hpp"
+
+namespace tcb::compare {
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nothing";
+  if (std::isinf(value)) return "-";
+  std::string text;
+  format::append_number(text, value);
+  return text;
+}
+
+std::string number_json(double value) { return std::isfinite(value) ? number_text(value) : "null"; }
+
+std::string list_json(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + format::json_text(text);
+  return "[" + list + "]";
+}
+
+}  // namespace tcb::compare

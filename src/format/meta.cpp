@@ -1,0 +1,89 @@
+// Provenance: what an output says of how it was made, as comment lines or as a JSON object.
+#include "format/meta.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+#include "error.hpp"
+#include "format/json_meta.hpp"
+#include "format/layout.hpp"
+
+namespace tcb::format {
+namespace {
+
+std::string line(std::string_view name, std::string_view value) { return fmt::format("# {}: {}\n", name, value); }
+
+std::string member(std::string_view name, std::string_view value) {
+  return fmt::format("{}:{}", json_text(name), json_text(value));
+}
+
+/// The value of a comment line with this name.
+std::optional<std::string> value_of(std::string_view line, std::string_view name) {
+  const std::string begin = fmt::format("# {}: ", name);
+  if (!line.starts_with(begin)) return std::nullopt;
+  return std::string(line.substr(begin.size()));
+}
+
+/// Takes what a comment line says.
+void take(Meta& meta, std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  constexpr std::string_view program = "# tcbsample ";
+  if (line.starts_with(program) && meta.program.empty()) meta.program = line.substr(2);
+  if (auto option = value_of(line, "option")) meta.options.push_back(std::move(*option));
+  if (auto name = value_of(line, "input")) meta.inputs.emplace_back(std::move(*name), "");
+  if (auto digest = value_of(line, "sha256"); digest && !meta.inputs.empty()) meta.inputs.back().second = *digest;
+}
+
+Meta read_lines(std::string_view text) {
+  Meta meta;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (text.starts_with('#')) take(meta, text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return meta;
+}
+
+}  // namespace
+
+std::string meta_head(const Meta& meta) {
+  std::string out = fmt::format("# {}\n", meta.program);
+  for (const auto& [name, value] : meta.rules) out += line(name, value);
+  for (const std::string& option : meta.options) out += line("option", option);
+  return out + "#\n";  // so that no other line stands above a row without a header, and is taken for one
+}
+
+std::string meta_tail(const Meta& meta) {
+  std::string out;
+  for (const auto& [name, digest] : meta.inputs) out += line("input", name) + line("sha256", digest);
+  for (const auto& [name, count] :
+       {std::pair{"curves", meta.curves}, std::pair{"keys", meta.keys}, std::pair{"rows", meta.rows}}) {
+    out += line(name, fmt::format("{}", count));
+  }
+  return out;
+}
+
+std::string meta_object(const Meta& meta) {
+  std::string out = "{" + member("program", meta.program), options, inputs;
+  for (const auto& [name, value] : meta.rules) out += "," + member(name, value);
+  for (const std::string& option : meta.options) options += (options.empty() ? "" : ",") + json_text(option);
+  for (const auto& [name, digest] : meta.inputs) {
+    inputs += fmt::format("{}{{{},{}}}", inputs.empty() ? "" : ",", member("name", name), member("sha256", digest));
+  }
+  return out + fmt::format(",\"options\":[{}],\"inputs\":[{}],\"curves\":{},\"keys\":{},\"rows\":{}}}", options, inputs,
+                           meta.curves, meta.keys, meta.rows);
+}
+
+Meta read_meta(const Source<std::string>& bytes) {
+  std::string text;
+  while (const std::optional<std::string> more = bytes()) text += *more;
+  const bool json = text.starts_with('{') || text.starts_with('[');
+  Meta meta = json ? read_json_meta(text) : read_lines(text);
+  if (!meta.program.empty() && !meta.inputs.empty()) return meta;
+  throw Error(Exit::data,
+              "no provenance: it does not say how it was made; expected an output that was made with --meta");
+}
+
+}  // namespace tcb::format
