@@ -84,7 +84,8 @@ std::optional<Plan> parse(std::string_view line) {
     request.plan.files = {"-"};
     request.plan.output = "-";
     request.plan.output_folder.reset();
-    request.plan.notes = false;
+    request.plan.batch = {};
+    request.plan.talk = {.quiet = true};
     request.plan.sampling.max_rows = std::min(request.plan.sampling.max_rows, most_rows);
     return request.plan;
   } catch (const Error& error) {
@@ -114,7 +115,7 @@ Outcome run(Plan plan, unsigned jobs, std::string_view input) {
   out.set("");
   plan.jobs = jobs;
   try {
-    resample(plan);
+    require(resample(plan) == Exit::done, "a failure without a refusal", input);
     return {out.text(), {}};
   } catch (const Error& error) {
     require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error.text());
