@@ -79,7 +79,9 @@ bool name_it(int descriptor, const std::string& path) {
 int create_unfinished(const std::string& path, std::string& name) {
   name.clear();
   const std::string folder = std::filesystem::path(path).parent_path() / ".";
-  const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  // It is named by way of /proc, which need not be there.
+  const bool can_be_named = ::access("/proc/self/fd", X_OK) == 0;
+  const int nameless = !can_be_named ? -1 : ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (nameless >= 0) return nameless;
   const std::lock_guard lock(names().mutex);
   name = unused_name(path);
