@@ -49,7 +49,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"resample", {"task", "explain", "path", "rows", "inputs", "batch", "writer", "report", "error"}},
     {"batch", {"inputs", "report", "stream", "error"}},
     {"inputs", {"task", "file", "error"}},
-    {"writer", {"task", "labels", "recorder", "format", "file", "error"}},
+    {"writer", {"task", "path", "labels", "recorder", "format", "file", "error"}},
     {"report", {"task", "file", "error"}},
     {"explain", {"task", "path", "curves", "order", "fields", "sampler", "format", "file"}},
     {"path", {"closed", "sparse", "lookup", "rows", "pieces", "curve_plan", "sampler", "format", "stream", "error"}},

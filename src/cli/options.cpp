@@ -180,7 +180,7 @@ void declare_batch(CLI::App& app, Typed& typed) {
   option("--output-dir", typed.output_dir, "Writes a file for each input into this folder, with the format's ending")
       ->type_name("DIR");
   option("--files", typed.list, "More files, one a line of LIST; -: standard input")->type_name("LIST");
-  flag("-0", typed.nul, "The names in LIST end in NUL, not in a new line");
+  flag("-0,--null", typed.nul, "The names in LIST end in NUL, not in a new line");
   flag("--recursive", typed.recursive,
        "A folder stands for the files below it that end as a format does, or with --input-format for all; the tree is "
        "mirrored in DIR");
