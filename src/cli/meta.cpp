@@ -48,6 +48,17 @@ std::string word(const CLI::Option& option) {
   return name + "=" + value;
 }
 
+/// Throws: Error (usage) unless all options of an earlier output are known, and make bytes.
+void require_telling(const std::vector<std::string>& words) {
+  Typed typed;
+  const auto app = declare(typed);
+  read_words(*app, words);
+  const auto is_used = [](const CLI::Option* option) { return option->count() > 0; };
+  if (static_cast<std::size_t>(std::ranges::count_if(app->get_options(), is_used)) == telling(*app).size()) return;
+  throw Error(Exit::data,
+              "its provenance has an option that does not say what the rows are; expected none; correct it");
+}
+
 /// Throws: Error (usage) where there is no place for provenance.
 void require_place(const Typed& typed) {
   if (!typed.check.empty() || !typed.identify.empty() || typed.explain) {
@@ -81,6 +92,7 @@ MetaRequest earlier_meta(const CLI::App& app, const Typed& typed) {
   request.from = typed.from_meta;
   try {
     request.earlier = format::read_meta(read_file(typed.from_meta));
+    require_telling(request.earlier.options);
   } catch (const Error& error) {
     throw error.in(shown_name(typed.from_meta));
   }

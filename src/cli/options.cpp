@@ -261,9 +261,6 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   return app;
 }
 
-namespace {
-
-/// Sets what was typed, and finds nothing empty. Throws: Error (usage).
 void read_words(CLI::App& app, std::vector<std::string> words) {
   std::ranges::reverse(words);  // as CLI11 takes them
   try {
@@ -278,8 +275,6 @@ void read_words(CLI::App& app, std::vector<std::string> words) {
     }
   }
 }
-
-}  // namespace
 
 Request parse(int argc, const char* const* argv) {
   Typed typed;

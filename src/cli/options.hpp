@@ -39,6 +39,9 @@ struct Typed {
 /// All options, bound to the fields of `typed`: the one place where they are declared.
 std::unique_ptr<CLI::App> declare(Typed& typed);
 
+/// Sets what the words say, none of them empty. Throws: Error (usage).
+void read_words(CLI::App& app, std::vector<std::string> words);
+
 /// What the program is asked for: a text to print, or else a plan to carry out.
 struct Request {
   std::optional<std::string> text;

@@ -129,8 +129,8 @@ std::string help_text(const CLI::App& app) {
     out += wrapped(entry.text, 6);
   }
   out +=
-      "\nExit status: 0 done, 1 the data was rejected or differs, 2 wrong usage or a file that\ncannot be opened or "
-      "written.";
+      "\nExit status: 0 done, 1 the data was rejected or differs, 2 wrong usage or a\n"
+      "file that cannot be opened or written.";
   return out;
 }
 

@@ -51,6 +51,11 @@ void say_off_curve(const Comparer& comparer, const std::vector<Sample>& samples,
   }
 }
 
+[[noreturn]] void refuse_nothing(const Identified& result) {
+  const std::string why = result.problems.empty() ? "it has no rows" : result.problems.back();
+  throw Error(Exit::data, Place{result.file}, why + "; expected rows on the curve of the keys; give others");
+}
+
 /// Compares all conventions with samples, on all threads.
 std::vector<Candidate> compared(const Comparer& comparer, const std::vector<Convention>& conventions,
                                 const std::vector<Sample>& samples, unsigned threads) {
@@ -146,6 +151,7 @@ Identified identify(const Plan& plan) {
     const std::vector<Sample> samples = samples_of(std::move(pairs.pairs), sides);
     const Comparer comparer(plan, sides, result.orders, result.closed);
     say_off_curve(comparer, samples, result);
+    if (result.rows == 0) refuse_nothing(result);
     const Search search(comparer, samples, few_of(samples, sides, !result.closed), result.closed, sides.threads);
     result.ranking = search.rank(all);
     if (result.fits() || result.closed) return;
