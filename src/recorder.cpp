@@ -99,8 +99,7 @@ void Recorder::end_input() {
   tally_->meta.inputs.back().second = tally_->sha256.digest();
 }
 
-std::string Recorder::head(const format::Format& format, std::vector<std::pair<std::string, std::string>> rules,
-                           const std::string& frame, bool nested) {
+std::string Recorder::head(const format::Format& format, format::Facts rules, const std::string& frame, bool nested) {
   if (tally_ == nullptr) return frame;
   format_ = &format;
   nested_ = nested;
