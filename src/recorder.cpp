@@ -20,7 +20,7 @@ struct Recorder::Tally {
 namespace {
 
 /// Throws: Error (data) where the bytes have another SHA-256.
-Source<std::string> required(Source<std::string> bytes, const std::string& expected, const std::string& from) {
+Source<std::string> required(const Source<std::string>& bytes, const std::string& expected, const std::string& from) {
   std::deque<std::string> kept;
   Sha256 sha256;
   while (std::optional<std::string> more = bytes()) {
@@ -57,7 +57,7 @@ Source<std::string> Recorder::bytes(const std::string& name, Source<std::string>
                                            earlier.size()));
     }
     const auto& [first_name, digest] = earlier[inputs.size()];
-    bytes = required(std::move(bytes), digest, request_->from);
+    bytes = required(bytes, digest, request_->from);
     inputs.emplace_back(first_name, "");  // whatever it is called now
   } else {
     inputs.emplace_back(name, "");
@@ -99,8 +99,7 @@ void Recorder::end_input() {
   tally_->meta.inputs.back().second = tally_->sha256.digest();
 }
 
-std::string Recorder::head(const format::Format& format, std::vector<std::pair<std::string, std::string>> rules,
-                           const std::string& frame, bool nested) {
+std::string Recorder::head(const format::Format& format, format::Facts rules, const std::string& frame, bool nested) {
   if (tally_ == nullptr) return frame;
   format_ = &format;
   nested_ = nested;

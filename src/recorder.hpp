@@ -39,8 +39,7 @@ class Recorder {
   void end_input();
 
   /// What stands before the first row, and what behind the last one, with the frame's own text in its place.
-  std::string head(const format::Format& format, std::vector<std::pair<std::string, std::string>> rules,
-                   const std::string& frame, bool nested);
+  std::string head(const format::Format& format, format::Facts rules, const std::string& frame, bool nested);
   std::string tail(const std::string& frame) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace tcb {
 
-void Writer::begin(const format::Input& input, bool live, Facts rules) {
+void Writer::begin(const format::Input& input, bool live, format::Facts rules) {
   format::OutputColumns columns{input.groups, output_columns(plan_.fields, input), input.carried};
   if (columns_.numbers.empty()) {
     columns_ = std::move(columns);

@@ -10,7 +10,6 @@
 #include "file.hpp"
 #include "format/frame.hpp"
 #include "labels.hpp"
-#include "path.hpp"
 #include "recorder.hpp"
 #include "task.hpp"
 
@@ -26,7 +25,7 @@ class Writer {
 
   /// The next file's rows follow, the first of them on a curve with these rules. Throws: Error (data) where they have
   /// other columns than the rows before.
-  void begin(const format::Input& input, bool live, Facts rules);
+  void begin(const format::Input& input, bool live, format::Facts rules);
 
   /// The rows of the next curve of the file follow.
   void begin_curve(const std::vector<std::string>& group);

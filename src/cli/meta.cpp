@@ -36,7 +36,7 @@ std::vector<const CLI::Option*> telling(const CLI::App& app) {
 
 /// An option as one word.
 std::string word(const CLI::Option& option) {
-  const std::string name = name_of(option);
+  std::string name = name_of(option);
   if (option.get_items_expected_max() == 0) return name;
   std::string value = fmt::format("{}", fmt::join(option.results(), ","));
   if (name == "--at" || name == "--arc-at") value = listed(name, value);

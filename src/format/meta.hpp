@@ -13,9 +13,12 @@
 
 namespace tcb::format {
 
+/// Names with what is said of them.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
 struct Meta {
   std::string program;                                      ///< with its version
-  std::vector<std::pair<std::string, std::string>> rules;   ///< of the curve, in words
+  Facts rules;                                              ///< of the curve, in words
   std::vector<std::string> options;                         ///< as typed, each as one word
   std::vector<std::pair<std::string, std::string>> inputs;  ///< names, and SHA-256 in hexadecimal digits
   std::uint64_t curves = 0, keys = 0, rows = 0;
