@@ -26,15 +26,16 @@ namespace {
 /// One output, which takes the rows of one file or of several.
 class Writer {
  public:
-  Writer(const Plan& plan, std::string path) : plan_(plan), output_(std::move(path)) {}
+  Writer(const Plan& plan, std::string path)
+      : plan_(plan), output_(std::move(path), format::formats()[plan.output_format].head != nullptr) {}
 
   /// The next file's rows follow. Throws: Error (data) where they have other columns than the rows before.
   void begin(const format::Input& input, bool live) {
     format::OutputColumns columns{input.groups, output_columns(plan_.fields, input), input.carried};
     if (columns_.numbers.empty()) {
       columns_ = std::move(columns);
-      frame_ =
-          format::Frame(format::formats()[plan_.output_format], columns_, plan_.output_header.value_or(input.named));
+      frame_ = format::Frame(format::formats()[plan_.output_format], columns_,
+                             plan_.output_header.value_or(input.named), plan_.notation);
       output_.write(frame_.head());
     } else if (columns.names() != columns_.names()) {
       throw Error(Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give "
@@ -76,6 +77,7 @@ class Writer {
     bool any = false;
     while (const std::optional<std::string> text = rows()) {
       output_.write(*text);
+      bytes_ += text->size();
       any = any || !text->empty();
     }
     if (any) frame_.set_written();
@@ -83,6 +85,7 @@ class Writer {
 
   void commit() {
     output_.write(frame_.tail());
+    if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
     output_.commit();
   }
 
@@ -92,6 +95,7 @@ class Writer {
   format::OutputColumns columns_;
   format::Frame frame_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before in the same file
+  std::uint64_t bytes_ = 0;                        ///< of all rows
 };
 
 /// What the program tells the person at the terminal.

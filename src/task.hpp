@@ -22,6 +22,7 @@ struct Plan {
   std::vector<std::size_t> fields;  ///< indices into fields(), in output order
   std::size_t output_format = 0;    ///< index into format::formats()
   std::optional<bool> output_header;
+  format::Notation notation;                 ///< of numbers that may have a fraction
   bool explain = false;                      ///< say what was found and would be done, and do not
   std::optional<unsigned> jobs;              ///< threads; nothing: all cores, one for a live pipe
   bool notes = false;                        ///< say on standard error what may surprise

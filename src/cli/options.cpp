@@ -146,7 +146,8 @@ void declare_output(CLI::App& app, Typed& typed) {
       ->type_name("FILE");
   option("--output-dir", typed.output_dir, "Writes a file for each input into this folder, with the format's ending")
       ->type_name("DIR");
-  option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json or jsonl")->type_name("FORMAT");
+  option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json, jsonl, or npy (an array for NumPy)")
+      ->type_name("FORMAT");
   option("--fields", typed.fields,
          "What a row shows, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
          "curvature, torsion, segment, u, key, arc_error; default time,position")
@@ -156,13 +157,20 @@ void declare_output(CLI::App& app, Typed& typed) {
       "At a key, what differs from one side to the other is that of the segment behind it, right (default), or before "
       "it, left")
       ->type_name("SIDE");
+  option("--digits", typed.digits,
+         "Numbers have N significant digits, 1 to 17, or with --golden to 100; the default is the shortest text that "
+         "reads back as the same double")
+      ->type_name("N");
+  option("--fixed", typed.fixed, "Numbers have N decimals, 0 to 100")->type_name("N");
   option("-j,--jobs", typed.jobs,
          "How many threads to use; default one a core, and a single one for a live pipe. The bytes are the same for "
          "every N")
       ->type_name("N");
-  app.add_flag("--no-output-header", typed.no_output_header,
-               "No names above the rows; the default where the input has none")
-      ->group("Output");
+  const auto flag = [&](const char* name, bool& value, const char* text) {
+    return app.add_flag(name, value, text)->group("Output");
+  };
+  flag("--hex", typed.hex, "Numbers are C's hexadecimal, as 0x1.8p+1, which strtod reads back bit for bit");
+  flag("--no-output-header", typed.no_output_header, "No names above the rows; the default where the input has none");
 }
 
 void declare_about(CLI::App& app, Typed& typed) {

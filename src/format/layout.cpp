@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "error.hpp"
+#include "format/number.hpp"
 #include "format/number_text.hpp"
 
 namespace tcb::format {
@@ -19,12 +21,26 @@ char* write_cell(char* out, CellKind kind, const Cell& cell) {
   return out;
 }
 
+char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& notation) {
+  if (notation.kind == Notation::Kind::shortest || (kind == CellKind::whole && notation.is_text())) {
+    return write_cell(out, kind, cell);
+  }
+  if (!notation.is_text() && cell.lo != 0) {
+    throw Error(Exit::data,
+                fmt::format("time {} has more digits than a double; expected less than 2^53, or a format of "
+                            "text; choose one, such as csv",
+                            time_text(cell)));
+  }
+  return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
+}
+
 char* write_text(char* out, std::string_view text) { return std::copy(text.begin(), text.end(), out); }
 
 /// Room for any row.
 std::size_t row_room(const Layout& layout) {
   std::size_t room = layout.between_rows.size() + layout.row_end.size();
-  for (const std::string& before : layout.before) room += before.size() + std::max(number_room, layout.empty.size());
+  const std::size_t cell = std::max(room_for(layout.notation), layout.empty.size());
+  for (const std::string& before : layout.before) room += before.size() + cell;
   return room;
 }
 
@@ -70,7 +86,7 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const Cell& cell = cells[row + i];
       at = write_text(at, layout.before[i]);
-      at = is_empty(cell) ? write_text(at, layout.empty) : write_cell(at, columns[i].kind, cell);
+      at = is_empty(cell) ? write_text(at, layout.empty) : write_cell(at, columns[i].kind, cell, layout.notation);
     }
     at = write_text(at, layout.row_end);
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "format/notation.hpp"
 #include "spline/scalar.hpp"
 
 namespace tcb::format {
@@ -34,7 +35,8 @@ struct Layout {
   std::string empty;  ///< for a number that is not defined
   std::string between_rows;
   std::string tail;
-  std::string no_rows;  ///< instead of `tail` where not one row was written
+  std::string no_rows;     ///< instead of `tail` where not one row was written
+  Notation notation = {};  ///< of numbers that may have a fraction
 };
 
 /// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each.
