@@ -54,19 +54,20 @@ class Writer {
   }
 
   /// The text of some rows. A pure function but for the layout, which begin_curve() has set.
-  std::string print(const std::vector<format::Cell>& cells, bool first) const {
+  std::string print(const Table& table, bool first) const {
     std::string text;
-    format::append_rows(text, frame_.layout(), columns_.numbers, cells, first && frame_.is_first());
+    format::append_rows(text, frame_.layout(), columns_.numbers, table.cells, table.texts, first && frame_.is_first());
     return text;
   }
 
   /// The same for rows that end in labels.
-  std::string print(const LabelledBatch& batch, const sampler::Locator& locator) const {
-    return print_labelled(batch, locator, plan_.fields,
-                          [this, layout = frame_.layout()](std::string& out, const std::vector<format::Cell>& cells,
+  std::string print(const LabelledBatch& batch, const Evaluate& evaluate) const {
+    return print_labelled(batch, evaluate, plan_.fields,
+                          [this, layout = frame_.layout()](std::string& out, const Table& row,
                                                            const std::string& row_end, bool first) mutable {
                             layout.row_end = row_end;
-                            format::append_rows(out, layout, columns_.numbers, cells, first && frame_.is_first());
+                            format::append_rows(out, layout, columns_.numbers, row.cells, row.texts,
+                                                first && frame_.is_first());
                           });
   }
 
@@ -114,14 +115,15 @@ format::InputOptions input_options(const Plan& plan, const std::string& path) {
 /// The rows of a curve as text.
 Source<std::string> printed(const Placed& placed, const Plan& plan, const Writer& writer,
                             const std::shared_ptr<Labels>& labels, unsigned threads) {
+  if (plan.golden) threads = 1;  // the rows share what was worked out for those before
   if (labels == nullptr) {
     const auto print = [&plan, &writer, &placed](const Batch& batch) {
-      return writer.print(evaluate(batch, *placed.locator, plan.fields), batch.first);
+      return writer.print(placed.evaluate(batch, plan.fields), batch.first);
     };
     return ordered_map(placed.batches, print, threads);
   }
   const auto row_end = [&writer](std::span<const std::string_view> texts) { return writer.row_end(texts); };
-  const auto print = [&writer, &placed](const LabelledBatch& batch) { return writer.print(batch, *placed.locator); };
+  const auto print = [&writer, &placed](const LabelledBatch& batch) { return writer.print(batch, placed.evaluate); };
   return ordered_map(Labels::joined(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
 }
 
@@ -136,7 +138,8 @@ void resample_file(const std::string& path, const Plan& plan, Writer& writer) {
   Curves curves(input, plan.curves, live);
   std::optional<Path> way;
   for (std::shared_ptr<const format::BesideKeys> known; std::optional<CurveKeys> curve = curves.next();) {
-    if (curve->beside_keys != known) way.emplace(plan.sampling, plan.curve, plan.fields, input, *curve->beside_keys);
+    if (curve->beside_keys != known)
+      way.emplace(plan.sampling, plan.curve, plan.fields, plan.golden, input, *curve->beside_keys);
     if (known == nullptr) writer.begin(input, live);
     known = curve->beside_keys;
     writer.begin_curve(curve->group);

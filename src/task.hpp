@@ -7,6 +7,7 @@
 
 #include "curves.hpp"
 #include "format/format.hpp"
+#include "golden/golden_rows.hpp"
 #include "sampler/request.hpp"
 #include "settings.hpp"
 
@@ -22,6 +23,7 @@ struct Plan {
   std::vector<std::size_t> fields;  ///< indices into fields(), in output order
   std::size_t output_format = 0;    ///< index into format::formats()
   std::optional<bool> output_header;
+  std::optional<golden::Options> golden;     ///< rows are worked out exactly
   format::Notation notation;                 ///< of numbers that may have a fraction
   bool explain = false;                      ///< say what was found and would be done, and do not
   std::optional<unsigned> jobs;              ///< threads; nothing: all cores, one for a live pipe

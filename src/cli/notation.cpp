@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "fields.hpp"
 #include "names.hpp"
 
 namespace tcb::cli {
@@ -63,6 +64,22 @@ format::Notation make_notation(const Typed& typed, std::size_t output_format) {
                             output.name));
   }
   return notation;
+}
+
+void set_golden(Plan& plan, const Typed& typed) {
+  if (typed.exact_input && !typed.golden) {
+    throw Error(Exit::usage,
+                "--exact-input has no effect without --golden, which works exactly; give both, or neither");
+  }
+  if (!typed.golden) return;
+  for (const std::size_t field : plan.fields) {
+    if (golden::has_field(fields()[field].name)) continue;
+    throw Error(Exit::usage, fmt::format("--golden: {} is about the error of s, which then is only rounded; take the "
+                                         "field out",
+                                         fields()[field].name));
+  }
+  plan.golden = golden::Options{typed.exact_input, plan.notation};
+  plan.input.keeps_decimals = typed.exact_input;
 }
 
 }  // namespace tcb::cli

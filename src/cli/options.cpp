@@ -169,6 +169,9 @@ void declare_output(CLI::App& app, Typed& typed) {
   const auto flag = [&](const char* name, bool& value, const char* text) {
     return app.add_flag(name, value, text)->group("Output");
   };
+  flag("--golden", typed.golden, "Every number is the exact one, rounded once; slow");
+  flag("--exact-input", typed.exact_input,
+       "With --golden, a decimal in the input is that decimal, not the double nearest to it");
   flag("--hex", typed.hex, "Numbers are C's hexadecimal, as 0x1.8p+1, which strtod reads back bit for bit");
   flag("--no-output-header", typed.no_output_header, "No names above the rows; the default where the input has none");
 }

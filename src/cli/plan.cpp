@@ -101,6 +101,7 @@ Plan make_plan(const Typed& typed) {
   plan.notes = !typed.quiet && ::isatty(STDERR_FILENO) != 0;
   if (!typed.output_format.empty()) plan.output_format = format::find_format("--output-format", typed.output_format);
   plan.notation = make_notation(typed, plan.output_format);
+  set_golden(plan, typed);
   if (typed.no_output_header) {
     if (!format::formats()[plan.output_format].has_header) {
       throw Error(Exit::usage,

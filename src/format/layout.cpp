@@ -93,6 +93,23 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
   out.resize(static_cast<std::size_t>(at - out.data()));
 }
 
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first) {
+  if (texts.empty()) return append_rows(out, layout, columns, cells, first);
+  std::string number(room_for(layout.notation), '\0');
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t column = i % columns.size();
+    if (column == 0 && (i > 0 || !first)) out += layout.between_rows;
+    out += layout.before[column];
+    if (!texts[i].empty() || is_empty(cells[i])) {
+      out += is_empty(cells[i]) ? layout.empty : texts[i];
+    } else {
+      out.append(number.data(), write_cell(number.data(), columns[column].kind, cells[i], layout.notation));
+    }
+    if (column + 1 == columns.size()) out += layout.row_end;
+  }
+}
+
 Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header) {
   Layout layout;
   for (const OutputColumn& column : columns) {

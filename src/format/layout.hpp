@@ -44,6 +44,10 @@ struct Layout {
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first);
 
+/// The same for cells of which some have texts of their own, the others empty ones.
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
+
 /// A text as a cell: in quotes where RFC 4180 asks for them.
 std::string delimited_text(std::string_view text, char delimiter);
 
