@@ -30,39 +30,41 @@ class Rows::Evaluation {
       : exact_(std::move(curve)), arc_(std::move(arc)), left_(left), notation_(notation) {}
 
   void add_row(const FastRow& row, std::span<const std::size_t> chosen, Table& table) {
-    const bool rational = exact_.is_rational() && !arc_;
-    const std::size_t first = table.cells.size();
-    std::vector<std::size_t> hard;  // fields that floats have to give, and where their cells are to go
-    std::vector<std::size_t> places;
+    std::vector<Column> columns;
     for (const std::size_t field : chosen) {
       const Field& known = fields()[field];
-      const std::size_t columns = known.per_channel ? exact_.keys.channels : 1;
-      if (rational && quantity<Rational>(field).rational) {
-        const std::size_t one[] = {field};
-        for (const Value& value : values(rational_, row, one))
-          put(table, Rounding(notation_, known.kind).exactly(value));
-        continue;
-      }
-      hard.push_back(field);
-      for (std::size_t i = 0; i < columns; ++i) {
-        places.push_back(table.cells.size());
-        put(table, {format::empty_cell});
-      }
+      const bool rational = exact_.is_rational() && !arc_ && quantity<Rational>(field).rational;
+      columns.insert(columns.end(), known.per_channel ? exact_.keys.channels : 1, {known.kind, rational});
     }
-    if (!hard.empty()) settle(row, hard, places, table);
-    for (std::size_t i = first; i < table.cells.size(); ++i) require_finite(row, table.cells[i]);
+    std::vector<Printed> cells;
+    try {
+      cells = climb<1>(row, chosen, columns, values(std::get<0>(ladder_), row, chosen));
+    } catch (const std::range_error&) {
+      throw Error(Exit::data,
+                  fmt::format("the row at time {} has a number that cannot be worked out to so many digits; expected "
+                              "fewer; give a smaller number to --digits or --fixed",
+                              format::time_text(row.sample.t)));
+    }
+    for (Printed& printed : cells) {
+      if (!format::is_empty(printed.cell) && !std::isfinite(printed.cell.hi)) refuse_overflow(row.sample);
+      table.cells.push_back(printed.cell);
+      if (has_texts()) table.texts.push_back(std::move(printed.text));
+    }
   }
 
  private:
+  /// A column of the row at hand; where it is rational, or the root of a rational, there are more digits than floats
+  /// have.
+  struct Column {
+    CellKind kind;
+    bool rational;
+  };
+
   template <class S>
   static const Quantity<S>& quantity(std::size_t field) {
     return *std::ranges::find(quantities<S>, fields()[field].name, &Quantity<S>::name);
   }
 
-  void put(Table& table, Printed printed) const {
-    table.cells.push_back(printed.cell);
-    if (has_texts()) table.texts.push_back(std::move(printed.text));
-  }
   bool has_texts() const {
     using enum format::Notation::Kind;
     return notation_.kind == digits || notation_.kind == fixed;
@@ -83,49 +85,28 @@ class Rows::Evaluation {
     return result;
   }
 
-  void settle(const FastRow& row, std::span<const std::size_t> chosen, std::span<const std::size_t> places,
-              Table& table) {
-    std::vector<CellKind> kinds;
-    for (const std::size_t field : chosen) {
-      const Field& known = fields()[field];
-      kinds.insert(kinds.end(), known.per_channel ? exact_.keys.channels : 1, known.kind);
-    }
-    std::vector<Printed> printed;
-    try {
-      printed = climb<1>(row, chosen, kinds, values(std::get<0>(ladder_), row, chosen));
-    } catch (const std::range_error&) {
-      throw Error(Exit::data,
-                  fmt::format("the row at time {} has a number that cannot be worked out to so many digits; expected "
-                              "fewer; give a smaller number to --digits or --fixed",
-                              format::time_text(row.sample.t)));
-    }
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      table.cells[places[i]] = printed[i].cell;
-      if (has_texts()) table.texts[places[i]] = printed[i].text;
-    }
-  }
-
+  /// The cells of a row by floats of a level and of the one below it; what they leave in doubt, by rationals, or by the
+  /// levels above.
   template <std::size_t level>
-  std::vector<Printed> climb(const FastRow& row, std::span<const std::size_t> chosen, std::span<const CellKind> kinds,
+  std::vector<Printed> climb(const FastRow& row, std::span<const std::size_t> chosen, std::span<const Column> columns,
                              const std::vector<Value>& rough) {
-    std::vector<Value> fine = values(std::get<level>(ladder_), row, chosen);
-    std::vector<Printed> printed;
+    constexpr bool last = level + 1 == std::tuple_size_v<Ladder>;
+    const std::vector<Value> fine = values(std::get<level>(ladder_), row, chosen);
+    std::vector<Value> exact;
+    std::vector<Printed> cells;
     for (std::size_t i = 0; i < fine.size(); ++i) {
-      const Rounding rounding(notation_, kinds[i]);
-      if constexpr (level + 1 == std::tuple_size_v<Ladder>) {
-        printed.push_back(rounding.at_last(rough[i], fine[i]));
-      } else {
-        auto certain = rounding.between(rough[i], fine[i]);
-        if (!certain) return climb<level + 1>(row, chosen, kinds, fine);
-        printed.push_back(std::move(*certain));
+      const Rounding rounding(notation_, columns[i].kind);
+      auto cell = rounding.between(rough[i], fine[i]);
+      if (!cell && columns[i].rational) {
+        if (exact.empty()) exact = values(rational_, row, chosen);
+        cell = rounding.exactly(exact[i]);
+      } else if (!cell) {
+        if constexpr (!last) return climb<level + 1>(row, chosen, columns, fine);
+        cell = rounding.at_last(rough[i], fine[i]);
       }
+      cells.push_back(std::move(*cell));
     }
-    return printed;
-  }
-
-  static void require_finite(const FastRow& row, const format::Cell& cell) {
-    if (format::is_empty(cell) || std::isfinite(cell.hi)) return;
-    refuse_overflow(row.sample);
+    return cells;
   }
 
   ExactCurve exact_;

@@ -1,9 +1,9 @@
 // Golden rows: every number of a row is what exact arithmetic gives, rounded once.
 //
-// The fast path says which rows there are, and on which segment each of them lies. What is rational on a curve of
-// rational numbers, or the root of a rational, is worked out as such. All else is worked out in floats of more and more
-// digits, until what a float gives and what one of twice its digits gives leave no choice of the rounding.
-// Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
+// The fast path says which rows there are, and on which segment each of them lies. A number is worked out in floats of
+// more and more digits, until what a float gives and what one of twice its digits gives leave no choice of the
+// rounding. Where the first two do, and the number is rational, or the root of a rational, it is worked out as such
+// instead. Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
 //   doi:10.1145/114697.116813.
 #pragma once
 

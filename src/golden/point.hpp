@@ -170,6 +170,8 @@ void Point<S>::append_length(std::vector<Value>& row) const {
     if (spot_.at_start) return add(row, before);
     if (spot_.at_end) return add(row, curve_.length_to(spot_.segment + 1));
     add(row, before + curve_.arc(spot_.segment).to(spot_.at).value);
+  } else {
+    row.push_back({0});  // for floats to say
   }
 }
 
