@@ -9,6 +9,7 @@
 #include "closed.hpp"
 #include "error.hpp"
 #include "format/number.hpp"
+#include "golden/golden_rows.hpp"
 #include "lookup.hpp"
 #include "sampler/bounds.hpp"
 #include "sampler/tolerance.hpp"
@@ -103,8 +104,9 @@ Placed Path::place(Source<KeyBlock> blocks) const {
   blocks = checked(std::move(blocks), is_single() ? 1 : 2);
   const auto exact = std::make_shared<golden::ExactKeys>(golden_ && golden_->decimal);
   if (golden_) {
-    blocks = mapped(std::move(blocks), [exact](KeyBlock block) {
+    blocks = mapped(std::move(blocks), [this, exact](KeyBlock block) {
       exact->add(block);
+      if (const double exponent = made_by(); exponent != 0) exact->set_times(block, exponent, curve_.rules.metric);
       return block;
     });
   }
@@ -142,6 +144,9 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere, const golden::ExactKeys& e
   }
   sampler::Extent extent{kept.key(0).times[0], {}, {}, curve_.closed};
   extent.last = curve_.closed ? close(kept, curve_, timed_) : kept.key(kept.size() - 1).times[0];
+  if (golden_ && curve_.closed && made_by() != 0 && !curve_.period && kept.size() == exact.size()) {
+    extent.last = exact.time_back(made_by(), curve_.rules.metric);
+  }
   Facts facts{
       {"curve", fmt::format("from {} to {}", format::time_text(extent.first), format::time_text(*extent.last))}};
   const auto linked = [&] { return curve_.closed ? going_round(kept, *extent.last) : LinkedKeys{kept.source(), {}}; };
@@ -215,14 +220,13 @@ Evaluate Path::golden_rows(const golden::ExactKeys& exact, std::size_t keys, con
   if (curve_.closed) end = golden::exact_number(*extent.last, golden_->decimal);
   if (curve_.period && golden_->decimal) end = exact.first_time() + *curve_.period;
   golden::ExactCurve curve = exact.curve(keys, curve_.rules, end);
-  if (!timed_ && curve_.parameter.value_or(0) != 0) {
-    curve.exponent = curve_.parameter;
+  if (made_by() != 0) {
+    curve.exponent = made_by();
     if (!curve_.period) curve.end.reset();
   }
   curve.closed = curve_.closed;
   curve.extrapolation = curve_.extrapolation;
-  const auto rows = std::make_shared<golden::Rows>(std::move(curve), golden::arc_places(request_, extent),
-                                                   request_.from_left, golden_->notation);
+  const auto rows = std::make_shared<golden::Rows>(std::move(curve), request_, extent, golden_->notation);
   return [rows, locator](const Batch& batch, std::span<const std::size_t> chosen) {
     return rows->evaluate(batch, *locator, chosen);
   };

@@ -9,13 +9,17 @@
 
 #include "curve_plan.hpp"
 #include "format/input.hpp"
-#include "golden/golden_rows.hpp"
+#include "golden/options.hpp"
 #include "pieces.hpp"
 #include "rows.hpp"
 #include "sampler/anywhere.hpp"
 #include "sampler/request.hpp"
 
 namespace tcb {
+
+namespace golden {
+class ExactKeys;
+}
 
 /// What was found and decided, in words.
 using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -44,6 +48,8 @@ class Path {
  private:
   bool is_single() const;
   bool needs_lengths() const;
+  /// The exponent of the distances that make the times; 0: none do.
+  double made_by() const { return timed_ ? 0 : curve_.parameter.value_or(0); }
   Source<Stretch> stretches(LinkedKeys keys, bool measured, bool sparse) const;
   Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths = {},
                         bool sparse = false) const;

@@ -7,7 +7,7 @@
 
 #include "curves.hpp"
 #include "format/format.hpp"
-#include "golden/golden_rows.hpp"
+#include "golden/options.hpp"
 #include "sampler/request.hpp"
 #include "settings.hpp"
 

@@ -2,11 +2,8 @@
 # NumPy reads what -f npy writes, bit for bit: numpy.sh PROGRAM. Exit 77: there is no NumPy.
 set -eu
 program=$1
-for python in python3 /usr/bin/python3; do
-  "$python" -c 'import numpy' 2>/dev/null && break
-  python=
-done
-[ -n "$python" ] || { echo "skipped: there is no python3-numpy"; exit 77; }
+here=$(cd "$(dirname "$0")" && pwd)
+sh "$here/python.sh" numpy -c '' || exit 77
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
@@ -25,7 +22,7 @@ for mode in '--step 0.0001' '--count 5' '--at 7 --extrapolate hold' '--arc-count
   }
   for other in pipe.npy redirected.npy; do cmp file.npy "$other"; done
   tail -c +7 appended | cmp file.npy -
-  "$python" - <<'PYTHON'
+  sh "$here/python.sh" numpy - <<'PYTHON'
 import numpy
 table = numpy.load("file.npy", allow_pickle=False)
 assert table.dtype == numpy.dtype("<f8") and table.flags.c_contiguous, table.dtype

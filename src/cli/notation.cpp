@@ -8,6 +8,7 @@
 
 #include "error.hpp"
 #include "fields.hpp"
+#include "golden/golden_rows.hpp"
 #include "names.hpp"
 
 namespace tcb::cli {

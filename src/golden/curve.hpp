@@ -39,6 +39,12 @@ class Curve {
     rules_.metric = exact.rules.metric;
     set_times();
     set_lanes();
+    Rational extent = 0;
+    for (std::size_t i = 0; i < exact.keys.positions.size(); ++i) {
+      const Rational distance = abs(exact.keys.positions[i] - exact.keys.positions[i % exact.keys.channels]);
+      if (extent < distance) extent = distance;
+    }
+    extent_ = scalar_of<S>(extent);
   }
 
   /// How many segments there are: one at least.
@@ -75,6 +81,9 @@ class Curve {
     return scalar_of<S>(exact_.keys.position(last)[channel] - exact_.keys.position(keys.front())[channel]);
   }
 
+  /// How far a key lies from the first one in a channel, at most.
+  const S& extent() const { return extent_; }
+
   std::span<const std::size_t> metric() const { return rules_.metric; }
   bool is_closed() const { return exact_.closed; }
 
@@ -110,21 +119,15 @@ class Curve {
   std::vector<Lane> lanes_;
   std::map<std::size_t, Segment<S>> segments_;
   std::vector<S> lengths_;
+  S extent_{};
 };
 
-/// |P[to] - P[from]|^exponent over the metric channels.
 template <class S>
 S Curve<S>::distance(std::size_t from, std::size_t to) const {
   if constexpr (spline::has_roots<S>) {
-    const auto a = exact_.keys.position(from), b = exact_.keys.position(to);
-    Rational square = 0;
-    for (std::size_t i = 0; i < (rules_.metric.empty() ? a.size() : rules_.metric.size()); ++i) {
-      const std::size_t channel = rules_.metric.empty() ? i : rules_.metric[i];
-      square += (b[channel] - a[channel]) * (b[channel] - a[channel]);
-    }
-    return pow(sqrt(scalar_of<S>(square)), S(*exact_.exponent));
+    return golden::distance<S>(exact_.keys.position(from), exact_.keys.position(to), rules_.metric, *exact_.exponent);
   } else {
-    return S(0);
+    return S(0);  // nobody asks: such a curve is not rational
   }
 }
 

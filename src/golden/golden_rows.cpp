@@ -11,6 +11,7 @@
 
 #include "error.hpp"
 #include "format/number.hpp"
+#include "golden/places.hpp"
 
 namespace tcb::golden {
 namespace {
@@ -121,8 +122,10 @@ bool has_field(std::string_view name) {
   return std::ranges::count(quantities<Rational>, name, &Quantity<Rational>::name) > 0;
 }
 
-Rows::Rows(ExactCurve curve, std::optional<ArcPlaces> arc, bool left, const format::Notation& notation)
-    : evaluation_(std::make_unique<Evaluation>(std::move(curve), std::move(arc), left, notation)) {}
+Rows::Rows(ExactCurve curve, const sampler::Request& request, const sampler::Extent& extent,
+           const format::Notation& notation)
+    : evaluation_(
+          std::make_unique<Evaluation>(std::move(curve), arc_places(request, extent), request.from_left, notation)) {}
 Rows::~Rows() = default;
 
 Table Rows::evaluate(const Batch& batch, const sampler::Locator& locator, std::span<const std::size_t> chosen) {

@@ -2,8 +2,9 @@
 //
 // The fast path says which rows there are, and on which segment each of them lies. A number is worked out in floats of
 // more and more digits, until what a float gives and what one of twice its digits gives leave no choice of the
-// rounding. Where the first two do, and the number is rational, or the root of a rational, it is worked out as such
-// instead. Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
+// rounding. Where the first two leave one, and the number is rational or the root of a rational, it is worked out as
+// that.
+// Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
 //   doi:10.1145/114697.116813.
 #pragma once
 
@@ -13,16 +14,10 @@
 #include <vector>
 
 #include "format/layout.hpp"
-#include "golden/places.hpp"
+#include "golden/keys.hpp"
 #include "rows.hpp"
 
 namespace tcb::golden {
-
-/// How golden rows are asked for.
-struct Options {
-  bool decimal = false;  ///< a number of the input is the decimal that it is written as
-  format::Notation notation = {};
-};
 
 /// Whether a field of this name has a golden value.
 bool has_field(std::string_view name);
@@ -30,8 +25,9 @@ bool has_field(std::string_view name);
 /// The rows of one curve.
 class Rows {
  public:
-  /// `arc`: where rows are placed by arc length. `left`: at a key, a row is looked at from the segment before.
-  Rows(ExactCurve curve, std::optional<ArcPlaces> arc, bool left, const format::Notation& notation);
+  /// The rows of a request that are placed on a curve of this extent.
+  Rows(ExactCurve curve, const sampler::Request& request, const sampler::Extent& extent,
+       const format::Notation& notation);
   ~Rows();
 
   /// The cells of a batch, row after row, as tcb::evaluate gives them. Threads: one.

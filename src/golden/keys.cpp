@@ -76,6 +76,21 @@ void ExactKeys::add(const KeyBlock& block) {
   }
 }
 
+void ExactKeys::set_times(KeyBlock& block, double exponent, std::span<const std::size_t> metric) {
+  std::size_t key = keys_.size() - block.keys.size();
+  for (sampler::Time& time : block.keys.times) {
+    if (key > 0) time_ += distance<Float<80>>(keys_.position(key - 1), keys_.position(key), metric, exponent);
+    time = sampler::nearest_double(rational_of(time_));
+    ++key;
+  }
+}
+
+sampler::Time ExactKeys::time_back(double exponent, std::span<const std::size_t> metric) const {
+  const auto last = keys_.position(keys_.size() - 1);
+  return sampler::nearest_double(
+      rational_of(Float<80>(time_ + distance<Float<80>>(last, keys_.position(0), metric, exponent))));
+}
+
 ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& rules,
                             const std::optional<Rational>& end) const {
   ExactCurve curve;

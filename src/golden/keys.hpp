@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "format/input.hpp"
@@ -33,6 +34,18 @@ struct ExactCurve {
   bool is_rational() const { return !exponent && !rules.equal_speed; }
 };
 
+/// |b - a|^exponent over the metric channels (empty: all).
+template <class S>
+S distance(std::span<const Rational> a, std::span<const Rational> b, std::span<const std::size_t> metric,
+           double exponent) {
+  Rational square = 0;
+  for (std::size_t i = 0; i < (metric.empty() ? a.size() : metric.size()); ++i) {
+    const std::size_t channel = metric.empty() ? i : metric[i];
+    square += (b[channel] - a[channel]) * (b[channel] - a[channel]);
+  }
+  return pow(sqrt(scalar_of<S>(square)), S(exponent));
+}
+
 /// Keys made exact as they go by.
 class ExactKeys {
  public:
@@ -41,6 +54,14 @@ class ExactKeys {
 
   /// Throws: Error (data) for a decimal with more digits than are taken.
   void add(const format::KeyBlock& block);
+
+  /// Gives the keys of a block, the last one that was added, the times that their distances make, rounded once.
+  void set_times(format::KeyBlock& block, double exponent, std::span<const std::size_t> metric);
+
+  /// When a curve that is closed is back at its first key by the distance to it.
+  sampler::Time time_back(double exponent, std::span<const std::size_t> metric) const;
+
+  std::size_t size() const { return keys_.size(); }
 
   /// Requires: a key.
   const Rational& first_time() const { return keys_.times[0]; }
@@ -52,6 +73,7 @@ class ExactKeys {
   bool decimal_;
   spline::Keys<Rational> keys_;
   std::vector<bool> missing_;
+  Float<80> time_ = 0;  ///< of the last key, where distances make it
 };
 
 }  // namespace tcb::golden

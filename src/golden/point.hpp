@@ -70,17 +70,17 @@ class Point {
   Picked velocity() const { return {motion_.velocity, curve_.metric()}; }
   Picked acceleration() const { return {motion_.acceleration, curve_.metric()}; }
 
-  /// A float cannot tell what is less than this part of the numbers that it is made from from zero, for it was worked
-  /// out at a place that may be right to half the digits only, near a cusp.
-  static S doubt() {
+  /// Numbers that exactly are zero come out as such a part of the curve's size, or less: they were worked out from
+  /// positions, and at a place that near a cusp may be right to half the digits only.
+  S doubt() const {
     if constexpr (!spline::has_roots<S>) {
       return S(0);
     } else {
-      return S(0x1p50) * sqrt(sqrt(std::numeric_limits<S>::epsilon()));
+      return curve_.extent() * sqrt(sqrt(std::numeric_limits<S>::epsilon()));
     }
   }
   bool moves() const {
-    const S least = motion_.velocity_noise * doubt();
+    const S least = doubt() * rate_;
     return square(velocity()) > least * least;
   }
   bool bends() const;
@@ -106,6 +106,7 @@ class Point {
   const Segment<S>& segment_;
   Spot<S> spot_;
   spline::Motion<S> motion_;
+  S rate_{}, bend_{};  ///< from derivatives by u to those by time
 };
 
 template <class S>
@@ -116,6 +117,9 @@ void Point<S>::set_motion() {
     motion_.velocity = motion_.acceleration = motion_.jerk = std::vector<S>(channels, S(0));
     return;
   }
+  const S duration = segment_.end - segment_.start;
+  rate_ = segment_.warp.slope(spot_.passed) / duration;
+  bend_ = segment_.warp.bend(spot_.passed) / (duration * duration);
   spline::set_motion<S>(motion_, segment_.cubics, spot_.at, segment_.warp, spot_.passed, segment_.end - segment_.start);
   if (outside.beyond != S(0)) motion_.acceleration = motion_.jerk = std::vector<S>(channels, S(0));
   if (!outside.backward) return;
@@ -127,7 +131,7 @@ void Point<S>::set_motion() {
 template <class S>
 bool Point<S>::bends() const {
   const S v2 = square(velocity()), a2 = square(acceleration());
-  const S noise = motion_.velocity_noise * doubt(), bend_noise = motion_.acceleration_noise * doubt();
+  const S noise = doubt() * rate_, bend_noise = doubt() * (rate_ * rate_ + abs(bend_));
   return wedge_square(velocity(), acceleration()) > S(2) * (noise * noise * a2 + bend_noise * bend_noise * v2);
 }
 
