@@ -69,6 +69,23 @@ TEST(Plan, notations_are_told_apart) {
   EXPECT_EQ(refusal(both), "--digits and --hex both say how numbers are printed; expected one of them; take one out");
 }
 
+TEST(Plan, golden_rows_take_more_digits_and_exact_input) {
+  Typed options = typed(&Typed::digits, "100");
+  options.golden = options.exact_input = true;
+  const Plan plan = make_plan(options);
+  ASSERT_TRUE(plan.golden.has_value());
+  EXPECT_TRUE(plan.golden->decimal && plan.input.keeps_decimals);
+  EXPECT_EQ(plan.golden->notation.count, 100);
+  options.golden = false;
+  options.digits = "17";
+  EXPECT_EQ(refusal(options),
+            "--exact-input has no effect without --golden, which works exactly; give both, or neither");
+  Typed error = typed(&Typed::fields, "time,arc_error");
+  error.golden = true;
+  EXPECT_EQ(refusal(error),
+            "--golden: arc_error is about the error of s, which then is only rounded; take the field out");
+}
+
 TEST(Plan, notations_without_a_meaning_in_a_format_are_refused) {
   Typed npy = typed(&Typed::output_format, "npy");
   EXPECT_EQ(make_plan(npy).output_format, format::find_format("", "npy"));
