@@ -29,6 +29,8 @@ void append(KeyBlock& to, const KeyBlock& from, std::size_t first, std::size_t l
   copy(to.columns, from.columns, first, last);
   copy(to.numbers, from.numbers, first, last);
   to.texts.append(from.texts, first * texts, last * texts);
+  const std::size_t decimals = from.decimals.size() / from.lines.size();
+  to.decimals.append(from.decimals, first * decimals, last * decimals);
   to.path = from.path;
 }
 

@@ -164,7 +164,7 @@ std::string explanation(const std::string& path, const Plan& plan) {
   std::size_t count = 0;
   Outcome all, last;
   for (std::optional<CurveKeys> curve; (curve = curves.next()); ++count) {
-    const Path way(plan.sampling, plan.curve, plan.fields, input, *curve->beside_keys);
+    const Path way(plan.sampling, plan.curve, plan.fields, plan.golden, input, *curve->beside_keys);
     if (count == 0) add(way.rules());
     if (count == 0) add(intentions(plan, input));
     last = outcome(way, *curve);

@@ -115,7 +115,14 @@ void make_folder(const std::string& path) {
   if (error) throw Error(Exit::usage, Place{path}, fmt::format("cannot be made: {}", error.message()));
 }
 
-Output::Output(std::string path) : path_(std::move(path)) {
+Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
+  open();
+  if (!begins_last || unfinished_) return;
+  spool_.reset(std::tmpfile());
+  if (spool_ == nullptr) fail("needs a temporary file, which cannot be made");
+}
+
+void Output::open() {
   if (path_ == "-") return;
   std::error_code none;
   const auto kind = std::filesystem::status(path_, none).type();
@@ -165,17 +172,40 @@ void Output::flush() {
   pending_.clear();
 }
 
-void Output::put(std::string_view text) {
-  for (std::string_view left = text; !left.empty();) {
-    const ssize_t count = ::write(descriptor_, left.data(), left.size());
-    if (count < 0 && is_to_repeat(descriptor_, POLLOUT)) continue;
+void Output::put(std::string_view text) { send(spool_ == nullptr ? descriptor_ : ::fileno(spool_.get()), text); }
+
+void Output::send(int descriptor, std::string_view bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && is_to_repeat(descriptor, POLLOUT)) continue;
     if (count < 0) fail("cannot be written");
-    left.remove_prefix(static_cast<std::size_t>(count));
+    bytes.remove_prefix(static_cast<std::size_t>(count));
   }
+}
+
+void Output::write_beginning(std::string_view bytes) {
+  flush();
+  const int descriptor = spool_ == nullptr ? descriptor_ : ::fileno(spool_.get());
+  if (::lseek(descriptor, 0, SEEK_SET) < 0) fail("cannot be written");
+  send(descriptor, bytes);
+  if (::lseek(descriptor, 0, SEEK_END) < 0) fail("cannot be written");
+}
+
+void Output::send_spooled() {
+  const int spool = ::fileno(spool_.get());
+  if (::lseek(spool, 0, SEEK_SET) < 0) fail("cannot be written");
+  std::string bytes(write_size, '\0');
+  for (ssize_t count = 1; count != 0;) {
+    count = ::read(spool, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) fail("cannot be read back from the temporary file");
+    if (count > 0) send(descriptor_, {bytes.data(), static_cast<std::size_t>(count)});
+  }
+  spool_.reset();
 }
 
 void Output::commit() {
   flush();
+  if (spool_ != nullptr) send_spooled();
   if (path_ == "-") return;
   const int descriptor = std::exchange(descriptor_, -1);
   if (!(unfinished_ ? finish(descriptor, temporary_, path_) : ::close(descriptor) == 0)) fail("cannot be written");

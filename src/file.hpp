@@ -1,6 +1,8 @@
 // Files: bytes in as they come; bytes out, whole or not at all.
 #pragma once
 
+#include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -27,8 +29,9 @@ void make_folder(const std::string& path);
 /// Where output goes: standard output, or a file that appears under its name only when it is complete.
 class Output {
  public:
-  /// "-" is standard output. Throws: Error (usage) if the folder cannot be written to.
-  explicit Output(std::string path);
+  /// "-" is standard output. `begins_last`: the first bytes are known when all others are written; what cannot go back
+  /// to its beginning gets the bytes then, from a temporary file. Throws: Error (usage) if one cannot be written to.
+  explicit Output(std::string path, bool begins_last = false);
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
   /// Removes what was written if commit() was not reached.
@@ -38,13 +41,19 @@ class Output {
   void write(std::string_view text);
   void set_live(bool live) { live_ = live; }
 
+  /// The first bytes once more, as they are to be. Requires: `begins_last`.
+  void write_beginning(std::string_view bytes);
+
   /// Everything is out, and the file stands under its name. Throws: Error (usage) if it cannot be.
   void commit();
 
  private:
+  void open();
   void flush();
   void put(std::string_view text);
   void remove();
+  void send(int descriptor, std::string_view bytes) const;
+  void send_spooled();
   [[noreturn]] void fail(const char* what) const;
 
   std::string path_;
@@ -52,6 +61,7 @@ class Output {
   bool unfinished_ = false;  ///< it is to get its name when it is complete
   std::string pending_;
   int descriptor_ = 1;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> spool_{nullptr, std::fclose};  ///< where all bytes wait
   bool live_ = false;
 };
 

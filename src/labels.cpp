@@ -16,6 +16,14 @@ std::size_t key_field() {
   return static_cast<std::size_t>(std::ranges::find(known, "key", &Field::name) - known.begin());
 }
 
+/// Some columns of a row; none where there are none at all.
+template <class T>
+std::vector<T> columns(const std::vector<T>& cells, std::size_t row, std::size_t count) {
+  if (cells.empty()) return {};
+  const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(row);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
 }  // namespace
 
 Source<KeyBlock> Labels::heard(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks) {
@@ -67,23 +75,23 @@ void Labels::forget_before(std::uint64_t key) {
   while (kept_.size() > 2 && kept_[2].first_key <= key) kept_.erase(kept_.begin() + 1);
 }
 
-std::string print_labelled(const LabelledBatch& labelled, const sampler::Locator& locator,
-                           std::span<const std::size_t> chosen,
-                           const std::function<void(std::string& out, const std::vector<format::Cell>& cells,
-                                                    const std::string& row_end, bool first)>& print) {
+std::string print_labelled(
+    const LabelledBatch& labelled, const Evaluate& evaluate, std::span<const std::size_t> chosen,
+    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print) {
   std::vector<std::size_t> with_key(chosen.begin(), chosen.end());
   with_key.push_back(key_field());
   std::string out;
   bool first = labelled.batch.first;
   for (std::size_t i = 0; i < labelled.batch.parts.size(); ++i) {
     const Batch::Part& part = labelled.batch.parts[i];
-    const std::vector<format::Cell> cells = evaluate({labelled.batch.owner, {part}, false}, locator, with_key);
-    const auto width = static_cast<std::ptrdiff_t>(cells.size() / (part.last - part.first));
-    for (auto row = cells.begin(); row != cells.end(); row += width) {
-      const format::Cell& key = row[width - 1];
+    const Table table = evaluate({labelled.batch.owner, {part}, false}, with_key);
+    const std::size_t width = table.cells.size() / (part.last - part.first);
+    for (std::size_t row = 0; row < table.cells.size(); row += width) {
+      const format::Cell& key = table.cells[row + width - 1];
       const bool at_end = !format::is_empty(key) && key.hi == static_cast<double>(part.piece.end_key) &&
                           key.hi != static_cast<double>(part.piece.number);
-      print(out, {row, row + width - 1}, at_end ? labelled.ends[i].second : labelled.ends[i].first, first);
+      print(out, {columns(table.cells, row, width - 1), columns(table.texts, row, width - 1)},
+            at_end ? labelled.ends[i].second : labelled.ends[i].first, first);
       first = false;
     }
   }

@@ -53,9 +53,8 @@ class Labels {
 
 /// The rows of a batch, printed one by one: `print` makes text of a row's cells, given what ends it.
 /// A pure function.
-std::string print_labelled(const LabelledBatch& labelled, const sampler::Locator& locator,
-                           std::span<const std::size_t> chosen,
-                           const std::function<void(std::string& out, const std::vector<format::Cell>& cells,
-                                                    const std::string& row_end, bool first)>& print);
+std::string print_labelled(
+    const LabelledBatch& labelled, const Evaluate& evaluate, std::span<const std::size_t> chosen,
+    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print);
 
 }  // namespace tcb

@@ -9,6 +9,7 @@
 #include "closed.hpp"
 #include "error.hpp"
 #include "format/number.hpp"
+#include "golden/golden_rows.hpp"
 #include "sampler/bounds.hpp"
 #include "sampler/tolerance.hpp"
 #include "sparse.hpp"
@@ -25,6 +26,13 @@ Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
     block.keys.eases.clear();
     return block;
   });
+}
+
+/// Rows as the fast path works them out.
+Evaluate fast_rows(std::shared_ptr<const sampler::Locator> locator) {
+  return [locator = std::move(locator)](const Batch& batch, std::span<const std::size_t> chosen) {
+    return Table{evaluate(batch, *locator, chosen)};
+  };
 }
 
 /// The times with those of the curve's keys in the range; a time within a billionth of a step from a key gives way.
@@ -61,11 +69,13 @@ const CurveSettings& checked_settings(const format::BesideKeys& beside_keys, con
 }  // namespace
 
 Path::Path(const sampler::Request& request, const CurveSettings& settings, std::vector<std::size_t> fields,
-           const format::Input& input, const format::BesideKeys& beside_keys)
+           const std::optional<golden::Options>& golden, const format::Input& input,
+           const format::BesideKeys& beside_keys)
     : request_(request),
       settings_(over(settings, checked_settings(beside_keys, input.channels))),
       curve_(fitted(make_curve(settings_), settings_, input.channels)),
       fields_(std::move(fields)),
+      golden_(golden),
       timed_(input.timed),
       threads_(input.threads),
       may_miss_(input.may_miss),
@@ -96,9 +106,17 @@ Source<KeyBlock> Path::prepared(Source<KeyBlock> blocks) const {
 
 Placed Path::place(Source<KeyBlock> blocks) const {
   blocks = prepared(std::move(blocks));
+  const auto exact = std::make_shared<golden::ExactKeys>(golden_ && golden_->decimal);
+  if (golden_) {
+    blocks = mapped(std::move(blocks), [this, exact](KeyBlock block) {
+      exact->add(block);
+      if (const double exponent = made_by(); exponent != 0) exact->set_times(block, exponent, curve_.rules.metric);
+      return block;
+    });
+  }
   const bool anywhere = curve_.extrapolation != sampler::Extrapolation::error || sampler::needs_curve(request_.mode);
-  if (curve_.closed || anywhere || may_miss_ || sampler::needs_end(request_))
-    return place_kept(KeptKeys(blocks), anywhere);
+  if (curve_.closed || anywhere || may_miss_ || golden_ || sampler::needs_end(request_))
+    return place_kept(KeptKeys(blocks), anywhere, *exact);
   Source<Keys> keys = mapped(std::move(blocks), [](KeyBlock block) { return std::move(block.keys); });
   std::optional<Keys> first = keys();
   while (first && first->size() == 0) first = keys();
@@ -117,7 +135,7 @@ Placed Path::place_streamed(LinkedKeys keys, const sampler::Extent& extent, std:
   const std::shared_ptr<sampler::Sampler> sampler = sampler::make_sampler(request_, extent);
   auto pieces = stretches(std::move(keys), needs_lengths() && !lengths, sparse);
   if (lengths) pieces = with_lengths(std::move(pieces), std::move(*lengths));
-  return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler, sampler, {}};
+  return {tcb::place(std::move(pieces), sampler, curve_.rules.metric), sampler, sampler, {}, fast_rows(sampler)};
 }
 
 /// From which time to which the keys are a curve.
@@ -145,9 +163,12 @@ Whole Path::whole(Source<KeyBlock> blocks) const {
 }
 
 /// Rows once all keys are there: counts, closed curves, and rows in an order of their own.
-Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
+Placed Path::place_kept(KeptKeys kept, bool anywhere, const golden::ExactKeys& exact) const {
   const bool sparse = kept.are_sparse();
   sampler::Extent extent = this->extent(kept);
+  if (golden_ && curve_.closed && made_by() != 0 && !curve_.period && kept.size() == exact.size()) {
+    extent.last = exact.time_back(made_by(), curve_.rules.metric);
+  }
   Facts facts{
       {"curve", fmt::format("from {} to {}", format::time_text(extent.first), format::time_text(*extent.last))}};
   Placed placed;
@@ -167,6 +188,7 @@ Placed Path::place_kept(KeptKeys kept, bool anywhere) const {
     placed = place_streamed(linked(kept, extent), extent, std::move(lengths), sparse);
   }
   placed.facts = std::move(facts);
+  if (golden_) placed.evaluate = golden_rows(exact, kept.size(), extent, placed.locator);
   return placed;
 }
 
@@ -205,11 +227,30 @@ Placed Path::place_anywhere(LinkedKeys keys, const sampler::Extent& extent, bool
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
   if (request_.mode == Mode::arc_at) {
     const auto locator = std::make_shared<const sampler::AnywhereInLength>(place, rows, curve->length());
-    return {look_up(curve, locator, request_.from_left), locator, nullptr, {}};
+    return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator)};
   }
   const auto locator =
       std::make_shared<const sampler::AnywhereInTime>(place, rows, curve_.extrapolation, extent.first, *extent.last);
-  return {look_up(curve, locator, request_.from_left), locator, nullptr, {}};
+  return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator)};
+}
+
+/// The same rows, each number worked out exactly.
+Evaluate Path::golden_rows(const golden::ExactKeys& exact, std::size_t keys, const sampler::Extent& extent,
+                           const std::shared_ptr<const sampler::Locator>& locator) const {
+  std::optional<sampler::Rational> end;
+  if (curve_.closed) end = golden::exact_number(*extent.last, golden_->decimal);
+  if (curve_.period && golden_->decimal) end = exact.first_time() + *curve_.period;
+  golden::ExactCurve curve = exact.curve(keys, curve_.rules, end);
+  if (made_by() != 0) {
+    curve.exponent = made_by();
+    if (!curve_.period) curve.end.reset();
+  }
+  curve.closed = curve_.closed;
+  curve.extrapolation = curve_.extrapolation;
+  const auto rows = std::make_shared<golden::Rows>(std::move(curve), request_, extent, golden_->notation);
+  return [rows, locator](const Batch& batch, std::span<const std::size_t> chosen) {
+    return rows->evaluate(batch, *locator, chosen);
+  };
 }
 
 Facts Path::rules() const {

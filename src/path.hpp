@@ -9,6 +9,7 @@
 
 #include "curve_plan.hpp"
 #include "format/input.hpp"
+#include "golden/options.hpp"
 #include "lookup.hpp"
 #include "pieces.hpp"
 #include "rows.hpp"
@@ -18,15 +19,20 @@
 
 namespace tcb {
 
+namespace golden {
+class ExactKeys;
+}
+
 /// What was found and decided, in words.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
 /// The samples of a curve in batches, and who knows where each of them is.
 struct Placed {
   Source<Batch> batches;
-  std::shared_ptr<const sampler::Locator> locator;
+  std::shared_ptr<const sampler::Locator> locator;  ///< of the rows
   std::shared_ptr<const sampler::Sampler> sampler;  ///< the same, where the samples are placed as the curve goes by
   Facts facts;
+  Evaluate evaluate = {};
 };
 
 /// A curve kept whole, to be looked up anywhere.
@@ -40,7 +46,7 @@ class Path {
  public:
   /// Throws: Error where the settings, given and beside the keys, do not fit the input.
   Path(const sampler::Request& request, const CurveSettings& settings, std::vector<std::size_t> fields,
-       const format::Input& input, const format::BesideKeys& beside_keys);
+       const std::optional<golden::Options>& golden, const format::Input& input, const format::BesideKeys& beside_keys);
 
   /// Throws: Error (data) for keys that make no curve.
   Placed place(Source<format::KeyBlock> blocks) const;
@@ -57,10 +63,14 @@ class Path {
   Source<format::KeyBlock> prepared(Source<format::KeyBlock> blocks) const;
   sampler::Extent extent(KeptKeys& kept) const;
   LinkedKeys linked(const KeptKeys& kept, const sampler::Extent& extent) const;
+  /// The exponent of the distances that make the times; 0: none do.
+  double made_by() const { return timed_ ? 0 : curve_.parameter.value_or(0); }
   Source<Stretch> stretches(LinkedKeys keys, bool measured, bool sparse) const;
   Placed place_streamed(LinkedKeys keys, const sampler::Extent& extent, std::optional<Lengths> lengths = {},
                         bool sparse = false) const;
-  Placed place_kept(KeptKeys kept, bool anywhere) const;
+  Placed place_kept(KeptKeys kept, bool anywhere, const golden::ExactKeys& exact) const;
+  Evaluate golden_rows(const golden::ExactKeys& exact, std::size_t keys, const sampler::Extent& extent,
+                       const std::shared_ptr<const sampler::Locator>& locator) const;
   Placed place_anywhere(LinkedKeys keys, const sampler::Extent& extent, bool sparse) const;
   std::vector<sampler::Time> grid_times(const sampler::Extent& extent) const;
 
@@ -68,6 +78,7 @@ class Path {
   CurveSettings settings_;
   CurvePlan curve_;
   std::vector<std::size_t> fields_;
+  std::optional<golden::Options> golden_;
   bool timed_;
   unsigned threads_;
   bool may_miss_;

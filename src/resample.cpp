@@ -40,14 +40,15 @@ Source<Batch> counted(Source<Batch> batches, std::uint64_t& rows, Report& report
 /// The rows of a curve as text.
 Source<std::string> printed(const Placed& placed, const Plan& plan, const Writer& writer,
                             const std::shared_ptr<Labels>& labels, unsigned threads) {
+  if (plan.golden) threads = 1;  // the rows share what was worked out for those before
   if (labels == nullptr) {
     const auto print = [&plan, &writer, &placed](const Batch& batch) {
-      return writer.print(evaluate(batch, *placed.locator, plan.fields), batch.first);
+      return writer.print(placed.evaluate(batch, plan.fields), batch.first);
     };
     return ordered_map(placed.batches, print, threads);
   }
   const auto row_end = [&writer](std::span<const std::string_view> texts) { return writer.row_end(texts); };
-  const auto print = [&writer, &placed](const LabelledBatch& batch) { return writer.print(batch, *placed.locator); };
+  const auto print = [&writer, &placed](const LabelledBatch& batch) { return writer.print(batch, placed.evaluate); };
   return ordered_map(Labels::joined(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
 }
 
@@ -76,7 +77,8 @@ std::uint64_t resample_file(const std::string& path, const Plan& plan, unsigned 
   std::uint64_t rows = 0;
   std::optional<Path> way;
   for (std::shared_ptr<const format::BesideKeys> known; std::optional<CurveKeys> curve = curves.next();) {
-    if (curve->beside_keys != known) way.emplace(plan.sampling, plan.curve, plan.fields, input, *curve->beside_keys);
+    if (curve->beside_keys != known)
+      way.emplace(plan.sampling, plan.curve, plan.fields, plan.golden, input, *curve->beside_keys);
     if (known == nullptr) writer.begin(input, live, rules(*way, plan, *curve->beside_keys));
     known = curve->beside_keys;
     writer.begin_curve(curve->group);

@@ -93,13 +93,13 @@ class Placer {
   bool first_ = true;
 };
 
-[[noreturn]] void refuse_overflow(const sampler::Sample& sample) {
+}  // namespace
+
+void refuse_overflow(const sampler::Sample& sample) {
   throw Error(Exit::data, fmt::format("the row at time {} has a number beyond the range of doubles; expected less than "
                                       "1.8e308 in size; scale the keys down",
                                       format::time_text(sample.t)));
 }
-
-}  // namespace
 
 std::uint64_t Batch::rows() const {
   std::uint64_t rows = 0;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fields.hpp"
@@ -32,9 +34,21 @@ struct Batch {
 Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler> sampler,
                     std::vector<std::size_t> metric);
 
+/// The cells of some rows, row after row.
+struct Table {
+  std::vector<format::Cell> cells;
+  std::vector<std::string> texts = {};  ///< of the cells, where they say more than these; else none, or empty ones
+};
+
+/// The rows of a batch with the chosen fields.
+using Evaluate = std::function<Table(const Batch& batch, std::span<const std::size_t> chosen)>;
+
 /// The cells of a batch, row after row. A pure function. Throws: Error (data) for a number beyond
 /// the range of doubles.
 std::vector<format::Cell> evaluate(const Batch& batch, const sampler::Locator& locator,
                                    std::span<const std::size_t> chosen);
+
+/// Throws: Error (data) for a number in the row of a sample.
+[[noreturn]] void refuse_overflow(const sampler::Sample& sample);
 
 }  // namespace tcb

@@ -17,24 +17,6 @@ using spline::Segments;
 using spline::Time;
 using spline::Twice;
 
-/// X at u, and dX/du, with twice the precision.
-std::pair<Twice, Twice> at(const Cubic<double>& x, const Twice& u) {
-  const Twice c(x.c, x.c_rest), d(x.d), out(x.out);
-  const Twice value = Twice(x.p0) + u * (out + u * (c + u * d));
-  const Twice slope = out + u * (Twice(2) * c + u * (Twice(3) * d));
-  return {value, slope};
-}
-
-/// The part of a segment from `from` to `to`, as a segment of its own.
-Cubic<double> part(const Cubic<double>& whole, const Time<double>& start, const Time<double>& end,
-                   const Time<double>& from, const Time<double>& to) {
-  if (from == start && to == end) return whole;
-  const Twice first = (from - start) / (end - start), last = (to - start) / (end - start);
-  const auto [p0, slope0] = at(whole, first);
-  const auto [p1, slope1] = at(whole, last);
-  return spline::cubic<double>(p0.hi, to == end ? whole.p1 : p1.hi, slope0 * (last - first), slope1 * (last - first));
-}
-
 /// All keys in one, the context of a closed curve before them.
 Keys whole(const LinkedKeys& linked) {
   Keys all = linked.context.value_or(Keys{});
@@ -65,7 +47,7 @@ class Channel {
     while (next_ + 1 < segments_.size() && segments_.times[next_ + 1] <= from) ++next_;
     const Cubic<double>& x = segments_[next_][0];
     const bool before = to <= segments_.times[next_], behind = segments_.times[next_ + 1] <= from;
-    if (!before && !behind) return part(x, segments_.times[next_], segments_.times[next_ + 1], from, to);
+    if (!before && !behind) return spline::part(x, segments_.times[next_], segments_.times[next_ + 1], from, to);
     const double rest = before ? x.p0 : x.p1;
     return spline::cubic<double>(rest, rest, Twice(0), Twice(0));
   }

@@ -8,6 +8,7 @@
 #include "comparison.hpp"
 #include "curves.hpp"
 #include "format/format.hpp"
+#include "golden/options.hpp"
 #include "recorder.hpp"
 #include "sampler/request.hpp"
 #include "settings.hpp"
@@ -43,9 +44,11 @@ struct Plan {
   std::optional<Comparison> comparison;  ///< instead of printing samples
   std::size_t output_format = 0;         ///< index into format::formats()
   std::optional<bool> output_header;
-  std::optional<MetaRequest> meta;  ///< provenance goes with the rows
-  bool explain = false;             ///< say what was found and would be done, and do not
-  std::optional<unsigned> jobs;     ///< threads; nothing: all cores, one for a live pipe
+  std::optional<golden::Options> golden;  ///< rows are worked out exactly
+  format::Notation notation;              ///< of numbers that may have a fraction
+  std::optional<MetaRequest> meta;        ///< provenance goes with the rows
+  bool explain = false;                   ///< say what was found and would be done, and do not
+  std::optional<unsigned> jobs;           ///< threads; nothing: all cores, one for a live pipe
   Talk talk;
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder

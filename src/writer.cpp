@@ -15,7 +15,7 @@ void Writer::begin(const format::Input& input, bool live, format::Facts rules) {
   if (columns_.numbers.empty()) {
     columns_ = std::move(columns);
     const format::Format& format = format::formats()[plan_.output_format];
-    frame_ = format::Frame(format, columns_, plan_.output_header.value_or(input.named));
+    frame_ = format::Frame(format, columns_, plan_.output_header.value_or(input.named), plan_.notation);
     output_.write(recorder_.head(format, std::move(rules), frame_.head(), frame_.is_nested()));
   } else if (columns.names() != columns_.names()) {
     throw Error(Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give "
@@ -32,18 +32,19 @@ void Writer::begin_curve(const std::vector<std::string>& group) {
   group_ = group;
 }
 
-std::string Writer::print(const std::vector<format::Cell>& cells, bool first) const {
+std::string Writer::print(const Table& table, bool first) const {
   std::string text;
-  format::append_rows(text, frame_.layout(), columns_.numbers, cells, first && frame_.is_first());
+  format::append_rows(text, frame_.layout(), columns_.numbers, table.cells, table.texts, first && frame_.is_first());
   return text;
 }
 
-std::string Writer::print(const LabelledBatch& batch, const sampler::Locator& locator) const {
-  return print_labelled(batch, locator, plan_.fields,
-                        [this, layout = frame_.layout()](std::string& out, const std::vector<format::Cell>& cells,
-                                                         const std::string& row_end, bool first) mutable {
+std::string Writer::print(const LabelledBatch& batch, const Evaluate& evaluate) const {
+  return print_labelled(batch, evaluate, plan_.fields,
+                        [this, layout = frame_.layout()](std::string& out, const Table& row, const std::string& row_end,
+                                                         bool first) mutable {
                           layout.row_end = row_end;
-                          format::append_rows(out, layout, columns_.numbers, cells, first && frame_.is_first());
+                          format::append_rows(out, layout, columns_.numbers, row.cells, row.texts,
+                                              first && frame_.is_first());
                         });
 }
 
@@ -51,6 +52,7 @@ void Writer::write(const Source<std::string>& rows) {
   bool any = false;
   while (const std::optional<std::string> text = rows()) {
     output_.write(*text);
+    bytes_ += text->size();
     any = any || !text->empty();
   }
   if (any) frame_.set_written();
@@ -58,6 +60,7 @@ void Writer::write(const Source<std::string>& rows) {
 
 void Writer::commit() {
   output_.write(recorder_.tail(frame_.tail()));
+  if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
   output_.commit();
 }
 

@@ -18,7 +18,10 @@ namespace tcb {
 /// One output, which takes the rows of one file or of several.
 class Writer {
  public:
-  Writer(const Plan& plan, std::string path) : plan_(plan), output_(std::move(path)), recorder_(plan.meta) {}
+  Writer(const Plan& plan, std::string path)
+      : plan_(plan),
+        output_(std::move(path), format::formats()[plan.output_format].head != nullptr),
+        recorder_(plan.meta) {}
 
   /// What the output's provenance says is told to it.
   Recorder& recorder() { return recorder_; }
@@ -31,10 +34,10 @@ class Writer {
   void begin_curve(const std::vector<std::string>& group);
 
   /// The text of some rows. A pure function but for the layout, which begin_curve() has set.
-  std::string print(const std::vector<format::Cell>& cells, bool first) const;
+  std::string print(const Table& table, bool first) const;
 
   /// The same for rows that end in labels.
-  std::string print(const LabelledBatch& batch, const sampler::Locator& locator) const;
+  std::string print(const LabelledBatch& batch, const Evaluate& evaluate) const;
 
   std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }
 
@@ -51,6 +54,7 @@ class Writer {
   format::Frame frame_;
   Recorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before in the same file
+  std::uint64_t bytes_ = 0;                        ///< of all rows
 };
 
 }  // namespace tcb

@@ -66,7 +66,7 @@ void require_delimiter(const format::InputOptions& input) {
 
 format::InputOptions make_input(const Typed& typed) {
   format::InputOptions input;
-  if (!typed.input_format.empty()) input.format = format::find_format("--input-format", typed.input_format);
+  if (!typed.input_format.empty()) input.format = format::find_format("--input-format", typed.input_format, true);
   if (!typed.delimiter.empty()) input.delimiter = delimiter(typed.delimiter);
   if (typed.header && typed.no_header) {
     throw Error(Exit::usage, "--header and --no-header contradict each other; expected one of them; take one out");

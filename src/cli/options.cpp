@@ -145,7 +145,8 @@ void declare_output(CLI::App& app, Typed& typed) {
   };
   option("-o,--output", typed.output, "Writes to FILE, which appears when it is complete; -: standard output")
       ->type_name("FILE");
-  option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json or jsonl")->type_name("FORMAT");
+  option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json, jsonl, or npy (an array for NumPy)")
+      ->type_name("FORMAT");
   option("--fields", typed.fields,
          "What a row shows, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
          "curvature, torsion, segment, u, key, arc_error; default time,position")
@@ -155,19 +156,29 @@ void declare_output(CLI::App& app, Typed& typed) {
       "At a key, what differs from one side to the other is that of the segment behind it, right (default), or before "
       "it, left")
       ->type_name("SIDE");
+  option("--digits", typed.digits,
+         "Numbers have N significant digits, 1 to 17, or with --golden to 100; the default is the shortest text that "
+         "reads back as the same double")
+      ->type_name("N");
+  option("--fixed", typed.fixed, "Numbers have N decimals, 0 to 100")->type_name("N");
   option("-j,--jobs", typed.jobs,
          "How many threads to use; default one a core, and a single one for a live pipe. The bytes are the same for "
          "every N")
       ->type_name("N");
-  app.add_flag("--meta", typed.meta,
-               "Provenance goes with the rows: version, rules, options, SHA-256 of the input, and counts, as comment "
-               "lines or in JSON as an object")
-      ->group("Output");
+  const auto flag = [&](const char* name, bool& value, const char* text) {
+    return app.add_flag(name, value, text)->group("Output");
+  };
+  flag("--golden", typed.golden, "Every number is the exact one, rounded once; slow");
+  flag("--exact-input", typed.exact_input,
+       "With --golden, a decimal in the input is that decimal, not the double nearest to it");
+  flag("--meta", typed.meta,
+       "Provenance goes with the rows: version, rules, options, SHA-256 of the input, and counts, as comment lines or "
+       "in "
+       "JSON as an object");
   option("--from-meta", typed.from_meta, "Makes FILE, an output with provenance, again: takes all options from it")
       ->type_name("FILE");
-  app.add_flag("--no-output-header", typed.no_output_header,
-               "No names above the rows; the default where the input has none")
-      ->group("Output");
+  flag("--hex", typed.hex, "Numbers are C's hexadecimal, as 0x1.8p+1, which strtod reads back bit for bit");
+  flag("--no-output-header", typed.no_output_header, "No names above the rows; the default where the input has none");
 }
 
 void declare_batch(CLI::App& app, Typed& typed) {

@@ -26,6 +26,8 @@ struct Typed {
   bool keys = false, explain = false, quiet = false;
   std::string from, to;
   std::string output, output_dir, output_format, fields;
+  std::string digits, fixed;
+  bool hex = false, golden = false, exact_input = false;
   bool no_output_header = false;
   std::string list, suffix;
   bool nul = false, recursive = false, update = false, fail_fast = false, progress = false, no_progress = false;

@@ -10,6 +10,7 @@
 #include "cli/batch.hpp"
 #include "cli/comparison.hpp"
 #include "cli/input.hpp"
+#include "cli/notation.hpp"
 #include "cli/sampling.hpp"
 #include "curve_plan.hpp"
 #include "error.hpp"
@@ -106,11 +107,13 @@ Plan make_plan(const Typed& typed) {
   if (!typed.jobs.empty()) plan.jobs = make_jobs(typed.jobs);
   plan.talk = make_talk(typed);
   if (!typed.output_format.empty()) plan.output_format = format::find_format("--output-format", typed.output_format);
+  plan.notation = make_notation(typed, plan.output_format);
+  set_golden(plan, typed);
   if (typed.no_output_header) {
     if (!format::formats()[plan.output_format].has_header) {
       throw Error(Exit::usage,
-                  "--no-output-header has no effect on this output format, which names the numbers of each row; "
-                  "take it out");
+                  "--no-output-header has no effect on this output format, which has no line of names; take "
+                  "it out");
     }
     plan.output_header = false;
   }

@@ -16,7 +16,7 @@ Comparer::Comparer(const Plan& plan, const Sides& sides, const std::vector<TcbOr
 
 Whole Comparer::whole(const KeptCurve& curve, const Convention& convention) const {
   const CurveSettings settings = settings_of(convention, plan_.curve, closed_);
-  const Path path(request_, settings, sides_.columns.fields, sides_.kept.input, *curve.beside_keys);
+  const Path path(request_, settings, sides_.columns.fields, std::nullopt, sides_.kept.input, *curve.beside_keys);
   const TcbOrder& order = orders_[convention.order].order;
   if (order.is_plain()) return path.whole(curve.keys());
   return path.whole(mapped(curve.keys(), [&order](format::KeyBlock block) {

@@ -82,7 +82,7 @@ void check_pair(const Pair& pair, const Plan& plan, const Sides& sides, Checker&
   const Columns& columns = sides.columns;
   sampler::Request request = plan.sampling;
   request.mode = columns.by_length ? sampler::Mode::arc_at : sampler::Mode::at;
-  const Path path(request, plan.curve, columns.fields, sides.kept.input, *pair.curve->beside_keys);
+  const Path path(request, plan.curve, columns.fields, std::nullopt, sides.kept.input, *pair.curve->beside_keys);
   const Whole whole = path.whole(pair.curve->keys());
   const Places places =
       places_of(pair.rows, sides.table, columns, whole, limits_of(*plan.comparison, sides.place_name()));

@@ -40,6 +40,7 @@ class KeyParser {
     time_cell_ = static_cast<std::size_t>(std::ranges::find_if(columns_.cells, is_time) - columns_.cells.begin());
     timed_ = time_cell_ < columns_.cells.size();
     texts_.resize(columns_.texts());
+    if (head.keeps_decimals) written_.resize(NumberOfKey::position + columns_.channels.size());
   }
 
   KeyBlock parse() {
@@ -78,6 +79,7 @@ class KeyParser {
     ease_ = {};
     spline::Keys<double>& keys = block_.keys;
     keys.positions.resize(keys.positions.size() + keys.channels);
+    std::ranges::fill(written_, std::string());
     for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], columns_.cells[i]);
     const bool breaks_off = missing_ && head_.missing == Missing::break_curve;
     if (block_.faults.size() > faults || (missing_ && !breaks_off)) {
@@ -90,6 +92,7 @@ class KeyParser {
     if (carries_tcb_) keys.tcbs.push_back(tcb_);
     if (carries_ease_) keys.eases.push_back(ease_);
     for (const std::string& text : texts_) block_.texts.add(text);
+    for (const std::string& decimal : written_) block_.decimals.add(decimal);
     if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.lines.size());
     block_.lines.push_back(records_.line());
     block_.columns.push_back(timed_ ? static_cast<std::uint32_t>(records_.place(cells_[time_cell_]).column) : 1);
@@ -97,6 +100,7 @@ class KeyParser {
 
   void read_cell(std::string_view cell, Columns::Column column) {
     spline::Keys<double>& keys = block_.keys;
+    if (!written_.empty() && !may_miss(cell)) keep(cell, column);
     double* const position = keys.positions.data() + keys.positions.size() - keys.channels;
     switch (column.role) {
       case Role::left_out: break;
@@ -110,6 +114,11 @@ class KeyParser {
       case Role::group:
       case Role::carry: read_text(cell, column); break;
     }
+  }
+
+  /// Keeps a number as it is written.
+  void keep(std::string_view cell, Columns::Column column) {
+    if (const auto place = number_of_key(column)) written_[*place] = decimals_.text(bare(cell));
   }
 
   /// `otherwise`: what --missing skip-cell puts in the place of a number that is missing.
@@ -179,6 +188,7 @@ class KeyParser {
   spline::Tcb<double> tcb_;
   spline::Ease<double> ease_;
   std::vector<std::string> texts_;
+  std::vector<std::string> written_;  ///< the numbers of the row at hand, where they are kept
   KeyBlock block_;
 };
 

@@ -145,7 +145,7 @@ void require_clear_header(const FirstRecords::Record& record, const DelimitedHea
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
                         std::vector<Chunk>& rest) {
   FirstRecords first(chunks, dialect);
-  DelimitedHead head{dialect, {}, options.tcb, options.decimal, options.missing};
+  DelimitedHead head{dialect, {}, options.tcb, options.decimal, options.missing, options.keeps_decimals};
   if (first.records.empty()) {
     throw Error(Exit::data, "no keys: the input is empty; expected a row for each key; see --help");
   }

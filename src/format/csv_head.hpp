@@ -13,6 +13,7 @@ struct DelimitedHead {
   spline::Tcb<double> tcb = {};  ///< of keys that carry none
   char decimal = '.';
   Missing missing = Missing::error;
+  bool keeps_decimals = false;
 };
 
 /// Dialect and columns, from the header if there is one and the first two records after it; what was read from the

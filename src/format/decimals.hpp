@@ -16,6 +16,7 @@ class Decimals {
 
   std::optional<double> number(std::string_view text) { return parse_number(with_point(text)); }
   std::optional<Time> time(std::string_view text) { return parse_time(with_point(text)); }
+  std::string text(std::string_view text) { return std::string(with_point(text)); }
   bool looks_numeric(std::string_view text) { return format::looks_numeric(with_point(text)); }
 
  private:

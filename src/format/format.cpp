@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "format/csv.hpp"
 #include "format/json.hpp"
+#include "format/npy.hpp"
 #include "format/records.hpp"
 #include "format/texts.hpp"
 
@@ -38,6 +39,7 @@ Layout ssv_rows(const std::vector<OutputColumn>& columns, bool header) {
 }
 Layout json_rows(const std::vector<OutputColumn>& columns, bool) { return json_layout(columns); }
 Layout jsonl_rows(const std::vector<OutputColumn>& columns, bool) { return jsonl_layout(columns); }
+Layout npy_rows(const std::vector<OutputColumn>& columns, bool) { return npy_layout(columns); }
 
 std::string csv_text(std::string_view text) { return delimited_text(content(text), ','); }
 std::string tsv_text(std::string_view text) { return delimited_text(content(text), '\t'); }
@@ -86,15 +88,18 @@ const std::vector<Format>& formats() {
       {"ssv", ".ssv", open_ssv, ssv_rows, true, ssv_text, "\n", false},
       {"json", ".json", open_json, json_rows, false, json_cell, "null", true},
       {"jsonl", ".jsonl", open_json, jsonl_rows, false, json_cell, "null\n", false},
+      {"npy", ".npy", nullptr, npy_rows, false, nullptr, "", false, npy_head},
   };
   return table;
 }
 
-std::size_t find_format(std::string_view option, std::string_view name) {
-  const auto row = std::ranges::find(formats(), name, &Format::name);
-  if (row != formats().end()) return static_cast<std::size_t>(row - formats().begin());
+std::size_t find_format(std::string_view option, std::string_view name, bool read) {
   std::vector<std::string_view> names;
-  std::ranges::transform(formats(), std::back_inserter(names), &Format::name);
+  for (std::size_t i = 0; i < formats().size(); ++i) {
+    if (read && formats()[i].open == nullptr) continue;
+    if (formats()[i].name == name) return i;
+    names.push_back(formats()[i].name);
+  }
   throw Error(Exit::usage,
               fmt::format("{}: unknown format \"{}\"; expected one of {}", option, name, fmt::join(names, ", ")));
 }

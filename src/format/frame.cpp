@@ -1,9 +1,13 @@
 // Frames: the rows of several curves in one output, with what tells them apart and the labels that they carry.
 #include "format/frame.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
+
+#include "error.hpp"
 
 namespace tcb::format {
 namespace {
@@ -25,11 +29,17 @@ std::vector<std::string> OutputColumns::names() const {
   return all;
 }
 
-Frame::Frame(const Format& format, const OutputColumns& columns, bool header)
+Frame::Frame(const Format& format, const OutputColumns& columns, bool header, const Notation& notation)
     : format_(&format),
       nested_(format.nests && !columns.groups.empty()),
       groups_(columns.groups.size()),
       numbers_(columns.numbers.size()) {
+  if (format.text == nullptr && groups_ + columns.labels.size() > 0) {
+    const std::string& name = groups_ > 0 ? columns.groups.front() : columns.labels.front();
+    throw Error(Exit::data, fmt::format("column \"{}\" holds texts, and {} holds numbers only; expected a format with "
+                                        "texts, such as csv; choose another one, or take the column out",
+                                        name, format.name));
+  }
   std::vector<OutputColumn> all;
   for (const std::string& name : columns.names()) all.push_back({name});
   all_ = format.layout(all, header);
@@ -37,6 +47,7 @@ Frame::Frame(const Format& format, const OutputColumns& columns, bool header)
   rows_ = nested_ ? format.layout({all.begin() + signed_size(groups_), all.end()}, header) : all_;
   const auto labels_begin = rows_.before.begin() + signed_size(numbers_ + (nested_ ? 0 : groups_));
   rows_.before.assign(rows_.before.begin() + signed_size(nested_ ? 0 : groups_), labels_begin);
+  if (notation.kind != Notation::Kind::shortest) rows_.notation = notation;
 }
 
 std::string Frame::begin(std::span<const std::string> group, bool apart) {
@@ -50,6 +61,11 @@ std::string Frame::begin(std::span<const std::string> group, bool apart) {
   }
   rows_.before[0] = cells + all_.before[groups_];
   if (!apart || !any_rows_) return "";
+  if (format_->divider.empty()) {
+    throw Error(Exit::data, fmt::format("the curve breaks off, and {} holds one table of rows; expected one curve; "
+                                        "choose another format, such as csv",
+                                        format_->name));
+  }
   return all_.between_rows + std::string(format_->divider);
 }
 
@@ -58,6 +74,10 @@ std::string Frame::row_end(std::span<const std::string_view> labels) const {
   for (std::size_t i = 0; i < labels.size(); ++i)
     text += all_.before[groups_ + numbers_ + i] + format_->text(labels[i]);
   return text + all_.row_end;
+}
+
+std::string Frame::counted_head(std::uint64_t bytes) const {
+  return format_->head == nullptr ? "" : format_->head(numbers_, bytes / (numbers_ * sizeof(double)));
 }
 
 std::string Frame::end_curve() const { return chomped(any_rows_ ? rows_.tail : rows_.no_rows) + "}"; }

@@ -26,7 +26,8 @@ struct OutputColumns {
 class Frame {
  public:
   Frame() = default;
-  Frame(const Format& format, const OutputColumns& columns, bool header);
+  /// Throws: Error (data) for texts in a format that holds numbers only.
+  Frame(const Format& format, const OutputColumns& columns, bool header, const Notation& notation = {});
 
   /// Each curve is an object with its rows.
   bool is_nested() const { return nested_; }
@@ -34,8 +35,11 @@ class Frame {
   /// What stands before all rows.
   const std::string& head() const { return head_; }
 
+  /// What takes its place once all rows are written, which have so many bytes; empty: nothing does.
+  std::string counted_head(std::uint64_t bytes) const;
+
   /// What stands before the next curve's rows; its texts are in layout() from here on. `apart`: nothing else tells it
-  /// from the curve before.
+  /// from the curve before. Throws: Error (data) where the format has nothing to tell it apart.
   std::string begin(std::span<const std::string> group, bool apart);
 
   /// The layout of rows of the curve at hand, but for their labels.

@@ -44,6 +44,7 @@ struct InputOptions {
   char decimal = '.';       ///< between the digits of a number in delimited text
   Missing missing = Missing::error;
   std::optional<SampleNames> samples;  ///< the records are no keys but samples of a curve
+  bool keeps_decimals = false;  ///< keys keep their numbers as they are written
 };
 
 /// Whole records of an input, as text.
@@ -65,18 +66,42 @@ struct BesideKeys {
 /// So many faults of an input are said before it is given up.
 inline constexpr std::size_t most_faults = 10;
 
+/// Where a number stands among the decimals of its key; behind these the positions, channel by channel. An empty text
+/// stands for the shortest decimal of its double, or for a whole number.
+struct NumberOfKey {
+  enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
+};
+
+/// The place of a column's number, if it has one.
+inline std::optional<std::size_t> number_of_key(const Columns::Column& column) {
+  switch (column.role) {
+    case Role::time: return NumberOfKey::time;
+    case Role::tension: return NumberOfKey::tension;
+    case Role::continuity: return NumberOfKey::continuity;
+    case Role::bias: return NumberOfKey::bias;
+    case Role::ease_in: return NumberOfKey::ease_in;
+    case Role::ease_out: return NumberOfKey::ease_out;
+    case Role::position: return NumberOfKey::position + column.channel;
+    case Role::left_out:
+    case Role::group:
+    case Role::carry: break;
+  }
+  return std::nullopt;
+}
+
 /// Successive keys, and where each of them stands. Where the input has no times, neither have the keys.
 /// A position that is not a number stands for one that is missing; in a gap a time may be missing too.
 struct KeyBlock {
   spline::Keys<double> keys;
   std::vector<std::uint64_t> lines;
-  std::vector<std::uint32_t> columns = {};             ///< in those lines
-  std::string path = {};                               ///< of the list that they are in, if any
-  std::vector<std::uint64_t> numbers = {};             ///< in that list, if there is one
-  Texts texts = {};                                    ///< of each key: what groups it, then its labels
-  std::vector<std::size_t> gaps = {};                  ///< what is no key here, but breaks the curve off
-  std::vector<std::size_t> breaks = {};                ///< the keys here before which the curve breaks off
-  bool break_after = false;                            ///< it does so before the next block's first key too
+  std::vector<std::uint32_t> columns = {};  ///< in those lines
+  std::string path = {};                    ///< of the list that they are in, if any
+  std::vector<std::uint64_t> numbers = {};  ///< in that list, if there is one
+  Texts texts = {};                         ///< of each key: what groups it, then its labels
+  Texts decimals = {};                      ///< of each key as NumberOfKey says: its numbers as they are written
+  std::vector<std::size_t> gaps = {};       ///< what is no key here, but breaks the curve off
+  std::vector<std::size_t> breaks = {};     ///< the keys here before which the curve breaks off
+  bool break_after = false;                 ///< it does so before the next block's first key too
   std::shared_ptr<const BesideKeys> beside_keys = {};  ///< of the curve that begins here, where each has its own
   std::uint64_t skipped = 0;                           ///< how many keys were left out
   std::vector<Error> faults = {};                      ///< what is wrong with keys that are therefore not here

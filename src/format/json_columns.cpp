@@ -145,6 +145,7 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
   for (Member& member : result.members) member.required = is_required(result, member);
   result.tcb = options.tcb;
   result.missing = options.missing;
+  result.keeps_decimals = options.keeps_decimals;
   return result;
 }
 

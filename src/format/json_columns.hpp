@@ -23,6 +23,7 @@ struct JsonColumns {
   std::size_t found = 0;         ///< so many cells are those of the first key; others may come in any key
   spline::Tcb<double> tcb = {};  ///< of keys that carry none
   Missing missing = Missing::error;
+  bool keeps_decimals = false;
 };
 
 /// The meaning of the members of the first key of a chunk. `channels` names the numbers of "position",

@@ -86,7 +86,8 @@ struct JsonEvents::Adapter {
     return number_float(-0.0, {});  // only a zero with a sign comes here
   }
   bool number_unsigned(json::number_unsigned_t value) { return whole(value); }
-  bool number_float(json::number_float_t value, const std::string&) {
+  bool number_float(json::number_float_t value, const std::string& text) {
+    events.decimal_ = text;
     events.is_quoted_ = false;
     const spline::Time<double> number(value);
     return events.value(&number, {});
@@ -126,6 +127,7 @@ struct JsonEvents::Adapter {
   template <class Whole>
   bool whole(Whole value) {
     events.is_quoted_ = false;
+    events.decimal_.clear();
     const spline::Time<double> number = whole_time(value);
     return events.value(&number, {});
   }

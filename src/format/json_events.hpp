@@ -44,6 +44,8 @@ class JsonEvents {
   /// A line of JSON Lines is no key. Returning false says it to the caller, returning true goes on in the next line.
   virtual bool on_bad_line(const Error&) { return false; }
 
+  /// The number at hand as it is written, unless it is a whole number.
+  const std::string& decimal() const { return decimal_; }
   /// The value at hand that is no number is a string.
   bool is_quoted() const { return is_quoted_; }
   bool in_array() const { return depth_ == key_depth_ + 2 && is_array_; }
@@ -88,7 +90,7 @@ class JsonEvents {
   std::size_t element_ = 0;
   bool is_quoted_ = false;
   bool is_array_ = false;  ///< the member at hand is an array, not an object
-  std::string member_;
+  std::string member_, decimal_;
 };
 
 }  // namespace tcb::format

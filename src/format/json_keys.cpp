@@ -26,6 +26,7 @@ class KeyBuilder : public JsonEvents {
       : JsonEvents(chunk), columns_(columns), seen_(columns.members.size()), texts_(columns.columns.texts()) {
     block_.keys.channels = columns.columns.channels.size();
     block_.path = chunk.path;
+    if (columns.keeps_decimals) written_.resize(NumberOfKey::position + block_.keys.channels);
     timed_ = columns.columns.has(Role::time);
     eased_ = columns.columns.has(Role::ease_in) || columns.columns.has(Role::ease_out);
   }
@@ -52,6 +53,7 @@ class KeyBuilder : public JsonEvents {
     ease_ = {};
     time_ = Time(nan);
     std::ranges::fill(texts_, std::string());
+    std::ranges::fill(written_, std::string());
     std::fill(seen_.begin(), seen_.end(), false);
     expected_ = 0;
     missing_ = is_meta_ = false;
@@ -125,6 +127,7 @@ class KeyBuilder : public JsonEvents {
     if (eased_) block_.keys.eases.push_back(ease_);
     block_.keys.tcbs.push_back(tcb_);
     for (const std::string& text : texts_) block_.texts.add(text);
+    for (const std::string& decimal : written_) block_.decimals.add(decimal);
     block_.numbers.push_back(number_);
     block_.lines.push_back(place_.line);
     block_.columns.push_back(static_cast<std::uint32_t>(place_.column));
@@ -137,6 +140,9 @@ class KeyBuilder : public JsonEvents {
   }
 
   void store(Columns::Column column, const spline::Time<double>& value) {
+    if (const auto place = number_of_key(column); place && !written_.empty()) {
+      written_[*place] = decimal().empty() ? time_text(value) : decimal();
+    }
     double* const position = block_.keys.positions.data() + block_.lines.size() * block_.keys.channels;
     switch (column.role) {
       case Role::left_out: break;
@@ -204,7 +210,8 @@ class KeyBuilder : public JsonEvents {
 
   const JsonColumns& columns_;
   std::vector<bool> seen_;
-  std::vector<std::string> texts_;  ///< of the key at hand
+  std::vector<std::string> texts_;    ///< of the key at hand
+  std::vector<std::string> written_;  ///< its numbers, where they are kept
   bool timed_ = false, eased_ = false;
   bool missing_ = false;      ///< the key at hand is not to be one
   bool is_meta_ = false;      ///< the object at hand is provenance, unless it has a member of a key

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "error.hpp"
+#include "format/number.hpp"
 #include "format/number_text.hpp"
 
 namespace tcb::format {
@@ -19,6 +21,19 @@ char* write_cell(char* out, CellKind kind, const Cell& cell) {
   return out;
 }
 
+char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& notation) {
+  if (notation.kind == Notation::Kind::shortest || (kind == CellKind::whole && notation.is_text())) {
+    return write_cell(out, kind, cell);
+  }
+  if (!notation.is_text() && cell.lo != 0) {
+    throw Error(Exit::data,
+                fmt::format("time {} has more digits than a double; expected less than 2^53, or a format of "
+                            "text; choose one, such as csv",
+                            time_text(cell)));
+  }
+  return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
+}
+
 char* write_text(char* out, std::string_view text) {
   if (text.size() != 1) return std::copy(text.begin(), text.end(), out);
   *out = text.front();  // as a rule it is a delimiter
@@ -28,7 +43,8 @@ char* write_text(char* out, std::string_view text) {
 /// Room for any row.
 std::size_t row_room(const Layout& layout) {
   std::size_t room = layout.between_rows.size() + layout.row_end.size();
-  for (const std::string& before : layout.before) room += before.size() + std::max(number_room, layout.empty.size());
+  const std::size_t cell = std::max(room_for(layout.notation), layout.empty.size());
+  for (const std::string& before : layout.before) room += before.size() + cell;
   return room;
 }
 
@@ -74,11 +90,28 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const Cell& cell = cells[row + i];
       at = write_text(at, layout.before[i]);
-      at = is_empty(cell) ? write_text(at, layout.empty) : write_cell(at, columns[i].kind, cell);
+      at = is_empty(cell) ? write_text(at, layout.empty) : write_cell(at, columns[i].kind, cell, layout.notation);
     }
     at = write_text(at, layout.row_end);
   }
   out.resize(static_cast<std::size_t>(at - out.data()));
+}
+
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first) {
+  if (texts.empty()) return append_rows(out, layout, columns, cells, first);
+  std::string number(room_for(layout.notation), '\0');
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t column = i % columns.size();
+    if (column == 0 && (i > 0 || !first)) out += layout.between_rows;
+    out += layout.before[column];
+    if (!texts[i].empty() || is_empty(cells[i])) {
+      out += is_empty(cells[i]) ? layout.empty : texts[i];
+    } else {
+      out.append(number.data(), write_cell(number.data(), columns[column].kind, cells[i], layout.notation));
+    }
+    if (column + 1 == columns.size()) out += layout.row_end;
+  }
 }
 
 Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header) {

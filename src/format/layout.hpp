@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "format/notation.hpp"
 #include "spline/scalar.hpp"
 
 namespace tcb::format {
@@ -34,13 +35,18 @@ struct Layout {
   std::string empty;  ///< for a number that is not defined
   std::string between_rows;
   std::string tail;
-  std::string no_rows;  ///< instead of `tail` where not one row was written
+  std::string no_rows;     ///< instead of `tail` where not one row was written
+  Notation notation = {};  ///< of numbers that may have a fraction
 };
 
 /// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each.
 /// `first` says that no row came before these.
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first);
+
+/// The same for cells of which some have texts of their own, the others empty ones.
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 
 /// A text as a cell: in quotes where RFC 4180 asks for them.
 std::string delimited_text(std::string_view text, char delimiter);

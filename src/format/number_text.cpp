@@ -11,6 +11,8 @@
 namespace tcb::format {
 namespace {
 
+constexpr int longest_fixed = 312;  ///< of a double without decimals, with its sign and point
+
 constexpr double two_to_63 = 9223372036854775808.0;
 
 constexpr Uint128 zeros_16 = static_cast<Uint128>(eight_zeros) << 64 | eight_zeros;
@@ -82,7 +84,16 @@ char* write_sign(double value, char* out) {
   return out + (std::signbit(value) ? 1 : 0);
 }
 
-constexpr int most_digits = 17;
+/// By the standard library, which knows all digits of a double.
+char* write_exactly(double value, std::chars_format notation, int precision, char* out) {
+  return std::to_chars(out, out + longest_fixed + precision, value, notation, precision).ptr;
+}
+
+char* write_bytes(double value, char* out) {
+  auto bits = std::bit_cast<std::uint64_t>(value);
+  for (int i = 0; i < 8; ++i, bits >>= 8) *out++ = static_cast<char>(bits & 0xFFU);
+  return out;
+}
 
 }  // namespace
 
@@ -119,9 +130,9 @@ char* write_shortest(double value, char* out) {
 }
 
 char* write_fixed(double value, int decimals, char* out) {
-  if (decimals < 0 || decimals > most_digits) return nullptr;
+  if (decimals < 0 || decimals > digits_of_double) return nullptr;
   const double size = std::abs(value);
-  if (!(size < static_cast<double>(whole_power_of_ten(most_digits - decimals)))) return nullptr;
+  if (!(size < static_cast<double>(whole_power_of_ten(digits_of_double - decimals)))) return nullptr;
   out = write_sign(value, out);
   const std::uint64_t scaled = size == 0 ? 0 : rounded(size, decimals);
   const Digits zero{'0', zeros_16, decimals == 0 ? 0 : -1, 1};
@@ -132,7 +143,7 @@ char* write_fixed(double value, int decimals, char* out) {
 char* write_digits(double value, int count, char* out) {
   count = std::max(count, 1);
   const double size = std::abs(value);
-  if (count > most_digits || !std::isnormal(value)) return size == 0 ? write_shortest(value, out) : nullptr;
+  if (count > digits_of_double || !std::isnormal(value)) return size == 0 ? write_shortest(value, out) : nullptr;
   int power = count - 1 - floor_log10_power_of_two(Binary(size).q + 52);
   std::uint64_t scaled = rounded(size, power);
   if (scaled >= whole_power_of_ten(count)) scaled = rounded(size, --power);
@@ -140,6 +151,40 @@ char* write_digits(double value, int count, char* out) {
   out = write_sign(value, out);
   if (digits.exponent < -4 || digits.exponent >= count) return write_scientific(digits, out);
   return write_plain(digits, digits.count, out);
+}
+
+char* write_hex(double value, char* out) {
+  out = write_sign(value, out);
+  *out++ = '0';
+  *out++ = 'x';
+  return std::to_chars(out, out + number_room, std::abs(value), std::chars_format::hex).ptr;
+}
+
+std::size_t room_for(const Notation& notation) {
+  return notation.kind == Notation::Kind::fixed ? static_cast<std::size_t>(longest_fixed + notation.count)
+                                                : number_room;
+}
+
+char* write_number(double value, const Notation& notation, char* out) {
+  switch (notation.kind) {
+    case Notation::Kind::shortest: break;
+    case Notation::Kind::bytes: return write_bytes(value, out);
+    case Notation::Kind::hex: return write_hex(value, out);
+    case Notation::Kind::digits:
+      if (char* const end = write_digits(value, notation.count, out)) return end;
+      return write_exactly(value, std::chars_format::general, notation.count, out);
+    case Notation::Kind::fixed:
+      if (char* const end = write_fixed(value, notation.count, out)) return end;
+      return write_exactly(value, std::chars_format::fixed, notation.count, out);
+  }
+  return write_shortest(value, out);
+}
+
+char* write_time(const spline::Time<double>& time, const Notation& notation, char* out) {
+  constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+  const bool plain =
+      notation.kind == Notation::Kind::shortest || (notation.is_text() && std::abs(time.hi) >= whole_from);
+  return plain ? write_time(time, out) : write_number(time.hi, notation, out);
 }
 
 char* write_time(const spline::Time<double>& time, char* out) {

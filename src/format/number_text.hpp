@@ -4,12 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "format/notation.hpp"
 #include "spline/scalar.hpp"
 
 namespace tcb::format {
 
-/// Room for any of the texts below. No text is longer than 24 characters, but bytes after it are written too.
+/// Room for any of the texts below but the last two. No text is longer than 24 characters, but bytes after it are
+/// written too.
 inline constexpr std::size_t number_room = 40;
+
+/// Room for any number in a notation.
+std::size_t room_for(const Notation& notation);
 
 /// Each function writes at out, where it needs number_room bytes, and answers the end of the text.
 
@@ -27,5 +32,16 @@ char* write_fixed(double value, int decimals, char* out);
 /// As printf("%.*g", count, value) writes it, if count is at most 17 and the value not subnormal; otherwise nothing,
 /// and null.
 char* write_digits(double value, int count, char* out);
+
+/// As printf("%a", value) writes it, but always with a point.
+char* write_hex(double value, char* out);
+
+/// These need room_for(notation) bytes at out.
+
+/// A finite number in a notation.
+char* write_number(double value, const Notation& notation, char* out);
+
+/// A time in a notation. In text, a whole number from 2^53 up has all its digits.
+char* write_time(const spline::Time<double>& time, const Notation& notation, char* out);
 
 }  // namespace tcb::format

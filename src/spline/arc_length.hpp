@@ -48,7 +48,7 @@ class ArcLength {
 
  private:
   static constexpr int first_halvings = 3;
-  static constexpr int most_halvings = 64;
+  static constexpr int most_halvings = std::max(64, std::numeric_limits<S>::digits);
   using W = working_t<S>;
 
   S rough_length() const;

@@ -61,7 +61,9 @@ class Tangents {
     outgoing_ = incoming_;
     for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
       set_interior(key);
-      if (rules.equal_speed) equalize(key);
+      if constexpr (has_roots<S>) {
+        if (rules.equal_speed) equalize(key);
+      }
     }
     if (window.starts) set_end(0, 1, rules.start);
     if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, rules.end);

@@ -66,12 +66,18 @@ class Picked {
   std::span<const std::size_t> metric_;
 };
 
+/// |v|^2
+template <class S>
+S square(const Picked<S>& v) {
+  S sum(0);
+  for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * v[i];
+  return sum;
+}
+
 template <class S>
 S norm(const Picked<S>& v) {
   using std::sqrt;
-  S sum(0);
-  for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * v[i];
-  return sqrt(sum);
+  return sqrt(square(v));
 }
 
 /// a d - b c, right to its last digits also where the products cancel.
@@ -81,10 +87,9 @@ S minor2(const S& a, const S& b, const S& c, const S& d) {
   return narrow<S>(W(a) * W(d) - W(b) * W(c));
 }
 
-/// |v ^ a|
+/// |v ^ a|^2
 template <class S>
-S wedge(const Picked<S>& v, const Picked<S>& a) {
-  using std::sqrt;
+S wedge_square(const Picked<S>& v, const Picked<S>& a) {
   S sum(0);
   for (std::size_t i = 0; i < v.size(); ++i) {
     for (std::size_t k = i + 1; k < v.size(); ++k) {
@@ -92,25 +97,43 @@ S wedge(const Picked<S>& v, const Picked<S>& a) {
       sum += minor * minor;
     }
   }
-  return sqrt(sum);
+  return sum;
 }
 
-/// det(v, a, j) of three channels; of more, the root of the sum of the squared minors.
+/// |v ^ a|
 template <class S>
-S wedge(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
+S wedge(const Picked<S>& v, const Picked<S>& a) {
   using std::sqrt;
-  const auto minor = [&](std::size_t p, std::size_t q, std::size_t r) {
-    return v[p] * minor2(a[q], a[r], j[q], j[r]) - v[q] * minor2(a[p], a[r], j[p], j[r]) +
-           v[r] * minor2(a[p], a[q], j[p], j[q]);
-  };
-  if (v.size() == 3) return minor(0, 1, 2);
+  return sqrt(wedge_square(v, a));
+}
+
+/// det(v, a, j) of the channels p, q, r.
+template <class S>
+S minor3(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j, std::size_t p, std::size_t q, std::size_t r) {
+  return v[p] * minor2(a[q], a[r], j[q], j[r]) - v[q] * minor2(a[p], a[r], j[p], j[r]) +
+         v[r] * minor2(a[p], a[q], j[p], j[q]);
+}
+
+/// |v ^ a ^ j|^2
+template <class S>
+S wedge_square(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
   S sum(0);
   for (std::size_t p = 0; p < v.size(); ++p) {
     for (std::size_t q = p + 1; q < v.size(); ++q) {
-      for (std::size_t r = q + 1; r < v.size(); ++r) sum += minor(p, q, r) * minor(p, q, r);
+      for (std::size_t r = q + 1; r < v.size(); ++r) {
+        const S minor = minor3(v, a, j, p, q, r);
+        sum += minor * minor;
+      }
     }
   }
-  return sqrt(sum);
+  return sum;
+}
+
+/// det(v, a, j) of three channels; of more, |v ^ a ^ j|.
+template <class S>
+S wedge(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
+  using std::sqrt;
+  return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
 }
 
 /// What is known of the path's shape at one place, over the metric channels.

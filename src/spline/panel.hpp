@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -30,8 +31,14 @@ struct Panel {
   bool is_smooth() const { return points != 0; }
 };
 
-/// The rules that panels are integrated by. What is not smooth takes the one with more points.
-inline constexpr std::size_t few_points = 8, most_points = 16;
+/// The rules that panels are integrated by. What is not smooth takes the one with more points. Scalars with more digits
+/// have more, so that the panels need not be much shorter.
+template <class S>
+inline constexpr std::size_t most_points = std::numeric_limits<S>::digits <= 64
+                                               ? 16
+                                               : std::bit_ceil(std::size_t{std::numeric_limits<S>::digits10} * 3 / 4);
+template <class S>
+inline constexpr std::size_t few_points = most_points<S> / 2;
 
 /// The fourth power of the radius in which q must be free of zeros for a rule with N points, a power of two.
 ///
@@ -69,8 +76,8 @@ std::size_t points_needed(const std::array<S, 5>& q) {
   }
   // There is no zero where the other terms are less than the first.
   const auto is_free = [&](const S& r) { return r * (abs(a1) + r * (abs(a2) + r * (abs(a3) + r * abs(a4)))) < S(1); };
-  if (!is_free(smooth_radius_4<S, most_points>())) return 0;
-  return is_free(smooth_radius_4<S, few_points>()) ? few_points : most_points;
+  if (!is_free(smooth_radius_4<S, most_points<S>>())) return 0;
+  return is_free(smooth_radius_4<S, few_points<S>>()) ? few_points<S> : most_points<S>;
 }
 
 template <class S>
@@ -122,8 +129,8 @@ S gauss_sum(const Panel<S>& panel, const Speed<S>& speed, const S& begin, const 
 /// The length over [begin, end] of z by the panel's rule.
 template <class S>
 S panel_sum(const Panel<S>& panel, const Speed<S>& speed, const S& begin, const S& end) {
-  return panel.points == few_points ? gauss_sum<few_points>(panel, speed, begin, end)
-                                    : gauss_sum<most_points>(panel, speed, begin, end);
+  return panel.points == few_points<S> ? gauss_sum<few_points<S>>(panel, speed, begin, end)
+                                       : gauss_sum<most_points<S>>(panel, speed, begin, end);
 }
 
 }  // namespace tcb::spline

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 
 #include "spline/scalar.hpp"
 
@@ -60,9 +62,18 @@ constexpr W legendre_root(std::size_t n, W low, W high) {
   return middle;
 }
 
+/// By as few steps with all digits as can be, from a root of fewer.
+template <class W>
+W polished_root(std::size_t n, W root) {
+  for (int right = 48; right < std::numeric_limits<W>::digits; right *= 2) {
+    root = root - legendre(n, root).value / legendre_slope(n, root);
+  }
+  return root - legendre(n, root).value / legendre_slope(n, root);
+}
+
 template <class S, std::size_t N>
 constexpr GaussRule<S, N> make_gauss_rule() {
-  using W = working_t<S>;
+  using W = std::conditional_t<std::is_same_v<S, double>, working_t<S>, double>;
   std::array<W, N + 2> fence{};  // -1, the roots of P_n, 1
   fence[0] = W(-1);
   fence[1] = W(0);
@@ -74,10 +85,11 @@ constexpr GaussRule<S, N> make_gauss_rule() {
   }
   GaussRule<S, N> rule;
   for (std::size_t i = 0; i < N; ++i) {
-    const W& x = fence[i + 1];
-    const W slope = legendre_slope(N, x);
-    rule.node[i] = narrow<S>((x + W(1)) * W(0.5));
-    rule.weight[i] = narrow<S>(W(1) / ((W(1) - x * x) * slope * slope));
+    working_t<S> x(fence[i + 1]);
+    if constexpr (!std::is_same_v<S, double>) x = polished_root(N, x);
+    const working_t<S> one(1), slope = legendre_slope(N, x);
+    rule.node[i] = narrow<S>((x + one) * working_t<S>(0.5));
+    rule.weight[i] = narrow<S>(one / ((one - x * x) * slope * slope));
   }
   return rule;
 }

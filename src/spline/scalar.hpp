@@ -10,6 +10,8 @@
 #include <cmath>
 #include <compare>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace tcb::spline {
 
@@ -104,6 +106,10 @@ struct Working<double> {
 };
 template <class S>
 using working_t = typename Working<S>::type;
+
+/// The scalar has square roots. Exact rationals have none, and nothing that needs them is asked of them.
+template <class S>
+inline constexpr bool has_roots = !std::numeric_limits<S>::is_exact;
 
 /// A time. For double it holds every integer up to 2^106 exactly, so nanoseconds since 1970 do.
 template <class S>

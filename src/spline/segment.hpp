@@ -58,6 +58,18 @@ S position(const Cubic<S>& x, const Local<S>& at) {
                          : compensated_cubic(x.p1, x.in, x.e, x.e_rest, x.d, at.w);
 }
 
+/// The part of a segment from one time to another, as a segment of its own.
+template <class S>
+Cubic<S> part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, const Time<S>& from, const Time<S>& to) {
+  using W = working_t<S>;
+  if (from == start && to == end) return whole;
+  const W out(whole.out), c = W(whole.c) + W(whole.c_rest), d(whole.d);
+  const W first = (from - start) / (end - start), last = (to - start) / (end - start);
+  const auto value = [&](const W& u) { return W(whole.p0) + u * (out + u * (c + u * d)); };
+  const auto slope = [&](const W& u) { return (out + u * (W(2) * c + u * (W(3) * d))) * (last - first); };
+  return cubic<S>(narrow<S>(value(first)), to == end ? whole.p1 : narrow<S>(value(last)), slope(first), slope(last));
+}
+
 /// dX/du.
 template <class S>
 S first_derivative(const Cubic<S>& x, const Local<S>& at) {

@@ -52,6 +52,53 @@ TEST(Plan, without_options_but_a_step_all_is_default) {
   EXPECT_EQ(plan.input.tcb, spline::Tcb<double>{});
 }
 
+TEST(Plan, notations_are_told_apart) {
+  using Kind = format::Notation::Kind;
+  const format::Notation digits = make_plan(typed(&Typed::digits, "17")).notation;
+  EXPECT_EQ(digits.kind, Kind::digits);
+  EXPECT_EQ(digits.count, 17);
+  EXPECT_EQ(make_plan(typed(&Typed::fixed, "0")).notation.kind, Kind::fixed);
+  EXPECT_EQ(refusal(typed(&Typed::digits, "0")), "--digits \"0\": expected a whole number from 1 to 100");
+  EXPECT_EQ(refusal(typed(&Typed::fixed, "101")), "--fixed \"101\": expected a whole number from 0 to 100");
+  EXPECT_EQ(
+      refusal(typed(&Typed::digits, "18")),
+      "--digits 18: a double has 17 digits that say something; expected as many at most, or --golden, which works "
+      "out more; give one of the two");
+  Typed both = typed(&Typed::digits, "3");
+  both.hex = true;
+  EXPECT_EQ(refusal(both), "--digits and --hex both say how numbers are printed; expected one of them; take one out");
+}
+
+TEST(Plan, golden_rows_take_more_digits_and_exact_input) {
+  Typed options = typed(&Typed::digits, "100");
+  options.golden = options.exact_input = true;
+  const Plan plan = make_plan(options);
+  ASSERT_TRUE(plan.golden.has_value());
+  EXPECT_TRUE(plan.golden->decimal && plan.input.keeps_decimals);
+  EXPECT_EQ(plan.golden->notation.count, 100);
+  options.golden = false;
+  options.digits = "17";
+  EXPECT_EQ(refusal(options),
+            "--exact-input has no effect without --golden, which works exactly; give both, or neither");
+  Typed error = typed(&Typed::fields, "time,arc_error");
+  error.golden = true;
+  EXPECT_EQ(refusal(error),
+            "--golden: arc_error is about the error of s, which then is only rounded; take the field out");
+}
+
+TEST(Plan, notations_without_a_meaning_in_a_format_are_refused) {
+  Typed npy = typed(&Typed::output_format, "npy");
+  EXPECT_EQ(make_plan(npy).output_format, format::find_format("", "npy"));
+  npy.fixed = "3";
+  EXPECT_EQ(refusal(npy), "--fixed has no effect on npy, which holds the doubles themselves; take it out");
+  Typed json = typed(&Typed::output_format, "jsonl");
+  json.hex = true;
+  EXPECT_EQ(refusal(json),
+            "--hex: jsonl has no hexadecimal numbers; expected csv, tsv or ssv; take one of the two out");
+  EXPECT_EQ(refusal(typed(&Typed::input_format, "npy")),
+            "--input-format: unknown format \"npy\"; expected one of csv, tsv, ssv, json, jsonl");
+}
+
 TEST(Plan, options_about_curves_and_cells_have_their_meaning) {
   const Plan plain = make_plan(only(&Typed::step, "1"));
   EXPECT_EQ(plain.input.missing, format::Missing::error);
@@ -192,7 +239,7 @@ TEST(Plan, unknown_formats_are_refused_by_the_option_that_asked) {
   EXPECT_EQ(refusal(typed(&Typed::input_format, "xml")),
             "--input-format: unknown format \"xml\"; expected one of csv, tsv, ssv, json, jsonl");
   EXPECT_EQ(refusal(typed(&Typed::output_format, "xml")),
-            "--output-format: unknown format \"xml\"; expected one of csv, tsv, ssv, json, jsonl");
+            "--output-format: unknown format \"xml\"; expected one of csv, tsv, ssv, json, jsonl, npy");
 }
 
 TEST(Plan, fields_are_chosen_in_order) {

@@ -25,13 +25,14 @@ TEST(Formats, names_and_endings_are_told_apart_and_csv_is_the_default) {
 }
 
 TEST(Formats, an_unknown_name_is_refused_with_those_that_are_known) {
-  EXPECT_EQ(error_of([] { find_format("--input-format", "CSV"); }),
+  EXPECT_EQ(error_of([] { find_format("--input-format", "CSV", true); }),
             "usage: f: error: --input-format: unknown format \"CSV\"; expected one of csv, tsv, ssv, json, jsonl");
 }
 
 TEST(Formats, each_layout_writes_what_its_format_reads) {
   const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
   for (std::size_t i = 0; i < formats().size(); ++i) {
+    if (formats()[i].open == nullptr) continue;
     const Layout layout = formats()[i].layout(columns, true);
     std::string text = layout.head;
     append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);

@@ -138,6 +138,79 @@ TEST(NumberText, what_needs_more_than_17_digits_is_not_written) {
   EXPECT_EQ(write_digits(std::numeric_limits<double>::infinity(), 3, text.data()), nullptr);
 }
 
+/// As it is written in a notation.
+std::string in_notation(double value, const Notation& notation) {
+  std::string text(room_for(notation), '\0');
+  text.resize(static_cast<std::size_t>(write_number(value, notation, text.data()) - text.data()));
+  return text;
+}
+
+std::string printed(const char* format, int count, double value) {
+  std::array<char, 600> text{};
+  return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), format, count, value))};
+}
+
+const std::vector<double> any_doubles{0,
+                                      -0.0,
+                                      0.1,
+                                      -0.5,
+                                      2.5,
+                                      1e22,
+                                      123456789.125,
+                                      9007199254740993.0,
+                                      5e-324,
+                                      1e-310,
+                                      1e300,
+                                      -1e-300,
+                                      0.125,
+                                      0.375,
+                                      1e16,
+                                      -2.5e-5,
+                                      1.0 / 3,
+                                      1e15,
+                                      0.99999,
+                                      -0.001,
+                                      1e-5,
+                                      8.5,
+                                      9.5,
+                                      2.2250738585072014e-308,
+                                      std::numeric_limits<double>::max()};
+
+TEST(NumberText, notations_are_those_of_printf) {
+  for (const double value : any_doubles) {
+    for (const int count : {0, 1, 2, 5, 9, 16, 17, 18, 30, 100}) {
+      EXPECT_EQ(in_notation(value, {Notation::Kind::fixed, count}), printed("%.*f", count, value)) << value;
+      if (count == 0 || count > 17) continue;
+      EXPECT_EQ(in_notation(value, {Notation::Kind::digits, count}), printed("%.*g", count, value)) << value;
+    }
+  }
+}
+
+TEST(NumberText, hexadecimal_reads_back_bit_for_bit) {
+  RandomDoubles random(7);
+  const auto check = [](double value) {
+    const std::string text = in_notation(value, {Notation::Kind::hex});
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)), std::bit_cast<std::uint64_t>(value));
+    EXPECT_EQ(text, printed("%.*a", -1, value));  // a negative precision is none
+  };
+  for (const double value : any_doubles) check(value);
+  for (int i = 0; i < 10'000; ++i) check(random.any());
+}
+
+TEST(NumberText, whole_times_beyond_2_to_53_stay_whole) {
+  const spline::Time<double> time{1403715524907143168.0, -1};
+  const auto text = [&](const spline::Time<double>& t, const Notation& notation) {
+    std::string out(room_for(notation), '\0');
+    out.resize(static_cast<std::size_t>(write_time(t, notation, out.data()) - out.data()));
+    return out;
+  };
+  for (const auto kind : {Notation::Kind::digits, Notation::Kind::fixed, Notation::Kind::hex}) {
+    EXPECT_EQ(text(time, {kind, 3}), "1403715524907143167");
+  }
+  EXPECT_EQ(text(4, {Notation::Kind::fixed, 3}), "4.000");
+  EXPECT_EQ(text(4, {Notation::Kind::hex}), "0x1p+2");
+}
+
 // Some minutes: --gtest_also_run_disabled_tests --gtest_filter='NumberText.DISABLED*'
 template <class Next>
 void check_a_hundred_million(const Next& next) {

@@ -1,0 +1,15 @@
+// How numbers are printed: the options that say it, and which of them have a meaning together.
+#pragma once
+
+#include "cli/options.hpp"
+
+namespace tcb::cli {
+
+/// Throws: Error (usage) that names the option, what was expected, and the remedy.
+format::Notation make_notation(const Typed& typed, std::size_t output_format);
+
+/// Whether and how rows are worked out exactly. Requires: the plan has its fields and its notation.
+/// Throws: Error (usage).
+void set_golden(Plan& plan, const Typed& typed);
+
+}  // namespace tcb::cli

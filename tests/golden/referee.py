@@ -1,0 +1,377 @@
+"""Golden rows against arithmetic of 60 digits: referee.py PROGRAM [CURVES].
+
+Random keys are resampled with --golden, and every number is worked out again with mpmath, by formulas written down
+here once more. No bit may differ. Exit 77: there is no mpmath.
+"""
+import random
+import subprocess
+import sys
+
+try:
+    import mpmath
+    from mpmath import mpf, mp
+except ImportError:
+    print("skipped: there is no python3-mpmath")
+    sys.exit(77)
+
+mp.dps = 60
+program = sys.argv[1]
+curves = int(sys.argv[2]) if len(sys.argv) > 2 else 40
+rng = random.Random(20260101)
+half = mpf(1) / 2
+
+
+# Tangents: (in, out) of a key, local units, from the chords and steps on both sides.
+def tangents(rule, d0, d1, h0, h1, t, c, b):
+    fa, fb = (1 - t) * (1 + c) * (1 + b), (1 - t) * (1 - c) * (1 - b)
+    fc, fd = (1 - t) * (1 - c) * (1 + b), (1 - t) * (1 + c) * (1 - b)
+    uin = [half * (fc * x + fd * y) for x, y in zip(d0, d1)]
+    uout = [half * (fa * x + fb * y) for x, y in zip(d0, d1)]
+    scaled = lambda f, g: ([f * x for x in uin], [g * x for x in uout])
+    f, g = 2 * h0 / (h0 + h1), 2 * h1 / (h0 + h1)
+    if rule == "velocity":
+        return ([h0 * half * (fc * x / h0 + fd * y / h1) for x, y in zip(d0, d1)],
+                [h1 * half * (fa * x / h0 + fb * y / h1) for x, y in zip(d0, d1)])
+    if rule == "finite-difference":
+        return ([h0 * (fc * h1 * x / h0 + fd * h0 * y / h1) / (h0 + h1) for x, y in zip(d0, d1)],
+                [h1 * (fa * h1 * x / h0 + fb * h0 * y / h1) / (h0 + h1) for x, y in zip(d0, d1)])
+    if rule == "uniform":
+        return scaled(1, 1)
+    if rule == "interval":
+        return scaled(f, g)
+    if rule == "interval-c":
+        return scaled(f + abs(c) * (1 - f), g + abs(c) * (1 - g))
+    if rule == "kb1984":
+        return scaled(g, f)
+    if rule == "synfig":
+        return scaled(mpf(3) / 2 * h0 / (half * h0 + h1), mpf(3) / 2 * h1 / (half * h1 + h0))
+    raise ValueError(rule)
+
+
+def end_tangent(rule, own, missing, t, d, m, h, velocity, two):
+    if rule == "half":
+        return [half * own * x for x in d]
+    if rule == "one-sided":
+        return [own * x for x in d]
+    if rule == "mirror":
+        return [half * (own + missing) * x for x in d]
+    if rule == "chord":
+        return list(d)
+    if rule == "zero":
+        return [mpf(0)] * len(d)
+    if rule == "natural":
+        return list(d) if two else [mpf(3) / 2 * x - half * y for x, y in zip(d, m)]
+    if rule == "natural-tension":
+        return [(1 - t) * (x if two else half * (3 * x - y)) for x, y in zip(d, m)]
+    if rule == "cry":
+        return [(1 - t) * (x if two else mpf(3) / 2 * (x - y)) for x, y in zip(d, m)]
+    if rule == "lightwave":
+        return [own * x * h / (h + mpf(1) / 3600) for x in d]
+    if rule == "velocity":
+        return [h * x for x in velocity]
+    raise ValueError(rule)
+
+
+def norm(v):
+    return mpmath.sqrt(sum(x * x for x in v))
+
+
+class Curve:
+    """Keys are (time, position, (T, C, B), (ease_in, ease_out))."""
+
+    def __init__(self, keys, rule, ends, closed=None, equal=False, velocity=None, exponent=None):
+        self.closed = closed is not None
+        times = [k[0] for k in keys]
+        if exponent is not None:
+            times = [mpf(0)]
+            for a, b in zip(keys, keys[1:]):
+                times.append(times[-1] + norm([y - x for x, y in zip(a[1], b[1])]) ** exponent)
+        self.size = n = len(keys)
+        self.keys, self.times = keys, times + ([times[0] + closed] if self.closed else [])
+        segments = n if self.closed else n - 1
+        position = lambda i: keys[i % n][1]
+        chord = lambda i: [y - x for x, y in zip(position(i), position(i + 1))]
+        step = lambda i: self.times[(i % n) + 1] - self.times[i % n] if self.closed else self.times[i + 1] - self.times[i]
+        ins, outs = {}, {}
+        for i in range(n):
+            if not self.closed and i in (0, n - 1):
+                continue
+            ins[i], outs[i] = tangents(rule, chord(i - 1), chord(i), step(i - 1), step(i), *keys[i][2])
+            if equal:
+                vin, vout = norm(ins[i]) / step(i - 1), norm(outs[i]) / step(i)
+                if vin + vout != 0:
+                    ins[i] = [x * 2 * vout / (vin + vout) for x in ins[i]]
+                    outs[i] = [x * 2 * vin / (vin + vout) for x in outs[i]]
+        if not self.closed:
+            t, c, b = keys[0][2]
+            fa, fb = (1 - t) * (1 + c) * (1 + b), (1 - t) * (1 - c) * (1 - b)
+            outs[0] = end_tangent(ends[0], fb, fa, t, chord(0), ins.get(1, chord(0)), step(0), velocity, n == 2)
+            t, c, b = keys[-1][2]
+            fc, fd = (1 - t) * (1 - c) * (1 + b), (1 - t) * (1 + c) * (1 - b)
+            ins[n - 1] = end_tangent(ends[1], fc, fd, t, chord(n - 2), outs.get(n - 2, chord(0)), step(n - 2), velocity, n == 2)
+        self.cubics, self.warps = [], []
+        for i in range(segments):
+            k = (i + 1) % n
+            self.cubics.append([(p, o, 3 * (q - p) - 2 * o - m, -2 * (q - p) + o + m)
+                                for p, q, o, m in zip(position(i), position(k), outs[i], ins[k])])
+            f, e = keys[i][3][1], keys[k][3][0]
+            if f + e > 1:
+                f, e = f / (f + e), e / (f + e)
+            self.warps.append((f, e))
+        self.lengths = {}
+
+    def warp(self, i, u):
+        """The warped u, and its first and second derivative."""
+        f, e = self.warps[i]
+        if f + e == 0:
+            return u, mpf(1), mpf(0)
+        k = 1 / (2 - f - e)
+        if u < f or f == 1:
+            return k / f * u * u, 2 * k / f * u, 2 * k / f
+        if u < 1 - e or e == 0:
+            return k * (2 * u - f), 2 * k, mpf(0)
+        return 1 - k / e * (1 - u) ** 2, 2 * k / e * (1 - u), -2 * k / e
+
+    def unwarp(self, i, w):
+        f, e = self.warps[i]
+        if f + e == 0:
+            return w
+        k = 1 / (2 - f - e)
+        if w < k * f:
+            return mpmath.sqrt(w * f / k)
+        if w < 1 - k * e:
+            return half * (w / k + f)
+        return 1 - mpmath.sqrt((1 - w) * e / k)
+
+    def segment_at(self, t):
+        for i in range(len(self.cubics) - 1):
+            if t < self.times[i + 1]:
+                return i
+        return len(self.cubics) - 1
+
+    def derivative_square(self, i):
+        q = [mpf(0)] * 5
+        for _, b, c, d in self.cubics[i]:
+            v = (b, 2 * c, 3 * d)
+            for j in range(3):
+                for k in range(3):
+                    q[j + k] += v[j] * v[k]
+        return q
+
+    def cuts(self, i):
+        """0, 1, and where the speed comes near to zero between them."""
+        q = self.derivative_square(i)
+        slope = [k * q[k] for k in range(4, 0, -1)]
+        while slope and slope[0] == 0:
+            slope.pop(0)
+        places = []
+        if len(slope) > 1:
+            with mp.workdps(90):
+                places = [z.real for z in mpmath.polyroots(slope, maxsteps=500, extraprec=400)]
+        return [mpf(0)] + sorted(z for z in places if 0 < z < 1) + [mpf(1)]
+
+    def length(self, i, u=None):
+        """From the start of a segment to u."""
+        if u is None:
+            if i not in self.lengths:
+                self.lengths[i] = self.length(i, mpf(1))
+            return self.lengths[i]
+        q = self.derivative_square(i)
+        cuts = [z for z in self.cuts(i) if z < u] + [u]
+        def speed(z):
+            return norm([b + z * (2 * c + z * 3 * d) for _, b, c, d in self.cubics[i]])
+        total = mpf(0)
+        for a, b in zip(cuts, cuts[1:]):
+            m = (a + b) / 2
+            for lo, hi in ((a, m), (m, b)):
+                total += mpmath.quad(speed, [lo, hi], maxdegree=9)
+        return total
+
+    def place_at(self, s):
+        """(segment, u) where the curve has the length s."""
+        i = 0
+        while i + 1 < len(self.cubics) and s > self.length(i):
+            s -= self.length(i)
+            i += 1
+        low, high, u, at, base = mpf(0), mpf(1), s / self.length(i), mpf(0), mpf(0)
+        for _ in range(200):
+            value = self.length(i, u) - s
+            speed = norm([b + u * (2 * c + u * 3 * d) for _, b, c, d in self.cubics[i]])
+            if value > 0:
+                high = u
+            else:
+                low = u
+            new = u - value / speed if speed != 0 else (low + high) / 2
+            if not low < new < high:
+                new = (low + high) / 2
+            if abs(new - u) < mpf(10) ** -55:
+                return i, new
+            u = new
+        return i, u
+
+    def row(self, fields, i, passed, w, t, s=None):
+        _, w1, w2 = self.warp(i, passed)
+        h = self.times[i + 1] - self.times[i]
+        rate, bend = w1 / h, w2 / h ** 2
+        x, v, a, j = [], [], [], []
+        for p, b, c, d in self.cubics[i]:
+            d1, d2, d3 = b + w * (2 * c + w * 3 * d), 2 * c + 6 * d * w, 6 * d
+            x.append(p + w * (b + w * (c + w * d)))
+            v.append(d1 * rate)
+            a.append(d2 * rate ** 2 + d1 * bend)
+            j.append(d3 * rate ** 3 + 3 * d2 * rate * bend)
+        tiny = mpf(10) ** -40
+        size = max([abs(z) for cubic in self.cubics[i] for z in cubic]) / h
+        moves = norm(v) > tiny * size
+        minors = [v[p] * a[q] - v[q] * a[p] for p in range(len(v)) for q in range(p + 1, len(v))]
+        area = norm(minors)
+        bends = moves and area > tiny * norm(v) * (norm(a) + size)
+        for field in fields:
+            if field == "time":
+                yield t
+            elif field == "position":
+                yield from x
+            elif field == "velocity":
+                yield from v
+            elif field == "acceleration":
+                yield from a
+            elif field == "jerk":
+                yield from j
+            elif field == "speed":
+                yield norm(v)
+            elif field == "tangent":
+                yield from [z / norm(v) if moves else None for z in v]
+            elif field == "curvature":
+                yield None if not moves else area / norm(v) ** 3 if bends else mpf(0)
+            elif field == "torsion":
+                if not bends:
+                    yield None
+                elif len(v) < 3:
+                    yield mpf(0)
+                else:
+                    det = (v[0] * (a[1] * j[2] - a[2] * j[1]) - v[1] * (a[0] * j[2] - a[2] * j[0])
+                           + v[2] * (a[0] * j[1] - a[1] * j[0]))
+                    yield det / area ** 2
+            elif field == "u":
+                yield passed
+            elif field == "segment":
+                yield mpf(i)
+            elif field == "s":
+                yield s if s is not None else sum((self.length(k) for k in range(i)), mpf(0)) + self.length(i, w)
+
+
+def text(x):
+    return repr(x) if isinstance(x, float) else str(x)
+
+
+def random_keys(channels, n, style):
+    t, keys = rng.choice([0.0, rng.uniform(-9, 9), 1e6 * rng.random()]), []
+    for _ in range(n):
+        p = [rng.uniform(-10, 10) if style != "short" else rng.randint(-99, 99) / 10 for _ in range(channels)]
+        tcb = [rng.choice([0.0, 0.0, rng.uniform(-1, 1), 1.0, -1.0]) for _ in range(3)] if style != "plain" else [0.0] * 3
+        ease = [rng.choice([0.0, rng.random() * 0.9]) for _ in range(2)] if style == "ease" else [0.0, 0.0]
+        keys.append((t, p, tcb, ease))
+        t += rng.choice([1.0, rng.uniform(0.01, 3)])
+    return keys
+
+
+def write(keys, style, timed=True):
+    channels = len(keys[0][1])
+    names = (["t"] if timed else []) + ["x", "y", "z"][:channels] + ["tension", "continuity", "bias"]
+    if style == "ease":
+        names += ["ease_in", "ease_out"]
+    lines = [",".join(names)]
+    for t, p, tcb, ease in keys:
+        lines.append(",".join(map(text, ([t] if timed else []) + p + tcb + (ease if style == "ease" else []))))
+    return "\n".join(lines) + "\n"
+
+
+def run(keys_text, options):
+    done = subprocess.run([program, "--golden", "--no-output-header", *options], input=keys_text, text=True,
+                          capture_output=True)
+    if done.returncode != 0:
+        sys.exit(f"{options}: {done.stderr}")
+    return [[float(cell) if cell else None for cell in line.split(",")] for line in done.stdout.splitlines()]
+
+
+compared = differ = 0
+
+
+def compare(got, want, what):
+    global compared, differ
+    for g, w in zip(got, want, strict=True):
+        w = None if w is None else 0.0 if abs(w) < mpf(10) ** -40 else float(w)  # what 60 digits leave of zero
+        compared += 1
+        if g != w:
+            differ += 1
+            if differ < 20:
+                print(f"{what}: {g!r}, expected {w!r}", file=sys.stderr)
+
+
+rules = ["velocity", "uniform", "interval", "interval-c", "finite-difference", "kb1984", "synfig"]
+end_rules = ["half", "one-sided", "mirror", "chord", "zero", "natural", "natural-tension", "cry", "lightwave", "velocity"]
+local = ["time", "position", "velocity", "acceleration", "jerk", "speed", "tangent", "curvature", "torsion", "u", "segment"]
+exact = lambda x: mpf(x)
+
+
+def made(keys, number, dec=exact):
+    return [(dec(t), list(map(dec, p)), list(map(dec, tcb)), list(map(dec, e))) for t, p, tcb, e in keys]
+
+
+for number in range(curves):
+    channels = rng.choice([1, 2, 3, 3])
+    style = rng.choice(["plain", "tcb", "short", "ease"])
+    keys = random_keys(channels, rng.choice([2, 3, 4, 6, 9]), style)
+    rule, ends = rng.choice(rules), [rng.choice(end_rules), rng.choice(end_rules)]
+    velocity = [rng.uniform(-3, 3) for _ in range(channels)]
+    equal, closed = rng.random() < 0.25, rng.random() < 0.25 and len(keys) > 2
+    timed = rng.random() < 0.8
+    exponent = None
+    options = ["--tangents", rule]
+    if equal:
+        options.append("--equal-speed")
+    period = None
+    decimal = timed and rng.random() < 0.3
+    number_of = (lambda x: mpf(text(x))) if decimal else exact
+    if decimal:
+        options.append("--exact-input")
+    if not timed:
+        keys = [(float(i), *k[1:]) for i, k in enumerate(keys)]
+        name, exponent = rng.choice([("chordal", 1), ("centripetal", half), (None, None), ("0.75", mpf(3) / 4)])
+        closed = False
+        if name:
+            options += ["--parameter", name]
+    if closed:
+        last = keys[-1][0] - keys[0][0] + 1.25
+        keys.append((keys[0][0] + last, keys[0][1], keys[0][2], keys[0][3]))
+        period = number_of(keys[-1][0]) - number_of(keys[0][0])
+        options.append("--closed")
+    else:
+        spelled = [e + ("=" + ":".join(map(text, velocity)) if e == "velocity" else "") for e in ends]
+        options += ["--ends", ",".join(spelled)]
+    curve = Curve(made(keys[:-1] if closed else keys, number, number_of), rule, ends, period, equal,
+                  list(map(number_of, velocity)), exponent)
+    fields = ["time", "position", "s", "segment"] if number % 8 == 7 else local
+    rows = run(write(keys, style, timed), [*options, "--count", "7" if "s" in fields else "101", "--fields", ",".join(fields)])
+    for j, row in enumerate(rows):
+        t = number_of(row[0])
+        i = min(int(row[-1]), len(curve.cubics) - 1)
+        if exponent is not None and j + 1 == len(rows):
+            t = curve.times[-1]  # the last row is the last key
+        passed = (t - curve.times[i]) / (curve.times[i + 1] - curve.times[i])
+        want = list(curve.row(fields, i, passed, curve.warp(i, passed)[0], t))
+        compare(row, want, f"curve {number} {options} row {j}")
+    if number % 4 != 1:
+        continue
+    s_text = text(round(rng.uniform(0.1, 0.9) * float(curve.length(0)), 3))
+    fields = ["s", "time", "position", "velocity", "speed", "u", "segment"]
+    places = [mpf(s_text), mpf(s_text) / 3, mpf(s_text) * half]
+    rows = run(write(keys, style, timed), [*options, "--arc-at", f"{s_text},{s_text}/3,{s_text}/2", "--fields", ",".join(fields)])
+    for row, s in zip(rows, places, strict=True):
+        i, w = curve.place_at(s)
+        passed = curve.unwarp(i, w)
+        t = curve.times[i] + passed * (curve.times[i + 1] - curve.times[i])
+        compare(row, list(curve.row(fields, i, passed, w, t, s)), f"curve {number} {options} at length {s_text}")
+
+print(f"{compared} values, {differ} differ")
+sys.exit(1 if differ else 0)

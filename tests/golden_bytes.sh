@@ -1,0 +1,61 @@
+#!/bin/sh
+# The bytes are those of every other build: golden_bytes.sh PROGRAM [EMULATOR [OPTION]...]
+#
+# Every sample, resampled in every way below, has the hash that stands in golden_bytes.sha256, and every case of
+# golden/ prints what it expects. UPDATE=1 writes the hashes anew. For aarch64, on Debian:
+#   dpkg --add-architecture arm64 && apt-get update
+#   apt-get install g++-aarch64-linux-gnu qemu-user libfmt-dev:arm64 libtbb-dev:arm64
+#   cmake --preset aarch64 && cmake --build --preset aarch64
+#   tests/golden_bytes.sh build/aarch64/tcbsample qemu-aarch64 -L /usr/aarch64-linux-gnu
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+shift
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+printf '#!/bin/sh\nexec %s "%s" "$@"\n' "$*" "$program" >"$scratch/tcbsample"
+chmod +x "$scratch/tcbsample"
+PATH=$scratch:$PATH
+
+fields=time,position,s,velocity,acceleration,jerk,speed,tangent,curvature,torsion,segment,u,key,arc_error
+exact=${fields%,arc_error}
+mixed() { # keys with tension, continuity, bias and ease, cusps and holds
+  echo t,x,y,z,tension,continuity,bias,ease_in,ease_out
+  echo 0,0.1,-0.2,3,0,0,0,0,0.3
+  echo 0.7,1.5,2.25,-1e-3,0.3,-0.2,0.1,0.2,0
+  echo 2,1.5,2.25,-1e-3,1,0,0,0.5,0.7
+  echo 3.1,-40,7,0.5,0,-1,0,0,0
+  echo 4,-38.5,6,0.25,-0.5,1,-1,0,0
+  echo 6.5,3,3,3,0,0,0,0,0
+}
+ways() {
+  echo "--count 501 --fields $fields"
+  echo "--arc-count 333 --fields $fields"
+  echo "--per-segment 7 --digits 9 -f tsv"
+  echo "--tolerance 0.01 --keys -f jsonl"
+  echo "--count 21 --golden --fields $exact"
+  echo "--arc-count 7 --golden --digits 30 --fields s,time,position"
+  for tangents in uniform interval interval-c finite-difference kb1984 synfig; do
+    echo "--count 101 --tangents $tangents --ends natural,half --equal-speed --hex"
+  done
+}
+hashes() {
+  mixed >"$scratch/mixed.csv"
+  for file in "$scratch/mixed.csv" "$here"/../samples/*.csv "$here"/../samples/*.tsv "$here"/../samples/*.json \
+    "$here"/../samples/*.jsonl "$here"/../samples/*.txt; do
+    ways | while read -r way; do
+      # A sample that refuses an option does so everywhere; its message is hashed.
+      # shellcheck disable=SC2086
+      sum=$( (cd "$(dirname "$file")" && tcbsample $way "$(basename "$file")" 2>&1 || echo "exit code $?") | sha256sum)
+      echo "${sum%% *} $(basename "$file") $way"
+    done
+  done
+}
+
+hashes >"$scratch/hashes"
+[ -z "${UPDATE-}" ] || cp "$scratch/hashes" "$here/golden_bytes.sha256"
+diff -u "$here/golden_bytes.sha256" "$scratch/hashes"
+[ $# -gt 0 ] || exit 0 # ctest runs the cases itself
+for command in $(cd "$here" && find golden -name cmd); do
+  sh "$here/golden.sh" "$scratch/tcbsample" "$here/$(dirname "$command")" || exit 1
+done
