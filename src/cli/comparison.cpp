@@ -59,6 +59,12 @@ void require_effects(const Typed& typed, std::string_view option) {
                         Idle{"--suffix", !typed.suffix.empty()},
                         Idle{"--update", typed.update},
                         Idle{"--fail-fast", typed.fail_fast},
+                        Idle{"--digits", !typed.digits.empty()},
+                        Idle{"--fixed", !typed.fixed.empty()},
+                        Idle{"--hex", typed.hex},
+                        Idle{"--golden", typed.golden},
+                        Idle{"--exact-input", typed.exact_input},
+                        Idle{"--meta", typed.meta},
                         Idle{"--no-output-header", typed.no_output_header}};
   for (const Idle& other : idle) {
     if (!other.given) continue;
