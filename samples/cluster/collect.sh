@@ -13,12 +13,13 @@ cd rows
 names=$(find . -type f -name '*.csv' -exec sed -n 1p {} \; -quit)
 export names
 [ -n "$names" ] || exit 0
+# shellcheck disable=SC2016 # for awk
 {
   printf 'file,%s\n' "$names"
-  find . -type f -name '*.csv' -printf '%P\0' | LC_ALL=C sort -z | xargs -0 awk '
+  find . -type f -name '*.csv' -print0 | LC_ALL=C sort -z | xargs -0 awk '
     FNR > 1 { print file "," $0; next }
     $0 != ENVIRON["names"] { print FILENAME ": other names above the rows: " $0 >"/dev/stderr"; exit 1 }
-    { file = FILENAME }
+    { file = substr(FILENAME, 3) }
     gsub(/"/, "\"\"", file) || file ~ /,/ { file = "\"" file "\"" }'
 } >../rows.csv.unfinished
 mv ../rows.csv.unfinished ../rows.csv

@@ -7,7 +7,7 @@ set -eu
 [ $# -ge 2 ] || { echo "usage: split.sh KEYS JOB [N]" >&2; exit 2; }
 keys=$1 job=$2 count=${3-5000}
 # The output's ending is that of its format, so x.csv and x.json would both become x.csv, in two parts unnoticed.
-twice=$(cd "$keys" && find . -type f | sed 's/\.[^./]*$//' | LC_ALL=C sort | uniq -d | head -3)
+twice=$(cd "$keys" && find . -type f | sed -nE 's/\.(csv|tsv|ssv|jsonl?)$//p' | LC_ALL=C sort | uniq -d | head -3)
 [ -z "$twice" ] || { echo "split.sh: these differ by their endings only, rename some: $twice" >&2; exit 2; }
 mkdir "$job" "$job/parts"
 parts=$(cd "$job/parts" && pwd)

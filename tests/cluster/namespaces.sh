@@ -18,34 +18,34 @@ enter_namespaces() {
   ENTERED=1 exec unshare --mount --net --uts --pid --fork --kill-child --mount-proc sh "$@"
 }
 
-# make_keys FOLDER: 40 files of keys, in folders, one with a name that needs quotes.
+# make_keys FOLDER: 40 files of keys, in folders, one with a name that needs quotes, and names that awk could take for assignments.
 make_keys() {
   mkdir -p "$1/arm" "$1/leg, \"left\"/foot"
   for i in $(seq 10 49); do
     case $i in 1?) folder=. ;; 2?) folder=arm ;; *) folder='leg, "left"/foot' ;; esac
-    seq 0 49 | awk -v i="$i" 'BEGIN { print "time,x,y" } { print $1 "," $1 * i % 17 "," $1 * $1 % i }' >"$1/$folder/key $i.csv"
+    seq 0 49 | awk -v i="$i" 'BEGIN { print "time,x,y" } { print $1 "," $1 * i % 17 "," $1 * $1 % i }' >"$1/$folder/key=$i.csv"
   done
 }
 
 # spoil FOLDER: puts a cell that is no number into a file, of which errors then say $spoilt.
 spoil() {
-  cp "$1/arm/key 25.csv" good
-  echo '1,o,2' >>"$1/arm/key 25.csv"
-  spoilt='key 25.csv:52:3: error'
+  cp "$1/arm/key=25.csv" good
+  echo '1,o,2' >>"$1/arm/key=25.csv"
+  spoilt='key=25.csv:52:3: error'
 }
 
 # check_collecting OPTION...: whether the folder job is collected, without "keys" of a bad file, and then with good ones.
 check_collecting() {
   ! sh "$scripts/collect.sh" job "$@" 2>errors || fail "a bad file was collected"
   grep -q "$spoilt" errors || fail "collecting does not name the bad file: $(cat errors)"
-  cat good >'keys/arm/key 25.csv'
+  cat good >'keys/arm/key=25.csv'
   tcbsample --recursive --output-dir want "$@" keys 2>/dev/null
   sh "$scripts/collect.sh" job "$@" 2>errors || fail "collecting failed: $(cat errors)"
   grep -q ' 1 done, 39 skipped, 0 failed' errors || fail "collecting did more than the bad file: $(cat errors)"
   same want job/rows
   (
     cd want
-    sed 's/^/file,/;q' 'key 10.csv'
+    sed 's/^/file,/;q' 'key=10.csv'
     find . -type f | cut -c 3- | LC_ALL=C sort | while IFS= read -r file; do
       case $file in *'"'*) name="\"$(echo "$file" | sed 's/"/""/g')\"" ;; *) name=$file ;; esac
       NAME=$name perl -ne 'print "$ENV{NAME},$_" if $. > 1' "$file"

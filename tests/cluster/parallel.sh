@@ -47,18 +47,20 @@ sh "$scripts/split.sh" keys job 7
 sh "$scripts/parallel.sh" job hosts --count 500 2>errors || fail "exit $?: $(cat errors)"
 grep -q "$spoilt" errors || fail "no word of the bad file: $(cat errors)"
 [ "$(cut -f 2 job/log | sort -u | grep -c host)" = 3 ] || fail "not all hosts had a part: $(cat job/log)"
+left=$(find /run/home? -type f ! -path '*/.ssh/*')
+[ -z "$left" ] || fail "left behind on a host: $left"
 check_collecting --count 500
 
 # One of the hosts fails, and the machine that starts the work stops in the middle of it; then it goes on.
 ip netns pids host3 | xargs kill
 sh "$scripts/split.sh" keys again 7
 setsid sh "$scripts/parallel.sh" again hosts --count 500 2>errors &
-until [ "$(cat again/log 2>/dev/null | wc -l)" -ge 3 ]; do sleep 0.05; done
+until [ -f again/log ] && [ "$(wc -l <again/log)" -ge 3 ]; do sleep 0.05; done
 kill -- -$!
 wait $! 2>/dev/null || true
+cp again/log before
 sh "$scripts/parallel.sh" again hosts --count 500 2>errors || fail "after a stop, exit $?: $(cat errors)"
+head -n "$(wc -l <before)" again/log | cmp - before || fail "it began from the start"
 [ "$(awk 'NR > 1 { print $NF }' again/log | sort | uniq -c | awk '{ print $1 }' | tr -d '\n')" = 111111 ] ||
   fail "not every part once: $(cat again/log)"
 same want again/rows
-left=$(find /run/home[12] -type f ! -path '*/.ssh/*')
-[ -z "$left" ] || fail "left behind on a host: $left"

@@ -11,11 +11,12 @@ cp "$1" /run/bin/tcbsample
 cd /run/here
 PATH=/run/bin:$PATH SLURM_CONF=/run/slurm.conf
 export PATH SLURM_CONF
+# shellcheck disable=SC2046 # names
 unset $(env | sed -n 's/^\(\(SLURM\|SBATCH\)_[A-Z_]*\)=.*/\1/p' | grep -v '^SLURM_CONF$')
 
 # The cluster.
 ip link set lo up
-ip link add node type bridge && ip addr add 10.0.0.1/24 dev node && ip link set node up || skip "there is no network"
+{ ip link add node type bridge && ip addr add 10.0.0.1/24 dev node && ip link set node up; } || skip "there is no network"
 hostname localhost
 head -c 64 /dev/urandom >/run/munge/key
 chmod -R go= /run/munge
@@ -46,7 +47,7 @@ END
 slurmctld
 slurmd -N node1
 slurmd -N node2
-for try in $(seq 50); do
+for _ in $(seq 50); do
   nodes=$(sinfo --noheader --states=idle --format=%D) || skip "slurmctld does not answer: $(cat /run/slurmctld.log)"
   [ "$nodes" != 2 ] || break
   sleep 0.1

@@ -15,8 +15,10 @@ sample tcbsample --no-header --no-output-header <keys | sort -s -k 1,1 >whole
 sh "$scripts/by_curve.sh" 1 7 parts <keys
 : >parts/7
 for part in parts/*; do
-  sort -t "$(printf '\t')" -k 3,3 "$part" | sample sh "$scripts/sample_partition.sh"
-done | sort -s -k 1,1 >joined
+  sort -t "$(printf '\t')" -k 3,3 "$part" >shuffled
+  sample sh "$scripts/sample_partition.sh" <shuffled >>rows
+done
+sort -s -k 1,1 rows >joined
 [ "$(cut -f 1 whole | uniq | wc -l)" = 1000 ] || { echo "not all curves are there"; exit 1; }
 cmp whole joined
 
