@@ -8,6 +8,7 @@ set -eu
 [ $# -ge 1 ] || { echo "usage: collect.sh JOB [OPTION]..." >&2; exit 2; }
 cd "$1"
 shift
+rm -f rows.csv
 tcbsample --recursive --update --output-dir rows "$@" parts/*
 cd rows
 names=$(find . -type f -name '*.csv' -exec sed -n 1p {} \; -quit)

@@ -14,16 +14,18 @@ enter_namespaces() {
     command -v "$tool" >/dev/null || skip "there is no $tool"
   done
   shift
-  unshare --mount --net --uts --pid --fork --mount-proc mount -t tmpfs tmpfs /run 2>/dev/null || skip "there are no namespaces"
+  unshare --mount --net --uts --pid --fork --mount-proc mount -t tmpfs tmpfs /run 2>/dev/null ||
+    skip "there are no namespaces"
   ENTERED=1 exec unshare --mount --net --uts --pid --fork --kill-child --mount-proc sh "$@"
 }
 
-# make_keys FOLDER: 40 files of keys, in folders, one with a name that needs quotes, and names that awk could take for assignments.
+# make_keys FOLDER: 40 files of keys, in folders, with names that need quotes, or that awk could take for assignments.
 make_keys() {
   mkdir -p "$1/arm" "$1/leg, \"left\"/foot"
   for i in $(seq 10 49); do
     case $i in 1?) folder=. ;; 2?) folder=arm ;; *) folder='leg, "left"/foot' ;; esac
-    seq 0 49 | awk -v i="$i" 'BEGIN { print "time,x,y" } { print $1 "," $1 * i % 17 "," $1 * $1 % i }' >"$1/$folder/key=$i.csv"
+    seq 0 49 | awk -v i="$i" 'BEGIN { print "time,x,y" } { print $1 "," $1 * i % 17 "," $1 * $1 % i }' \
+      >"$1/$folder/key=$i.csv"
   done
 }
 
@@ -34,7 +36,7 @@ spoil() {
   spoilt='key=25.csv:52:3: error'
 }
 
-# check_collecting OPTION...: whether the folder job is collected, without "keys" of a bad file, and then with good ones.
+# check_collecting OPTION...: whether the folder job is not collected with a bad file, and is with a good one.
 check_collecting() {
   ! sh "$scripts/collect.sh" job "$@" 2>errors || fail "a bad file was collected"
   grep -q "$spoilt" errors || fail "collecting does not name the bad file: $(cat errors)"

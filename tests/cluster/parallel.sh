@@ -1,5 +1,5 @@
 #!/bin/sh
-# Whether three hosts with sshd make the files that one program makes: parallel.sh PROGRAM SCRIPTS. Exit 77: no hosts here.
+# Whether three hosts with sshd make the files that one program makes: parallel.sh PROGRAM SCRIPTS. Exit 77: no hosts.
 #
 # A host is a network namespace with a home and an sshd of its own, and without the folder "here" of this test.
 set -eu
@@ -13,7 +13,8 @@ HOME=$PWD PATH=/run/bin:$PATH PARALLEL_SSH="ssh -F $PWD/ssh_config"
 export HOME PATH PARALLEL_SSH
 
 # The hosts.
-{ ip link add hosts type bridge && ip addr add 10.0.0.1/24 dev hosts && ip link set hosts up; } || skip "there is no bridge"
+{ ip link add hosts type bridge && ip addr add 10.0.0.1/24 dev hosts && ip link set hosts up; } ||
+  skip "there is no bridge"
 ssh-keygen -q -t ed25519 -N '' -f key && cp key /run/host_key
 cat >ssh_config <<END
 User root
@@ -33,7 +34,8 @@ for n in 1 2 3; do
   ip -n "host$n" addr add "10.0.0.1$n/24" dev eth0
   ip -n "host$n" link set eth0 up
   printf 'HostKey /run/host_key\nPidFile /run/pid%s\nSetEnv PATH=%s\n' "$n" "$PATH" >"/run/sshd_config$n"
-  ip netns exec "host$n" sh -c "mount --bind /run/home$n ~root && \$(command -v sshd) -f /run/sshd_config$n && mount -t tmpfs tmpfs $PWD"
+  ip netns exec "host$n" sh -c "mount --bind /run/home$n ~root && $(command -v sshd) -f /run/sshd_config$n &&
+    mount -t tmpfs tmpfs $PWD"
   echo "host$n" >>hosts
   printf 'Host host%s\nHostName 10.0.0.1%s\n' "$n" "$n" >>ssh_config
   echo "10.0.0.1$n $(cat key.pub)" >>known

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Whether a Slurm array makes the files that one program makes: slurm.sh PROGRAM SCRIPTS. Exit 77: Slurm cannot run here.
+# Whether a Slurm array makes the files that one program makes: slurm.sh PROGRAM SCRIPTS. Exit 77: no Slurm.
 #
 # A slurmctld and the slurmd of two nodes, on ports of their own network.
 set -eu

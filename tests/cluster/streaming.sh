@@ -8,7 +8,9 @@ PATH=$(dirname "$(realpath "$1")"):$PATH
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-seq 0 49999 | awk 'BEGIN { OFS = "\t" } { curve = $1 * 7919 % 1000; print "c" curve, $1, sin($1), curve - $1 / 1e4, $1 % 3 - 1 }' >keys
+seq 0 49999 | awk '
+  BEGIN { OFS = "\t" }
+  { curve = $1 * 7919 % 1000; print "c" curve, $1, sin($1), curve - $1 / 1e4, $1 % 3 - 1 }' >keys
 sample() { "$@" -i tsv -f tsv --columns group=1,time=2,position=3:4,tension=5 --sort --step 250; }
 
 sample tcbsample --no-header --no-output-header <keys | sort -s -k 1,1 >whole
