@@ -27,6 +27,22 @@ Source<Batch> batches(std::shared_ptr<const WholeCurve> curve, std::uint64_t row
 
 }  // namespace
 
+std::vector<Time<double>> with_keys(const std::vector<Time<double>>& times, const WholeCurve& curve,
+                                    const Time<double>& from, const Time<double>& to) {
+  const Time<double> near = times.size() > 1 ? (times[1] - times[0]) * Time<double>(1e-9) : Time<double>(0.0);
+  std::vector<Time<double>> merged;
+  std::size_t next = 0;
+  for (std::uint64_t i = 0; i <= curve.size(); ++i) {
+    const Time<double> key = i < curve.size() ? curve.piece(i).start : curve.piece(i - 1).end;
+    if (key < from - near || key > to + near) continue;
+    for (; next < times.size() && times[next] < key - near; ++next) merged.push_back(times[next]);
+    while (next < times.size() && times[next] <= key + near) ++next;
+    merged.push_back(key);
+  }
+  merged.insert(merged.end(), times.begin() + static_cast<std::ptrdiff_t>(next), times.end());
+  return merged;
+}
+
 WholeCurve::WholeCurve(const Source<Stretch>& stretches, std::vector<std::size_t> metric)
     : first_numbers_{0}, s_{Twice()}, s_error_{0}, metric_(std::move(metric)) {
   while (std::optional<Stretch> stretch = stretches()) {

@@ -38,6 +38,10 @@ class WholeCurve {
   std::vector<double> cycle_;  ///< last key - first key
 };
 
+/// The times with those of the curve's keys in the range; a time within a billionth of a step from a key gives way.
+std::vector<spline::Time<double>> with_keys(const std::vector<spline::Time<double>>& times, const WholeCurve& curve,
+                                            const spline::Time<double>& from, const spline::Time<double>& to);
+
 /// The rows of a locator, in batches.
 Source<Batch> look_up(const std::shared_ptr<const WholeCurve>& curve,
                       const std::shared_ptr<const sampler::AnywhereInTime>& rows, bool left);

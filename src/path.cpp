@@ -28,29 +28,6 @@ Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
   });
 }
 
-/// Rows as the fast path works them out.
-Evaluate fast_rows(std::shared_ptr<const sampler::Locator> locator) {
-  return [locator = std::move(locator)](const Batch& batch, std::span<const std::size_t> chosen) {
-    return Table{evaluate(batch, *locator, chosen)};
-  };
-}
-
-/// The times with those of the curve's keys in the range; a time within a billionth of a step from a key gives way.
-std::vector<Time> with_keys(const std::vector<Time>& times, const WholeCurve& curve, const Time& from, const Time& to) {
-  const Time near = times.size() > 1 ? (times[1] - times[0]) * Time(1e-9) : Time(0.0);
-  std::vector<Time> merged;
-  std::size_t next = 0;
-  for (std::uint64_t i = 0; i <= curve.size(); ++i) {
-    const Time key = i < curve.size() ? curve.piece(i).start : curve.piece(i - 1).end;
-    if (key < from - near || key > to + near) continue;
-    for (; next < times.size() && times[next] < key - near; ++next) merged.push_back(times[next]);
-    while (next < times.size() && times[next] <= key + near) ++next;
-    merged.push_back(key);
-  }
-  merged.insert(merged.end(), times.begin() + static_cast<std::ptrdiff_t>(next), times.end());
-  return merged;
-}
-
 /// The settings beside the keys; what is wrong with them is said of their place.
 const CurveSettings& checked_settings(const format::BesideKeys& beside_keys, const std::vector<std::string>& channels) {
   try {

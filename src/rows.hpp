@@ -48,6 +48,9 @@ using Evaluate = std::function<Table(const Batch& batch, std::span<const std::si
 std::vector<format::Cell> evaluate(const Batch& batch, const sampler::Locator& locator,
                                    std::span<const std::size_t> chosen);
 
+/// The rows that evaluate() makes.
+Evaluate fast_rows(std::shared_ptr<const sampler::Locator> locator);
+
 /// Throws: Error (data) for a number in the row of a sample.
 [[noreturn]] void refuse_overflow(const sampler::Sample& sample);
 

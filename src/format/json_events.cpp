@@ -53,8 +53,7 @@ const char* token_start(const char* begin, const char* now) {
 
 /// Where the token begins that was read last, a bracket or comma among them.
 const char* last_token(const char* begin, const char* now) {
-  if (now == begin) return now;
-  const bool single = std::string_view(",:[]{}").find(now[-1]) != std::string_view::npos;
+  const bool single = now != begin && std::string_view(",:[]{}").find(now[-1]) != std::string_view::npos;
   return single ? now - 1 : token_start(begin, now);
 }
 
@@ -82,8 +81,7 @@ struct JsonEvents::Adapter {
   bool null() { return word("null"); }
   bool boolean(bool value) { return word(value ? "true" : "false"); }
   bool number_integer(json::number_integer_t value) {
-    if (value != 0) return whole(value);
-    return number_float(-0.0, {});  // only a zero with a sign comes here
+    return value != 0 ? whole(value) : number_float(-0.0, {});  // only a zero with a sign comes here
   }
   bool number_unsigned(json::number_unsigned_t value) { return whole(value); }
   bool number_float(json::number_float_t value, const std::string& text) {
