@@ -66,7 +66,7 @@ Source<std::string> Recorder::bytes(const std::string& name, Source<std::string>
     tally->sha256.add(part);
     return part;
   });
-  return [tally = tally_] { return tally->bytes(); };
+  return [tally = tally_.get()] { return tally->bytes(); };
 }
 
 Source<format::KeyBlock> Recorder::keys(Source<format::KeyBlock> keys) {
@@ -76,12 +76,12 @@ Source<format::KeyBlock> Recorder::keys(Source<format::KeyBlock> keys) {
     tally->meta.keys += block.lines.size();
     return block;
   });
-  return [tally = tally_] { return tally->keys(); };
+  return [tally = tally_.get()] { return tally->keys(); };
 }
 
 Source<Batch> Recorder::rows(Source<Batch> rows) {
   if (tally_ == nullptr) return rows;
-  return mapped(std::move(rows), [tally = tally_](Batch batch) {
+  return mapped(std::move(rows), [tally = tally_.get()](Batch batch) {
     tally->meta.rows += batch.rows();
     return batch;
   });

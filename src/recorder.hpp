@@ -24,7 +24,7 @@ struct MetaRequest {
 };
 
 /// Lets an input's bytes, keys and rows go by, and reads each to its end, so that every count is whole.
-/// Without a request it does nothing.
+/// Without a request it does nothing. It outlives the sources that it gives.
 class Recorder {
  public:
   explicit Recorder(const std::optional<MetaRequest>& request);
