@@ -21,7 +21,8 @@ double spline(const std::vector<Key>& keys, double t) {
     const Key& key = keys[i];
     const double before = i == 0 ? 0 : slope(i - 1), behind = i + 1 == keys.size() ? 0 : slope(i);
     return h * (1 - key.tension) / 2 *
-           ((1 + side * key.continuity) * (1 + key.bias) * before + (1 - side * key.continuity) * (1 - key.bias) * behind);
+           ((1 + side * key.continuity) * (1 + key.bias) * before +
+            (1 - side * key.continuity) * (1 - key.bias) * behind);
   };
   const double p0 = keys[k].position, p1 = keys[k + 1].position, m0 = tangent(k, 1), m1 = tangent(k + 1, -1);
   return p0 + u * (m0 + u * (3 * (p1 - p0) - 2 * m0 - m1 + u * (2 * (p0 - p1) + m0 + m1)));

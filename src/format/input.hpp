@@ -44,7 +44,7 @@ struct InputOptions {
   char decimal = '.';       ///< between the digits of a number in delimited text
   Missing missing = Missing::error;
   std::optional<SampleNames> samples;  ///< the records are no keys but samples of a curve
-  bool keeps_decimals = false;  ///< keys keep their numbers as they are written
+  bool keeps_decimals = false;         ///< keys keep their numbers as they are written
 };
 
 /// Whole records of an input, as text.
