@@ -1,7 +1,7 @@
 #!/bin/sh
 # A test of a program that prints samples, here a few lines of awk: its rows, at times of its own, are compared.
 set -eu
-awk -F, '
+LC_ALL=C awk -F, '
   NR > 1 { t[n] = $1; p[n] = $2; T[n] = $4; C[n] = $5; B[n] = $6; ++n }
   function slope(i) { return i < 0 || i > n - 2 ? 0 : (p[i + 1] - p[i]) / (t[i + 1] - t[i]) }
   function tangent(i, side) {
