@@ -124,15 +124,20 @@ class OrderedMap {
  private:
   using Slot = Answer<In, Out, F>;
 
-  /// Pulls some items ahead. What the source throws is for the one who asks for the item behind them.
+  /// The source's next item. What it throws is for the one who asks for the item behind those pulled ahead.
+  std::optional<In> pull() {
+    try {
+      return source_();
+    } catch (...) {
+      failure_ = std::current_exception();
+      return std::nullopt;
+    }
+  }
+
+  /// Pulls some items ahead.
   void fill() {
     while (!ended_ && answers_.size() < ahead_) {
-      std::optional<In> item;
-      try {
-        item = source_();
-      } catch (...) {
-        failure_ = std::current_exception();
-      }
+      std::optional<In> item = pull();
       ended_ = !item;
       if (ended_) return;
       answers_.push_back(std::make_shared<Slot>(std::move(*item), f_));
