@@ -52,15 +52,6 @@ bool is_to_repeat(int descriptor, short events) {
   return true;
 }
 
-/// The permissions of the file if it is there, else those of a new one.
-mode_t mode_for(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0) return status.st_mode & 07777U;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666U & ~mask;
-}
-
 [[noreturn]] void fail(const std::string& path, const char* what) {
   const char* const remedy = errno == EISDIR ? "; give --recursive and --output-dir for the files in it" : "";
   throw Error(Exit::usage, Place{shown_name(path)}, fmt::format("{}: {}{}", what, std::strerror(errno), remedy));
@@ -133,10 +124,12 @@ void Output::open() {
     if (descriptor_ < 0) fail("cannot be written");
     return;
   }
-  descriptor_ = create_unfinished(path_, temporary_);
+  struct stat before {};
+  const bool replaces = ::stat(path_.c_str(), &before) == 0;  // it keeps the permissions of the file before it
+  descriptor_ = create_unfinished(path_, replaces ? S_IRUSR | S_IWUSR : 0666, temporary_);
   unfinished_ = descriptor_ >= 0;
   if (!unfinished_) fail("cannot be written");
-  if (::fchmod(descriptor_, mode_for(path_)) != 0) {
+  if (replaces && ::fchmod(descriptor_, before.st_mode & 07777U) != 0) {
     const int reason = errno;
     remove();
     errno = reason;

@@ -1,7 +1,8 @@
-// Unfinished files: they have no name, or another one, until they are complete; interruptions and crashes leave none.
+// Unfinished files have another name until they are complete; interruptions leave none, and the next run clears up.
 #include "unfinished.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,60 +41,70 @@ Names& names() {
   ::_exit(static_cast<int>(Exit::interrupted));
 }
 
-std::string unused_name(const std::string& path) { return path + ".XXXXXX"; }
-
-bool rename_it(const std::string& name, const std::string& path) {
-  const std::lock_guard lock(names().mutex);
-  if (std::rename(name.c_str(), path.c_str()) != 0) return false;
-  names().all.erase(name);
-  return true;
+/// The names that an unfinished `path` may have, most of them for programs that write the same one at the same time.
+std::string name_beside(const std::filesystem::path& path, int attempt) {
+  constexpr std::size_t longest = 200;  // file systems take 255 bytes
+  const std::string ending = attempt == 0 ? ".tcbsample" : ".tcbsample" + std::to_string(attempt);
+  return path.parent_path() / ("." + path.filename().string().substr(0, longest) + ending);
 }
 
-/// Gives a nameless file its name; where another file has that, by way of a third name, for only rename() replaces.
-bool name_it(int descriptor, const std::string& path) {
-  const std::string file = "/proc/self/fd/" + std::to_string(descriptor);
-  const auto link = [&](const std::string& name) {
-    return ::linkat(AT_FDCWD, file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
-  };
-  if (link(path)) return true;
-  if (errno != EEXIST) return false;
-  std::string name = unused_name(path);
-  {
-    const std::lock_guard lock(names().mutex);
-    const int placeholder = ::mkostemp(name.data(), O_CLOEXEC);  // a name that nobody else takes
-    if (placeholder < 0) return false;
-    ::close(placeholder);
-    ::unlink(name.c_str());
-    if (!link(name)) return false;
-    names().all.insert(name);
-  }
-  if (rename_it(name, path)) return true;
-  const int reason = errno;
-  discard(name);
-  errno = reason;
-  return false;
+bool is_name_of(const std::string& name, int descriptor) {
+  struct stat named {
+  }, opened{};
+  return ::lstat(name.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
+         named.st_ino == opened.st_ino;
+}
+
+/// Removes the file if no program holds a lock on it.
+void remove_abandoned(const std::string& name) {
+  const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_name_of(name, descriptor)) ::unlink(name.c_str());
+  ::close(descriptor);
+}
+
+/// A new file with a lock on it, or -1 with errno set, EEXIST if another program has the name. Between making it and
+/// the lock another program may take it for abandoned; then the name is that program's.
+int create_locked(const std::string& name, mode_t permissions) {
+  const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+  if (descriptor < 0) return -1;
+  const bool lost = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;  // some systems have no locks
+  if (!lost && is_name_of(name, descriptor)) return descriptor;
+  ::close(descriptor);
+  errno = EEXIST;
+  return -1;
 }
 
 }  // namespace
 
-int create_unfinished(const std::string& path, std::string& name) {
-  name.clear();
-  const std::string folder = std::filesystem::path(path).parent_path() / ".";
-  // It is named by way of /proc, which need not be there.
-  const bool can_be_named = ::access("/proc/self/fd", X_OK) == 0;
-  const int nameless = !can_be_named ? -1 : ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  if (nameless >= 0) return nameless;
+int create_unfinished(const std::string& path, mode_t permissions, std::string& name) {
+  constexpr int most_attempts = 1000;
   const std::lock_guard lock(names().mutex);
-  name = unused_name(path);
-  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor >= 0) names().all.insert(name);
+  int descriptor = -1;
+  errno = EEXIST;
+  for (int attempt = 0; descriptor < 0 && errno == EEXIST && attempt < most_attempts; ++attempt) {
+    name = name_beside(path, attempt);
+    descriptor = create_locked(name, permissions);
+    if (descriptor >= 0 || errno != EEXIST) break;
+    remove_abandoned(name);
+    descriptor = create_locked(name, permissions);
+  }
+  if (descriptor >= 0) {
+    names().all.insert(name);
+  } else {
+    name.clear();
+  }
   return descriptor;
 }
 
 bool finish(int descriptor, const std::string& name, const std::string& path) {
   const int other = ::dup(descriptor);  // closing it tells what closing the file would, before that has its name
-  const bool sound = other >= 0 && ::close(other) == 0;
-  const bool finished = sound && (name.empty() ? name_it(descriptor, path) : rename_it(name, path));
+  bool finished = other >= 0 && ::close(other) == 0;
+  if (finished) {
+    const std::lock_guard lock(names().mutex);
+    finished = std::rename(name.c_str(), path.c_str()) == 0;
+    if (finished) names().all.erase(name);
+  }
   const int reason = errno;
   ::close(descriptor);
   errno = reason;

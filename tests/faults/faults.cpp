@@ -1,8 +1,6 @@
 // What a system may do to a program: preloaded, it makes reading and writing fail as TCBSAMPLE_FAULT says.
 //
 // FAULT or FAULT:NUMBER, such as write-full:1000, which is a disk with room for 1000 bytes; run holds them all.
-// With TCBSAMPLE_NAMED the file system has no files without names.
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -95,21 +93,13 @@ int open(const char* path, int flags, ...) {
   va_start(arguments, flags);
   const mode_t mode = va_arg(arguments, mode_t);
   va_end(arguments);
-  const bool nameless = (flags & O_TMPFILE) == O_TMPFILE;
-  if (nameless && std::getenv("TCBSAMPLE_NAMED") != nullptr) return static_cast<int>(fail(EOPNOTSUPP));
-  if (nameless && is_fault("read-only")) return static_cast<int>(fail(EROFS));
+  if ((flags & O_CREAT) != 0 && is_fault("read-only")) return static_cast<int>(fail(EROFS));
   return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
 }
 
-int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
-  if (is_fault("linkat-fails")) return static_cast<int>(fail(EXDEV));
-  return static_cast<int>(::syscall(SYS_linkat, from_folder, from, to_folder, to, flags));
-}
-
-int mkostemp(char* name, int flags) {
-  if (is_fault("read-only")) return static_cast<int>(fail(EROFS));
-  static const auto real = reinterpret_cast<int (*)(char*, int)>(::dlsym(RTLD_NEXT, "mkostemp"));
-  return real(name, flags);
+int flock(int descriptor, int operation) {
+  if (is_fault("no-locks")) return static_cast<int>(fail(ENOLCK));
+  return static_cast<int>(::syscall(SYS_flock, descriptor, operation));
 }
 
 int fchmod(int descriptor, mode_t mode) {
