@@ -96,14 +96,8 @@ void check_pair(const Pair& pair, const Plan& plan, const Sides& sides, Checker&
 Check check(const Plan& plan) {
   Sides sides = read_sides(plan, plan.fields);
   require_columns(*plan.comparison, sides);
-  Check result;
-  result.file = sides.file;
-  result.keys = sides.keys;
-  result.by_length = sides.columns.by_length;
-  result.ignored = sides.columns.ignored;
-  result.problems = sides.columns.problems;
   const Pairs pairs = pair_up(sides.kept, sides.table);
-  result.problems.insert(result.problems.end(), pairs.problems.begin(), pairs.problems.end());
+  Check result{compared(sides, pairs)};
   Checker checker(sides, *plan.comparison, result);
   for (const Pair& pair : pairs.pairs) {
     in_file(sides.keys, [&] { check_pair(pair, plan, sides, checker, result); });

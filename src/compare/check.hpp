@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/distance.hpp"
+#include "compare/pairs.hpp"
 #include "task.hpp"
 
 namespace tcb::compare {
@@ -26,14 +27,10 @@ struct ColumnCheck {
   Distance largest;  ///< in each measure, over all numbers that both have
 };
 
-struct Check {
-  std::string file, keys;
-  bool by_length = false;  ///< the samples are at arc lengths
+struct Check : Compared {
   std::uint64_t rows = 0, values = 0, mismatches = 0;
   std::vector<ColumnCheck> columns;
   std::optional<Difference> first, worst;  ///< the worst: the largest absolute distance
-  std::vector<std::string> ignored;        ///< columns that were not compared, with good reason
-  std::vector<std::string> problems;       ///< what is not as it should be beside the numbers
 
   bool passed() const { return mismatches == 0 && problems.empty(); }
 };

@@ -136,13 +136,7 @@ Identified identify(const Plan& plan) {
       read_sides(plan, plan.fields.empty() ? std::vector{field_of("time"), field_of("position")} : plan.fields);
   in_file(sides.file, [&] { leave_positions(sides); });
   Pairs pairs = pair_up(sides.kept, sides.table);
-  Identified result;
-  result.file = sides.file;
-  result.keys = sides.keys;
-  result.by_length = sides.columns.by_length;
-  result.ignored = sides.columns.ignored;
-  result.problems = sides.columns.problems;
-  result.problems.insert(result.problems.end(), pairs.problems.begin(), pairs.problems.end());
+  Identified result{compared(sides, pairs)};
   in_file(sides.keys, [&] {
     result.closed = is_closed(sides.kept, plan);
     result.orders = distinct_orders(sides.kept);

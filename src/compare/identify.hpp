@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "compare/candidate.hpp"
+#include "compare/pairs.hpp"
 
 namespace tcb::compare {
 
-struct Identified {
-  std::string file, keys;
-  bool by_length = false, closed = false;
+struct Identified : Compared {
+  bool closed = false;
   std::uint64_t rows = 0;         ///< that were compared
   std::vector<TcbOrders> orders;  ///< those that make a difference to these keys
   std::uint64_t conventions = 0;  ///< how many there are with them
   Ranking ranking;
-  std::vector<std::string> ignored, problems;
 
   bool fits() const { return ranking.precision.has_value(); }
 };

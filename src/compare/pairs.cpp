@@ -87,4 +87,10 @@ Pairs pair_up(const KeptCurves& kept, Table& table) {
   return result;
 }
 
+Compared compared(const Sides& sides, const Pairs& pairs) {
+  Compared result{sides.file, sides.keys, sides.columns.by_length, sides.columns.ignored, sides.columns.problems};
+  result.problems.insert(result.problems.end(), pairs.problems.begin(), pairs.problems.end());
+  return result;
+}
+
 }  // namespace tcb::compare

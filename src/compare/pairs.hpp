@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/kept.hpp"
+#include "compare/sides.hpp"
 #include "compare/table.hpp"
 
 namespace tcb::compare {
@@ -21,5 +22,15 @@ struct Pairs {
 
 /// By what tells the curves apart where both have it, else by their order; all rows for a single curve.
 Pairs pair_up(const KeptCurves& kept, Table& table);
+
+/// What every comparison tells of its two sides.
+struct Compared {
+  std::string file, keys;
+  bool by_length = false;             ///< the samples are at arc lengths
+  std::vector<std::string> ignored;   ///< columns that were not compared, with good reason
+  std::vector<std::string> problems;  ///< what is not as it should be beside the numbers
+};
+
+Compared compared(const Sides& sides, const Pairs& pairs);
 
 }  // namespace tcb::compare

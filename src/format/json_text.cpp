@@ -8,7 +8,6 @@
 
 #include "error.hpp"
 #include "format/place.hpp"
-#include "format/refusal.hpp"
 
 namespace tcb::format {
 namespace {
@@ -91,16 +90,7 @@ Chunk JsonText::take(std::size_t end) {
 
 bool JsonText::read_more(const char* too_much) {
   if (text_.size() > longest_part) refuse(too_much);
-  if (at_nul_) {
-    const LinePlace place = place_after(text_, {line, column});
-    throw Error(Exit::data, Place{"", place.line, place.column}, nul_byte());
-  }
-  const std::optional<std::string> more = bytes_();
-  if (!more) return false;
-  const std::size_t nul = more->find('\0');
-  at_nul_ = nul != std::string::npos;
-  text_.append(*more, 0, nul);
-  return true;
+  return bytes_.append_to(text_, {line, column});
 }
 
 void JsonText::refuse(const char* message) const { throw Error(Exit::data, Place{"", line, column}, message); }

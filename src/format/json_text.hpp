@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "format/input.hpp"
+#include "format/text_bytes.hpp"
 #include "stream.hpp"
 
 namespace tcb::format {
@@ -45,10 +46,9 @@ class JsonText {
   std::uint64_t line = 1, column = 1;  ///< of the first character
 
  private:
-  Source<std::string> bytes_;
+  TextBytes bytes_;
   std::string text_;  ///< read and not yet cut off
   bool escaped_ = false;
-  bool at_nul_ = false;  ///< the byte behind the text is one
 };
 
 }  // namespace tcb::format

@@ -7,7 +7,7 @@
 
 #include "error.hpp"
 #include "format/place.hpp"
-#include "format/refusal.hpp"
+#include "format/text_bytes.hpp"
 
 namespace tcb::format {
 namespace {
@@ -100,7 +100,7 @@ class RecordSplitter {
 
   std::optional<Chunk> next() {
     for (;;) {
-      const bool more = read_more();
+      const bool more = bytes_.append_to(text_, {line_, 1});
       const std::size_t end = more ? ends_.last_end(text_) : text_.size();
       if (end == 0 && !more) return std::nullopt;
       if (end == 0 && text_.size() > longest_record) refuse_long_record(line_);
@@ -115,25 +115,10 @@ class RecordSplitter {
   }
 
  private:
-  /// Reads on, up to a NUL: the records before it go first.
-  bool read_more() {
-    if (at_nul_) {
-      const LinePlace place = place_after(text_, {line_, 1});
-      throw Error(Exit::data, Place{"", place.line, place.column}, nul_byte());
-    }
-    const std::optional<std::string> more = bytes_();
-    if (!more) return false;
-    const std::size_t nul = more->find('\0');
-    at_nul_ = nul != std::string::npos;
-    text_.append(*more, 0, nul);
-    return true;
-  }
-
-  Source<std::string> bytes_;
+  TextBytes bytes_;
   RecordEnds ends_;
   std::string text_;  ///< read and not yet cut off
   std::uint64_t line_;
-  bool at_nul_ = false;  ///< the byte behind the text is one
 };
 
 }  // namespace

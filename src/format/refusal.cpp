@@ -93,8 +93,4 @@ std::string foreign_byte(char byte) {
                      code(byte));
 }
 
-std::string nul_byte() {
-  return "a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8";
-}
-
 }  // namespace tcb::format

@@ -18,7 +18,4 @@ std::size_t find_foreign(std::string_view text);
 /// What is said of a byte that is no UTF-8.
 std::string foreign_byte(char byte);
 
-/// What is said of a byte that is zero.
-std::string nul_byte();
-
 }  // namespace tcb::format
