@@ -1,6 +1,7 @@
 // Batch: many files, each to an output of its own, on all threads, and none in another's way.
 #include "batch.hpp"
 
+#include <atomic>
 #include <optional>
 
 #include "error.hpp"
@@ -16,7 +17,8 @@ constexpr std::uintmax_t large_file = 4UL * 1024 * 1024;
 struct Outcome {
   std::uintmax_t size = 0;
   std::uint64_t rows = 0;
-  std::optional<Error> error;
+  std::optional<Error> error = {};
+  bool begun = true;
 };
 
 Outcome outcome_of(const InputFile& file, unsigned threads, const Convert& convert) {
@@ -26,6 +28,8 @@ Outcome outcome_of(const InputFile& file, unsigned threads, const Convert& conve
     return {file.size, 0, error.in(file.path)};
   } catch (const std::bad_alloc&) {
     return {file.size, 0, Error(Exit::usage, Place{file.path}, "out of memory")};
+  } catch (const std::exception& error) {
+    return {file.size, 0, Error(Exit::usage, Place{file.path}, error.what())};
   }
 }
 
@@ -34,7 +38,7 @@ Outcome outcome_of(const InputFile& file, unsigned threads, const Convert& conve
 Summary convert_all(const Inputs& inputs, const Plan& plan, unsigned threads, Report& report, const Convert& convert) {
   Summary summary;
   summary.left_alone = inputs.left_alone;
-  bool stopped = false;
+  std::atomic<bool> stopped = false;  // by a file that failed, on whatever thread
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
     for (; next != inputs.files.end() && next->is_current; ++next) {
       ++summary.skipped;
@@ -44,16 +48,18 @@ Summary convert_all(const Inputs& inputs, const Plan& plan, unsigned threads, Re
     return &*next++;
   };
   const auto work = [&](const InputFile* file) {
-    return outcome_of(*file, file->size >= large_file ? threads : 1, convert);
+    if (stopped) return Outcome{.begun = false};
+    Outcome outcome = outcome_of(*file, file->size >= large_file ? threads : 1, convert);
+    if (outcome.error && plan.batch.fail_fast) stopped = true;
+    return outcome;
   };
   const Source<Outcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);
   while (const std::optional<Outcome> outcome = outcomes()) {
+    if (!outcome->begun) continue;
     report.add_file(outcome->size);
     summary.rows += outcome->rows;
     ++(outcome->error ? summary.failed : summary.done);
-    if (!outcome->error) continue;
-    report.error(*outcome->error);
-    stopped = plan.batch.fail_fast;
+    if (outcome->error) report.error(*outcome->error);
   }
   return summary;
 }

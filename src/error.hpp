@@ -24,7 +24,20 @@ struct Place {
   std::uint64_t column = 0;
 };
 
-/// The one exception of the program, thrown by the layer that knows what is wrong and caught in main.
+/// Text with its control characters, which names may have in them, as \xNN.
+inline std::string in_one_line(const std::string& text) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string shown;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool control = code < 0x20 || code == 0x7F;
+    shown += control ? std::string{'\\', 'x', digits[code / 16], digits[code % 16]} : std::string(1, c);
+  }
+  return shown;
+}
+
+/// The one exception of the program, thrown by the layer that knows what is wrong, and caught in main, or where
+/// other files of a batch go on.
 /// The message says what is wrong, what was expected, and the remedy, in this order, parted by "; ".
 class Error : public std::exception {
  public:
@@ -64,22 +77,20 @@ class Error : public std::exception {
     return in_one_line(where + ": error: " + message_);
   }
 
-  /// Control characters, which names may have in them, as \xNN.
-  static std::string in_one_line(const std::string& text) {
-    constexpr std::string_view digits = "0123456789ABCDEF";
-    std::string shown;
-    for (const char c : text) {
-      const auto code = static_cast<unsigned char>(c);
-      const bool control = code < 0x20 || code == 0x7F;
-      shown += control ? std::string{'\\', 'x', digits[code / 16], digits[code % 16]} : std::string(1, c);
-    }
-    return shown;
-  }
-
   Exit exit_;
   Place place_;
   std::string message_;
   std::vector<Error> others_;
 };
+
+/// Runs f; what it throws is said of this file.
+template <class F>
+auto in_file(const std::string& name, F f) {
+  try {
+    return f();
+  } catch (const Error& error) {
+    throw error.in(name);
+  }
+}
 
 }  // namespace tcb

@@ -8,9 +8,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "error.hpp"
@@ -63,6 +66,21 @@ bool is_to_repeat(int descriptor, short events) {
               "of it from a pipe, as in cat FILE | tcbsample");
 }
 
+/// The number of a descriptor that the program was given, from a name such as /dev/stdout or /dev/fd/3: what is written
+/// there goes on behind what others wrote, also where that is a file.
+std::optional<int> own_descriptor(std::string_view path) {
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    const std::string_view number = path.substr(folder.size());
+    int descriptor = -1;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+    if (error == std::errc() && end == number.data() + number.size()) return descriptor;
+  }
+  return std::nullopt;
+}
+
 int open_for_reading(const std::string& path) {
   if (path == "-") return STDIN_FILENO;
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -71,6 +89,12 @@ int open_for_reading(const std::string& path) {
 }
 
 }  // namespace
+
+void keep_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
 
 std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
@@ -115,9 +139,14 @@ Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
 
 void Output::open() {
   if (path_ == "-") return;
+  if (const auto own = own_descriptor(path_)) {
+    descriptor_ = ::dup(*own);
+    if (descriptor_ < 0) fail("cannot be written");
+    return;
+  }
   std::error_code none;
   const auto kind = std::filesystem::status(path_, none).type();
-  if (kind == std::filesystem::file_type::regular) path_ = std::filesystem::canonical(path_);  // behind any link
+  if (kind == std::filesystem::file_type::regular) path_ = std::filesystem::canonical(path_, none);  // behind any link
   const bool device = kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found;
   if (device) {  // /dev/null or a pipe: written to as it is
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -140,9 +169,9 @@ void Output::open() {
 Output::~Output() { remove(); }
 
 void Output::remove() {
-  if (descriptor_ > 2) ::close(std::exchange(descriptor_, -1));
-  if (!temporary_.empty()) discard(temporary_);
+  if (!temporary_.empty()) discard(temporary_);  // while it has the lock
   temporary_.clear();
+  if (descriptor_ > 2) ::close(std::exchange(descriptor_, -1));
 }
 
 void Output::fail(const char* what) const {
@@ -200,9 +229,11 @@ void Output::commit() {
   flush();
   if (spool_ != nullptr) send_spooled();
   if (path_ == "-") return;
-  const int descriptor = std::exchange(descriptor_, -1);
-  if (!(unfinished_ ? finish(descriptor, temporary_, path_) : ::close(descriptor) == 0)) fail("cannot be written");
-  temporary_.clear();
+  if (unfinished_) {
+    if (!finish(descriptor_, temporary_, path_)) fail("cannot be written");
+    temporary_.clear();
+  }
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot be written");
 }
 
 }  // namespace tcb

@@ -14,6 +14,9 @@ namespace tcb {
 /// Throws: Error (usage) if it cannot be opened or read.
 Source<std::string> read_file(const std::string& path);
 
+/// Standard streams that the caller closed are opened to where they fail, so that no other file takes their numbers.
+void keep_standard_streams();
+
 /// The name of a file for messages.
 std::string shown_name(const std::string& path);
 

@@ -22,13 +22,16 @@ std::optional<struct stat> status_of(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
-/// The names in a list, without blank ones.
+/// The names in a list; lines without any, and what a line may end in on other systems, are passed over.
 void append_listed(std::vector<std::string>& names, const BatchOptions& batch) {
   const char end = batch.nul ? '\0' : '\n';
   const Source<std::string> bytes = read_file(batch.list);
   std::string name;
   const auto take = [&] {
-    if (!name.empty()) names.push_back(std::exchange(name, {}));
+    if (!batch.nul && name.ends_with('\r')) name.pop_back();
+    const bool blank = !batch.nul && name.find_first_not_of(" \t") == std::string::npos;
+    if (!name.empty() && !blank) names.push_back(name);
+    name.clear();
   };
   while (const std::optional<std::string> text = bytes()) {
     for (const char c : *text) {

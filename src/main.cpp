@@ -27,6 +27,7 @@ void print(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  tcb::keep_standard_streams();
   tcb::end_when_interrupted();
   try {
     const tcb::cli::Request request = tcb::cli::parse(argc, argv);

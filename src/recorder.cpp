@@ -110,6 +110,10 @@ std::string Recorder::head(const format::Format& format, format::Facts rules, co
 
 std::string Recorder::tail(const std::string& frame) const {
   if (tally_ == nullptr || format_ == nullptr) return frame;
+  if (tally_->meta.inputs.size() < request_->earlier.inputs.size()) {
+    throw Error(Exit::usage, fmt::format("{} was made from more files of keys, {}; give as many", request_->from,
+                                         request_->earlier.inputs.size()));
+  }
   if (format_->has_header) return frame + format::meta_tail(tally_->meta);
   const std::string object = "\"meta\":" + format::meta_object(tally_->meta);
   if (!format_->nests) return frame + "{" + object + "}\n";

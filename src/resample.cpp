@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "batch.hpp"
@@ -99,19 +98,10 @@ std::uint64_t resample_file(const std::string& path, const Plan& plan, unsigned 
   return rows;
 }
 
-/// Runs f, and says of errors in which file they are.
-template <class F>
-void in_file(const std::string& path, F f) {
-  try {
-    f();
-  } catch (const Error& error) {
-    throw error.in(shown_name(path));
-  }
-}
-
 /// An output made again by another version may have other digits.
 void warn_of_other_maker(const Plan& plan) {
   if (!plan.meta || plan.meta->from.empty() || plan.meta->earlier.program == plan.meta->meta.program) return;
+  if (plan.talk.quiet) return;
   (void)std::fputs(fmt::format("{}: warning: made by {}; this is {}, whose digits may differ\n", plan.meta->from,
                                plan.meta->earlier.program, plan.meta->meta.program)
                        .c_str(),
@@ -121,7 +111,7 @@ void warn_of_other_maker(const Plan& plan) {
 void explain(const Inputs& inputs, const Plan& plan) {
   Output output("-");
   for (const InputFile& file : inputs.files) {
-    in_file(file.path, [&] { output.write(explanation(file.path, plan)); });
+    in_file(shown_name(file.path), [&] { output.write(explanation(file.path, plan)); });
   }
   output.commit();
 }
@@ -139,7 +129,7 @@ Exit resample_each(const Inputs& inputs, const Plan& plan, unsigned threads, Rep
   };
   const InputFile& first = inputs.files.front();
   if (inputs.files.size() + inputs.left_alone == 1 && !first.is_current) {  // its errors are the program's
-    in_file(first.path, [&] { convert(first, threads); });
+    in_file(shown_name(first.path), [&] { convert(first, threads); });
     return Exit::done;
   }
   const Summary summary = convert_all(inputs, plan, threads, report, convert);
@@ -151,7 +141,7 @@ Exit resample_each(const Inputs& inputs, const Plan& plan, unsigned threads, Rep
 void resample_together(const Inputs& inputs, const Plan& plan, unsigned threads, Report& report) {
   Writer writer(plan, plan.output);
   for (const InputFile& file : inputs.files) {
-    in_file(file.path, [&] { resample_file(file.path, plan, threads, report, writer); });
+    in_file(shown_name(file.path), [&] { resample_file(file.path, plan, threads, report, writer); });
     report.add_file(file.size);
   }
   writer.commit();
@@ -160,7 +150,7 @@ void resample_together(const Inputs& inputs, const Plan& plan, unsigned threads,
 }  // namespace
 
 Exit resample(const Plan& plan) {
-  const unsigned threads = plan.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  const unsigned threads = plan.threads();
   const ThreadLimit limit(threads);
   const Inputs inputs = find_inputs(plan);
   if (plan.explain) {

@@ -1,8 +1,10 @@
 // Everything that one run of the program is to do.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "comparison.hpp"
@@ -52,6 +54,9 @@ struct Plan {
   Talk talk;
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder
+
+  /// How many threads the work may take.
+  unsigned threads() const { return jobs.value_or(std::max(1U, std::thread::hardware_concurrency())); }
 };
 
 }  // namespace tcb

@@ -57,7 +57,9 @@ bool is_name_of(const std::string& name, int descriptor) {
 
 /// Removes the file if no program holds a lock on it.
 void remove_abandoned(const std::string& name) {
-  const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  constexpr int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  int descriptor = ::open(name.c_str(), O_RDWR | flags);  // some network file systems lock only what may be written
+  if (descriptor < 0) descriptor = ::open(name.c_str(), O_RDONLY | flags);
   if (descriptor < 0) return;
   if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_name_of(name, descriptor)) ::unlink(name.c_str());
   ::close(descriptor);
@@ -99,16 +101,11 @@ int create_unfinished(const std::string& path, mode_t permissions, std::string& 
 
 bool finish(int descriptor, const std::string& name, const std::string& path) {
   const int other = ::dup(descriptor);  // closing it tells what closing the file would, before that has its name
-  bool finished = other >= 0 && ::close(other) == 0;
-  if (finished) {
-    const std::lock_guard lock(names().mutex);
-    finished = std::rename(name.c_str(), path.c_str()) == 0;
-    if (finished) names().all.erase(name);
-  }
-  const int reason = errno;
-  ::close(descriptor);
-  errno = reason;
-  return finished;
+  if (other < 0 || ::close(other) != 0) return false;
+  const std::lock_guard lock(names().mutex);
+  if (std::rename(name.c_str(), path.c_str()) != 0) return false;
+  names().all.erase(name);
+  return true;
 }
 
 void discard(const std::string& name) {

@@ -13,11 +13,11 @@ namespace tcb {
 /// was killed, and its file is replaced.
 int create_unfinished(const std::string& path, mode_t permissions, std::string& name);
 
-/// Gives the file its final name, in the place of any file that has it, and closes it.
-/// Promises: false with errno set if that cannot be done.
+/// Gives the file its final name, in the place of any file that has it. The descriptor is left to the caller.
+/// Promises: false with errno set if that cannot be done, or if writing it failed after all.
 bool finish(int descriptor, const std::string& name, const std::string& path);
 
-/// Removes the file that create_unfinished() made. The descriptor is left to the caller.
+/// Removes the file that create_unfinished() made. The descriptor, which has the lock, is to be closed later.
 void discard(const std::string& name);
 
 /// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, remove all unfinished files and end the

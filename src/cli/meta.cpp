@@ -34,12 +34,13 @@ std::vector<const CLI::Option*> telling(const CLI::App& app) {
   return options;
 }
 
-/// An option as one word.
-std::string word(const CLI::Option& option) {
+/// An option as one word; places are listed in it, wherever they came from.
+std::string word(const CLI::Option& option, const Typed& typed) {
   std::string name = name_of(option);
   if (option.get_items_expected_max() == 0) return name;
   std::string value = fmt::format("{}", fmt::join(option.results(), ","));
-  if (name == "--at" || name == "--arc-at") value = listed(name, value);
+  if (name == "--at") value = typed.at;
+  if (name == "--arc-at") value = typed.arc_at;
   if (value.find_first_of("\r\n") != std::string::npos) {
     throw Error(Exit::usage, fmt::format("{}: a value with a line end cannot be said by --meta; expected one without; "
                                          "take --meta out, or rename columns",
@@ -48,15 +49,17 @@ std::string word(const CLI::Option& option) {
   return name + "=" + value;
 }
 
-/// Throws: Error (usage) unless all options of an earlier output are known, and make bytes.
+/// Throws: Error unless all options of an earlier output are known, and make bytes with provenance.
 void require_telling(const std::vector<std::string>& words) {
   Typed typed;
   const auto app = declare(typed);
   read_words(*app, words);
   const auto is_used = [](const CLI::Option* option) { return option->count() > 0; };
-  if (static_cast<std::size_t>(std::ranges::count_if(app->get_options(), is_used)) == telling(*app).size()) return;
-  throw Error(Exit::data,
-              "its provenance has an option that does not say what the rows are; expected none; correct it");
+  if (static_cast<std::size_t>(std::ranges::count_if(app->get_options(), is_used)) != telling(*app).size()) {
+    throw Error(Exit::data,
+                "its provenance has an option that does not say what the rows are; expected none; correct it");
+  }
+  if (!typed.meta) throw Error(Exit::data, "its provenance lacks the option --meta; expected all options; add it");
 }
 
 /// Throws: Error (usage) where there is no place for provenance.
@@ -76,7 +79,7 @@ format::Meta new_meta(const CLI::App& app, const Typed& typed) {
   require_place(typed);
   format::Meta meta;
   meta.program = version_text();
-  for (const CLI::Option* option : telling(app)) meta.options.push_back(word(*option));
+  for (const CLI::Option* option : telling(app)) meta.options.push_back(word(*option, typed));
   return meta;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/plan.hpp"
 #include "cli/presets.hpp"
 #include "cli/reference.hpp"
+#include "cli/sampling.hpp"
 #include "error.hpp"
 #include "names.hpp"
 
@@ -252,7 +253,11 @@ void declare_about(CLI::App& app, Typed& typed) {
     const std::string name = unknown.front().substr(0, unknown.front().find('='));
     throw Error(Exit::usage, "unknown option " + name + did_you_mean(name, known) + " (--help lists all options)");
   }
-  throw Error(Exit::usage, std::string(error.what()) + "; see --help");
+  const std::string what = error.what();
+  if (const std::size_t at = what.find(" was given a disallowed flag override"); at != std::string::npos) {
+    throw Error(Exit::usage, "--" + what.substr(0, at) + " takes no value; take it out");
+  }
+  throw Error(Exit::usage, what + "; see --help");
 }
 
 }  // namespace
@@ -269,6 +274,9 @@ std::unique_ptr<CLI::App> declare(Typed& typed) {
   declare_batch(*app, typed);
   declare_comparison(*app, typed);
   declare_about(*app, typed);
+  for (CLI::Option* option : app->get_options()) {
+    if (option->get_items_expected_max() == 0) option->disable_flag_override();  // --hex=false is no option
+  }
   return app;
 }
 
@@ -304,6 +312,7 @@ Request parse(int argc, const char* const* argv) {
     app = declare(typed);
     read_words(*app, words);
   }
+  take_lists(typed);
   if (typed.meta) {
     const MetaRequest earlier = meta.value_or(MetaRequest{});
     meta = MetaRequest{new_meta(*app, typed), earlier.earlier, earlier.from};

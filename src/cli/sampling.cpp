@@ -58,7 +58,7 @@ void set_count(Request& request, std::string_view name, const std::string& value
   request.count = positive_count(name, value);
 }
 void set_places(Request& request, std::string_view name, const std::string& value) {
-  request.places = list(name, listed(name, value));
+  request.places = list(name, value);
 }
 void set_tolerance(Request& request, std::string_view name, const std::string& value) {
   const auto tolerance = format::parse_number(value);
@@ -127,8 +127,7 @@ void require_extrapolation(const Typed& typed, const Way& way) {
                  leaves ? way.name : fmt::format("{} alone, whose samples lie on the curve", way.name));
 }
 
-}  // namespace
-
+/// A list of numbers as it is typed, or where it is @FILE, the numbers in that file, apart by commas.
 std::string listed(std::string_view option, const std::string& text) {
   if (!text.starts_with('@')) return text;
   const std::string path = text.substr(1);
@@ -145,6 +144,13 @@ std::string listed(std::string_view option, const std::string& text) {
   }
   if (items.empty()) refuse_value(option, text, "one number at least");
   return items;
+}
+
+}  // namespace
+
+void take_lists(Typed& typed) {
+  typed.at = listed("--at", typed.at);
+  typed.arc_at = listed("--arc-at", typed.arc_at);
 }
 
 sampler::Request make_sampling(const Typed& typed) {

@@ -5,9 +5,9 @@
 
 namespace tcb::cli {
 
-/// A list of numbers as it is typed, or where it is @FILE, the numbers in that file, apart by commas.
+/// Puts the numbers in a file in the place of @FILE, apart by commas, once and for all.
 /// Throws: Error (usage) for a file that cannot be read or has none.
-std::string listed(std::string_view option, const std::string& text);
+void take_lists(Typed& typed);
 
 /// Throws: Error (usage) unless exactly one option says where the samples are, and all others fit it.
 sampler::Request make_sampling(const Typed& typed);

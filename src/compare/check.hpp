@@ -29,8 +29,8 @@ struct ColumnCheck {
 
 struct Check : Compared {
   std::uint64_t rows = 0, values = 0, mismatches = 0;
-  std::vector<ColumnCheck> columns;
-  std::optional<Difference> first, worst;  ///< the worst: the largest absolute distance
+  std::vector<ColumnCheck> columns = {};
+  std::optional<Difference> first = {}, worst = {};  ///< the worst: the largest absolute distance
 
   bool passed() const { return mismatches == 0 && problems.empty(); }
 };

@@ -2,7 +2,6 @@
 #include "compare/compare.hpp"
 
 #include <algorithm>
-#include <thread>
 
 #include "compare/check.hpp"
 #include "compare/report.hpp"
@@ -24,7 +23,7 @@ Exit report(const Outcome& outcome, bool good, const Plan& plan) {
 }  // namespace
 
 Exit compare(const Plan& plan) {
-  const ThreadLimit limit(plan.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+  const ThreadLimit limit(plan.threads());
   if (plan.comparison->identify) {
     const Identified identified = identify(plan);
     return report(identified, identified.fits(), plan);

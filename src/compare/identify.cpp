@@ -69,12 +69,6 @@ std::vector<Candidate> compared(const Comparer& comparer, const std::vector<Conv
   return candidates;
 }
 
-std::uint64_t count_rows(const std::vector<Sample>& samples) {
-  std::uint64_t rows = 0;
-  for (const Sample& sample : samples) rows += sample.rows.size();
-  return rows;
-}
-
 /// The conventions that few rows leave.
 std::vector<Convention> chosen(const Ranking& ranking) {
   std::vector<Convention> left;

@@ -12,10 +12,10 @@ namespace tcb::compare {
 
 struct Identified : Compared {
   bool closed = false;
-  std::uint64_t rows = 0;         ///< that were compared
-  std::vector<TcbOrders> orders;  ///< those that make a difference to these keys
-  std::uint64_t conventions = 0;  ///< how many there are with them
-  Ranking ranking;
+  std::uint64_t rows = 0;              ///< that were compared
+  std::vector<TcbOrders> orders = {};  ///< those that make a difference to these keys
+  std::uint64_t conventions = 0;       ///< how many there are with them
+  Ranking ranking = {};
 
   bool fits() const { return ranking.precision.has_value(); }
 };

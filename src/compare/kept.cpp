@@ -1,7 +1,6 @@
 // Kept curves: the keys of an input, to be gone through more than once.
 #include "compare/kept.hpp"
 
-#include <thread>
 #include <utility>
 
 #include "file.hpp"
@@ -18,7 +17,7 @@ Source<format::KeyBlock> KeptCurve::keys() const {
 KeptCurves keep(const Plan& plan) {
   const std::string& path = plan.files[0];
   format::InputOptions options = plan.input;
-  options.threads = plan.jobs.value_or(std::thread::hardware_concurrency());
+  options.threads = plan.threads();
   KeptCurves kept{format::open_input(path, read_file(path), options), {}};
   Curves curves(kept.input, plan.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {

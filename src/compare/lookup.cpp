@@ -51,7 +51,7 @@ Places places_of(const Rows& rows, const Table& table, const Columns& columns, c
     Time place = columns.place ? Time(rows.numbers[row * width + *columns.place]) : rows.times[row];
     const bool on_curve = place >= first && place <= last;
     const Time end = place < first ? first : last;
-    if (!on_curve && !anywhere && limits.admit(distance(place.hi, end.hi))) place = end;
+    if (place == place && !on_curve && !anywhere && limits.admit(distance(place.hi, end.hi))) place = end;
     if ((place >= first && place <= last) || (anywhere && place == place)) {
       result.rows.push_back(row);
       result.places.push_back(place);

@@ -70,10 +70,18 @@ std::size_t keys_of(const KeptCurve& curve) {
   return keys;
 }
 
+/// The time of the key that is the so many-th from the end, or of the first one.
+spline::Time<double> time_from_end(const KeptCurve& curve, std::size_t number) {
+  auto block = curve.blocks.rbegin();
+  for (; std::next(block) != curve.blocks.rend() && block->lines.size() < number; ++block) {
+    number -= block->lines.size();
+  }
+  return block->keys.times[block->lines.size() - std::min(block->lines.size(), number)];
+}
+
 /// The rows before the last keys of a beginning, which the keys behind it bear on.
 Sample on_beginning(const Sample& sample, const KeptCurve& beginning, const Sides& sides) {
-  const spline::Keys<double>& last = beginning.blocks.back().keys;
-  const spline::Time<double> end = last.times[last.size() - std::min<std::size_t>(last.size(), 3)];
+  const spline::Time<double> end = time_from_end(beginning, 3);
   Sample before{&beginning, {}, {}, {}};
   for (std::size_t row = 0; row < sample.rows.size(); ++row) {
     if (sample.rows.times[row] > end) continue;
@@ -82,13 +90,13 @@ Sample on_beginning(const Sample& sample, const KeptCurve& beginning, const Side
   return before;
 }
 
-std::size_t count_rows(const std::vector<Sample>& samples) {
-  std::size_t rows = 0;
+}  // namespace
+
+std::uint64_t count_rows(const std::vector<Sample>& samples) {
+  std::uint64_t rows = 0;
   for (const Sample& sample : samples) rows += sample.rows.size();
   return rows;
 }
-
-}  // namespace
 
 std::vector<Sample> samples_of(std::vector<Pair> pairs, const Sides& sides) {
   std::vector<Sample> samples;

@@ -21,6 +21,8 @@ struct Sample {
 /// All rows.
 std::vector<Sample> samples_of(std::vector<Pair> pairs, const Sides& sides);
 
+std::uint64_t count_rows(const std::vector<Sample>& samples);
+
 /// Rows that stand for all, spread evenly, and where there are many keys, on the first ones alone.
 struct Few {
   std::vector<Sample> samples;

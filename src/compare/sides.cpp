@@ -1,8 +1,6 @@
 // The two sides of a comparison: keys, and someone's samples of their curves.
 #include "compare/sides.hpp"
 
-#include <thread>
-
 #include "fields.hpp"
 #include "file.hpp"
 
@@ -12,7 +10,7 @@ Sides read_sides(const Plan& plan, const std::vector<std::size_t>& chosen) {
   Sides sides;
   sides.keys = shown_name(plan.files[0]);
   sides.file = shown_name(plan.comparison->file);
-  sides.threads = plan.jobs.value_or(std::thread::hardware_concurrency());
+  sides.threads = plan.threads();
   sides.kept = in_file(sides.keys, [&] { return keep(plan); });
   const bool timeless = !chosen.empty() && fields()[chosen[0]].name != "time";
   const auto options = table_options(sides.kept.input, timeless, sides.threads);

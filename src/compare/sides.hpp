@@ -26,14 +26,4 @@ struct Sides {
 /// Throws: Error, naming the file that is not as it should be.
 Sides read_sides(const Plan& plan, const std::vector<std::size_t>& fields);
 
-/// Runs f; what it throws is said of this file.
-template <class F>
-auto in_file(const std::string& name, F f) {
-  try {
-    return f();
-  } catch (const Error& error) {
-    throw error.in(name);
-  }
-}
-
 }  // namespace tcb::compare

@@ -62,8 +62,9 @@ std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
 
 std::string delimited_text(std::string_view text, char delimiter) {
   const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
-                     text.find(delimiter) == std::string_view::npos &&
-                     !(delimiter == ' ' && (text.empty() || text.find_first_of(" \t") != std::string_view::npos));
+                     text.find(delimiter) == std::string_view::npos && !text.starts_with('#') &&
+                     !(delimiter == ' ' &&
+                       (text.empty() || text.starts_with('>') || text.find_first_of(" \t") != std::string_view::npos));
   if (plain) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);

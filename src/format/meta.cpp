@@ -13,7 +13,9 @@
 namespace tcb::format {
 namespace {
 
-std::string line(std::string_view name, std::string_view value) { return fmt::format("# {}: {}\n", name, value); }
+std::string line(std::string_view name, const std::string& value) {
+  return fmt::format("# {}: {}\n", name, in_one_line(value));
+}
 
 std::string member(std::string_view name, std::string_view value) {
   return fmt::format("{}:{}", json_text(name), json_text(value));
@@ -36,14 +38,14 @@ void take(Meta& meta, std::string_view line) {
   if (auto digest = value_of(line, "sha256"); digest && !meta.inputs.empty()) meta.inputs.back().second = *digest;
 }
 
-Meta read_lines(std::string_view text) {
-  Meta meta;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    if (text.starts_with('#')) take(meta, text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+/// Takes what the comments among whole lines say; what is left of the last one stays.
+void take_lines(Meta& meta, std::string& text) {
+  std::string_view left = text;
+  for (std::size_t end = left.find('\n'); end != std::string_view::npos; end = left.find('\n')) {
+    if (left.starts_with('#')) take(meta, left.substr(0, end));
+    left.remove_prefix(end + 1);
   }
-  return meta;
+  text.erase(0, text.size() - left.size());
 }
 
 }  // namespace
@@ -77,10 +79,20 @@ std::string meta_object(const Meta& meta) {
 }
 
 Meta read_meta(const Source<std::string>& bytes) {
-  std::string text;
-  while (const std::optional<std::string> more = bytes()) text += *more;
-  const bool json = text.starts_with('{') || text.starts_with('[');
-  Meta meta = json ? read_json_meta(text) : read_lines(text);
+  Meta meta;
+  std::string text;  // of JSON all, of lines the last one
+  bool json = false;
+  for (bool first = true; const std::optional<std::string> more = bytes(); first = false) {
+    text += *more;
+    if (first) json = text.starts_with('{') || text.starts_with('[');
+    if (!json) take_lines(meta, text);
+  }
+  text += '\n';
+  if (json) {
+    meta = read_json_meta(text);
+  } else {
+    take_lines(meta, text);
+  }
   if (!meta.program.empty() && !meta.inputs.empty()) return meta;
   throw Error(Exit::data,
               "no provenance: it does not say how it was made; expected an output that was made with --meta");

@@ -135,15 +135,6 @@ void append(std::string& out, char* (*write)(Value, char*), const std::type_iden
   out.append(text.data(), write(value, text.data()));
 }
 
-/// By the standard library, which knows all digits of a double.
-void append_exactly(std::string& out, double value, std::chars_format notation, int precision) {
-  constexpr std::size_t longest = 320;  // of a double without decimals
-  const std::size_t before = out.size();
-  out.resize(before + longest + static_cast<std::size_t>(precision));
-  const auto end = std::to_chars(out.data() + before, out.data() + out.size(), value, notation, precision).ptr;
-  out.resize(static_cast<std::size_t>(end - out.data()));
-}
-
 /// As parse_number, for any text.
 std::optional<double> parse_any(std::string_view text) {
   const std::string_view digits = without_plus(text);
@@ -207,23 +198,5 @@ std::string time_text(const Time& time) {
 }
 
 void append_whole(std::string& out, std::uint64_t value) { append(out, write_whole, value); }
-
-void append_fixed(std::string& out, double value, int decimals) {
-  std::array<char, number_room> text;
-  if (char* const end = write_fixed(value, decimals, text.data())) {
-    out.append(text.data(), end);
-  } else {
-    append_exactly(out, value, std::chars_format::fixed, decimals);
-  }
-}
-
-void append_digits(std::string& out, double value, int count) {
-  std::array<char, number_room> text;
-  if (char* const end = write_digits(value, count, text.data())) {
-    out.append(text.data(), end);
-  } else {
-    append_exactly(out, value, std::chars_format::general, count);
-  }
-}
 
 }  // namespace tcb::format

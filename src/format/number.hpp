@@ -41,10 +41,4 @@ std::string time_text(const Time& time);
 
 void append_whole(std::string& out, std::uint64_t value);
 
-/// As printf("%.*f", decimals, value) writes it. Requires: decimals >= 0.
-void append_fixed(std::string& out, double value, int decimals);
-
-/// As printf("%.*g", count, value) writes it. Requires: count >= 0.
-void append_digits(std::string& out, double value, int count);
-
 }  // namespace tcb::format

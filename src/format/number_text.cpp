@@ -161,8 +161,10 @@ char* write_hex(double value, char* out) {
 }
 
 std::size_t room_for(const Notation& notation) {
-  return notation.kind == Notation::Kind::fixed ? static_cast<std::size_t>(longest_fixed + notation.count)
-                                                : number_room;
+  const auto count = static_cast<std::size_t>(notation.count);
+  return notation.kind == Notation::Kind::fixed    ? static_cast<std::size_t>(longest_fixed) + count
+         : notation.kind == Notation::Kind::digits ? number_room + count
+                                                   : number_room;
 }
 
 char* write_number(double value, const Notation& notation, char* out) {

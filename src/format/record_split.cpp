@@ -32,7 +32,8 @@ class RecordEnds {
   void cut(std::size_t end) { at_ -= end; }
 
  private:
-  enum class State { line_start, comment, cell_start, cell, quoted, quote };
+  /// In `rest` no byte of the line matters: it is a comment, or text behind a quoted cell, which is refused.
+  enum class State { line_start, rest, cell_start, cell, quoted, quote, closed };
 
   /// Without quotes, a record ends with its line.
   void skip_lines(std::string_view fresh) {
@@ -54,7 +55,7 @@ class RecordEnds {
         state_ = State::quote;
         break;
       case State::quote:  // it ends the cell, unless another one follows
-        state_ = c == '"' ? State::quoted : State::cell;
+        state_ = c == '"' ? State::quoted : State::closed;
         if (c != '"') return true;
         break;
       case State::cell_start:
@@ -63,18 +64,28 @@ class RecordEnds {
           break;
         }
         [[fallthrough]];
-      case State::comment:
+      case State::rest:
       case State::cell:
-        if (c == '\n') {
-          end_ = at_ + 1;
-          state_ = State::line_start;
-        } else if (state_ != State::comment) {
-          const bool delimits = c == dialect_.delimiter || (dialect_.delimiter == ' ' && c == '\t');
-          state_ = delimits || (state_ == State::cell_start && Dialect::is_blank(c)) ? State::cell_start : State::cell;
-        }
+      case State::closed: pass(c);
     }
     ++at_;
     return true;
+  }
+
+  /// A character outside quotes.
+  void pass(char c) {
+    if (c == '\n') {
+      end_ = at_ + 1;
+      state_ = State::line_start;
+    } else if (state_ != State::rest) {
+      const bool delimits = c == dialect_.delimiter || (dialect_.delimiter == ' ' && c == '\t');
+      const bool nothing = Dialect::is_blank(c) && state_ != State::cell;
+      if (delimits) {
+        state_ = State::cell_start;
+      } else if (!nothing) {
+        state_ = state_ == State::closed ? State::rest : State::cell;
+      }
+    }
   }
 
   bool start_line(std::string_view line) {
@@ -83,7 +94,7 @@ class RecordEnds {
       ++at_;
       return true;
     }
-    state_ = dialect_.is_comment(line) || dialect_.is_divider(line) ? State::comment : State::cell_start;
+    state_ = dialect_.is_comment(line) || dialect_.is_divider(line) ? State::rest : State::cell_start;
     return true;
   }
 

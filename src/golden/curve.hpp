@@ -40,9 +40,14 @@ class Curve {
     set_times();
     set_lanes();
     Rational extent = 0;
+    are_zero_.assign(exact.keys.channels, true);
+    are_still_.assign(exact.keys.channels, true);
     for (std::size_t i = 0; i < exact.keys.positions.size(); ++i) {
-      const Rational distance = abs(exact.keys.positions[i] - exact.keys.positions[i % exact.keys.channels]);
+      const std::size_t channel = i % exact.keys.channels;
+      const Rational distance = abs(exact.keys.positions[i] - exact.keys.positions[channel]);
       if (extent < distance) extent = distance;
+      if (distance != 0) are_still_[channel] = false;
+      if (exact.keys.positions[i] != 0) are_zero_[channel] = false;
     }
     extent_ = scalar_of<S>(extent);
   }
@@ -81,6 +86,10 @@ class Curve {
     return scalar_of<S>(exact_.keys.position(last)[channel] - exact_.keys.position(keys.front())[channel]);
   }
 
+  /// All keys have the same position in a channel, or even 0.
+  bool is_still(std::size_t channel) const { return are_still_[channel] && !has_velocities(); }
+  bool is_zero(std::size_t channel) const { return are_zero_[channel] && !has_velocities(); }
+
   /// How far a key lies from the first one in a channel, at most.
   const S& extent() const { return extent_; }
 
@@ -93,6 +102,9 @@ class Curve {
     std::size_t channel, channels;
     std::vector<std::size_t> keys;
   };
+
+  /// Of its ends: they move it where its keys do not.
+  bool has_velocities() const { return !rules_.start.velocity.empty() || !rules_.end.velocity.empty(); }
 
   void set_times();
   void set_lanes();
@@ -120,6 +132,7 @@ class Curve {
   std::map<std::size_t, Segment<S>> segments_;
   std::vector<S> lengths_;
   S extent_{};
+  std::vector<bool> are_zero_, are_still_;  ///< of each channel
 };
 
 template <class S>

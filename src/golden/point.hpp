@@ -43,7 +43,7 @@ class Point {
       S position = spline::position(segment_.cubics[i], spot_.at);
       if (spot_.outside.beyond != S(0)) position += motion_.velocity[i] * spot_.outside.beyond;
       if (spot_.outside.cycles != S(0)) position += spot_.outside.cycles * curve_.cycle(i);
-      add(row, position);
+      add_in_channel(row, position, curve_.is_zero(i));
     }
   }
   void append_velocity(std::vector<Value>& row) const { add_all(row, motion_.velocity); }
@@ -86,8 +86,12 @@ class Point {
   bool bends() const;
 
   static void add(std::vector<Value>& row, const S& value) { row.push_back({rational_of(value)}); }
-  static void add_all(std::vector<Value>& row, const std::vector<S>& values) {
-    for (const S& value : values) add(row, value);
+  /// Where it comes out as zero, which need not be certain, it may be what is left of large numbers.
+  static void add_in_channel(std::vector<Value>& row, const S& value, bool certainly_zero) {
+    row.push_back({rational_of(value), false, false, spline::has_roots<S> && value == S(0) && !certainly_zero});
+  }
+  void add_all(std::vector<Value>& row, const std::vector<S>& values) const {
+    for (std::size_t i = 0; i < values.size(); ++i) add_in_channel(row, values[i], curve_.is_still(i));
   }
   /// The root of a square, with a sign.
   static void add_root(std::vector<Value>& row, const S& square, bool negative = false) {

@@ -291,28 +291,6 @@ TEST(Numbers, no_character_beyond_the_text_is_looked_at) {
   }
 }
 
-TEST(Numbers, rounded_numbers_are_appended_as_printf_writes_them) {
-  RandomDoubles random(9);
-  std::array<char, 1200> expected;
-  for (int i = 0; i < 20'000; ++i) {
-    for (const double value : {random.any(), random.near(), -random.short_decimal(), 0.0, -0.0}) {
-      const int n = static_cast<int>(random.bits() % 25);
-      std::string text = "x=";
-      append_fixed(text, value, n);
-      std::snprintf(expected.data(), expected.size(), "x=%.*f", n, value);
-      ASSERT_EQ(text, expected.data()) << n;
-      text = "x=";
-      append_digits(text, value, n);
-      std::snprintf(expected.data(), expected.size(), "x=%.*g", n, value);
-      ASSERT_EQ(text, expected.data()) << n;
-    }
-  }
-  std::string text;
-  append_fixed(text, std::numeric_limits<double>::infinity(), 2);
-  append_digits(text, -std::numeric_limits<double>::infinity(), 2);
-  EXPECT_EQ(text, "inf-inf");
-}
-
 // Some minutes: --gtest_also_run_disabled_tests --gtest_filter='Numbers.DISABLED*'
 template <class Next>
 void check_a_hundred_million(const Next& next) {

@@ -180,7 +180,7 @@ TEST(NumberText, notations_are_those_of_printf) {
   for (const double value : any_doubles) {
     for (const int count : {0, 1, 2, 5, 9, 16, 17, 18, 30, 100}) {
       EXPECT_EQ(in_notation(value, {Notation::Kind::fixed, count}), printed("%.*f", count, value)) << value;
-      if (count == 0 || count > 17) continue;
+      if (count == 0) continue;
       EXPECT_EQ(in_notation(value, {Notation::Kind::digits, count}), printed("%.*g", count, value)) << value;
     }
   }

@@ -130,6 +130,12 @@ TEST(Records, quotes_out_of_place_are_refused_where_they_stand) {
             "inside a cell");
 }
 
+std::vector<std::string> texts_of(const std::vector<Chunk>& chunks) {
+  std::vector<std::string> texts;
+  for (const Chunk& chunk : chunks) texts.push_back(chunk.text);
+  return texts;
+}
+
 const char* const texts[] = {"0,1\n2,3\n",          "0,1\r\n2,3",        "\"a\nb\",1\n\"c\"\"\n\",2\n",
                              "# it\"s\n0,1\n2,3\n", "\n\n0,1\n#\n\n2,3", "0,\"\"\n1,\"a\r\n\r\nb\"\r\n"};
 
@@ -147,6 +153,13 @@ TEST(SplitDelimited, chunks_are_the_text_cut_between_records_with_their_first_li
       EXPECT_EQ(joined, text);
       EXPECT_EQ(rows, whole) << text << " in pieces of " << piece;
     }
+  }
+}
+
+TEST(SplitDelimited, quotes_behind_a_quoted_cell_open_no_cell) {
+  for (const std::string line : {"\"\"a,\"", "\"a\"b,\"c", "\"a\" \r,\"", "\"a\" b\"", "\"\" \"\",\""}) {
+    const std::string text = line + "\n1,2\n3,4\n";
+    EXPECT_THAT(texts_of(chunks(text, 1)), testing::ElementsAre(line + "\n", "1,2\n", "3,4\n")) << text;
   }
 }
 

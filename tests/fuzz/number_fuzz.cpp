@@ -13,6 +13,7 @@
 
 #include "format/decimals.hpp"
 #include "format/number.hpp"
+#include "format/number_text.hpp"
 #include "invariant.hpp"
 
 namespace tcb::fuzz {
@@ -86,15 +87,22 @@ std::string by_printf(const char* form, Arguments... arguments) {
   return text;
 }
 
+std::string written(double value, const format::Notation& notation) {
+  std::string text(format::room_for(notation), '\0');
+  text.resize(static_cast<std::size_t>(format::write_number(value, notation, text.data()) - text.data()));
+  return text;
+}
+
 void write(double value, int places) {
-  std::string shortest, fixed, digits;
+  std::string shortest;
   format::append_number(shortest, value);
   require_same(shortest, by_to_chars(value), "the shortest text");
   require(same(format::parse_number(shortest), value), "not read back", shortest);
-  format::append_fixed(fixed, value, places);
-  require_same(fixed, by_printf("%.*f", places, value), fmt::format("{} decimals", places));
-  format::append_digits(digits, value, places);
-  require_same(digits, by_printf("%.*g", places, value), fmt::format("{} digits", places));
+  using Kind = format::Notation::Kind;
+  require_same(written(value, {Kind::fixed, places}), by_printf("%.*f", places, value),
+               fmt::format("{} decimals", places));
+  require_same(written(value, {Kind::digits, places}), by_printf("%.*g", places, value),
+               fmt::format("{} digits", places));
 
   // A time has one text, which is its number's unless it is whole.
   const std::string time = format::time_text(format::Time(value));
