@@ -55,7 +55,9 @@ void append_tangent(std::vector<Cell>& row, Point& point) {
 }
 
 void append_curvature(std::vector<Cell>& row, Point& point) { append_optional(row, point.shape().curvature); }
-void append_torsion(std::vector<Cell>& row, Point& point) { append_optional(row, point.shape().torsion); }
+void append_torsion(std::vector<Cell>& row, Point& point) {
+  append_optional(row, spline::torsion(point.motion(), point.piece().metric));
+}
 
 void append_segment(std::vector<Cell>& row, Point& point) {
   row.emplace_back(static_cast<double>(point.piece().number));

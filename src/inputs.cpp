@@ -30,6 +30,10 @@ void append_listed(std::vector<std::string>& names, const BatchOptions& batch) {
   const auto take = [&] {
     if (!batch.nul && name.ends_with('\r')) name.pop_back();
     const bool blank = !batch.nul && name.find_first_not_of(" \t") == std::string::npos;
+    if (name.find('\0') != std::string::npos) {
+      throw Error(Exit::usage, Place{shown_name(batch.list)},
+                  "a NUL byte between the names of files; expected one name a line; give -0 for names that end in NUL");
+    }
     if (!name.empty() && !blank) names.push_back(name);
     name.clear();
   };

@@ -81,7 +81,8 @@ std::uint64_t resample_file(const std::string& path, const Plan& plan, unsigned 
     if (known == nullptr) writer.begin(input, live, rules(*way, plan, *curve->beside_keys));
     known = curve->beside_keys;
     writer.begin_curve(curve->group);
-    const auto labels = input.carried.empty() ? nullptr : std::make_shared<Labels>(input.groups.size());
+    const std::size_t grouping = input.own_curves ? 0 : input.groups.size();  // texts of a key that are no labels
+    const auto labels = input.carried.empty() ? nullptr : std::make_shared<Labels>(grouping);
     const auto keys = recorder.keys(curve->keys);
     Placed placed = way->place(labels == nullptr ? keys : Labels::heard(labels, keys));
     placed.batches = recorder.rows(counted(std::move(placed.batches), rows, report));

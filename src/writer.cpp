@@ -22,7 +22,6 @@ void Writer::begin(const format::Input& input, bool live, format::Facts rules) {
                                         "--output-dir to write an output for each file",
                                         fmt::join(columns.names(), ", "), fmt::join(columns_.names(), ", ")));
   }
-  group_.reset();
   output_.set_live(live);
 }
 

@@ -53,7 +53,7 @@ class Writer {
   format::OutputColumns columns_;
   format::Frame frame_;
   Recorder recorder_;
-  std::optional<std::vector<std::string>> group_;  ///< of the curve before in the same file
+  std::optional<std::vector<std::string>> group_;  ///< of the curve before
   std::uint64_t bytes_ = 0;                        ///< of all rows
 };
 

@@ -254,6 +254,9 @@ void declare_about(CLI::App& app, Typed& typed) {
     throw Error(Exit::usage, "unknown option " + name + did_you_mean(name, known) + " (--help lists all options)");
   }
   const std::string what = error.what();
+  if (const std::size_t at = what.find(": At Most 1 required but received"); at != std::string::npos) {
+    throw Error(Exit::usage, what.substr(0, at) + " is there more than once; expected it once; take one out");
+  }
   if (const std::size_t at = what.find(" was given a disallowed flag override"); at != std::string::npos) {
     throw Error(Exit::usage, "--" + what.substr(0, at) + " takes no value; take it out");
   }

@@ -142,6 +142,10 @@ Identified identify(const Plan& plan) {
     if (result.rows == 0) refuse_nothing(result);
     const Search search(comparer, samples, few_of(samples, sides, !result.closed), result.closed, sides.threads);
     result.ranking = search.rank(all);
+    if (!result.ranking.candidates.front().worst) {
+      result.problems.emplace_back("it has no numbers to compare");
+      refuse_nothing(result);
+    }
     if (result.fits() || result.closed) return;
     const std::vector<Convention> more = mixed(result.ranking);
     result.conventions += more.size();

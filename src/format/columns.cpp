@@ -40,6 +40,13 @@ bool same_name(std::string_view a, std::string_view b, bool any_case) {
   return any_case ? std::ranges::equal(a, b, {}, lower, lower) : a == b;
 }
 
+/// A name such as "timestamp [ns]" or "time (s)" without its unit.
+std::string_view without_unit(std::string_view name) {
+  const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
+  if (begin == 0 || begin == std::string_view::npos) return name;
+  return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
+}
+
 /// Names in a message, which a hundred thousand of them would not make clearer.
 std::string listed(std::span<const std::string> names) {
   constexpr std::size_t most = 20;
@@ -144,10 +151,14 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
 }
 
 Role role_of_name(std::string_view name) {
-  const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
-    return known.in_header && same_name(name, known.name, known.any_case);
-  });
-  return row == role_names.end() ? Role::position : row->role;
+  const auto role_of = [](std::string_view written) {
+    const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
+      return known.in_header && same_name(written, known.name, known.any_case);
+    });
+    return row == role_names.end() ? Role::position : row->role;
+  };
+  const std::string_view alone = without_unit(name);
+  return alone.size() < name.size() && role_of(alone) == Role::time ? Role::time : role_of(name);
 }
 
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,

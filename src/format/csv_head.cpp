@@ -108,19 +108,46 @@ void require_characters(const std::vector<std::string>& names, std::uint64_t lin
   }
 }
 
+/// The name gives its column a role, or is asked for.
+bool says_something(const std::string& name, const InputOptions& options) {
+  return role_of_name(name) != Role::position || std::ranges::any_of(options.roles, [&](const RoleRequest& role) {
+           return std::ranges::count(role.columns, name) > 0;
+         });
+}
+
+/// A comment names columns where one name says something, and none is a number: it may be any other text, or a key
+/// that somebody took out.
+bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const InputOptions& options) {
+  const auto is_number = [&](const std::string& word) { return looks_numeric(word, head); };
+  return std::ranges::none_of(words, is_number) &&
+         (options.timeless ||
+          std::ranges::any_of(words, [&](const std::string& word) { return says_something(word, options); }));
+}
+
+/// Throws: Error (data) where a column of text seems to be meant for numbers, by its first record.
+void require_text(const Chunk& data, const DelimitedHead& head) {
+  Records records(data, head.dialect);
+  Cells cells;
+  records.next(cells);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (head.columns.cells[i].role != Role::left_out) continue;
+    const std::string cell = unquoted(cells[i]);
+    const std::size_t digit = cell.find_first_not_of("+-.,");
+    if (digit == std::string::npos || cell[digit] < '0' || cell[digit] > '9') continue;
+    Place place = records.place(cells[i]);
+    throw Error(Exit::data, std::move(place),
+                fmt::format("column {}: {}; or name the columns to take with --columns position=", i + 1,
+                            no_number(cell, head.decimal)));
+  }
+}
+
 /// Throws: Error (data) where the first record may be a header or a key with a slip in it: one of its cells is text,
 /// another a number, and none a name that says something.
 void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const InputOptions& options) {
   const auto is_number = [&](const std::string& cell) { return !is_missing(cell) && looks_numeric(cell, head); };
-  const auto is_asked_for = [&](const std::string& name) {
-    return std::ranges::any_of(options.roles,
-                               [&](const auto& role) { return std::ranges::count(role.columns, name) > 0; });
-  };
-  const auto says_something = [&](const std::string& cell) {
-    return !is_number(cell) && (role_of_name(cell) != Role::position || is_asked_for(cell));
-  };
+  const auto is_name = [&](const std::string& cell) { return !is_number(cell) && says_something(cell, options); };
   const auto number = std::ranges::find_if(record.cells, is_number);
-  if (number == record.cells.end() || std::ranges::any_of(record.cells, says_something)) return;
+  if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return looks_numeric(cell, head); });
   throw Error(
       Exit::data, Place{"", record.line, 1},
@@ -156,7 +183,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);
-    if (above.size() == first.records[0].cells.size()) names = std::move(above);
+    if (above.size() == first.records[0].cells.size() && are_names(above, head, options)) names = std::move(above);
   }
   const auto& row = first.records[data];
   if (!names.empty() && names.size() != row.cells.size()) {
@@ -172,6 +199,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const auto numeric = numeric_columns(first, data, names, head);
   head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
                                  : find_columns(names, numeric, options.roles, options.timeless);
+  const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
+  if (!chosen && !options.samples) require_text(rest[0], head);
   return head;
 }
 

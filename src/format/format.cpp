@@ -48,11 +48,19 @@ std::string json_cell(std::string_view text) {
   return text.empty() ? "null" : is_string(text) ? json_text(content(text)) : std::string(text);
 }
 
-/// Throws: Error (data) for a text in two bytes a character.
+/// Throws: Error (data) for a text in two or four bytes a character, and for what is no text.
 void require_bytes(std::string_view beginning) {
-  if (!beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
-  throw Error(Exit::data, Place{"", 1, 1},
-              "the text is UTF-16; expected UTF-8; convert it, for example with iconv -f UTF-16 -t UTF-8");
+  using namespace std::string_view_literals;
+  if (beginning.starts_with("\x93NUMPY")) {
+    throw Error(Exit::data, Place{"", 1, 1},
+                "the file is one of NumPy's; expected text; convert it, for example with numpy.savetxt");
+  }
+  const bool four = beginning.starts_with("\xFF\xFE\0\0"sv) || beginning.starts_with("\0\0\xFE\xFF"sv);
+  if (!four && !beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
+  const char* const name = four ? "UTF-32" : "UTF-16";
+  throw Error(
+      Exit::data, Place{"", 1, 1},
+      fmt::format("the text is {}; expected UTF-8; convert it, for example with iconv -f {} -t UTF-8", name, name));
 }
 
 /// Drops a UTF-8 byte order mark.

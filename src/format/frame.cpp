@@ -62,9 +62,10 @@ std::string Frame::begin(std::span<const std::string> group, bool apart) {
   rows_.before[0] = cells + all_.before[groups_];
   if (!apart || !any_rows_) return "";
   if (format_->divider.empty()) {
-    throw Error(Exit::data, fmt::format("the curve breaks off, and {} holds one table of rows; expected one curve; "
-                                        "choose another format, such as csv",
-                                        format_->name));
+    throw Error(Exit::data,
+                fmt::format("there is more than one curve, and {} holds one table of rows; expected one; choose "
+                            "another format, such as csv",
+                            format_->name));
   }
   return all_.between_rows + std::string(format_->divider);
 }

@@ -216,7 +216,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
     }
   }
   input.may_miss = options.missing == Missing::skip_cell;
-  input.may_break = curves || options.missing == Missing::break_curve;
+  input.may_break = true;  // at null in the place of a key, too
   return input;
 }
 

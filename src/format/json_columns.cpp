@@ -33,7 +33,8 @@ class FirstKey : public JsonEvents {
     std::string near = "";    ///< what is said of a name that is nearly a known one,
     Place place = {};         ///< and where
   };
-  using JsonEvents::JsonEvents;
+  /// `texts` are the members that are asked for as texts.
+  FirstKey(const Chunk& chunk, std::vector<std::string> texts) : JsonEvents(chunk), texts_(std::move(texts)) {}
   std::vector<Found> members;
 
  private:
@@ -54,7 +55,8 @@ class FirstKey : public JsonEvents {
     if (text == "null" && !is_quoted()) return count();  // refused later, as a number that is missing
     Found& member = members.back();
     const bool has_role = role_of_name(member.name) != Role::position;
-    if (!in_array() && (has_role || (!text.empty() && looks_numeric(text)))) {
+    const bool is_text = std::ranges::any_of(texts_, [&](const std::string& name) { return name == member.name; });
+    if (!in_array() && !is_text && (has_role || (!text.empty() && looks_numeric(text)))) {
       fail(fmt::format("{}: {} is not a number; expected one without quotes; correct it", path(), shown(text)));
     }
     if (in_array() && (member.name == "position" || member.name == "tcb")) return count();  // refused later too
@@ -62,6 +64,7 @@ class FirstKey : public JsonEvents {
     return true;
   }
   bool on_key_end() override { return false; }
+  bool on_break() override { return true; }
 
   bool count() {
     members.back().array = in_array();
@@ -69,6 +72,7 @@ class FirstKey : public JsonEvents {
     return true;
   }
 
+  std::vector<std::string> texts_;
   std::unordered_set<std::string> names_;
 };
 
@@ -121,7 +125,13 @@ bool is_required(const JsonColumns& columns, const Member& member) {
 }  // namespace
 
 JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const std::vector<std::string>& channels) {
-  FirstKey first(chunk);
+  std::vector<std::string> texts;
+  for (const RoleRequest& role : options.roles) {
+    if (role.role == Role::group || role.role == Role::carry) {
+      texts.insert(texts.end(), role.columns.begin(), role.columns.end());
+    }
+  }
+  FirstKey first(chunk, std::move(texts));
   first.parse();
   const bool has_array =
       std::ranges::any_of(first.members, [](const auto& m) { return m.array && m.name == "position"; });

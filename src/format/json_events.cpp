@@ -137,7 +137,7 @@ void JsonEvents::parse() {
   if (chunk_.text.starts_with('[')) {
     key_depth_ = 1;
     (void)parse_range(begin, end);
-    if (keys_ == 0) fail_at(end - 1, no_key);
+    if (keys_ == 0 && !has_breaks_) fail_at(end - 1, no_key);
     return;
   }
   for (const char* line = begin; line != end;) {
@@ -172,6 +172,7 @@ bool JsonEvents::parse_range(const char* begin, const char* end) {
 
 bool JsonEvents::value(const spline::Time<double>* number, std::string_view text) {
   if (depth_ <= key_depth_) {
+    if (number == nullptr && text == "null" && !is_quoted_ && on_break()) return has_breaks_ = true;
     fail(fmt::format("{} where a key was expected; expected {{…}}; correct it", number ? "a number" : text));
   }
   if (depth_ != key_depth_ + 1 && !in_array()) return true;
@@ -229,7 +230,6 @@ Error JsonEvents::error(const std::string& message) const {
 }
 
 Error JsonEvents::key_error(const std::string& message) const { return {Exit::data, place_of(key_), message}; }
-
 void JsonEvents::fail(const std::string& message) const { throw error(message); }
 
 Place JsonEvents::here() const { return place_of(token_start(chunk_.text.data(), now_)); }

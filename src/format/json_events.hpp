@@ -41,6 +41,8 @@ class JsonEvents {
   /// A value that is no number, as it is shown in messages; strings without quotes.
   virtual bool on_other(std::string_view text) = 0;
   virtual bool on_array_end() { return true; }
+  /// null in the place of a key. Returning false refuses it.
+  virtual bool on_break() { return false; }
   /// A line of JSON Lines is no key. Returning false says it to the caller, returning true goes on in the next line.
   virtual bool on_bad_line(const Error&) { return false; }
 
@@ -87,6 +89,7 @@ class JsonEvents {
   std::size_t key_depth_ = 0;       ///< how many brackets are around a key object
   std::size_t depth_ = 0;
   std::size_t keys_ = 0;
+  bool has_breaks_ = false;
   std::size_t element_ = 0;
   bool is_quoted_ = false;
   bool is_array_ = false;  ///< the member at hand is an array, not an object

@@ -39,6 +39,7 @@ class KeyBuilder : public JsonEvents {
       block_.unreadable = true;
     }
     block_.keys.positions.resize(block_.lines.size() * block_.keys.channels);
+    block_.break_after = breaks_;
     return std::move(block_);
   }
 
@@ -128,11 +129,14 @@ class KeyBuilder : public JsonEvents {
     block_.keys.tcbs.push_back(tcb_);
     for (const std::string& text : texts_) block_.texts.add(text);
     for (const std::string& decimal : written_) block_.decimals.add(decimal);
+    if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.lines.size());
     block_.numbers.push_back(number_);
     block_.lines.push_back(place_.line);
     block_.columns.push_back(static_cast<std::uint32_t>(place_.column));
     return true;
   }
+
+  bool on_break() override { return breaks_ = true; }
 
   bool on_bad_line(const Error& error) override {
     block_.faults.push_back(error);
@@ -213,6 +217,7 @@ class KeyBuilder : public JsonEvents {
   std::vector<std::string> texts_;    ///< of the key at hand
   std::vector<std::string> written_;  ///< its numbers, where they are kept
   bool timed_ = false, eased_ = false;
+  bool breaks_ = false;       ///< the curve breaks off before the next key
   bool missing_ = false;      ///< the key at hand is not to be one
   bool is_meta_ = false;      ///< the object at hand is provenance, unless it has a member of a key
   LinePlace place_;           ///< of the key at hand

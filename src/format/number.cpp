@@ -135,12 +135,25 @@ void append(std::string& out, char* (*write)(Value, char*), const std::type_iden
   out.append(text.data(), write(value, text.data()));
 }
 
+/// A number as printf's %a writes it, with its exponent.
+std::optional<double> parse_hex(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  std::string_view digits = negative ? text.substr(1) : without_plus(text);
+  if (!digits.starts_with("0x") || digits.find('p') == std::string_view::npos) return std::nullopt;
+  digits.remove_prefix(2);
+  double value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::hex);
+  if (error != std::errc() || end != digits.data() + digits.size() || digits.starts_with('-')) return std::nullopt;
+  return negative ? -value : value;
+}
+
 /// As parse_number, for any text.
 std::optional<double> parse_any(std::string_view text) {
   const std::string_view digits = without_plus(text);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (end != digits.data() + digits.size() || digits.empty()) return std::nullopt;
+  if (end != digits.data() + digits.size() || digits.empty()) return parse_hex(text);
   if (error == std::errc::result_out_of_range && is_tiny(digits)) return digits[0] == '-' ? -0.0 : 0.0;
   return error == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -180,7 +193,7 @@ bool is_missing(std::string_view cell) {
 }
 
 bool looks_numeric(std::string_view text) {
-  if (is_missing(text) || parse_all<double>(without_plus(text))) return true;
+  if (is_missing(text) || parse_all<double>(without_plus(text)) || parse_hex(text)) return true;
   double value = 0;
   const std::string_view digits = without_plus(text);
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

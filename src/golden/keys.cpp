@@ -25,6 +25,7 @@ class Numbers {
   Rational operator()(std::size_t place, const sampler::Time& nearest) const {
     const std::string_view text = place < per_key_ ? block_.decimals[key_ * per_key_ + place] : std::string_view();
     if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
+    if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
     if (const auto number = sampler::parse_rational(text)) return *number;
     throw Error(Exit::data, Place{"", block_.lines[key_], 0},
                 "a decimal of more digits than --exact-input takes; expected 10,000 at most; shorten it, or take "

@@ -12,7 +12,7 @@ std::optional<ArcPlaces> arc_places(const sampler::Request& request, const sampl
   arc.step = grid.step();
   const bool by_end = !request.to && sampler::needs_end(request) && grid.step() != 0;
   if (!by_end) return arc;
-  const Rational steps = sampler::steps_between(arc.from, sampler::exact_time({*extent.length}), arc.step);
+  const Rational steps = sampler::steps_between(arc.from, Rational(*extent.length), arc.step);
   arc.intervals = static_cast<std::uint64_t>(numerator(steps));
   return arc;
 }

@@ -79,6 +79,7 @@ Integer shifted(const Integer& n, int shift) { return shift > 0 ? Integer(n << s
 
 /// n / d as the nearest double, ties to even. Requires: n > 0, d > 0.
 double nearest_positive(const Integer& n, const Integer& d) {
+  if (n < Integer(whole_from) && d < Integer(whole_from)) return static_cast<double>(n) / static_cast<double>(d);
   // Scale n/d by a power of two so that its whole part has the 53 bits of a double (fewer where the
   // double is subnormal), then round to a whole number.
   constexpr int bits = 53;

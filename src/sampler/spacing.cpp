@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "error.hpp"
 
@@ -50,8 +51,13 @@ Spacing spacing(const Request& request, const Extent& extent) {
   const bool arc = by_length(request.mode);
   const Rational from = request.from.value_or(arc ? Rational(0) : exact_time(extent.first));
   std::optional<Rational> to = request.to;
-  if (!to && arc && extent.length) to = exact_time({*extent.length});
+  if (!to && arc && extent.length) to = Rational(*extent.length);  // nobody wrote it: the double is what it is
   if (!to && !arc && extent.last) to = exact_time(*extent.last);
+  if (to && !std::isfinite(nearest_double(*to - from))) {
+    throw Error(Exit::data,
+                "the samples lie farther apart than doubles reach; expected less than 1.8e308 from the first "
+                "to the last; scale the keys down");
+  }
   const auto end = to ? std::optional(nearest_time(*to)) : std::nullopt;
 
   if (request.mode == Mode::step || request.mode == Mode::arc_step) {

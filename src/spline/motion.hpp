@@ -7,6 +7,7 @@
 // Undefined quantities are said to be so, and what rounding cannot tell from zero is zero.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -136,32 +137,81 @@ S wedge(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
   return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
 }
 
+/// A motion over the metric channels with each of its derivatives in units of a power of two, so that products and
+/// squares neither overflow nor vanish.
+template <class S>
+class ScaledMotion {
+ public:
+  ScaledMotion(const Motion<S>& motion, std::span<const std::size_t> metric)
+      : v(motion.velocity, metric),
+        a(motion.acceleration, metric),
+        j(motion.jerk, metric),
+        v_noise(v.scaled(motion.velocity_noise)),
+        a_noise(a.scaled(motion.acceleration_noise)) {}
+
+  struct Vector {
+    Vector(const std::vector<S>& all, std::span<const std::size_t> metric) {
+      using std::abs, std::frexp;
+      const Picked<S> picked(all, metric);
+      S largest(0);
+      for (std::size_t i = 0; i < picked.size(); ++i) largest = std::max(largest, S(abs(picked[i])));
+      (void)frexp(largest, &exponent);
+      for (std::size_t i = 0; i < picked.size(); ++i) values.push_back(scaled(picked[i]));
+    }
+    S scaled(const S& value) const {
+      using std::ldexp;
+      return ldexp(value, -exponent);
+    }
+    operator Picked<S>() const { return {values, {}}; }  // NOLINT(google-explicit-constructor): it is one
+
+    int exponent = 0;  ///< of the unit
+    std::vector<S> values;
+  };
+
+  Vector v, a, j;
+  S v_noise, a_noise;
+};
+
 /// What is known of the path's shape at one place, over the metric channels.
 template <class S>
 struct Shape {
   S speed{};
   bool moves = false;          ///< there is a tangent: velocity / speed
   std::optional<S> curvature;  ///< where there is a tangent
-  std::optional<S> torsion;    ///< where the curvature is not 0
 };
+
+/// |v ^ a| in its units, 0 where rounding cannot tell it from that. Requires: there is a tangent.
+template <class S>
+S bend_area(const ScaledMotion<S>& in) {
+  const S area = wedge<S>(in.v, in.a);
+  return area > in.v_noise * norm<S>(in.a) + in.a_noise * norm<S>(in.v) ? area : S(0);
+}
 
 template <class S>
 Shape<S> shape(const Motion<S>& motion, std::span<const std::size_t> metric) {
-  const Picked<S> v(motion.velocity, metric), a(motion.acceleration, metric), j(motion.jerk, metric);
-  Shape<S> result;
-  result.speed = norm(v);
-  result.moves = result.speed > motion.velocity_noise;
+  using std::ldexp;
+  const ScaledMotion<S> in(motion, metric);
+  const S speed = norm<S>(in.v);
+  Shape<S> result{ldexp(speed, in.v.exponent), speed > in.v_noise, {}};
   if (!result.moves) return result;
-  const S area = wedge(v, a);
-  const bool bends = area > motion.velocity_noise * norm(a) + motion.acceleration_noise * result.speed;
-  result.curvature = bends ? area / result.speed / result.speed / result.speed : S(0);
-  if (!bends) return result;
-  const S volume = v.size() < 3 ? S(0) : wedge(v, a, j);
-  const S noise = norm(j) * (motion.velocity_noise * norm(a) + motion.acceleration_noise * result.speed +
-                             S(0x1p-50) * result.speed * norm(a));
-  using std::abs;
-  result.torsion = abs(volume) > noise ? volume / area / area : S(0);
+  result.curvature = ldexp(bend_area(in) / speed / speed / speed, in.a.exponent - 2 * in.v.exponent);
   return result;
+}
+
+/// The torsion, where the curvature is not 0.
+template <class S>
+std::optional<S> torsion(const Motion<S>& motion, std::span<const std::size_t> metric) {
+  using std::abs, std::ldexp;
+  const ScaledMotion<S> in(motion, metric);
+  const S speed = norm<S>(in.v);
+  if (!(speed > in.v_noise)) return std::nullopt;
+  const S area = bend_area(in);
+  if (area == S(0)) return std::nullopt;
+  const S volume = in.v.values.size() < 3 ? S(0) : wedge<S>(in.v, in.a, in.j);
+  const S across = norm<S>(in.a);
+  const S noise = norm<S>(in.j) * (in.v_noise * across + in.a_noise * speed + S(0x1p-50) * speed * across);
+  if (!(abs(volume) > noise)) return S(0);
+  return ldexp(volume / area / area, in.j.exponent - in.v.exponent - in.a.exponent);
 }
 
 }  // namespace tcb::spline

@@ -125,6 +125,20 @@ TEST(Numbers, sign_point_and_exponent_are_optional) {
   EXPECT_TRUE(std::signbit(*parse_number("-0")));
 }
 
+TEST(Numbers, hexadecimal_as_printf_writes_it) {
+  RandomDoubles random(11);
+  std::array<char, 64> text;
+  for (int i = 0; i < 20'000; ++i) {
+    for (const double value : {random.any(), random.near(), -random.short_decimal(), 0.0, -0.0}) {
+      std::snprintf(text.data(), text.size(), "%a", value);
+      const auto read = parse_number(text.data());
+      ASSERT_TRUE(read) << text.data();
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(*read), std::bit_cast<std::uint64_t>(value)) << text.data();
+    }
+  }
+  EXPECT_EQ(parse_number("+0x1.8p1"), 3);
+}
+
 TEST(Numbers, other_text_is_refused) {
   for (const char* text : {"",
                            " ",
@@ -136,7 +150,13 @@ TEST(Numbers, other_text_is_refused) {
                            "-+1",
                            "--1",
                            "0x10",
-                           "0x1p3",
+                           "0x1",
+                           "0x",
+                           "0xp3",
+                           "0x1p",
+                           "0x-1p3",
+                           "0x1p3 ",
+                           "0x1p9999",
                            "0X10",
                            "inf",
                            "+inf",

@@ -45,9 +45,9 @@ TEST(Motion, follows_the_warp_of_an_ease) {
 
 TEST(Shape, of_a_parabola) {
   for (const double u : {0.0, 0.3, 0.9}) {  // y = x^2: curvature 2 / (1 + 4 x^2)^1.5
-    const auto found = shape<double>(motion_at(polynomial({{1, 0, 0}, {0, 1, 0}}), u), {});
-    EXPECT_NEAR(*found.curvature, 2 / std::pow(1 + 4 * u * u, 1.5), 1e-15);
-    EXPECT_EQ(*found.torsion, 0);
+    const auto motion = motion_at(polynomial({{1, 0, 0}, {0, 1, 0}}), u);
+    EXPECT_NEAR(*shape<double>(motion, {}).curvature, 2 / std::pow(1 + 4 * u * u, 1.5), 1e-15);
+    EXPECT_EQ(*torsion<double>(motion, {}), 0);
   }
 }
 
@@ -55,21 +55,36 @@ TEST(Shape, of_the_twisted_cubic) {
   // (u, u^2, u^3): torsion 3 / (9 u^4 + 9 u^2 + 1), curvature 2 sqrt(9 u^4 + 9 u^2 + 1) / (1 + 4 u^2 + 9 u^4)^1.5
   for (const double u : {0.0, 0.25, 0.5, 1.0}) {
     const double g = 9 * std::pow(u, 4) + 9 * u * u + 1;
-    const auto found = shape<double>(motion_at(polynomial({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), u), {});
-    EXPECT_NEAR(*found.torsion, 3 / g, 1e-14);
-    EXPECT_NEAR(*found.curvature, 2 * std::sqrt(g) / std::pow(1 + 4 * u * u + 9 * std::pow(u, 4), 1.5), 1e-14);
-    const auto mirrored = shape<double>(motion_at(polynomial({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}), u), {});
-    EXPECT_NEAR(*mirrored.torsion, -3 / g, 1e-14);
-    const auto in_four = shape<double>(motion_at(polynomial({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 0}}), u), {});
-    EXPECT_NEAR(*in_four.torsion, 3 / g, 1e-14);
+    const auto motion = motion_at(polynomial({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), u);
+    EXPECT_NEAR(*torsion<double>(motion, {}), 3 / g, 1e-14);
+    EXPECT_NEAR(*shape<double>(motion, {}).curvature,
+                2 * std::sqrt(g) / std::pow(1 + 4 * u * u + 9 * std::pow(u, 4), 1.5), 1e-14);
+    const auto mirrored = motion_at(polynomial({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}), u);
+    EXPECT_NEAR(*torsion<double>(mirrored, {}), -3 / g, 1e-14);
+    const auto in_four = motion_at(polynomial({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 0}}), u);
+    EXPECT_NEAR(*torsion<double>(in_four, {}), 3 / g, 1e-14);
   }
 }
 
 TEST(Shape, of_a_straight_line_has_no_curvature_and_an_undefined_torsion) {
-  const auto found =
-      shape<double>(motion_at(polynomial({{0.1, 0.7, -0.2}, {0.3, 2.1, -0.6}, {-0.01, -0.07, 0.02}}), 0.37), {});
-  EXPECT_EQ(found.curvature, 0);
-  EXPECT_FALSE(found.torsion);
+  const auto motion = motion_at(polynomial({{0.1, 0.7, -0.2}, {0.3, 2.1, -0.6}, {-0.01, -0.07, 0.02}}), 0.37);
+  EXPECT_EQ(shape<double>(motion, {}).curvature, 0);
+  EXPECT_FALSE(torsion<double>(motion, {}));
+}
+
+TEST(Shape, scaling_by_a_power_of_two_changes_no_digit) {
+  const auto scaled = [](int exponent) {
+    const double unit = std::ldexp(1, exponent);
+    return motion_at(polynomial({{unit, 0.3 * unit, 0}, {0.1 * unit, unit, -0.7 * unit}, {0, 0.2 * unit, unit}}), 0.3);
+  };
+  const auto expected = shape<double>(scaled(0), {});
+  for (const int exponent : {-950, -600, -200, -1, 40, 300, 700, 1000}) {
+    const auto found = shape<double>(scaled(exponent), {});
+    EXPECT_EQ(found.speed, std::ldexp(expected.speed, exponent)) << exponent;
+    EXPECT_EQ(found.curvature, std::ldexp(*expected.curvature, -exponent)) << exponent;
+    EXPECT_EQ(torsion<double>(scaled(exponent), {}), std::ldexp(*torsion<double>(scaled(0), {}), -exponent))
+        << exponent;
+  }
 }
 
 TEST(Shape, where_nothing_moves_is_undefined) {
