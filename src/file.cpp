@@ -106,8 +106,11 @@ bool is_live(const std::string& path) {
 
 Source<std::string> read_file(const std::string& path) {
   const auto file = std::make_shared<Descriptor>(open_for_reading(path));
-  return [file, path, before = status_of(file->number)]() -> std::optional<std::string> {
-    std::string bytes(read_size, '\0');
+  const struct stat before = status_of(file->number);
+  const bool small = S_ISREG(before.st_mode) && static_cast<std::size_t>(before.st_size) < read_size;
+  const std::size_t room = small ? static_cast<std::size_t>(before.st_size) + 1 : read_size;
+  return [file, path, before, room]() -> std::optional<std::string> {
+    std::string bytes(room, '\0');
     ssize_t count = 0;
     do {
       count = ::read(file->number, bytes.data(), bytes.size());

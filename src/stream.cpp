@@ -5,6 +5,7 @@
 #include <tbb/task_group.h>
 
 #include <mutex>
+#include <optional>
 
 namespace tcb {
 namespace {
@@ -13,13 +14,32 @@ std::mutex waiting_mutex;  ///< of all tasks that wait; taking one is quick
 
 }  // namespace
 
+/// oneTBB hears of it with the first work for a second thread, for it takes longer to set itself up than small work.
 struct ThreadLimit::Control {
-  tbb::global_control limit;
+  explicit Control(unsigned most) : threads(most) {}
+
+  static inline std::mutex mutex;
+  static inline Control* current = nullptr;
+
+  unsigned threads;
+  std::optional<tbb::global_control> limit;
 };
 
-ThreadLimit::ThreadLimit(unsigned threads)
-    : control_(new Control{{tbb::global_control::max_allowed_parallelism, threads}}) {}
-ThreadLimit::~ThreadLimit() = default;
+ThreadLimit::ThreadLimit(unsigned threads) : control_(std::make_unique<Control>(threads)) {
+  const std::lock_guard lock(Control::mutex);
+  Control::current = control_.get();
+}
+
+ThreadLimit::~ThreadLimit() {
+  const std::lock_guard lock(Control::mutex);
+  if (Control::current == control_.get()) Control::current = nullptr;
+}
+
+void ThreadLimit::apply() {
+  const std::lock_guard lock(Control::mutex);
+  if (Control::current == nullptr || Control::current->limit) return;
+  Control::current->limit.emplace(tbb::global_control::max_allowed_parallelism, Control::current->threads);
+}
 
 /// Tasks wait in a queue of our own, and oneTBB's task is to take one: the packaged library is not instrumented, so
 /// the thread sanitizer does not see what it hands from thread to thread, but it does see the lock. This file is
@@ -51,6 +71,7 @@ void Background::run(std::function<void()> task) {
   if (!has_threads_) return;
   try {
     if (!group_) {
+      ThreadLimit::apply();
       auto group = std::make_unique<Group>();
       group->tasks.wait();  // oneTBB sets itself up, and may lack the memory: better here than with a task half begun
       group_ = std::move(group);

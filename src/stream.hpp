@@ -42,6 +42,9 @@ class ThreadLimit {
   explicit ThreadLimit(unsigned threads);
   ~ThreadLimit();
 
+  /// Has the limit that was made last hold from here on. Threads: any.
+  static void apply();
+
  private:
   struct Control;
   std::unique_ptr<Control> control_;
@@ -124,6 +127,9 @@ class OrderedMap {
  private:
   using Slot = Answer<In, Out, F>;
 
+  /// So many items are left to the one who pulls: small work is done before another thread has begun.
+  static constexpr std::size_t alone = 2;
+
   /// The source's next item. What it throws is for the one who asks for the item behind those pulled ahead.
   std::optional<In> pull() {
     try {
@@ -141,13 +147,15 @@ class OrderedMap {
       ended_ = !item;
       if (ended_) return;
       answers_.push_back(std::make_shared<Slot>(std::move(*item), f_));
-      if (answers_.size() > 1) background_.run([answer = answers_.back()] { answer->claim_and_run(); });
+      ++pulled_;
+      if (pulled_ > alone) background_.run([answer = answers_.back()] { answer->claim_and_run(); });
     }
   }
 
   Source<In> source_;
   F f_;
   std::size_t ahead_;
+  std::size_t pulled_ = 0;
   bool ended_ = false;
   std::exception_ptr failure_;
   std::deque<std::shared_ptr<Slot>> answers_;
