@@ -67,7 +67,8 @@ void require_bytes(std::string_view beginning) {
 Source<std::string> without_mark(Source<std::string> bytes) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   std::string beginning;
-  while (beginning.size() < mark.size()) {
+  constexpr std::size_t enough = 6;  // to tell what require_bytes() looks for
+  while (beginning.size() < enough) {
     auto more = bytes();
     if (!more) break;
     beginning += *more;

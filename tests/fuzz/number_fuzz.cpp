@@ -2,6 +2,7 @@
 // read back.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -45,8 +46,22 @@ bool is_decimal(std::string_view text) {
   return power != at && first < text.size() && first + digits_at(text, first) == text.size();
 }
 
+/// What printf's %a writes; beyond the range of doubles it may be refused.
+bool is_hexadecimal(const std::string& text) {
+  const std::size_t digits = text.find_first_not_of("+-") + 2, power = text.find('p');
+  const std::string_view all(text);
+  if (digits > 3 || power == std::string::npos || power < digits || all.substr(digits - 2, 2) != "0x") return false;
+  const std::string_view mantissa = all.substr(digits, power - digits);
+  const std::size_t exponent = all.find_first_not_of("+-", power + 1);
+  return std::ranges::count(mantissa, '.') <= 1 &&
+         mantissa.find_first_not_of(".0123456789abcdefABCDEF") == std::string_view::npos &&
+         mantissa.find_first_not_of('.') != std::string_view::npos && exponent != std::string_view::npos &&
+         exponent <= power + 2 && exponent + digits_at(text, exponent) == text.size();
+}
+
 std::optional<double> expected_number(const std::string& text) {
-  const double value = is_decimal(text) ? std::strtod(text.c_str(), nullptr) : std::nan("");
+  const bool is_number = is_decimal(text) || (is_hexadecimal(text) && format::parse_number(text));
+  const double value = is_number ? std::strtod(text.c_str(), nullptr) : std::nan("");
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 

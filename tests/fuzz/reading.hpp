@@ -33,6 +33,8 @@ class ShownKeys {
   ShownKeys(std::uint64_t lines, bool may_miss) : lines_(lines), may_miss_(may_miss) {}
 
   void add(const format::KeyBlock& block) {
+    if (block.beside_keys)
+      text_ += fmt::format("id {}\n", block.beside_keys->id);  // a curve begins, of one block or more
     const std::size_t texts = block.lines.empty() ? 0 : block.texts.size() / block.lines.size();
     for (std::size_t i = 0; i < block.lines.size(); ++i) {
       if (std::ranges::count(block.breaks, i) > 0 || breaks_) text_ += "break\n";
@@ -44,7 +46,6 @@ class ShownKeys {
       }
       for (std::size_t j = 0; j < texts; ++j) text_ += fmt::format("text {}\n", block.texts[i * texts + j]);
     }
-    if (block.beside_keys) text_ += fmt::format("id {}\n", block.beside_keys->id);
     breaks_ = breaks_ || block.break_after;
     skipped_ += block.skipped;
   }
