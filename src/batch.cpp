@@ -38,19 +38,24 @@ Outcome outcome_of(const InputFile& file, unsigned threads, const Convert& conve
 Summary convert_all(const Inputs& inputs, const Plan& plan, unsigned threads, Report& report, const Convert& convert) {
   Summary summary;
   summary.left_alone = inputs.left_alone;
-  std::atomic<bool> stopped = false;  // by a file that failed, on whatever thread
+  // No file from here on is begun: those before one that failed are, whichever thread found it first.
+  std::atomic<const InputFile*> stop = inputs.files.data() + inputs.files.size();
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
     for (; next != inputs.files.end() && next->is_current; ++next) {
       ++summary.skipped;
       report.add_file(next->size);
     }
-    if (stopped || next == inputs.files.end()) return std::nullopt;
-    return &*next++;
+    const InputFile* const file = inputs.files.data() + (next - inputs.files.begin());
+    if (file >= stop) return std::nullopt;
+    ++next;
+    return file;
   };
   const auto work = [&](const InputFile* file) {
-    if (stopped) return Outcome{.begun = false};
+    if (file >= stop) return Outcome{.begun = false};
     Outcome outcome = outcome_of(*file, file->size >= large_file ? threads : 1, convert);
-    if (outcome.error && plan.batch.fail_fast) stopped = true;
+    if (!outcome.error || !plan.batch.fail_fast) return outcome;
+    for (const InputFile* first = stop; file < first && !stop.compare_exchange_weak(first, file);) {
+    }
     return outcome;
   };
   const Source<Outcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);

@@ -49,8 +49,8 @@ std::string name_beside(const std::filesystem::path& path, int attempt) {
 }
 
 bool is_name_of(const std::string& name, int descriptor) {
-  struct stat named {
-  }, opened{};
+  struct stat named {};
+  struct stat opened {};
   return ::lstat(name.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
          named.st_ino == opened.st_ino;
 }
@@ -82,21 +82,19 @@ int create_locked(const std::string& name, mode_t permissions) {
 int create_unfinished(const std::string& path, mode_t permissions, std::string& name) {
   constexpr int most_attempts = 1000;
   const std::lock_guard lock(names().mutex);
-  int descriptor = -1;
-  errno = EEXIST;
-  for (int attempt = 0; descriptor < 0 && errno == EEXIST && attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
     name = name_beside(path, attempt);
-    descriptor = create_locked(name, permissions);
-    if (descriptor >= 0 || errno != EEXIST) break;
-    remove_abandoned(name);
-    descriptor = create_locked(name, permissions);
+    int descriptor = create_locked(name, permissions);
+    if (descriptor < 0 && errno == EEXIST) {
+      remove_abandoned(name);
+      descriptor = create_locked(name, permissions);
+    }
+    if (descriptor >= 0) names().all.insert(name);
+    if (descriptor >= 0) return descriptor;
+    if (errno != EEXIST) break;
   }
-  if (descriptor >= 0) {
-    names().all.insert(name);
-  } else {
-    name.clear();
-  }
-  return descriptor;
+  name.clear();
+  return -1;
 }
 
 bool finish(int descriptor, const std::string& name, const std::string& path) {
