@@ -137,40 +137,37 @@ S wedge(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
   return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
 }
 
-/// A motion over the metric channels with each of its derivatives in units of a power of two, so that products and
-/// squares neither overflow nor vanish.
-template <class S>
-class ScaledMotion {
- public:
-  ScaledMotion(const Motion<S>& motion, std::span<const std::size_t> metric)
-      : v(motion.velocity, metric),
-        a(motion.acceleration, metric),
-        j(motion.jerk, metric),
-        v_noise(v.scaled(motion.velocity_noise)),
-        a_noise(a.scaled(motion.acceleration_noise)) {}
-
-  struct Vector {
-    Vector(const std::vector<S>& all, std::span<const std::size_t> metric) {
-      using std::abs, std::frexp;
-      const Picked<S> picked(all, metric);
-      S largest(0);
-      for (std::size_t i = 0; i < picked.size(); ++i) largest = std::max(largest, S(abs(picked[i])));
-      (void)frexp(largest, &exponent);
-      for (std::size_t i = 0; i < picked.size(); ++i) values.push_back(scaled(picked[i]));
-    }
-    S scaled(const S& value) const {
-      using std::ldexp;
-      return ldexp(value, -exponent);
-    }
-    operator Picked<S>() const { return {values, {}}; }  // NOLINT(google-explicit-constructor): it is one
-
-    int exponent = 0;  ///< of the unit
-    std::vector<S> values;
-  };
-
-  Vector v, a, j;
-  S v_noise, a_noise;
+/// Exponents of the units in which products and squares of a motion neither overflow nor vanish: 0 for most.
+struct Units {
+  int v = 0, a = 0, j = 0;
 };
+
+template <class S>
+int unit_of(const Picked<S>& vector) {
+  using std::abs, std::frexp;
+  constexpr int harmless = 100;
+  S largest(0);
+  for (std::size_t i = 0; i < vector.size(); ++i) largest = std::max(largest, S(abs(vector[i])));
+  int exponent = 0;
+  (void)frexp(largest, &exponent);
+  return abs(exponent) <= harmless ? 0 : exponent;
+}
+
+/// What `in` makes of a motion in such units, and the units. Most motions are taken as they are.
+template <class S, class In>
+auto in_units(const Motion<S>& motion, std::span<const std::size_t> metric, In in) {
+  using std::ldexp;
+  const Units units{unit_of<S>({motion.velocity, metric}), unit_of<S>({motion.acceleration, metric}),
+                    unit_of<S>({motion.jerk, metric})};
+  if (units.v == 0 && units.a == 0 && units.j == 0) return in(motion, units);
+  Motion<S> scaled = motion;
+  for (S& value : scaled.velocity) value = ldexp(value, -units.v);
+  for (S& value : scaled.acceleration) value = ldexp(value, -units.a);
+  for (S& value : scaled.jerk) value = ldexp(value, -units.j);
+  scaled.velocity_noise = ldexp(scaled.velocity_noise, -units.v);
+  scaled.acceleration_noise = ldexp(scaled.acceleration_noise, -units.a);
+  return in(scaled, units);
+}
 
 /// What is known of the path's shape at one place, over the metric channels.
 template <class S>
@@ -180,38 +177,41 @@ struct Shape {
   std::optional<S> curvature;  ///< where there is a tangent
 };
 
-/// |v ^ a| in its units, 0 where rounding cannot tell it from that. Requires: there is a tangent.
+/// |v ^ a|, 0 where rounding cannot tell it from that.
 template <class S>
-S bend_area(const ScaledMotion<S>& in) {
-  const S area = wedge<S>(in.v, in.a);
-  return area > in.v_noise * norm<S>(in.a) + in.a_noise * norm<S>(in.v) ? area : S(0);
+S bend_area(const Motion<S>& motion, std::span<const std::size_t> metric) {
+  const Picked<S> v(motion.velocity, metric), a(motion.acceleration, metric);
+  const S area = wedge(v, a);
+  return area > motion.velocity_noise * norm(a) + motion.acceleration_noise * norm(v) ? area : S(0);
 }
 
 template <class S>
 Shape<S> shape(const Motion<S>& motion, std::span<const std::size_t> metric) {
   using std::ldexp;
-  const ScaledMotion<S> in(motion, metric);
-  const S speed = norm<S>(in.v);
-  Shape<S> result{ldexp(speed, in.v.exponent), speed > in.v_noise, {}};
-  if (!result.moves) return result;
-  result.curvature = ldexp(bend_area(in) / speed / speed / speed, in.a.exponent - 2 * in.v.exponent);
-  return result;
+  return in_units(motion, metric, [metric](const Motion<S>& in, const Units& units) {
+    const S speed = norm<S>({in.velocity, metric});
+    Shape<S> result{ldexp(speed, units.v), speed > in.velocity_noise, {}};
+    if (!result.moves) return result;
+    result.curvature = ldexp(bend_area(in, metric) / speed / speed / speed, units.a - 2 * units.v);
+    return result;
+  });
 }
 
 /// The torsion, where the curvature is not 0.
 template <class S>
 std::optional<S> torsion(const Motion<S>& motion, std::span<const std::size_t> metric) {
   using std::abs, std::ldexp;
-  const ScaledMotion<S> in(motion, metric);
-  const S speed = norm<S>(in.v);
-  if (!(speed > in.v_noise)) return std::nullopt;
-  const S area = bend_area(in);
-  if (area == S(0)) return std::nullopt;
-  const S volume = in.v.values.size() < 3 ? S(0) : wedge<S>(in.v, in.a, in.j);
-  const S across = norm<S>(in.a);
-  const S noise = norm<S>(in.j) * (in.v_noise * across + in.a_noise * speed + S(0x1p-50) * speed * across);
-  if (!(abs(volume) > noise)) return S(0);
-  return ldexp(volume / area / area, in.j.exponent - in.v.exponent - in.a.exponent);
+  return in_units(motion, metric, [metric](const Motion<S>& in, const Units& units) -> std::optional<S> {
+    const Picked<S> v(in.velocity, metric), a(in.acceleration, metric), j(in.jerk, metric);
+    const S speed = norm(v), across = norm(a);
+    const S area = speed > in.velocity_noise ? bend_area(in, metric) : S(0);
+    if (area == S(0)) return std::nullopt;
+    const S volume = v.size() < 3 ? S(0) : wedge(v, a, j);
+    const S noise =
+        norm(j) * (in.velocity_noise * across + in.acceleration_noise * speed + S(0x1p-50) * speed * across);
+    if (!(abs(volume) > noise)) return S(0);
+    return ldexp(volume / area / area, units.j - units.v - units.a);
+  });
 }
 
 }  // namespace tcb::spline
