@@ -144,7 +144,8 @@ std::optional<double> parse_hex(std::string_view text) {
   double value = 0;
   const auto [end, error] =
       std::from_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::hex);
-  if (error != std::errc() || end != digits.data() + digits.size() || digits.starts_with('-')) return std::nullopt;
+  const bool two_signs = digits.starts_with('-') || digits.find("+-") != std::string_view::npos;  // which it lets pass
+  if (error != std::errc() || end != digits.data() + digits.size() || two_signs) return std::nullopt;
   return negative ? -value : value;
 }
 

@@ -155,6 +155,8 @@ TEST(Numbers, other_text_is_refused) {
                            "0xp3",
                            "0x1p",
                            "0x-1p3",
+                           "0x1p+-3",
+                           "0x0p+-3",
                            "0x1p3 ",
                            "0x1p9999",
                            "0X10",
