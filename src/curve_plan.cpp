@@ -72,7 +72,7 @@ double parse_exponent(std::string_view text) {
 
 sampler::Rational parse_period(const std::string& text) {
   const auto period = sampler::parse_rational(text);
-  if (!period || *period <= 0) {
+  if (!period || *period <= 0 || !sampler::within_doubles(*period)) {
     throw Error(Exit::usage, fmt::format("--period \"{}\": expected a decimal or a ratio above 0, such as 7.5", text));
   }
   return *period;
@@ -98,6 +98,9 @@ CurvePlan make_curve(const CurveSettings& settings) {
   const auto& preset = spline::presets[find_named("--preset", spline::presets, settings.preset.value_or("gte"))];
   plan.rules.tangents =
       find_named("--tangents", spline::tangent_rules<double>, settings.tangents.value_or(std::string(preset.tangents)));
+  if (settings.period && !settings.closed.value_or(true)) {
+    throw Error(Exit::usage, "closed: false, but a period makes the curve closed; take one of them out");
+  }
   plan.closed = settings.period || settings.closed.value_or(false);
   if (settings.ends && plan.closed) {
     throw Error(Exit::usage, "--ends has no effect on a closed curve, which has no ends; take one of them out");

@@ -61,6 +61,13 @@ class Error : public std::exception {
     return error;
   }
 
+  /// The same error, said of this place in its file unless it already names one.
+  Error at(const Place& place) const {
+    Error error = *this;
+    if (error.place_.line == 0) error.place_ = place;
+    return error;
+  }
+
   /// "FILE:LINE:COLUMN: error: message", or "tcbsample: error: message" where there is no file; a line for each.
   std::string text() const {
     std::string all = line();
@@ -90,6 +97,16 @@ auto in_file(const std::string& name, F f) {
     return f();
   } catch (const Error& error) {
     throw error.in(name);
+  }
+}
+
+/// Runs f; what it throws is said of this place.
+template <class F>
+auto at_place(const Place& place, F f) {
+  try {
+    return f();
+  } catch (const Error& error) {
+    throw error.at(place);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <charconv>
 #include <fstream>
-#include <sstream>
+#include <string>
 
 #include "error.hpp"
 #include "format/number.hpp"
@@ -21,27 +21,38 @@ using sampler::Mode;
 using sampler::Rational;
 using sampler::Request;
 
-Rational positive_rational(std::string_view option, const std::string& text) {
-  const auto value = sampler::parse_rational(text);
-  if (!value || *value <= 0) refuse_value(option, text, "a decimal or a ratio above 0, such as 0.1 or 1/24");
+/// A decimal or a ratio that is a time, a length or a rate. Throws: Error (usage) saying what was expected.
+Rational rational(std::string_view option, std::string_view text, std::string_view expected) {
+  auto value = sampler::parse_rational(text);
+  if (!value) refuse_value(option, text, expected);
+  if (!sampler::within_doubles(*value)) refuse_value(option, text, "less than 1.8e308 in size, as doubles are");
   return *value;
+}
+
+Rational positive_rational(std::string_view option, const std::string& text) {
+  constexpr std::string_view expected = "a decimal or a ratio above 0, such as 0.1 or 1/24";
+  auto value = rational(option, text, expected);
+  if (value <= 0) refuse_value(option, text, expected);
+  return value;
 }
 
 std::uint64_t positive_count(std::string_view option, const std::string& text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value == 0 || value > INT64_MAX) {
-    refuse_value(option, text, "a whole number from 1 up");
+    refuse_value(option, text, "a whole number from 1 to 2^63 - 1, in digits");
   }
   return value;
+}
+
+Rational listed_number(std::string_view option, std::string_view text) {
+  return rational(option, text, "decimals or ratios, apart by commas, such as 0,0.5,7/24");
 }
 
 std::vector<Rational> list(std::string_view option, const std::string& text) {
   std::vector<Rational> values;
   for (const std::string_view item : split(text, ',')) {
-    const auto value = sampler::parse_rational(item);
-    if (!value) refuse_value(option, item, "decimals or ratios, apart by commas, such as 0,0.5,7/24");
-    values.push_back(*value);
+    values.push_back(listed_number(option, item));
   }
   return values;
 }
@@ -53,6 +64,7 @@ void set_step(Request& request, std::string_view name, const std::string& value)
 }
 void set_rate(Request& request, std::string_view name, const std::string& value) {
   request.step = 1 / positive_rational(name, value);
+  if (!sampler::within_doubles(request.step)) refuse_value(name, value, "a rate whose step is less than 1.8e308");
 }
 void set_count(Request& request, std::string_view name, const std::string& value) {
   request.count = positive_count(name, value);
@@ -114,9 +126,7 @@ void require_effect(bool given, bool has_effect, std::string_view option, std::s
 
 std::optional<Rational> bound(std::string_view option, const std::string& text) {
   if (text.empty()) return std::nullopt;
-  auto value = sampler::parse_rational(text);
-  if (!value) refuse_value(option, text, "a decimal or a ratio, such as 1.5 or 7/24");
-  return value;
+  return rational(option, text, "a decimal or a ratio, such as 1.5 or 7/24");
 }
 
 void require_extrapolation(const Typed& typed, const Way& way) {
@@ -132,15 +142,17 @@ std::string listed(std::string_view option, const std::string& text) {
   if (!text.starts_with('@')) return text;
   const std::string path = text.substr(1);
   std::ifstream file(path);
-  std::ostringstream content;
-  content << file.rdbuf();
   if (!file)
     throw Error(Exit::usage, Place{path}, fmt::format("cannot be read for {}; expected a file of numbers", option));
-  std::string items, all = content.str();
-  std::ranges::replace_if(
-      all, [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; }, ',');
-  for (const std::string_view item : split(all, ',')) {
-    if (!item.empty()) items += (items.empty() ? "" : ",") + std::string(item);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  std::string items, line;
+  for (std::uint64_t number = 1; std::getline(file, line); ++number) {
+    std::ranges::replace_if(line, is_blank, ',');
+    for (const std::string_view item : split(line, ',')) {
+      if (item.empty()) continue;
+      at_place({path, number, 0}, [&] { (void)listed_number(option, item); });
+      items += (items.empty() ? "" : ",") + std::string(item);
+    }
   }
   if (items.empty()) refuse_value(option, text, "one number at least");
   return items;
@@ -175,7 +187,7 @@ sampler::Request make_sampling(const Typed& typed) {
   if (!typed.max_rows.empty()) {
     const auto rows = sampler::parse_rational(typed.max_rows);
     if (!rows || *rows < 1 || denominator(*rows) != 1 || *rows > INT64_MAX)
-      refuse_value("--max-rows", typed.max_rows, "a whole number from 1 up");
+      refuse_value("--max-rows", typed.max_rows, "a whole number from 1 to 2^63 - 1");
     request.max_rows = static_cast<std::uint64_t>(numerator(*rows));
   }
   return request;

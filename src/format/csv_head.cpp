@@ -197,8 +197,10 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);
-  head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
-                                 : find_columns(names, numeric, options.roles, options.timeless);
+  head.columns = at_place({"", first.records[0].line, 0}, [&] {
+    return options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
+                           : find_columns(names, numeric, options.roles, options.timeless);
+  });
   const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
   if (!chosen && !options.samples) require_text(rest[0], head);
   return head;

@@ -72,7 +72,7 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts) {
       curve.beside = std::move(*part->beside);
       if (columns == nullptr) return curve;
       curve.columns = *columns;
-      name_channels(curve.columns, curve.beside.channels);
+      at_place(curve.beside.place, [&] { name_channels(curve.columns, curve.beside.channels); });
       return curve;
     }
     const bool unreadable = part->keys.unreadable;
@@ -113,15 +113,19 @@ bool is_around_curves(const Curve& curve) {
               fmt::format("{}: beside the curves; expected in each of them; move it there", places[0].first));
 }
 
+Error no_keys(const JsonBeside& beside) {
+  return {Exit::data, beside.place,
+          fmt::format("{}{}no keys; expected two at least; add them{}", beside.path, beside.path.empty() ? "" : ": ",
+                      beside.path.empty() ? "" : ", or take the curve out")};
+}
+
 /// The blocks of a curve with what stands beside its keys.
 std::deque<KeyBlock> marked(Curve curve) {
   auto first = std::ranges::find_if(curve.blocks, [](const KeyBlock& block) { return !block.lines.empty(); });
   if (first != curve.blocks.end()) {
     first->beside_keys = std::make_shared<const BesideKeys>(std::move(curve.beside.keys));
   } else if (curve.blocks.empty()) {
-    curve.blocks.emplace_back().faults.emplace_back(
-        Exit::data, curve.beside.place,
-        fmt::format("{}: no keys; expected two at least; add them, or take the curve out", curve.beside.path));
+    curve.blocks.emplace_back().faults.push_back(no_keys(curve.beside));
   }
   return std::move(curve.blocks);
 }
@@ -199,7 +203,8 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
   } else {
     Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
     std::optional<Curve> curve = read_curve(parts);
-    if (!curve || curve->columns.members.empty()) refuse_empty();
+    if (!curve) refuse_empty();
+    if (curve->columns.members.empty()) throw no_keys(curve->beside);
     describe(input, curve->columns, shape);
     if (wrapped) {
       input.beside_keys = std::move(curve->beside.keys);

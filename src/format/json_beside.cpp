@@ -24,8 +24,22 @@ class Reader : public JsonEvents {
   bool on_member(const std::string& name) override {
     constexpr std::array<std::string_view, 9> known{"preset",   "tangents", "ends",   "closed", "period",
                                                     "channels", "keys",     "curves", "id"};
+    constexpr std::array<std::string_view, 6> of_keys{"tension", "continuity", "bias", "tcb", "ease_in", "ease_out"};
+    constexpr std::array<std::string_view, 5> options{"equal_speed", "equal-speed", "parameter", "metric",
+                                                      "extrapolate"};
     member_ = name;
     known_ = std::ranges::find(known, name) != known.end();
+    if (std::ranges::find(of_keys, name) != of_keys.end()) {
+      fail(fmt::format("{}: beside the keys; expected in each of them; move it there", path()));
+    }
+    if (std::ranges::find(options, name) != options.end()) {
+      std::string option = name;
+      std::ranges::replace(option, '_', '-');
+      fail(
+          fmt::format("{}: no setting of a file; expected preset, tangents, ends, closed, period or channels; take it "
+                      "out, and give --{}",
+                      path(), option));
+    }
     if (!known_) {
       const std::string near = did_you_mean(name, known);
       if (!near.empty()) fail(fmt::format("{}: no setting{}", path(), near));

@@ -37,6 +37,9 @@ class FirstKey : public JsonEvents {
   FirstKey(const Chunk& chunk, std::vector<std::string> texts) : JsonEvents(chunk), texts_(std::move(texts)) {}
   std::vector<Found> members;
 
+  /// Where the key is.
+  const Place& place() const { return place_; }
+
  private:
   bool on_member(const std::string& name) override {
     if (!names_.insert(name).second) {
@@ -63,6 +66,11 @@ class FirstKey : public JsonEvents {
     member.text = !in_array() && text != "an object";
     return true;
   }
+  bool on_key_start() override {
+    const LinePlace key = place_of_key();
+    place_ = {"", key.line, key.column};
+    return true;
+  }
   bool on_key_end() override { return false; }
   bool on_break() override { return true; }
 
@@ -74,6 +82,7 @@ class FirstKey : public JsonEvents {
 
   std::vector<std::string> texts_;
   std::unordered_set<std::string> names_;
+  Place place_;
 };
 
 /// The names of a member's cells, as a table would have them.
@@ -87,7 +96,7 @@ std::vector<std::string> cell_names(const FirstKey::Found& member, const std::ve
 
 void require_count(std::size_t names, std::size_t numbers) {
   if (names == numbers) return;
-  throw Error(Exit::data, fmt::format("\"channels\" has {} names; expected {}, one for each number of \"position\"; "
+  throw Error(Exit::data, fmt::format("\"channels\" names {}; expected {}, one for each number of \"position\"; "
                                       "correct it",
                                       names, numbers));
 }
@@ -122,23 +131,14 @@ bool is_required(const JsonColumns& columns, const Member& member) {
                      });
 }
 
-}  // namespace
-
-JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const std::vector<std::string>& channels) {
-  std::vector<std::string> texts;
-  for (const RoleRequest& role : options.roles) {
-    if (role.role == Role::group || role.role == Role::carry) {
-      texts.insert(texts.end(), role.columns.begin(), role.columns.end());
-    }
-  }
-  FirstKey first(chunk, std::move(texts));
-  first.parse();
-  const bool has_array =
-      std::ranges::any_of(first.members, [](const auto& m) { return m.array && m.name == "position"; });
+/// What the members of the first key mean.
+JsonColumns columns_of(const std::vector<FirstKey::Found>& members, const InputOptions& options,
+                       const std::vector<std::string>& channels) {
+  const bool has_array = std::ranges::any_of(members, [](const auto& m) { return m.array && m.name == "position"; });
   JsonColumns result;
   std::vector<std::string> header;
   std::vector<bool> numeric;
-  for (const auto& found : first.members) {
+  for (const auto& found : members) {
     const auto names = cell_names(found, channels);
     if (found.array && found.name == "position") require_count(names.size(), found.numbers);
     result.members.push_back({found.name, found.array, header.size(), names.size()});
@@ -157,6 +157,20 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
   result.missing = options.missing;
   result.keeps_decimals = options.keeps_decimals;
   return result;
+}
+
+}  // namespace
+
+JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const std::vector<std::string>& channels) {
+  std::vector<std::string> texts;
+  for (const RoleRequest& role : options.roles) {
+    if (role.role == Role::group || role.role == Role::carry) {
+      texts.insert(texts.end(), role.columns.begin(), role.columns.end());
+    }
+  }
+  FirstKey first(chunk, std::move(texts));
+  first.parse();
+  return at_place(first.place(), [&] { return columns_of(first.members, options, channels); });
 }
 
 void name_channels(JsonColumns& columns, const std::vector<std::string>& channels) {

@@ -115,6 +115,8 @@ double nearest_double(const Rational& value) {
   return value < 0 ? -size : size;
 }
 
+bool within_doubles(const Rational& value) { return std::isfinite(nearest_double(value)); }
+
 Time nearest_time(const Rational& value) {
   const Integer size = abs(numerator(value));
   if (size >> 53 < denominator(value)) return {nearest_double(value)};

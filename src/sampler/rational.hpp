@@ -25,6 +25,9 @@ Rational exact_time(const Time& time);
 /// The double nearest to a rational, ties to even.
 double nearest_double(const Rational& value);
 
+/// Whether that is a finite number.
+bool within_doubles(const Rational& value);
+
 /// The time nearest to a rational, ties to even: a double, or beyond 2^53 the nearest whole number.
 Time nearest_time(const Rational& value);
 

@@ -39,8 +39,8 @@ class Warp {
   working_t<S> inverse(const Local<S>& place) const {
     using std::sqrt;
     const W u = place.near_start() ? W(place.u) : W(1) + W(place.w);
-    const W left = place.near_start() ? W(1) - W(place.u) : W(-place.w);
     if (is_identity()) return u;
+    const W left = place.near_start() ? W(1) - W(place.u) : W(-place.w);
     if (u < k_ * f_) return sqrt(u * f_ / k_);
     if (left > k_ * e_) return W(0.5) * (u / k_ + f_);
     return W(1) - sqrt(left * e_ / k_);

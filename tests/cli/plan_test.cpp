@@ -176,7 +176,8 @@ TEST(Plan, steps_are_above_0_and_counts_from_1_up) {
     EXPECT_EQ(refusal(only(&Typed::arc_step, value)), "--arc-step" + expected);
   }
   for (const char* value : {"0", "-1", "+1", "1.5", "1e3", " 1", "9223372036854775808", "99999999999999999999"}) {
-    const std::string expected = std::string(" \"") + value + "\": expected a whole number from 1 up";
+    const std::string expected =
+        std::string(" \"") + value + "\": expected a whole number from 1 to 2^63 - 1, in digits";
     EXPECT_EQ(refusal(only(&Typed::count, value)), "--count" + expected);
     EXPECT_EQ(refusal(only(&Typed::segments, value)), "--segments" + expected);
     EXPECT_EQ(refusal(only(&Typed::arc_count, value)), "--arc-count" + expected);

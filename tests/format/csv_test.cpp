@@ -175,10 +175,10 @@ TEST(Csv, an_input_without_keys_is_refused) {
 
 TEST(Csv, columns_that_are_missing_are_refused) {
   EXPECT_EQ(read("0\n1\n"),
-            "f: error: no position column; expected at least one column of numbers beside the time; name it with "
+            "f:1: error: no position column; expected at least one column of numbers beside the time; name it with "
             "--columns position=NAME");
   EXPECT_EQ(read("t,x\n0,1\n", with_columns("position=y")),
-            "f: error: no column \"y\"; the columns are t, x; correct --columns");
+            "f:1: error: no column \"y\"; the columns are t, x; correct --columns");
 }
 
 TEST(Csv, the_head_leaves_chunks_that_begin_with_the_first_key) {
@@ -236,7 +236,7 @@ TEST(Csv, faults_do_not_end_the_reading) {
 
 TEST(Csv, two_columns_of_one_name_are_refused_unless_they_are_chosen_by_number) {
   EXPECT_EQ(read("t,x,x\n0,1,2\n"),
-            "f: error: two columns are called \"x\"; expected different names; rename one, or choose by number with "
+            "f:1: error: two columns are called \"x\"; expected different names; rename one, or choose by number with "
             "--columns");
   EXPECT_EQ(read("t,x,x\n0,1,2\n", with_columns("position=3")), "t x\n2: 0 2\n");
 }

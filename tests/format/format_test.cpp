@@ -91,7 +91,7 @@ TEST(OpenInput, a_byte_order_mark_is_no_part_of_the_first_cell) {
 
 TEST(OpenInput, an_input_shorter_than_a_mark_is_read_all_the_same) {
   EXPECT_EQ(read("7"),
-            "f: error: no position column; expected at least one column of numbers beside the time; name it "
+            "f:1: error: no position column; expected at least one column of numbers beside the time; name it "
             "with --columns position=NAME");
 }
 

@@ -47,7 +47,7 @@ TEST(Json, channels_name_the_positions_wherever_they_stand) {
   EXPECT_EQ(read(R"({"channels":["a","b"],"keys":[{"t":0,"position":[1,2]}]})"), expected);
   EXPECT_EQ(read(R"({"keys":[{"t":0,"position":[1,2]}],"channels":["a","b"]})"), expected);
   EXPECT_EQ(read(R"({"channels":["a","b","c"],"keys":[{"t":0,"position":[1,2]}]})"),
-            "f: error: \"channels\" has 3 names; expected 2, one for each number of \"position\"; correct it");
+            "f:1:35: error: \"channels\" names 3; expected 2, one for each number of \"position\"; correct it");
 }
 
 TEST(Json, a_channel_that_is_no_name_is_refused) {
@@ -131,9 +131,10 @@ TEST(Json, an_array_of_another_length_and_a_value_of_another_shape_are_refused) 
 TEST(Json, an_input_without_keys_is_refused) {
   InputOptions json;
   json.format = find_format("", "json");
-  for (const char* text : {"", " \n", "[]", "[ ]\n", "{\"keys\":[]}"}) {
+  for (const char* text : {"", " \n", "[]", "[ ]\n"}) {
     EXPECT_EQ(read(text, json), "f: error: no keys: the input is empty; expected an object for each key; see --help");
   }
+  EXPECT_EQ(read("{\"keys\":[]}", json), "f:1:1: error: no keys; expected two at least; add them");
 }
 
 TEST(Json, faults_behind_the_keys_are_placed_where_they_stand) {

@@ -31,6 +31,14 @@ TEST(Rational, refuses_everything_else) {
   }
 }
 
+TEST(Rational, some_are_beyond_doubles) {
+  EXPECT_TRUE(within_doubles(*parse_rational("-1.7976931348623157e308")));
+  EXPECT_TRUE(within_doubles(*parse_rational("1e400/1e300")));
+  EXPECT_TRUE(within_doubles(*parse_rational("1e-400")));
+  EXPECT_FALSE(within_doubles(*parse_rational("1.8e308")));
+  EXPECT_FALSE(within_doubles(*parse_rational("-1e400")));
+}
+
 TEST(Rational, nearest_time_is_what_the_library_reads) {
   std::mt19937_64 random(11);
   for (int i = 0; i < 20'000; ++i) {
