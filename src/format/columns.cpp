@@ -64,8 +64,8 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
   if (close != header.end()) return static_cast<std::size_t>(close - header.begin());
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-  if (is_number && number >= 1 && number <= cells) return number - 1;
+  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size() && number >= 1;
+  if (is_number && number <= cells) return number - 1;
   throw Error(
       Exit::data,
       header.empty()
@@ -75,10 +75,8 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
 
 /// Sets the role of a cell, which must not have another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
-  if (columns.cells[cell].role != Role::left_out) {
-    throw Error(Exit::data,
-                fmt::format("column \"{}\" is named twice; a column has one role; correct --columns", name));
-  }
+  if (columns.cells[cell].role != Role::left_out)
+    throw Error(Exit::data, fmt::format("column \"{}\" has two roles; expected one; correct --columns", name));
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.carried
@@ -125,6 +123,23 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
   }
 }
 
+/// Throws: Error (data) for a channel whose name is nearly that of a role which no column has: a slip, as a rule.
+void require_no_slip(const Columns& columns, std::span<const std::string> header, bool timeless) {
+  std::vector<std::string_view> known;
+  for (const RoleName& row : role_names) {
+    if (!row.any_case || !row.in_header || row.role == Role::position || columns.has(row.role)) continue;
+    if (!timeless || row.role != Role::time) known.push_back(row.name);
+  }
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    std::string name = columns.cells[cell].role == Role::position ? header[cell] : "";
+    std::ranges::transform(name, name.begin(), lower);
+    const std::string near = did_you_mean(name, known);
+    if (near.empty()) continue;
+    throw Error(Exit::data, fmt::format("column \"{}\" would be a channel{} (rename it, or give --columns position=)",
+                                        header[cell], near));
+  }
+}
+
 }  // namespace
 
 bool Columns::has(Role role) const {
@@ -138,11 +153,11 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
     const std::string_view name = part.substr(0, equals);
     const auto known = std::ranges::find_if(role_names, [&](const auto& row) { return row.name == name; });
     if (equals == std::string::npos || equals + 1 == part.size() || known == role_names.end()) {
-      throw Error(Exit::usage, fmt::format("--columns: \"{}\" is no role with its columns; expected "
-                                           "time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, ease_in=, "
-                                           "ease_out=, group= or carry=; "
-                                           "for example --columns time=frame,position=px:py",
-                                           part));
+      throw Error(Exit::usage,
+                  fmt::format("--columns: \"{}\" is no role with its columns; expected "
+                              "time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, ease_in=, "
+                              "ease_out=, group= or carry=; for example --columns time=frame,position=px:py",
+                              part));
     }
     const auto columns = split(part.substr(equals + 1), ':');
     requests.push_back({known->role, {columns.begin(), columns.end()}});
@@ -174,7 +189,9 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
              !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
     }
   }
+  const bool chosen = columns.has(Role::position);
   assign_the_rest(columns, header, numeric, timeless);
+  if (!chosen) require_no_slip(columns, header, timeless);
   number_texts(columns);
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     if (columns.cells[cell].role == Role::left_out) columns.left_out.push_back(header[cell]);
@@ -194,12 +211,11 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
 Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                             const SampleNames& names, bool timeless) {
   const auto place = [&](const auto& is_it) { return std::ranges::find_if(header, is_it) - header.begin(); };
-  const auto number = [](std::ptrdiff_t cell) { return fmt::format("{}", cell + 1); };
   std::vector<RoleRequest> requests;
   std::vector<std::ptrdiff_t> taken;
   const auto request = [&](Role role, std::ptrdiff_t cell) {
     taken.push_back(cell);
-    requests.push_back({role, {number(cell)}});
+    requests.push_back({role, {fmt::format("{}", cell + 1)}});
   };
   const auto cells = static_cast<std::ptrdiff_t>(numeric.size());
   std::vector<std::ptrdiff_t> groups;

@@ -149,7 +149,7 @@ TEST(Columns, what_is_missing_or_doubled_is_refused_with_the_remedy) {
   EXPECT_EQ(error_of([] {
               find({"t", "x"}, "position=x:x");
             }),
-            "f: error: column \"x\" is named twice; a column has one role; correct --columns");
+            "f: error: column \"x\" has two roles; expected one; correct --columns");
 }
 
 TEST(Columns, a_column_that_is_not_there_is_refused_with_those_that_are) {
