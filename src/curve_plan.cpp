@@ -72,8 +72,11 @@ double parse_exponent(std::string_view text) {
 
 sampler::Rational parse_period(const std::string& text) {
   const auto period = sampler::parse_rational(text);
-  if (!period || *period <= 0 || !sampler::within_doubles(*period)) {
+  if (!period || *period <= 0) {
     throw Error(Exit::usage, fmt::format("--period \"{}\": expected a decimal or a ratio above 0, such as 7.5", text));
+  }
+  if (!sampler::within_doubles(*period)) {
+    throw Error(Exit::usage, fmt::format("--period \"{}\": expected {}", text, sampler::double_range));
   }
   return *period;
 }

@@ -64,7 +64,8 @@ class Error : public std::exception {
   /// The same error, said of this place in its file unless it already names one.
   Error at(const Place& place) const {
     Error error = *this;
-    if (error.place_.line == 0) error.place_ = place;
+    if (error.place_.file.empty()) error.place_.file = place.file;
+    if (error.place_.line == 0) error.place_ = {error.place_.file, place.line, place.column};
     return error;
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "format/number.hpp"
 #include "spline/power.hpp"
 
 namespace tcb {
@@ -23,6 +24,20 @@ void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
     throw Error(Exit::data, Place{"", line, 0},
                 fmt::format("{} is {}; expected 0 to 1; correct it, or give --no-ease", name, value));
   }
+}
+
+[[noreturn]] void refuse_lost_step(std::uint64_t line, double step, double time) {
+  throw Error(
+      Exit::data, Place{"", line, 0},
+      fmt::format("the distance makes a step of {} that is lost beside the time {}; expected times that doubles "
+                  "tell apart; scale the keys, or give --parameter a smaller exponent",
+                  step, time));
+}
+
+[[noreturn]] void refuse_tangents(const Twice& start, const Twice& end) {
+  throw Error(Exit::data, fmt::format("the curve from time {} to {} has tangents beyond the range of doubles; expected "
+                                      "less than 1.8e308 in size; scale the keys down",
+                                      format::time_text(start), format::time_text(end)));
 }
 
 Stretch stretch_of(const spline::Window<double>& window, const Rules& rules, bool measured) {
@@ -98,7 +113,9 @@ Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::ve
                         "take one of the rows out, or give --parameter uniform",
                         line));
       }
+      const double earlier = time.hi;
       time = time + Twice(step);
+      if (!before.empty() && time.hi == earlier) refuse_lost_step(block->lines[i], step, time.hi);
       keys.times.emplace_back(time.hi);
       before.assign(position.begin(), position.end());
       line = block->lines[i];
@@ -170,6 +187,7 @@ void measure(Stretch& stretch, const Rules& rules) {
   stretch.lengths.reserve(stretch.segments.size());
   for (std::size_t i = 0; i < stretch.segments.size(); ++i) {
     arc.assign(stretch.segments[i], rules.metric);
+    if (!std::isfinite(arc.total().value)) refuse_tangents(stretch.segments.times[i], stretch.segments.times[i + 1]);
     stretch.lengths.push_back(arc.total());
   }
 }

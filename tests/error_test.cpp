@@ -28,6 +28,14 @@ TEST(Errors, a_file_is_filled_in_once_and_nothing_else_changes) {
   EXPECT_EQ(error.text(), "tcbsample: error: wrong") << "the error itself stays as it was";
 }
 
+TEST(Errors, a_place_is_filled_in_where_there_is_none) {
+  const Error error(Exit::data, "wrong");
+  EXPECT_EQ(error.at({"", 17, 3}).in("a.csv").text(), "a.csv:17:3: error: wrong");
+  EXPECT_EQ(error.in("a.csv").at({"", 17, 3}).text(), "a.csv:17:3: error: wrong");
+  EXPECT_EQ(error.at({"b.csv", 17, 0}).in("a.csv").text(), "b.csv:17: error: wrong");
+  EXPECT_EQ(error.at({"", 17, 3}).at({"", 1, 1}).in("a.csv").text(), "a.csv:17:3: error: wrong");
+}
+
 TEST(Errors, each_keeps_to_its_line) {
   EXPECT_EQ(Error(Exit::data, Place{"a\nb", 1, 2}, "a column \"x\r\n\x1b[1m\x7f\"").text(),
             "a\\x0Ab:1:2: error: a column \"x\\x0D\\x0A\\x1B[1m\\x7F\"");

@@ -25,7 +25,7 @@ using sampler::Request;
 Rational rational(std::string_view option, std::string_view text, std::string_view expected) {
   auto value = sampler::parse_rational(text);
   if (!value) refuse_value(option, text, expected);
-  if (!sampler::within_doubles(*value)) refuse_value(option, text, "less than 1.8e308 in size, as doubles are");
+  if (!sampler::within_doubles(*value)) refuse_value(option, text, sampler::double_range);
   return *value;
 }
 
@@ -64,7 +64,8 @@ void set_step(Request& request, std::string_view name, const std::string& value)
 }
 void set_rate(Request& request, std::string_view name, const std::string& value) {
   request.step = 1 / positive_rational(name, value);
-  if (!sampler::within_doubles(request.step)) refuse_value(name, value, "a rate whose step is less than 1.8e308");
+  if (!sampler::within_doubles(request.step))
+    refuse_value(name, value, "a rate whose step is a double, less than 1.8e308");
 }
 void set_count(Request& request, std::string_view name, const std::string& value) {
   request.count = positive_count(name, value);

@@ -15,38 +15,6 @@
 namespace tcb::format {
 namespace {
 
-struct RoleName {
-  std::string_view name;
-  Role role;
-  bool any_case;
-  bool in_header = true;  ///< a column of that name has that role
-};
-
-/// Names that give a column its role; the first name of each role is also its name in --columns.
-constexpr std::array role_names{
-    RoleName{"time", Role::time, true},          RoleName{"position", Role::position, true},
-    RoleName{"tension", Role::tension, true},    RoleName{"continuity", Role::continuity, true},
-    RoleName{"bias", Role::bias, true},          RoleName{"ease_in", Role::ease_in, true},
-    RoleName{"ease_out", Role::ease_out, true},  RoleName{"group", Role::group, true, false},
-    RoleName{"carry", Role::carry, true, false}, RoleName{"t", Role::time, false},
-    RoleName{"frame", Role::time, true},         RoleName{"timestamp", Role::time, true},
-    RoleName{"seconds", Role::time, true},       RoleName{"T", Role::tension, false},
-    RoleName{"C", Role::continuity, false},      RoleName{"B", Role::bias, false},
-};
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
-
-bool same_name(std::string_view a, std::string_view b, bool any_case) {
-  return any_case ? std::ranges::equal(a, b, {}, lower, lower) : a == b;
-}
-
-/// A name such as "timestamp [ns]" or "time (s)" without its unit.
-std::string_view without_unit(std::string_view name) {
-  const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
-  if (begin == 0 || begin == std::string_view::npos) return name;
-  return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
-}
-
 /// Names in a message, which a hundred thousand of them would not make clearer.
 std::string listed(std::span<const std::string> names) {
   constexpr std::size_t most = 20;
@@ -55,12 +23,19 @@ std::string listed(std::span<const std::string> names) {
                      names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
 }
 
+[[noreturn]] void refuse_same_names(const std::string& name) {
+  throw Error(Exit::data, fmt::format("two columns are called \"{}\"; expected different names; rename one, or choose "
+                                      "by number with --columns",
+                                      name));
+}
+
 /// The cell that a name or number asks for.
 std::size_t find_cell(const std::string& wanted, std::string_view option, std::span<const std::string> header,
                       std::size_t cells) {
+  if (std::ranges::count(header, wanted) > 1) refuse_same_names(wanted);
   const auto exact = std::ranges::find(header, wanted);
   if (exact != header.end()) return static_cast<std::size_t>(exact - header.begin());
-  const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_name(name, wanted, true); });
+  const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_in_any_case(name, wanted); });
   if (close != header.end()) return static_cast<std::size_t>(close - header.begin());
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
@@ -75,8 +50,9 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
 
 /// Sets the role of a cell, which must not have another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
-  if (columns.cells[cell].role != Role::left_out)
+  if (columns.cells[cell].role != Role::left_out) {
     throw Error(Exit::data, fmt::format("column \"{}\" has two roles; expected one; correct --columns", name));
+  }
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.carried
@@ -84,7 +60,7 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
   if (several == nullptr && columns.has(role)) {
     throw Error(Exit::data, fmt::format("two columns could be the {} column, the second is \"{}\"; expected one; "
                                         "choose with --columns",
-                                        role_names[static_cast<std::size_t>(role) - 1].name, name));
+                                        role_name(role), name));
   }
   columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
   if (several != nullptr) several->push_back(name);
@@ -115,28 +91,9 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     const bool asked_for = is_asked[static_cast<std::size_t>(role)];
     if (role == Role::position ? positions_given || !numeric[cell] : asked_for) continue;
     if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
-      throw Error(Exit::data, fmt::format("two columns are called \"{}\"; expected different names; rename one, or "
-                                          "choose by number with --columns",
-                                          header[cell]));
+      refuse_same_names(header[cell]);
     }
     assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
-  }
-}
-
-/// Throws: Error (data) for a channel whose name is nearly that of a role which no column has: a slip, as a rule.
-void require_no_slip(const Columns& columns, std::span<const std::string> header, bool timeless) {
-  std::vector<std::string_view> known;
-  for (const RoleName& row : role_names) {
-    if (!row.any_case || !row.in_header || row.role == Role::position || columns.has(row.role)) continue;
-    if (!timeless || row.role != Role::time) known.push_back(row.name);
-  }
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    std::string name = columns.cells[cell].role == Role::position ? header[cell] : "";
-    std::ranges::transform(name, name.begin(), lower);
-    const std::string near = did_you_mean(name, known);
-    if (near.empty()) continue;
-    throw Error(Exit::data, fmt::format("column \"{}\" would be a channel{} (rename it, or give --columns position=)",
-                                        header[cell], near));
   }
 }
 
@@ -151,8 +108,8 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
   for (const std::string_view part : split(text, ',')) {
     const std::size_t equals = part.find('=');
     const std::string_view name = part.substr(0, equals);
-    const auto known = std::ranges::find_if(role_names, [&](const auto& row) { return row.name == name; });
-    if (equals == std::string::npos || equals + 1 == part.size() || known == role_names.end()) {
+    const std::optional<Role> known = find_role(name);
+    if (equals == std::string::npos || equals + 1 == part.size() || !known) {
       throw Error(Exit::usage,
                   fmt::format("--columns: \"{}\" is no role with its columns; expected "
                               "time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, ease_in=, "
@@ -160,20 +117,9 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
                               part));
     }
     const auto columns = split(part.substr(equals + 1), ':');
-    requests.push_back({known->role, {columns.begin(), columns.end()}});
+    requests.push_back({*known, {columns.begin(), columns.end()}});
   }
   return requests;
-}
-
-Role role_of_name(std::string_view name) {
-  const auto role_of = [](std::string_view written) {
-    const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
-      return known.in_header && same_name(written, known.name, known.any_case);
-    });
-    return row == role_names.end() ? Role::position : row->role;
-  };
-  const std::string_view alone = without_unit(name);
-  return alone.size() < name.size() && role_of(alone) == Role::time ? Role::time : role_of(name);
 }
 
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
@@ -189,9 +135,7 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
              !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
     }
   }
-  const bool chosen = columns.has(Role::position);
   assign_the_rest(columns, header, numeric, timeless);
-  if (!chosen) require_no_slip(columns, header, timeless);
   number_texts(columns);
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     if (columns.cells[cell].role == Role::left_out) columns.left_out.push_back(header[cell]);
@@ -235,6 +179,26 @@ Columns find_sample_columns(std::span<const std::string> header, const std::vect
     if (numeric[at] && !is_label && std::ranges::count(taken, cell) == 0) request(Role::position, cell);
   }
   return find_columns(header, numeric, requests, true);
+}
+
+std::optional<std::string> slip(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
+                                bool timeless) {
+  const std::optional<Role> meant = role_missed(name);
+  if (!meant || columns.has(*meant) || (timeless && *meant == Role::time)) return std::nullopt;
+  if (std::ranges::count(requests, Role::position, &RoleRequest::role) > 0) return std::nullopt;
+  return fmt::format(
+      "nearly \"{0}\", but a channel by its name; expected {0}, or another name; rename it, or give "
+      "--columns {0}={1} or position=NAME:NAME",
+      role_name(*meant), name);
+}
+
+void require_no_slip(std::span<const std::string> header, const Columns& columns, std::span<const RoleRequest> requests,
+                     bool timeless) {
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (columns.cells[cell].role != Role::position) continue;
+    const auto what = slip(header[cell], columns, requests, timeless);
+    if (what) throw Error(Exit::data, fmt::format("column \"{}\" is {}", header[cell], *what));
+  }
 }
 
 std::vector<std::string> default_channel_names(std::size_t channels) {

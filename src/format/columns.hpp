@@ -8,11 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "format/roles.hpp"
+
 namespace tcb::format {
-
-enum class Role { left_out, time, position, tension, continuity, bias, ease_in, ease_out, group, carry };
-
-inline constexpr std::size_t role_count = 10;
 
 /// Roles given by hand: each with the columns that have it, by name or by number from 1.
 struct RoleRequest {
@@ -42,10 +40,6 @@ struct Columns {
   std::size_t texts() const { return groups.size() + carried.size(); }  ///< of each key
 };
 
-/// The role that a column's name gives it, where nothing else says; otherwise position.
-/// Case does not matter, except that t is time and T, C, B are tension, continuity and bias.
-Role role_of_name(std::string_view name);
-
 /// The columns of delimited records. `header` is empty where the input has none; `numeric` says of
 /// each cell whether its column holds numbers. Without a header the first column is the time, unless `timeless`.
 /// Throws: Error (data) for a column that is not there, that has two roles, or whose role another has.
@@ -63,6 +57,15 @@ struct SampleNames {
 /// whatever its name. Throws: Error (data) as find_columns.
 Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                             const SampleNames& names, bool timeless);
+
+/// What is said of a channel whose name is that of a role but for a slip, where no column has that role, and no
+/// channels were asked for; nothing of others.
+std::optional<std::string> slip(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
+                                bool timeless);
+
+/// Throws: Error (data) for the first channel of which slip() says something.
+void require_no_slip(std::span<const std::string> header, const Columns& columns, std::span<const RoleRequest> requests,
+                     bool timeless);
 
 /// Names for channels without any: x, y, z, or p1, p2, … for more than three.
 std::vector<std::string> default_channel_names(std::size_t channels);

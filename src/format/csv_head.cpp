@@ -100,11 +100,11 @@ std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data, c
 }
 
 /// Throws: Error (data) for a name that cannot be written again.
-void require_characters(const std::vector<std::string>& names, std::uint64_t line) {
+void require_characters(const std::vector<std::string>& names, const Place& place) {
   for (const std::string& name : names) {
     const std::size_t foreign = find_foreign(name);
     if (foreign == std::string::npos) continue;
-    throw Error(Exit::data, Place{"", line, 0}, fmt::format("column {}: {}", shown(name), foreign_byte(name[foreign])));
+    throw Error(Exit::data, place, fmt::format("column {}: {}", shown(name), foreign_byte(name[foreign])));
   }
 }
 
@@ -125,15 +125,16 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
 }
 
 /// Throws: Error (data) where a column of text seems to be meant for numbers, by its first record.
-void require_text(const Chunk& data, const DelimitedHead& head) {
+void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric) {
   Records records(data, head.dialect);
   Cells cells;
   records.next(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (head.columns.cells[i].role != Role::left_out) continue;
+    if (head.columns.cells[i].role != Role::left_out || numeric[i]) continue;
     const std::string cell = unquoted(cells[i]);
-    const std::size_t digit = cell.find_first_not_of("+-.,");
-    if (digit == std::string::npos || cell[digit] < '0' || cell[digit] > '9') continue;
+    constexpr std::string_view minus = "\xE2\x88\x92";  // as typesetters have it
+    const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
+    if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
     Place place = records.place(cells[i]);
     throw Error(Exit::data, std::move(place),
                 fmt::format("column {}: {}; or name the columns to take with --columns position=", i + 1,
@@ -179,11 +180,15 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const bool header = options.header.value_or(is_header(first.records[0], head));
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
+  Place place{"", first.records[0].line, 0};  // of the names
   if (header && !options.header) require_clear_header(first.records[0], head, options);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);
-    if (above.size() == first.records[0].cells.size() && are_names(above, head, options)) names = std::move(above);
+    if (above.size() == first.records[0].cells.size() && are_names(above, head, options)) {
+      names = std::move(above);
+      --place.line;
+    }
   }
   const auto& row = first.records[data];
   if (!names.empty() && names.size() != row.cells.size()) {
@@ -192,17 +197,18 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
                             "them, or give the delimiter with -d",
                             row.cells.size(), names.size()));
   }
-  require_characters(names, first.records[0].line);
+  require_characters(names, place);
   rest.assign(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk), first.chunks.end());
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);
-  head.columns = at_place({"", first.records[0].line, 0}, [&] {
-    return options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
-                           : find_columns(names, numeric, options.roles, options.timeless);
+  at_place(place, [&] {
+    head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
+                                   : find_columns(names, numeric, options.roles, options.timeless);
+    if (!options.samples) require_no_slip(names, head.columns, options.roles, options.timeless);
   });
   const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
-  if (!chosen && !options.samples) require_text(rest[0], head);
+  if (!chosen && !options.samples) require_text(rest[0], head, numeric);
   return head;
 }
 

@@ -63,7 +63,7 @@ void require_bytes(std::string_view beginning) {
       fmt::format("the text is {}; expected UTF-8; convert it, for example with iconv -f {} -t UTF-8", name, name));
 }
 
-/// Drops a UTF-8 byte order mark, or two.
+/// Drops a UTF-8 byte order mark. Throws: Error (data) for two.
 Source<std::string> without_mark(Source<std::string> bytes) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   std::string beginning;
@@ -74,7 +74,10 @@ Source<std::string> without_mark(Source<std::string> bytes) {
     beginning += *more;
   }
   require_bytes(beginning);
-  while (beginning.starts_with(mark)) beginning.erase(0, mark.size());
+  if (beginning.starts_with(mark)) beginning.erase(0, mark.size());
+  if (beginning.starts_with(mark)) {
+    throw Error(Exit::data, Place{"", 1, 1}, "a byte order mark twice; expected one at most; take it out");
+  }
   return preceded_by(std::move(beginning), std::move(bytes));
 }
 

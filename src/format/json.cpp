@@ -62,6 +62,11 @@ struct Curve {
   std::string path;
 };
 
+Place place_of_channels(const JsonBeside& beside) {
+  const auto found = std::ranges::find(beside.keys.places, "channels", [](const auto& named) { return named.first; });
+  return found == beside.keys.places.end() ? beside.place : found->second;
+}
+
 /// Reads on to the end of a list of keys and of the object around it; nothing at the end of the input.
 std::optional<Curve> read_curve(const Source<Parsed>& parts) {
   Curve curve;
@@ -72,7 +77,7 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts) {
       curve.beside = std::move(*part->beside);
       if (columns == nullptr) return curve;
       curve.columns = *columns;
-      at_place(curve.beside.place, [&] { name_channels(curve.columns, curve.beside.channels); });
+      at_place(place_of_channels(curve.beside), [&] { name_channels(curve.columns, curve.beside.channels); });
       return curve;
     }
     const bool unreadable = part->keys.unreadable;

@@ -10,6 +10,7 @@
 #include "format/json_events.hpp"
 #include "format/number.hpp"
 #include "format/refusal.hpp"
+#include "format/roles.hpp"
 #include "names.hpp"
 
 namespace tcb::format {
@@ -24,22 +25,9 @@ class Reader : public JsonEvents {
   bool on_member(const std::string& name) override {
     constexpr std::array<std::string_view, 9> known{"preset",   "tangents", "ends",   "closed", "period",
                                                     "channels", "keys",     "curves", "id"};
-    constexpr std::array<std::string_view, 6> of_keys{"tension", "continuity", "bias", "tcb", "ease_in", "ease_out"};
-    constexpr std::array<std::string_view, 5> options{"equal_speed", "equal-speed", "parameter", "metric",
-                                                      "extrapolate"};
     member_ = name;
     known_ = std::ranges::find(known, name) != known.end();
-    if (std::ranges::find(of_keys, name) != of_keys.end()) {
-      fail(fmt::format("{}: beside the keys; expected in each of them; move it there", path()));
-    }
-    if (std::ranges::find(options, name) != options.end()) {
-      std::string option = name;
-      std::ranges::replace(option, '_', '-');
-      fail(
-          fmt::format("{}: no setting of a file; expected preset, tangents, ends, closed, period or channels; take it "
-                      "out, and give --{}",
-                      path(), option));
-    }
+    require_no_loss(name);
     if (!known_) {
       const std::string near = did_you_mean(name, known);
       if (!near.empty()) fail(fmt::format("{}: no setting{}", path(), near));
@@ -50,6 +38,21 @@ class Reader : public JsonEvents {
     }
     members_.push_back(name);
     return true;
+  }
+
+  /// Throws: Error (data) for what has a meaning elsewhere, and none here.
+  void require_no_loss(const std::string& name) const {
+    constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
+    constexpr std::array<std::string_view, 5> options{"equal-speed", "parameter", "metric", "extrapolate", "no-ease"};
+    if (name == "tcb" || std::ranges::count(of_keys, role_of_name(name)) > 0) {
+      fail(fmt::format("{}: not in a key; expected in each of them; move it there", path()));
+    }
+    std::string option = name;
+    std::ranges::replace(option, '_', '-');
+    if (std::ranges::count(options, option) > 0) {
+      fail(fmt::format("{}: an option, not a setting of a file; take it out, and give --{} where it is wanted", path(),
+                       option));
+    }
   }
 
   bool on_number(const spline::Time<double>& value) override { return take(time_text(value)); }
@@ -70,7 +73,7 @@ class Reader : public JsonEvents {
     if (member_ == "period") settings.period = value;
     if (member_ == "id") take_id(value);
     if (member_ != "closed") return true;
-    if (text != "true" && text != "false") {
+    if (is_quoted() || (text != "true" && text != "false")) {
       fail(fmt::format("{}: {}; expected true or false; correct it", path(), shown(text)));
     }
     settings.closed = text == "true";

@@ -19,8 +19,8 @@ namespace {
 
 using Member = JsonColumns::Member;
 
-constexpr std::array<std::string_view, 8> known_names{"time",       "position", "tcb",     "tension",
-                                                      "continuity", "bias",     "ease_in", "ease_out"};
+/// The name says what a member other than the position is.
+bool is_known(const std::string& name) { return name == "tcb" || role_of_name(name) != Role::position; }
 
 /// Collects the members of the first key, then stops.
 class FirstKey : public JsonEvents {
@@ -30,8 +30,8 @@ class FirstKey : public JsonEvents {
     bool array = false;
     bool text = false;        ///< it is one text, or true or false
     std::size_t numbers = 0;  ///< that it has, or that are missing there
-    std::string near = "";    ///< what is said of a name that is nearly a known one,
-    Place place = {};         ///< and where
+    std::string path = "";    ///< of one whose name is a role's, or is but for a slip,
+    Place place = {};         ///< and its place
   };
   /// `texts` are the members that are asked for as texts.
   FirstKey(const Chunk& chunk, std::vector<std::string> texts) : JsonEvents(chunk), texts_(std::move(texts)) {}
@@ -46,10 +46,8 @@ class FirstKey : public JsonEvents {
       fail(fmt::format("{}: a second time in one key; expected once; take one out", path()));
     }
     members.push_back({name});
-    if (role_of_name(name) != Role::position || name.size() < 3) return true;
-    const std::string near = did_you_mean(name, known_names);
-    if (near.empty() || near.find(" " + name + "?") != std::string::npos) return true;
-    members.back().near = fmt::format("{}: no member of a key{} (rename it if not)", path(), near);
+    if (!role_missed(name) && !is_known(name)) return true;
+    members.back().path = path();
     members.back().place = here();
     return true;
   }
@@ -117,10 +115,19 @@ void add_optional_members(JsonColumns& columns) {
   if (!tcb) columns.members.push_back({"tcb", true, first, roles.size()});
 }
 
-/// Throws: Error (data) for a number beside an array of positions that is nothing, but nearly something.
-void require_no_slip(const FirstKey::Found& member) {
-  if (member.near.empty()) return;
-  throw Error(Exit::data, member.place, member.near);
+/// Throws: Error (data) for a member that is an array where a number was expected, or the other way round.
+void require_shape(const FirstKey::Found& member) {
+  const bool is_array = member.name == "tcb";
+  if (!is_known(member.name) || (is_array == member.array && !member.text)) return;
+  if (member.numbers == 1 && !member.array) return;  // it may be null
+  throw Error(Exit::data, member.place,
+              fmt::format("{}: expected {}; correct it", member.path, is_array ? "an array [T,C,B]" : "a number"));
+}
+
+/// Throws: Error (data) for a number that seems to be meant for something else, by its name.
+void require_no_slip(const FirstKey::Found& member, const Columns& columns, const InputOptions& options) {
+  const auto what = slip(member.name, columns, options.roles, options.timeless);
+  if (what) throw Error(Exit::data, member.place, fmt::format("{}: {}", member.path, *what));
 }
 
 bool is_required(const JsonColumns& columns, const Member& member) {
@@ -145,11 +152,17 @@ JsonColumns columns_of(const std::vector<FirstKey::Found>& members, const InputO
     header.insert(header.end(), names.begin(), names.end());
     // Beside an array of positions, a number that is nothing else is not a position.
     const bool beside = has_array && !found.array && role_of_name(found.name) == Role::position;
-    if (beside && !found.text) require_no_slip(found);
     numeric.resize(header.size(), !beside && !found.text);
   }
   result.columns = options.samples ? find_sample_columns(header, numeric, *options.samples, options.timeless)
                                    : find_columns(header, numeric, options.roles, options.timeless);
+  for (const auto& found : members) {
+    const bool asked_for = std::ranges::any_of(
+        options.roles, [&](const RoleRequest& role) { return std::ranges::count(role.columns, found.name) > 0; });
+    if (!options.samples && !asked_for) require_shape(found);
+    const bool scalar = !found.array && !found.text && found.numbers > 0;
+    if (scalar && !options.samples) require_no_slip(found, result.columns, options);
+  }
   result.found = result.columns.cells.size();
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);

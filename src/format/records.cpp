@@ -112,7 +112,8 @@ std::string_view Records::take_quoted() {
     throw Error(Exit::data, place({start, 1}), "a quoted cell is not closed; expected \" at its end; add it");
   }
   const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
-  while (!at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
+  const bool blanks = dialect_.delimiter == ' ';  // any of which delimits
+  while (!blanks && !at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
   if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
     const Place where = place({at_, 1});
     skip_line();

@@ -36,7 +36,8 @@ class ArcLength {
 
   void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric);
 
-  /// The whole segment. Promises: right to some units in the last place, and to within `error` in any case.
+  /// The whole segment. Promises: right to some units in the last place, and to within `error` in any case; infinite
+  /// where a number of the segment is.
   const Length<S>& total() const { return total_; }
 
   /// From the start to a place. Promises: as total().
@@ -142,6 +143,7 @@ void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std
   disagreement_ = rough_ = S(0);
   total_ = {};
   const S unit = speed_.unit();
+  if (!speed_.is_finite()) total_ = {std::numeric_limits<S>::infinity(), std::numeric_limits<S>::infinity()};
   if (unit == S(0)) return;
   const S epsilon = std::numeric_limits<S>::epsilon();
   if (speed_.is_constant()) {
@@ -159,7 +161,8 @@ void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std
 template <class S>
 Length<S> ArcLength<S>::to(const Local<S>& place) const {
   if (place.w == S(0)) return total_;
-  if (speed_.unit() == S(0) || place.u == S(0)) return {};
+  if (place.u == S(0)) return {};
+  if (speed_.unit() == S(0)) return speed_.is_finite() ? Length<S>{} : total_;
   if (panels_.empty()) return {total_.value * place.u, total_.error};
   const std::size_t half = place.near_start() ? 0 : 1;
   const S v = half == 0 ? place.u : place.w;

@@ -44,7 +44,10 @@ class Speed {
     rescale();
   }
 
-  /// The unit of all speeds and lengths, a power of two; 0 where nothing moves at all.
+  /// No number of the segment is beyond the scalar's range.
+  bool is_finite() const { return finite_; }
+
+  /// The unit of all speeds and lengths, a power of two; 0 where nothing moves at all. Requires: is_finite().
   const S& unit() const { return unit_; }
 
   /// The speed is the same everywhere.
@@ -112,12 +115,16 @@ class Speed {
  private:
   void rescale() {
     using std::abs, std::frexp, std::ldexp;
-    S largest(0);
+    S largest(0), nothing(0);
     for (const auto& half : channels_) {
-      for (const auto& [k0, k1, k2] : half) largest = std::max({largest, S(abs(k0)), S(abs(k1)), S(abs(k2))});
+      for (const auto& [k0, k1, k2] : half) {
+        largest = std::max({largest, S(abs(k0)), S(abs(k1)), S(abs(k2))});
+        nothing += S(0) * k0 + S(0) * k1 + S(0) * k2;  // which is no number where one of them is infinite
+      }
     }
     unit_ = S(0);
-    if (largest == S(0)) return;
+    finite_ = nothing == S(0);
+    if (largest == S(0) || !finite_) return;
     int exponent = 0;
     (void)frexp(largest, &exponent);
     exponent = std::max(exponent - 1, -1000);  // so that 1 / unit is a double, too
@@ -134,6 +141,7 @@ class Speed {
 
   std::array<std::vector<Quadratic<S>>, 2> channels_;
   S unit_{0};
+  bool finite_ = true;
 };
 
 /// The zero of growth() in [low, high], where it rises from below 0 to above.

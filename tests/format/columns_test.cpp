@@ -28,29 +28,6 @@ Columns find_without_header(std::size_t cells, std::string_view asked = "") {
                       asked.empty() ? std::vector<RoleRequest>{} : parse_roles(asked));
 }
 
-TEST(Columns, names_give_roles_and_case_does_not_matter) {
-  for (const char* name : {"time", "Time", "TIME", "t", "frame", "Frame", "timestamp", "Timestamp", "seconds"}) {
-    EXPECT_EQ(role_of_name(name), Role::time) << name;
-  }
-  for (const char* name : {"tension", "Tension", "TENSION"}) EXPECT_EQ(role_of_name(name), Role::tension) << name;
-  EXPECT_EQ(role_of_name("Continuity"), Role::continuity);
-  EXPECT_EQ(role_of_name("bIAS"), Role::bias);
-}
-
-TEST(Columns, single_letters_are_told_apart_by_case) {
-  EXPECT_EQ(role_of_name("t"), Role::time);
-  EXPECT_EQ(role_of_name("T"), Role::tension);
-  EXPECT_EQ(role_of_name("C"), Role::continuity);
-  EXPECT_EQ(role_of_name("B"), Role::bias);
-  EXPECT_EQ(role_of_name("c"), Role::position);
-  EXPECT_EQ(role_of_name("b"), Role::position);
-}
-
-TEST(Columns, every_other_name_is_a_position) {
-  for (const char* name : {"", "x", "times", "tt", "bias2", " t"})
-    EXPECT_EQ(role_of_name(name), Role::position) << name;
-}
-
 TEST(Columns, a_header_gives_roles_in_any_order) {
   const Columns columns = find({"x", "T", "t", "C", "y", "B"});
   EXPECT_THAT(roles(columns),

@@ -64,6 +64,12 @@ TEST(Records, runs_of_blanks_and_tabs_count_as_one_delimiter) {
   EXPECT_EQ(table("  1 \t  2\t3 \r\n4 5 6", {' ', "#"}), (Table{{"1", "2", "3"}, {"4", "5", "6"}}));
 }
 
+TEST(Records, either_blank_delimits_behind_a_quoted_cell) {
+  const Dialect blanks{' ', "#"};
+  EXPECT_EQ(table("\"0\"\t1 \"2\" \t3\n", blanks), (Table{{"\"0\"", "1", "\"2\"", "3"}}));
+  EXPECT_EQ(chunks("\"a\"\tb\t\"\n\"\n1\n", 1, blanks).size(), 2U) << "a line end within quotes ends nothing";
+}
+
 TEST(Records, quoted_cells_hold_delimiters_line_ends_and_doubled_quotes) {
   EXPECT_EQ(table("\"a,b\",\"c\r\nd\" , \"e\"\"f\"\n1,2,3\n"),
             (Table{{"\"a,b\"", "\"c\r\nd\"", "\"e\"\"f\""}, {"1", "2", "3"}}));

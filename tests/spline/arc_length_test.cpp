@@ -38,6 +38,17 @@ TEST(ArcLength, of_a_hold_is_zero) {
   EXPECT_EQ(total(hold), 0);
 }
 
+TEST(ArcLength, of_what_is_beyond_doubles_is_infinite) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {infinite, -infinite, std::numeric_limits<double>::quiet_NaN()}) {
+    Segment bent = parabola;
+    bent[1].e = bad;
+    const ArcLength<double> arc(bent, {});
+    EXPECT_EQ(arc.total().value, infinite);
+    EXPECT_EQ(arc.to({0.25, -0.75}).value, infinite);
+  }
+}
+
 TEST(ArcLength, of_a_reversal_counts_both_ways) {
   const Segment back_and_forth = segment({0, 0}, {0, 0}, {4, 0}, {-4, 0});  // x = 4u - 4u^2, up to 1 and back
   EXPECT_NEAR(total(back_and_forth), 2, 1e-12);
