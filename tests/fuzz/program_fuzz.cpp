@@ -157,9 +157,11 @@ void require_sound(const Plan& plan, std::string_view text, std::string_view row
   };
   const format::Input input = format::open_input("-", bytes, plan.input);
   if (!input.groups.empty() || !input.carried.empty()) return;  // their texts may be anything
+  const auto drop_line = [&rows] { rows.remove_prefix(std::min(rows.size(), rows.find('\n') + 1)); };
+  while (rows.starts_with('#')) drop_line();  // provenance
   if (plan.output_header.value_or(input.named)) {
     if (rows.substr(0, rows.find('\n')).find('"') != std::string_view::npos) return;
-    rows.remove_prefix(std::min(rows.size(), rows.find('\n') + 1));
+    drop_line();
   }
   const auto mode = plan.sampling.mode;
   const bool in_order = mode != sampler::Mode::at && mode != sampler::Mode::arc_at;
