@@ -30,7 +30,7 @@ void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
   throw Error(
       Exit::data, Place{"", line, 0},
       fmt::format("the distance makes a step of {} that is lost beside the time {}; expected times that doubles "
-                  "tell apart; scale the keys, or give --parameter a smaller exponent",
+                  "tell apart; give --parameter a smaller exponent",
                   step, time));
 }
 
