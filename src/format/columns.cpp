@@ -39,8 +39,8 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
   if (close != header.end()) return static_cast<std::size_t>(close - header.begin());
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size() && number >= 1;
-  if (is_number && number <= cells) return number - 1;
+  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
+  if (is_number && number >= 1 && number <= cells) return number - 1;
   throw Error(
       Exit::data,
       header.empty()

@@ -115,10 +115,13 @@ void add_optional_members(JsonColumns& columns) {
   if (!tcb) columns.members.push_back({"tcb", true, first, roles.size()});
 }
 
-/// Throws: Error (data) for a member that is an array where a number was expected, or the other way round.
-void require_shape(const FirstKey::Found& member) {
+/// Throws: Error (data) for a member that is an array where a number was expected, or the other way round, unless
+/// --columns says what it is.
+void require_shape(const FirstKey::Found& member, const InputOptions& options) {
   const bool is_array = member.name == "tcb";
   if (!is_known(member.name) || (is_array == member.array && !member.text)) return;
+  const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
+  if (std::ranges::any_of(options.roles, names_it)) return;
   if (member.numbers == 1 && !member.array) return;  // it may be null
   throw Error(Exit::data, member.place,
               fmt::format("{}: expected {}; correct it", member.path, is_array ? "an array [T,C,B]" : "a number"));
@@ -126,6 +129,7 @@ void require_shape(const FirstKey::Found& member) {
 
 /// Throws: Error (data) for a number that seems to be meant for something else, by its name.
 void require_no_slip(const FirstKey::Found& member, const Columns& columns, const InputOptions& options) {
+  if (member.array || member.text || member.numbers == 0) return;
   const auto what = slip(member.name, columns, options.roles, options.timeless);
   if (what) throw Error(Exit::data, member.place, fmt::format("{}: {}", member.path, *what));
 }
@@ -157,11 +161,9 @@ JsonColumns columns_of(const std::vector<FirstKey::Found>& members, const InputO
   result.columns = options.samples ? find_sample_columns(header, numeric, *options.samples, options.timeless)
                                    : find_columns(header, numeric, options.roles, options.timeless);
   for (const auto& found : members) {
-    const bool asked_for = std::ranges::any_of(
-        options.roles, [&](const RoleRequest& role) { return std::ranges::count(role.columns, found.name) > 0; });
-    if (!options.samples && !asked_for) require_shape(found);
-    const bool scalar = !found.array && !found.text && found.numbers > 0;
-    if (scalar && !options.samples) require_no_slip(found, result.columns, options);
+    if (options.samples) break;  // of somebody else, whose names are their own
+    require_shape(found, options);
+    require_no_slip(found, result.columns, options);
   }
   result.found = result.columns.cells.size();
   add_optional_members(result);
