@@ -59,8 +59,9 @@ class Tangents {
   Tangents(const Window<S>& window, const CurveRules<S>& rules) : keys_(window.keys), rules_(rules) {
     incoming_.assign(keys_.size() * keys_.channels, W(0));
     outgoing_ = incoming_;
+    const auto common = factors(keys_.common_tcb);
     for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
-      set_interior(key);
+      set_interior(key, keys_.tcbs.empty() ? common : factors(keys_.tcbs[key]));
       if constexpr (has_roots<S>) {
         if (rules.equal_speed) equalize(key);
       }
@@ -82,11 +83,10 @@ class Tangents {
     return W(keys_.position(key + 1)[channel]) - W(keys_.position(key)[channel]);
   }
 
-  void set_interior(std::size_t key) {
+  void set_interior(std::size_t key, const Factors<W>& f) {
     const W h0 = keys_.times[key] - keys_.times[key - 1];
     const W h1 = keys_.times[key + 1] - keys_.times[key];
-    const Tcb<S>& tcb = keys_.tcb(key);
-    const auto weights = tangent_rules<S>[rules_.tangents].weights({factors(tcb), W(tcb.continuity), h0, h1});
+    const auto weights = tangent_rules<S>[rules_.tangents].weights({f, W(keys_.tcb(key).continuity), h0, h1});
     for (std::size_t i = 0; i < keys_.channels; ++i) {
       const W d0 = chord(key - 1, i);
       const W d1 = chord(key, i);

@@ -2,13 +2,13 @@
 //
 // Source: G. H. Golub, J. H. Welsch, "Calculation of Gauss quadrature rules", doi:10.1090/S0025-5718-69-99647-1.
 // Differs: the roots of P_n are found by bisection between those of P_(n-1), which interlace with them,
-//   then Newton steps, so that no trigonometric function is needed and any scalar will do.
+//   then Newton steps, the last ones with all digits, so that no trigonometric function is needed and any scalar
+//   will do.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 
 #include "spline/scalar.hpp"
 
@@ -47,24 +47,21 @@ constexpr W legendre_slope(std::size_t n, const W& x) {
   return W(static_cast<double>(n)) * (x * value - before) / (x * x - W(1));
 }
 
-/// The one root of P_n in (low, high).
-template <class W>
-constexpr W legendre_root(std::size_t n, W low, W high) {
-  const bool rising = legendre(n, high).value > W(0);
-  W middle = (low + high) * W(0.5);
+/// The one root of P_n in (low, high), to most of a double's digits.
+constexpr double legendre_root(std::size_t n, double low, double high) {
+  const bool rising = legendre(n, high).value > 0;
+  double middle = (low + high) / 2;
   for (int halving = 0; halving < 20; ++halving) {
-    ((legendre(n, middle).value > W(0)) == rising ? high : low) = middle;
-    middle = (low + high) * W(0.5);
+    ((legendre(n, middle).value > 0) == rising ? high : low) = middle;
+    middle = (low + high) / 2;
   }
-  for (int step = 0; step < 6; ++step) {  // from 2^-20, quadratically to below any scalar's precision
-    middle = middle - legendre(n, middle).value / legendre_slope(n, middle);
-  }
+  for (int step = 0; step < 3; ++step) middle = middle - legendre(n, middle).value / legendre_slope(n, middle);
   return middle;
 }
 
-/// By as few steps with all digits as can be, from a root of fewer.
+/// By as few steps with all digits as can be, from a root with a double's.
 template <class W>
-W polished_root(std::size_t n, W root) {
+constexpr W polished_root(std::size_t n, W root) {
   for (int right = 48; right < std::numeric_limits<W>::digits; right *= 2) {
     root = root - legendre(n, root).value / legendre_slope(n, root);
   }
@@ -73,20 +70,15 @@ W polished_root(std::size_t n, W root) {
 
 template <class S, std::size_t N>
 constexpr GaussRule<S, N> make_gauss_rule() {
-  using W = std::conditional_t<std::is_same_v<S, double>, working_t<S>, double>;
-  std::array<W, N + 2> fence{};  // -1, the roots of P_n, 1
-  fence[0] = W(-1);
-  fence[1] = W(0);
-  fence[2] = W(1);
+  std::array<double, N + 2> fence{-1, 0, 1};  // -1, the roots of P_n, 1
   for (std::size_t n = 2; n <= N; ++n) {
     const auto previous = fence;
     for (std::size_t i = 1; i <= n; ++i) fence[i] = legendre_root(n, previous[i - 1], previous[i]);
-    fence[n + 1] = W(1);
+    fence[n + 1] = 1;
   }
   GaussRule<S, N> rule;
   for (std::size_t i = 0; i < N; ++i) {
-    working_t<S> x(fence[i + 1]);
-    if constexpr (!std::is_same_v<S, double>) x = polished_root(N, x);
+    const working_t<S> x = polished_root(N, working_t<S>(fence[i + 1]));
     const working_t<S> one(1), slope = legendre_slope(N, x);
     rule.node[i] = narrow<S>((x + one) * working_t<S>(0.5));
     rule.weight[i] = narrow<S>(one / ((one - x * x) * slope * slope));

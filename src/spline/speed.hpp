@@ -129,7 +129,7 @@ class Speed {
     (void)frexp(largest, &exponent);
     exponent = std::max(exponent - 1, -1000);  // so that 1 / unit is a double, too
     unit_ = ldexp(S(1), exponent);
-    const S scale = ldexp(S(1), -exponent);
+    const S scale = S(1) / unit_;
     for (auto& half : channels_) {
       for (auto& [k0, k1, k2] : half) {
         k0 *= scale;
