@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "format/number.hpp"
 #include "format/place.hpp"
@@ -15,25 +15,6 @@ namespace tcb::format {
 namespace {
 
 using nlohmann::json;
-
-/// Reads characters and leaves word of how far the reading is.
-struct Cursor {
-  using iterator_category = std::forward_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  const char* at;
-  const char** now;
-
-  reference operator*() const { return *at; }
-  Cursor& operator++() {
-    *now = ++at;
-    return *this;
-  }
-  bool operator==(const Cursor& other) const { return at == other.at; }
-};
 
 constexpr const char* no_key = "nothing where a key was expected; expected {…}; take the comma out";
 
@@ -57,8 +38,19 @@ const char* last_token(const char* begin, const char* now) {
   return single ? now - 1 : token_start(begin, now);
 }
 
-/// What nlohmann-json says is wrong, without its own place, and with what it read last shown as text is here.
-std::string reason(const std::string& message) {
+/// What nlohmann-json says is wrong with a text that it has seen with other numbers.
+std::string message_on(std::string_view text) {
+  try {
+    [[maybe_unused]] const json parsed = json::parse(text);
+  } catch (const json::exception& error) {
+    return error.what();
+  }
+  return "syntax error";
+}
+
+/// The same without its own place, and with what it read last shown as text is here.
+std::string reason(std::string_view whole) {
+  const std::string message = message_on(whole);
   const std::size_t start = message.find("syntax error");
   if (start == std::string::npos) return message.substr(message.find("] ") + 2);
   constexpr std::string_view mark = "; last read: '";
@@ -83,8 +75,11 @@ struct JsonEvents::Adapter {
   bool number_integer(json::number_integer_t value) {
     return value != 0 ? whole(value) : number_float(-0.0, {});  // only a zero with a sign comes here
   }
-  bool number_unsigned(json::number_unsigned_t value) { return whole(value); }
-  bool number_float(json::number_float_t value, const std::string& text) {
+  bool number_unsigned(json::number_unsigned_t value) {
+    const auto number = std::exchange(events.reading_.number, std::nullopt);
+    return number ? number_float(number->value, number->text) : whole(value);
+  }
+  bool number_float(json::number_float_t value, std::string_view text) {
     events.decimal_ = text;
     events.is_quoted_ = false;
     const spline::Time<double> number(value);
@@ -106,15 +101,15 @@ struct JsonEvents::Adapter {
   bool end_array() { return events.close(false); }
   bool parse_error(std::size_t, const std::string&, const json::exception& error) {
     if (error.id == 406) {  // a number that is too large
-      const char* const start = token_start(events.chunk_.text.data(), events.now_);
-      const std::string_view behind(start, static_cast<std::size_t>(events.now_ - start));
+      const char* const start = token_start(events.chunk_.text.data(), events.reading_.now);
+      const std::string_view behind(start, static_cast<std::size_t>(events.reading_.now - start));
       events.fail(fmt::format("{} is not a finite double; expected less than 1.8e308 in size; correct it",
                               shown(behind.substr(0, behind.find_first_of(" \t\r\n,]}")))));
     }
-    const char* const token = last_token(events.chunk_.text.data(), events.now_);
+    const char* const token = last_token(events.chunk_.text.data(), events.reading_.now);
     const bool at_keys = events.key_depth_ == 1 && events.depth_ == 1 && (*token == ',' || *token == ']');
     if (at_keys && std::string_view(error.what()).ends_with("'[', '{', or a literal")) events.fail_at(token, no_key);
-    events.fail_at(token, fmt::format("not JSON: {}; correct the text", reason(error.what())));
+    events.fail_at(token, fmt::format("not JSON: {}; correct the text", reason(events.range_)));
   }
 
   bool word(std::string_view text) {
@@ -125,7 +120,7 @@ struct JsonEvents::Adapter {
   template <class Whole>
   bool whole(Whole value) {
     events.is_quoted_ = false;
-    events.decimal_.clear();
+    events.decimal_ = {};
     const spline::Time<double> number = whole_time(value);
     return events.value(&number, {});
   }
@@ -165,9 +160,10 @@ void JsonEvents::parse_object() { (void)parse_range(chunk_.text.data(), chunk_.t
 /// Whether the events went on to the end.
 bool JsonEvents::parse_range(const char* begin, const char* end) {
   depth_ = 0;
-  now_ = begin;
+  range_ = {begin, end};
+  reading_ = {begin, {}};
   Adapter adapter{*this};
-  return json::sax_parse(Cursor{begin, &now_}, Cursor{end, &now_}, &adapter);
+  return json::sax_parse(JsonCursor(begin, end, reading_), JsonCursor(end, end, reading_), &adapter);
 }
 
 bool JsonEvents::value(const spline::Time<double>* number, std::string_view text) {
@@ -192,9 +188,9 @@ bool JsonEvents::open(bool object) {
     is_array_ = !object;
     if (object) more = on_other("an object");
   } else if (depth_ == key_depth_) {
-    if (!object) fail_at(now_ - 1, "an array where a key was expected; expected {…}; correct it");
+    if (!object) fail_at(reading_.now - 1, "an array where a key was expected; expected {…}; correct it");
     member_.clear();
-    key_ = now_ - 1;
+    key_ = reading_.now - 1;
     more = on_key_start();
   }
   ++depth_;
@@ -226,13 +222,13 @@ std::string JsonEvents::path() const {
 }
 
 Error JsonEvents::error(const std::string& message) const {
-  return {Exit::data, place_of(token_start(chunk_.text.data(), now_)), message};
+  return {Exit::data, place_of(token_start(chunk_.text.data(), reading_.now)), message};
 }
 
 Error JsonEvents::key_error(const std::string& message) const { return {Exit::data, place_of(key_), message}; }
 void JsonEvents::fail(const std::string& message) const { throw error(message); }
 
-Place JsonEvents::here() const { return place_of(token_start(chunk_.text.data(), now_)); }
+Place JsonEvents::here() const { return place_of(token_start(chunk_.text.data(), reading_.now)); }
 
 void JsonEvents::fail_at(const char* where, const std::string& message) const {
   throw Error(Exit::data, place_of(where), message);

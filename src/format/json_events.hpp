@@ -8,6 +8,7 @@
 
 #include "error.hpp"
 #include "format/input.hpp"
+#include "format/json_cursor.hpp"
 #include "format/json_split.hpp"
 #include "format/place.hpp"
 
@@ -18,7 +19,10 @@ namespace tcb::format {
 class JsonEvents {
  public:
   explicit JsonEvents(const Chunk& chunk)
-      : chunk_(chunk), now_(chunk.text.data()), counted_(now_), counted_place_{chunk.line, chunk.column} {}
+      : chunk_(chunk),
+        reading_{chunk.text.data(), {}},
+        counted_(chunk.text.data()),
+        counted_place_{chunk.line, chunk.column} {}
   /// What stands beside keys.
   explicit JsonEvents(const JsonPart& part) : JsonEvents(part.chunk) { part_ = &part; }
   JsonEvents(const JsonEvents&) = delete;
@@ -47,7 +51,7 @@ class JsonEvents {
   virtual bool on_bad_line(const Error&) { return false; }
 
   /// The number at hand as it is written, unless it is a whole number.
-  const std::string& decimal() const { return decimal_; }
+  std::string_view decimal() const { return decimal_; }
   /// The value at hand that is no number is a string.
   bool is_quoted() const { return is_quoted_; }
   bool in_array() const { return depth_ == key_depth_ + 2 && is_array_; }
@@ -82,7 +86,8 @@ class JsonEvents {
 
   const Chunk& chunk_;
   const JsonPart* part_ = nullptr;  ///< that the chunk is, where it is what stands beside keys
-  const char* now_;                 ///< the parser has read up to here
+  std::string_view range_;          ///< what is being parsed of it,
+  JsonReading reading_;             ///< and how far
   const char* key_ = nullptr;       ///< where the key at hand begins
   const char* counted_;             ///< here is
   LinePlace counted_place_;         ///< this place
@@ -93,7 +98,8 @@ class JsonEvents {
   std::size_t element_ = 0;
   bool is_quoted_ = false;
   bool is_array_ = false;  ///< the member at hand is an array, not an object
-  std::string member_, decimal_;
+  std::string member_;
+  std::string_view decimal_;
 };
 
 }  // namespace tcb::format

@@ -145,7 +145,7 @@ class KeyBuilder : public JsonEvents {
 
   void store(Columns::Column column, const spline::Time<double>& value) {
     if (const auto place = number_of_key(column); place && !written_.empty()) {
-      written_[*place] = decimal().empty() ? time_text(value) : decimal();
+      written_[*place] = decimal().empty() ? time_text(value) : std::string(decimal());
     }
     double* const position = block_.keys.positions.data() + block_.lines.size() * block_.keys.channels;
     switch (column.role) {
