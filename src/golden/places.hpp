@@ -69,8 +69,8 @@ Spot<S> spot_at_length(const FastRow& row, const ArcPlaces& arc, Curve<S>& curve
   const S s = arc_place(arc, row.number, curve);
   std::size_t segment = row.piece.number;
   if (const auto end = end_by_length(row, s, curve)) return spot_at_key(curve, segment, *end, true);
-  spline::ArcInverse<S> inverse(curve.arc(segment), curve.length_to(segment + 1) - curve.length_to(segment));
-  Spot<S> spot{segment, inverse.at(s - curve.length_to(segment))};
+  spline::ArcInverse<S> inverse(curve.arc(segment), curve.length_to(segment), curve.length_to(segment + 1));
+  Spot<S> spot{segment, inverse.at(s)};
   const Segment<S>& on = curve.segment(segment);
   spot.passed = on.warp.inverse(spot.at);
   spot.t = on.start + spot.passed * (on.end - on.start);

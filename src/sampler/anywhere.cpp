@@ -32,9 +32,9 @@ Time AnywhereInLength::on_curve(std::uint64_t row) const {
 }
 
 void AnywhereInLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
-  located.arc.assign(piece.cubics, piece.metric);
-  LengthToSample sample(piece, located.arc);
-  fill(located, first, last, [&](std::uint64_t row) { return sample(place(row)); });
+  located.lengths.clear();
+  for (std::uint64_t row = first; row != last; ++row) located.lengths.push_back(place(row));
+  locate_lengths(piece, located);
 }
 
 }  // namespace tcb::sampler

@@ -2,6 +2,9 @@
 #include "sampler/by_length.hpp"
 
 #include <cmath>
+#include <cstddef>
+
+#include "spline/arc_inverse.hpp"
 
 namespace tcb::sampler {
 
@@ -12,26 +15,32 @@ Time rounded_time(const Time& t) {
   return spline::Twice::normalized(t.hi, (t.lo + round_to_whole) - round_to_whole);
 }
 
-LengthToSample::LengthToSample(const Piece& piece, const spline::ArcLength<double>& arc)
-    : piece_(piece), duration_(piece.end - piece.start), inverse_(arc, piece.s_end - piece.s_start) {}
+namespace {
 
-Sample LengthToSample::operator()(const Time& s) {
-  // A length that is printed as that of a key is the key's.
-  if (s <= Time(piece_.s_start.hi)) return {piece_.start, {0, -1}, s.hi};
-  if (s >= Time(piece_.s_end.hi)) return {piece_.end, {1, 0}, s.hi};
-  const spline::Local<double> at = inverse_.at(s - piece_.s_start);
-  if (at.u == 0) return {piece_.start, at, s.hi};
-  if (at.w == 0) return {piece_.end, at, s.hi};
-  return {rounded_time(piece_.start + piece_.warp.inverse(at) * duration_), at, s.hi};
+/// The sample where a piece has an arc length. A length that is printed as that of a key is the key's.
+Sample sample_at(const Piece& piece, const Time& duration, const Time& s, const spline::Local<double>& at) {
+  if (s <= Time(piece.s_start.hi) || at.u == 0) return {piece.start, {0, -1}, s.hi};
+  if (s >= Time(piece.s_end.hi) || at.w == 0) return {piece.end, {1, 0}, s.hi};
+  return {rounded_time(piece.start + piece.warp.inverse(at) * duration), at, s.hi};
+}
+
+}  // namespace
+
+void locate_lengths(const Piece& piece, Located& located) {
+  located.arc.assign(piece.cubics, piece.metric);
+  located.places.resize(located.lengths.size());
+  spline::ArcInverse<double>(located.arc, piece.s_start, piece.s_end).at(located.lengths, located.places);
+  const Time duration = piece.end - piece.start;
+  located.samples.clear();
+  for (std::size_t i = 0; i < located.lengths.size(); ++i) {
+    located.samples.push_back(sample_at(piece, duration, located.lengths[i], located.places[i]));
+  }
 }
 
 void ByLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
-  located.arc.assign(piece.cubics, piece.metric);
-  LengthToSample sample(piece, located.arc);
-  fill(located, first, last, [&](std::uint64_t row) -> Sample {
-    const Time s = coordinate(piece, row);
-    return row == Row::at_key ? Sample{piece.start, {0, -1}, s.hi} : sample(s);
-  });
+  located.lengths.clear();
+  for (std::uint64_t row = first; row != last; ++row) located.lengths.push_back(coordinate(piece, row));
+  locate_lengths(piece, located);
 }
 
 }  // namespace tcb::sampler

@@ -2,26 +2,15 @@
 #pragma once
 
 #include "sampler/on_grid.hpp"
-#include "spline/arc_inverse.hpp"
 
 namespace tcb::sampler {
 
 /// A time worked out from a place on a segment, rounded once: to a double, or beyond 2^53 to a whole number.
 Time rounded_time(const Time& t);
 
-/// The sample at which the curve has an arc length that lies on a piece; its time is rounded once.
-class LengthToSample {
- public:
-  /// `arc` is that of the piece. Requires: both outlive it.
-  LengthToSample(const Piece& piece, const spline::ArcLength<double>& arc);
-
-  Sample operator()(const Time& s);
-
- private:
-  const Piece& piece_;
-  Time duration_;
-  spline::ArcInverse<double> inverse_;
-};
+/// Locates the samples at which the curve has the lengths in `located`, which lie on the piece; their times are
+/// rounded once.
+void locate_lengths(const Piece& piece, Located& located);
 
 class ByLength : public OnGrid {
  public:

@@ -59,6 +59,8 @@ struct Sample {
 /// Samples that were located, and the memory that locating needs.
 struct Located {
   std::vector<Sample> samples;
+  std::vector<Time> lengths = {};  ///< at which samples are to be, for those that are located by length
+  std::vector<spline::Local<double>> places = {};
   spline::ArcLength<double> arc = {};
 };
 

@@ -35,12 +35,14 @@ double measure(Length& length, const Segment& segment) {
 double find_places(const Length& length, std::int64_t samples) {
   const double total = length.total().value;
   const double step = total / static_cast<double>(samples);
-  tcb::spline::ArcInverse<double> inverse(length, total);
+  static std::vector<tcb::spline::Twice> lengths;
+  static std::vector<tcb::spline::Local<double>> places;
+  lengths.clear();
+  for (std::int64_t i = 0; i < samples; ++i) lengths.emplace_back((static_cast<double>(i) + 0.5) * step);
+  places.resize(lengths.size());
+  tcb::spline::ArcInverse<double>(length, 0.0, total).at(lengths, places);
   double sum = 0;
-  for (std::int64_t i = 0; i < samples; ++i) {
-    const double s = (static_cast<double>(i) + 0.5) * step;
-    sum += inverse.at(s).u;
-  }
+  for (const auto& place : places) sum += place.u;
   return sum;
 }
 

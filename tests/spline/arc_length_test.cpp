@@ -76,7 +76,7 @@ TEST(ArcLength, inverse_comes_back_to_the_length) {
        {parabola, cusp, segment({0, 0}, {1, 0}, {5, 5}, {5, 5}), segment({0, 0}, {0, 0}, {4, 0}, {-4, 0})}) {
     const ArcLength<double> arc(curve, {});
     const double whole = arc.total().value;
-    ArcInverse<double> inverse(arc, whole);
+    ArcInverse<double> inverse(arc, 0.0, whole);
     for (double s = 0; s <= whole; s += whole / 97) {
       EXPECT_NEAR(arc.to(inverse.at(s)).value, s, 1e-15 * whole);
     }
@@ -112,7 +112,7 @@ void expect_as_in_extended(std::span<const Cubic<double>> segment) {
   const auto error = static_cast<double>(abs(exact.total().value - length));
   EXPECT_LE(error, bound);
   EXPECT_LE(error, 4 * (std::nextafter(length, HUGE_VAL) - length));
-  ArcInverse<double> inverse(arc, length);
+  ArcInverse<double> inverse(arc, 0.0, length);
   for (int row = 1; row < 8; ++row) {
     const Twice s = Twice(length) * Twice(row / 8.0);
     const Local<double> at = inverse.at(s);
@@ -141,12 +141,49 @@ TEST(ArcLength, agrees_with_an_extended_scalar_however_near_a_cusp_is) {
   }
 }
 
+TEST(ArcLength, loses_nothing_where_the_square_of_the_least_speed_is_a_rounding) {
+  std::mt19937_64 random(1984);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 20; ++i) {
+    const double u0 = 0.5 + 0.4 * uniform(random);
+    std::array<Cubic<double>, 3> segment;
+    for (auto& x : segment) {
+      const double bend = uniform(random), twist = uniform(random), drift = 1e-8 * uniform(random);
+      const auto value = [&](double v) { return v * (drift + v * (bend / 2 + v * twist / 3)); };
+      const auto slope = [&](double v) { return drift + v * (bend + v * twist); };
+      x = cubic<double>(value(-u0), value(1 - u0), slope(-u0), slope(1 - u0));
+    }
+    expect_as_in_extended(segment);
+  }
+}
+
 TEST(ArcInverse, does_not_depend_on_what_was_asked_before) {
   const ArcLength<double> arc(parabola, {});
-  ArcInverse<double> one_by_one(arc, arc.total().value);
+  ArcInverse<double> one_by_one(arc, 0.0, arc.total().value);
   for (double s = 1.4; s > 0; s -= 0.1) {
-    ArcInverse<double> fresh(arc, arc.total().value);
+    ArcInverse<double> fresh(arc, 0.0, arc.total().value);
     EXPECT_EQ(one_by_one.at(s).u, fresh.at(s).u);
+  }
+}
+
+TEST(ArcInverse, finds_many_places_as_it_finds_each) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 100; ++i) {
+    Segment curve;
+    for (auto& x : curve) x = cubic<double>(uniform(random), uniform(random), uniform(random), uniform(random));
+    const ArcLength<double> arc(curve, {});
+    const Twice start(uniform(random)), end = start + Twice(arc.total().value);
+    std::vector<Twice> lengths;
+    for (int row = 0; row <= i % 13; ++row)
+      lengths.push_back(start + Twice(arc.total().value * (uniform(random) + 1) / 2));
+    std::vector<Local<double>> places(lengths.size());
+    ArcInverse<double>(arc, start, end).at(lengths, places);
+    for (std::size_t row = 0; row < lengths.size(); ++row) {
+      const Local<double> alone = ArcInverse<double>(arc, start, end).at(lengths[row]);
+      EXPECT_EQ(places[row].u, alone.u);
+      EXPECT_EQ(places[row].w, alone.w);
+    }
   }
 }
 
