@@ -107,7 +107,7 @@ class ArcInverse {
   S scale_{0};  ///< from lengths to units of the speed
   std::size_t panel_ = 0;
   std::size_t count_ = 0;
-  std::array<Sought, several> sought_;
+  std::array<Sought, several> sought_{};
 };
 
 template <class S>
@@ -134,12 +134,12 @@ void ArcInverse<S>::find() {
   if constexpr (is_double) {
     if (count_ == 2) {
       const auto& [first, second] = sought_;
-      const Panel<S>&a = *first.panel, &b = *second.panel;
+      const Panel<S>& a = *first.panel;
+      const Panel<S>& b = *second.panel;
       const auto both = [&](std::size_t i) { return Pair(a.square[i], b.square[i]); };
       const Quartic<Pair> q{both(0), both(1), both(2), both(3), both(4)};
-      const Pair width{a.width, b.width};
-      const auto [z, size] =
-          first_step(q, Pair(Pair{a.length, b.length} / width), Pair(Pair{first.into, second.into} / width));
+      const Pair width(a.width, b.width), length(a.length, b.length), into(first.into, second.into);
+      const auto [z, size] = first_step(q, length / width, into / width);
       put(first, z[0], size[0]);
       put(second, z[1], size[1]);
     }

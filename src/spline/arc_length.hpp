@@ -125,7 +125,7 @@ void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end,
   const auto left = part(panel, panel.middle - panel.width, panel.middle);
   const auto right = part(panel, panel.middle, panel.middle + panel.width);
   if (slow_begin || slow_end || halvings == 0) {
-    // Beside a speed that is nearly zero every halving adds about as much, until the panels are as short as it is small.
+    // Beside a speed that is nearly zero every halving adds about as much, until the panels are as short as that.
     const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel)) * S(halvings + 1);
     if (disagreement <= std::numeric_limits<S>::epsilon() * S(0.25) * rough_ || halvings == 0) {
       accept(left);
