@@ -22,7 +22,7 @@ struct JsonReading {
   std::optional<Number> number;  ///< that it has read as 0, until it is asked for
 };
 
-/// A forward iterator over the text, of which one is moved on.
+/// A forward iterator over the text. Only one copy may be moved on, for they share what was read.
 class JsonCursor {
  public:
   using iterator_category = std::forward_iterator_tag;
@@ -32,7 +32,10 @@ class JsonCursor {
   using reference = const char&;
 
   /// Requires: `reading` outlives it.
-  JsonCursor(const char* at, const char* end, JsonReading& reading) : at_(at), end_(end), reading_(&reading) { look(); }
+  JsonCursor(const char* at, const char* end, JsonReading& reading)
+      : at_(at), end_(end), reading_(&reading), seen_(at) {
+    look();
+  }
 
   reference operator*() const { return behind_number_ == nullptr ? *at_ : zero; }
   JsonCursor& operator++() {
@@ -70,7 +73,7 @@ class JsonCursor {
   const char* end_;
   JsonReading* reading_;
   bool in_string_ = false, escaped_ = false;
-  const char* seen_ = nullptr;           ///< up to here no number begins
+  const char* seen_;                     ///< up to here no number begins
   const char* behind_number_ = nullptr;  ///< a number that the parser sees as 0 is next, and ends here:
   JsonReading::Number number_{};         ///< this one
 };

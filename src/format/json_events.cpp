@@ -41,7 +41,8 @@ const char* last_token(const char* begin, const char* now) {
 /// What nlohmann-json says is wrong with a text that it has seen with other numbers.
 std::string message_on(std::string_view text) {
   try {
-    [[maybe_unused]] const json parsed = json::parse(text);
+    const auto keep_nothing = [](int, json::parse_event_t, json&) { return false; };
+    [[maybe_unused]] const json parsed = json::parse(text, keep_nothing);
   } catch (const json::exception& error) {
     return error.what();
   }

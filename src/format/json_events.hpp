@@ -50,7 +50,7 @@ class JsonEvents {
   /// A line of JSON Lines is no key. Returning false says it to the caller, returning true goes on in the next line.
   virtual bool on_bad_line(const Error&) { return false; }
 
-  /// The number at hand as it is written, unless it is a whole number.
+  /// The number at hand as it is written, unless it is a whole number. Requires: it is being heard of.
   std::string_view decimal() const { return decimal_; }
   /// The value at hand that is no number is a string.
   bool is_quoted() const { return is_quoted_; }

@@ -6,7 +6,8 @@
 //   z = z0 + d + k2 d^2 + k3 d^3 + k4 d^4 + k5 d^5 + O(d^6),
 //   k2 = -A/4, k3 = (A^2 - B)/6, k4 = (A (13 B - 7 A^2) - 6 C)/48,
 //   k5 = (A^2 (35 A^2 - 94 B) + 57 A C + 26 B^2 - 24 D)/240
-// the Taylor series of the inverse. Where d is not small enough for it, more such steps follow.
+// the Taylor series of the inverse. Where d is not small enough for it, more such steps follow, kept between bounds; so
+// do they on a panel that is not smooth, from a guess by a straight line.
 // Source: J. F. Traub, "Iterative methods for the solution of equations", 1964, section 5.1.
 #pragma once
 
@@ -165,7 +166,7 @@ T ArcInverse<S>::guess(const Quartic<T>& q, const T& length, const T& into) {
   const T k1 = length * (sqrt(T(even - odd)) * begin) - 2.0;
   const T k2 = square * (even_slope - odd_slope) * (begin * begin);
   const T in = length * (sqrt(T(even + odd)) * end) - 2.0;
-  const T in_bend = square * (even_slope + odd_slope) * (end * end);
+  const T in_bend = square * (even_slope + odd_slope) * (end * end);  // minus half the second derivative at the end
   const T k3 = -in_bend - 6.0 * k1 - 4.0 * in - 3.0 * k2;
   const T k4 = 8.0 * k1 + 7.0 * in + 3.0 * k2 + 2.0 * in_bend;
   const T k5 = -in_bend - k2 - 3.0 * (k1 + in);
@@ -178,13 +179,13 @@ template <class T>
 typename ArcInverse<S>::template Step<T> ArcInverse<S>::step(const Quartic<T>& q, const T& missing) {
   using std::max, std::sqrt;
   const T unit = 1.0 / q[0];
-  const T a = q[1] * unit, b = q[2] * unit, c = q[3] * unit, aa = a * a;
-  const T d = missing * (sqrt(q[0]) * unit);
+  const T a = q[1] * unit, b = q[2] * unit, c = q[3] * unit, e = q[4] * unit, aa = a * a;
+  const T d = missing * (sqrt(q[0]) * unit), dd = d * d;
   const T k2 = -0.25 * a;
   const T k3 = (aa - b) * (S(1) / S(6));
   const T k4 = (a * (13.0 * b - 7.0 * aa) - 6.0 * c) * (S(1) / S(48));
-  const T k5 = (aa * (35.0 * aa - 94.0 * b) + 57.0 * (a * c) + 26.0 * (b * b) - 24.0 * (q[4] * unit)) * (S(1) / S(240));
-  return {d * (1.0 + d * (k2 + d * (k3 + d * (k4 + d * k5)))), d * d * (1.0 + (aa + max(b, T(-b))))};
+  const T k5 = (aa * (35.0 * aa - 94.0 * b) + 57.0 * (a * c) + 26.0 * (b * b) - 24.0 * e) * (S(1) / S(240));
+  return {d * (1.0 + d * (k2 + d * (k3 + d * (k4 + d * k5)))), dd * (1.0 + (aa + max(b, T(-b)) + dd * e))};
 }
 
 /// One step from the guess for each place, which is nearly always enough.

@@ -3,10 +3,10 @@
 // The speed is the root of a quartic. It is smooth but near the minima of the speed, where it may come to
 // zero (a cusp, or a reversal) or nearly so. Either half of a segment is halved until its panels are smooth. What is
 // not smooth after some halvings is cut at the minima of the speed, and then halved until the rule agrees with itself
-// on both halves. A minimum at which the speed is zero does no harm at the end of a panel; one at which it nearly is
-// draws the panels together until what is left cannot matter.
-// Source: P. J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2.
-// No epsilon is absolute: scaling by a power of two changes no digit.
+// on both halves so well that further halvings could not matter. A minimum at which the speed is zero does no harm at
+// the end of a panel; one at which it nearly is draws the panels together until what is left cannot matter. Source: P.
+// J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2. No epsilon is absolute: scaling by a power
+// of two changes no digit.
 #pragma once
 
 #include <algorithm>
@@ -65,7 +65,7 @@ class ArcLength {
   Speed<S> speed_;
   std::vector<Panel<S>> panels_;
   W sum_;
-  S disagreement_{};  ///< of rules with their halves, over all panels
+  S disagreement_{};  ///< of rules with their halves, times the halvings left, over all panels
   S rough_{};         ///< the length to a digit, where it was needed; else 0
   Length<S> total_;
 };
@@ -117,7 +117,7 @@ void ArcLength<S>::cut(const Panel<S>& panel) {
 }
 
 /// A panel as it is if it is smooth, or if it has a minimum of the speed at an end and the rule agrees with itself on
-/// both halves; else its halves.
+/// both halves well enough; else its halves.
 template <class S>
 void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings) {
   using std::abs;
@@ -125,7 +125,7 @@ void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end,
   const auto left = part(panel, panel.middle - panel.width, panel.middle);
   const auto right = part(panel, panel.middle, panel.middle + panel.width);
   if (slow_begin || slow_end || halvings == 0) {
-    // Beside a speed that is nearly zero every halving adds about as much, until the panels are as short as that.
+    // Beside a speed that is nearly zero, each of the halvings left may add as much.
     const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel)) * S(halvings + 1);
     if (disagreement <= std::numeric_limits<S>::epsilon() * S(0.25) * rough_ || halvings == 0) {
       accept(left);

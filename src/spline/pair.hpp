@@ -1,6 +1,6 @@
 // Pairs: two doubles that go through the same operations side by side, each as if alone.
 //
-// A processor takes no longer for both than for one. It is asked for by the vectors of GCC and Clang.
+// Most operations take a processor no longer for both than for one. Written with the vector types of GCC and Clang.
 #pragma once
 
 #include <cmath>

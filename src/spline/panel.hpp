@@ -52,13 +52,13 @@ inline constexpr std::size_t part_points = std::numeric_limits<S>::digits <= 53 
 /// How often zeros are squared: the more often, the sharper the bound on the least one.
 inline constexpr int squarings = 3;
 
-/// The radius in which q must be free of zeros for a rule with N points, a power of two, to the power of 2^squarings.
+/// The radius in which q must be free of zeros for a rule with N points (a power of two), to the power of 2^squarings.
 ///
 /// Then the speed is analytic in the ellipse with foci -1, 1 and half axes' sum rho = R + sqrt(R^2 - 1), and there at
 /// most 4 sqrt(q(0)): q(z) is q(0) times four factors 1 - z / zero. The rule errs by at most
 /// 64/15 * 4 sqrt(q(0)) / (rho^2N - rho^(2N - 2)), which rho^2N = 32 / epsilon makes less than a rounding.
 template <class S, std::size_t N>
-const S& smooth_radius_squared() {
+const S& smooth_radius_power() {
   static const S power = [] {
     using std::sqrt;
     S rho = S(32) / std::numeric_limits<S>::epsilon();
@@ -89,8 +89,8 @@ std::size_t points_needed(const Quartic<S>& q) {
   }
   // There is no zero where the other terms are less than the first.
   const auto is_free = [&](const S& r) { return r * (abs(a1) + r * (abs(a2) + r * (abs(a3) + r * abs(a4)))) < S(1); };
-  if (!is_free(smooth_radius_squared<S, most_points<S>>())) return 0;
-  return is_free(smooth_radius_squared<S, few_points<S>>()) ? few_points<S> : most_points<S>;
+  if (!is_free(smooth_radius_power<S, most_points<S>>())) return 0;
+  return is_free(smooth_radius_power<S, few_points<S>>()) ? few_points<S> : most_points<S>;
 }
 
 template <class S>

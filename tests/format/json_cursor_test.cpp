@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -18,14 +19,35 @@ namespace {
 
 using nlohmann::json;
 
-/// Keeps what a parser says, each as text; numbers with their written form where they have one.
+/// Reads as it is, and leaves word of how far the reading is.
+struct PlainCursor {
+  using iterator_category = std::forward_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at;
+  JsonReading* reading;
+
+  reference operator*() const { return *at; }
+  PlainCursor& operator++() {
+    reading->now = ++at;
+    return *this;
+  }
+  bool operator==(const PlainCursor& other) const { return at == other.at; }
+};
+
+/// Keeps what a parser says and how far it has read then, each as text; numbers with their written form where they
+/// have one.
 struct Listener {
-  JsonReading reading{};
+  const char* begin;
+  JsonReading reading{begin, {}};
   std::vector<std::string> heard = {};
   std::size_t read = 0;  ///< numbers that the cursor read
 
   bool say(std::string what) {
-    heard.push_back(std::move(what));
+    heard.push_back(std::move(what) + " before " + std::to_string(reading.now - begin));
     return true;
   }
   bool null() { return say("null"); }
@@ -54,17 +76,16 @@ struct Listener {
 };
 
 std::vector<std::string> heard_without(std::string_view text) {
-  Listener listener;
-  json::sax_parse(text, &listener);
+  Listener listener{text.data()};
+  const char* const end = text.data() + text.size();
+  json::sax_parse(PlainCursor{text.data(), &listener.reading}, PlainCursor{end, &listener.reading}, &listener);
   return listener.heard;
 }
 
 Listener heard_through_cursor(std::string_view text) {
-  Listener listener;
-  const char* const begin = text.data();
-  const char* const end = begin + text.size();
-  listener.reading.now = begin;
-  json::sax_parse(JsonCursor(begin, end, listener.reading), JsonCursor(end, end, listener.reading), &listener);
+  Listener listener{text.data()};
+  const char* const end = text.data() + text.size();
+  json::sax_parse(JsonCursor(text.data(), end, listener.reading), JsonCursor(end, end, listener.reading), &listener);
   return listener;
 }
 
@@ -93,7 +114,7 @@ TEST(JsonCursor, tells_of_any_text_what_the_parser_hears_without_it) {
     for (auto left = random() % 12; left > 0; --left) text += parts[random() % std::size(parts)];
     if (i % 2 == 0) text += "]";
     const std::vector<std::string> expected = heard_without(text);
-    accepted += expected.back() != "error";
+    accepted += !expected.back().starts_with("error");
     ASSERT_EQ(heard_through_cursor(text).heard, expected) << text;
   }
   EXPECT_GT(accepted, 3000U);

@@ -166,6 +166,22 @@ TEST(ArcInverse, does_not_depend_on_what_was_asked_before) {
   }
 }
 
+TEST(ArcInverse, tells_places_apart_beside_a_flat_near_stop) {
+  for (const double slowest : {1e-7, 5e-7, 1e-6, 2e-6, 1e-5}) {  // the root of the least speed, at the start
+    const double drift = slowest * slowest;
+    const Segment curve = segment({0, 0}, {1.0 / 3, drift}, {0, drift}, {1, drift});
+    const ArcLength<double> arc(curve, {});
+    const double whole = arc.total().value;
+    ArcInverse<double> inverse(arc, 0.0, whole);
+    double before = 0;
+    for (double s = whole * 1e-19; s < whole * 1e-14; s *= 2) {
+      const double u = inverse.at(s).u;
+      EXPECT_GT(u, before) << slowest << " at " << s;
+      before = u;
+    }
+  }
+}
+
 TEST(ArcInverse, finds_many_places_as_it_finds_each) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
