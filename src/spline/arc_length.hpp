@@ -4,9 +4,9 @@
 // zero (a cusp, or a reversal) or nearly so. Either half of a segment is halved until its panels are smooth. What is
 // not smooth after some halvings is cut at the minima of the speed, and then halved until the rule agrees with itself
 // on both halves so well that further halvings could not matter. A minimum at which the speed is zero does no harm at
-// the end of a panel; one at which it nearly is draws the panels together until what is left cannot matter. Source: P.
-// J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2. No epsilon is absolute: scaling by a power
-// of two changes no digit.
+// the end of a panel; one at which it nearly is draws the panels together until what is left cannot matter.
+// Source: P. J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2.
+// No epsilon is absolute: scaling by a power of two changes no digit.
 #pragma once
 
 #include <algorithm>
