@@ -10,92 +10,95 @@ namespace {
 using format::Cell;
 using format::CellKind;
 
-void append_optional(std::vector<Cell>& row, const std::optional<double>& value) {
-  row.push_back(value ? Cell(*value) : format::empty_cell);
+Cell* write_optional(Cell* row, const std::optional<double>& value) {
+  *row = value ? Cell(*value) : format::empty_cell;
+  return row + 1;
 }
 
-void append_time(std::vector<Cell>& row, Point& point) { row.push_back(point.sample().t); }
+Cell* write_one(Cell* row, const Cell& cell) {
+  *row = cell;
+  return row + 1;
+}
 
-void append_position(std::vector<Cell>& row, Point& point) {
+Cell* write_time(Cell* row, Point& point) { return write_one(row, point.sample().t); }
+
+Cell* write_position(Cell* row, Point& point) {
   const auto& piece = point.piece();
-  const auto& sample = point.sample();
-  const sampler::Outside& outside = sample.outside;
-  const bool goes_on = outside.beyond.hi != 0;
-  for (std::size_t i = 0; i < piece.cubics.size(); ++i) {
-    double position = spline::position(piece.cubics[i], sample.at);
-    if (goes_on) position += point.motion().velocity[i] * outside.beyond.hi;
-    if (outside.cycles != 0) position += outside.cycles * piece.cycle[i];
-    row.emplace_back(position);
+  const auto& at = point.sample().at;
+  const sampler::Outside* const outside = point.outside();
+  for (std::size_t i = 0; i < piece.cubics.size(); ++i, ++row) {
+    double position = spline::position(piece.cubics[i], at);
+    if (outside != nullptr && outside->beyond.hi != 0) position += point.motion().velocity[i] * outside->beyond.hi;
+    if (outside != nullptr && outside->cycles != 0) position += outside->cycles * piece.cycle[i];
+    *row = Cell(position);
   }
+  return row;
 }
 
 /// The arc length from the curve's first key.
-void append_length(std::vector<Cell>& row, Point& point) {
+Cell* write_length(Cell* row, Point& point) {
   const auto& piece = point.piece();
-  if (point.sample().s) {
-    row.emplace_back(*point.sample().s);
-    return;
-  }
+  if (point.sample().s) return write_one(row, *point.sample().s);
   const auto into = point.arc().to(point.sample().at);
-  row.emplace_back((piece.s_start + spline::Twice(into.value)).hi);
+  return write_one(row, (piece.s_start + spline::Twice(into.value)).hi);
 }
 
 template <std::vector<double> spline::Motion<double>::*derivative>
-void append_derivative(std::vector<Cell>& row, Point& point) {
-  for (const double value : point.motion().*derivative) row.emplace_back(value);
+Cell* write_derivative(Cell* row, Point& point) {
+  for (const double value : point.motion().*derivative) row = write_one(row, value);
+  return row;
 }
 
-void append_speed(std::vector<Cell>& row, Point& point) { row.emplace_back(point.shape().speed); }
+Cell* write_speed(Cell* row, Point& point) { return write_one(row, point.shape().speed); }
 
-void append_tangent(std::vector<Cell>& row, Point& point) {
+Cell* write_tangent(Cell* row, Point& point) {
   const auto& shape = point.shape();
   for (const double value : point.motion().velocity) {
-    row.push_back(shape.moves ? Cell(value / shape.speed) : format::empty_cell);
+    row = write_one(row, shape.moves ? Cell(value / shape.speed) : format::empty_cell);
   }
+  return row;
 }
 
-void append_curvature(std::vector<Cell>& row, Point& point) { append_optional(row, point.shape().curvature); }
-void append_torsion(std::vector<Cell>& row, Point& point) {
-  append_optional(row, spline::torsion(point.motion(), point.piece().metric));
+Cell* write_curvature(Cell* row, Point& point) { return write_optional(row, point.shape().curvature); }
+Cell* write_torsion(Cell* row, Point& point) {
+  return write_optional(row, spline::torsion(point.motion(), point.piece().metric));
 }
 
-void append_segment(std::vector<Cell>& row, Point& point) {
-  row.emplace_back(static_cast<double>(point.piece().number));
-}
+Cell* write_segment(Cell* row, Point& point) { return write_one(row, static_cast<double>(point.piece().number)); }
 
 /// The fraction of the segment's duration that has passed.
-void append_u(std::vector<Cell>& row, Point& point) {
+Cell* write_u(Cell* row, Point& point) {
   const auto& at = point.sample().at;
-  row.emplace_back(at.u == 0 || at.w == 0 ? at.u : point.piece().warp.inverse(at).hi);
+  return write_one(row, at.u == 0 || at.w == 0 ? at.u : point.piece().warp.inverse(at).hi);
 }
 
-void append_key(std::vector<Cell>& row, Point& point) {
+Cell* write_key(Cell* row, Point& point) {
   const auto& at = point.sample().at;
   const auto number = static_cast<double>(point.piece().number);
-  row.push_back(at.u == 0   ? Cell(number)
-                : at.w == 0 ? Cell(static_cast<double>(point.piece().end_key))
-                            : format::empty_cell);
+  return write_one(row, at.u == 0   ? Cell(number)
+                        : at.w == 0 ? Cell(static_cast<double>(point.piece().end_key))
+                                    : format::empty_cell);
 }
 
-void append_arc_error(std::vector<Cell>& row, Point& point) { row.emplace_back(point.piece().s_error); }
+Cell* write_arc_error(Cell* row, Point& point) { return write_one(row, point.piece().s_error); }
 
 using Motion = spline::Motion<double>;
 
 constexpr std::array all_fields{
-    Field{"time", "", CellKind::time, false, false, false, false, append_time},
-    Field{"position", "", CellKind::real, true, false, false, false, append_position},
-    Field{"s", "", CellKind::real, false, true, true, false, append_length},
-    Field{"velocity", "_v", CellKind::real, true, false, false, true, append_derivative<&Motion::velocity>},
-    Field{"acceleration", "_a", CellKind::real, true, false, false, true, append_derivative<&Motion::acceleration>},
-    Field{"jerk", "_j", CellKind::real, true, false, false, true, append_derivative<&Motion::jerk>},
-    Field{"speed", "", CellKind::real, false, false, true, true, append_speed},
-    Field{"tangent", "_t", CellKind::real, true, false, true, true, append_tangent},
-    Field{"curvature", "", CellKind::real, false, false, true, true, append_curvature},
-    Field{"torsion", "", CellKind::real, false, false, true, true, append_torsion},
-    Field{"segment", "", CellKind::whole, false, false, false, true, append_segment},
-    Field{"u", "", CellKind::real, false, false, false, true, append_u},
-    Field{"key", "", CellKind::whole, false, false, false, false, append_key},
-    Field{"arc_error", "", CellKind::real, false, true, true, false, append_arc_error},
+    Field{"time", "", CellKind::time, false, false, false, false, write_time},
+    Field{"position", "", CellKind::real, true, false, false, false, write_position},
+    Field{"s", "", CellKind::real, false, true, true, false, write_length},
+    Field{"velocity", "_v", CellKind::real, true, false, false, true, write_derivative<&Motion::velocity>},
+    Field{"acceleration", "_a", CellKind::real, true, false, false, true, write_derivative<&Motion::acceleration>},
+    Field{"jerk", "_j", CellKind::real, true, false, false, true, write_derivative<&Motion::jerk>},
+    Field{"speed", "", CellKind::real, false, false, true, true, write_speed},
+    Field{"tangent", "_t", CellKind::real, true, false, true, true, write_tangent},
+    Field{"curvature", "", CellKind::real, false, false, true, true, write_curvature},
+    Field{"torsion", "", CellKind::real, false, false, true, true, write_torsion},
+    Field{"segment", "", CellKind::whole, false, false, false, true, write_segment},
+    Field{"u", "", CellKind::real, false, false, false, true, write_u},
+    Field{"key", "", CellKind::whole, false, false, false, false, write_key},
+    Field{"arc_error", "", CellKind::real, false, true, true, false, write_arc_error},
 };
 
 }  // namespace
@@ -105,8 +108,9 @@ void Point::set(const sampler::Piece& piece) {
   has_arc_ = false;
 }
 
-void Point::set(const sampler::Sample& sample) {
+void Point::set(const sampler::Sample& sample, const sampler::Outside* outside) {
   sample_ = &sample;
+  outside_ = outside;
   has_motion_ = false;
   shape_.reset();
 }
@@ -120,9 +124,9 @@ const spline::Motion<double>& Point::motion() {
   if (has_motion_) return motion_;
   has_motion_ = true;
   const auto& at = sample_->at;
-  const auto& outside = sample_->outside;
   const double passed = at.u == 0 || at.w == 0 ? at.u : piece_->warp.inverse(at).hi;
   spline::set_motion<double>(motion_, piece_->cubics, at, piece_->warp, passed, (piece_->end - piece_->start).hi);
+  const sampler::Outside outside = outside_ == nullptr ? sampler::Outside{} : *outside_;
   const double forth = outside.holds || piece_->start == piece_->end ? 0 : outside.backward ? -1 : 1;
   const double bends = outside.beyond.hi != 0 || forth == 0 ? 0 : 1;
   if (forth == 1 && bends == 1) return motion_;
@@ -138,6 +142,12 @@ const spline::Shape<double>& Point::shape() {
 }
 
 std::span<const Field> fields() { return all_fields; }
+
+std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channels) {
+  std::size_t cells = 0;
+  for (const std::size_t index : chosen) cells += all_fields[index].per_channel ? channels : 1;
+  return cells;
+}
 
 std::vector<format::OutputColumn> output_columns(std::span<const std::size_t> chosen, const format::Input& input) {
   std::vector<format::OutputColumn> columns;

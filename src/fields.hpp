@@ -19,10 +19,12 @@ class Point {
  public:
   /// On another piece; a sample on it is to follow.
   void set(const sampler::Piece& piece);
-  void set(const sampler::Sample& sample);
+  /// `outside`: how its time relates to one on the curve; null: it is on the curve.
+  void set(const sampler::Sample& sample, const sampler::Outside* outside);
 
   const sampler::Piece& piece() const { return *piece_; }
   const sampler::Sample& sample() const { return *sample_; }
+  const sampler::Outside* outside() const { return outside_; }
   const spline::ArcLength<double>& arc();
   const spline::Motion<double>& motion();
   const spline::Shape<double>& shape();
@@ -30,6 +32,7 @@ class Point {
  private:
   const sampler::Piece* piece_ = nullptr;
   const sampler::Sample* sample_ = nullptr;
+  const sampler::Outside* outside_ = nullptr;
   spline::ArcLength<double> arc_;
   bool has_arc_ = false;
   spline::Motion<double> motion_;
@@ -46,10 +49,13 @@ struct Field {
   bool needs_lengths;  ///< the segments before it have to be measured
   bool over_metric;    ///< it is a length or a speed over the metric channels
   bool has_side;       ///< at a key it may differ from one side to the other
-  void (*append)(std::vector<format::Cell>& row, Point& point);
+  format::Cell* (*write)(format::Cell* row, Point& point);  ///< answers the end of its cells
 };
 
 std::span<const Field> fields();
+
+/// How many cells the chosen fields have in a row.
+std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channels);
 
 /// The columns that the chosen fields make.
 std::vector<format::OutputColumn> output_columns(std::span<const std::size_t> chosen, const format::Input& input);

@@ -114,21 +114,20 @@ Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler>
 }
 
 std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, std::span<const std::size_t> chosen) {
-  std::vector<Cell> cells;
-  cells.reserve(batch.rows() * chosen.size());
+  if (batch.parts.empty()) return {};
+  std::vector<Cell> cells(batch.rows() * cells_in_row(chosen, batch.parts.front().piece.cubics.size()));
+  Cell* row = cells.data();
   sampler::Located located;
   Point point;
   for (const auto& [piece, first, last] : batch.parts) {
     locator.locate(piece, first, last, located);
     point.set(piece);
-    for (const sampler::Sample& sample : located.samples) {
-      point.set(sample);
-      const std::size_t begin = cells.size();
-      for (const std::size_t field : chosen) fields()[field].append(cells, point);
+    for (std::size_t i = 0; i < located.samples.size(); ++i) {
+      point.set(located.samples[i], located.outside.empty() ? nullptr : &located.outside[i]);
+      const Cell* const begin = row;
+      for (const std::size_t field : chosen) row = fields()[field].write(row, point);
       const auto is_finite = [](const Cell& cell) { return std::isfinite(cell.hi); };
-      if (!std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(begin), cells.end(), is_finite)) {
-        refuse_overflow(sample);
-      }
+      if (!std::all_of(begin, static_cast<const Cell*>(row), is_finite)) refuse_overflow(located.samples[i]);
     }
   }
   return cells;

@@ -9,12 +9,14 @@ Decimal widened(const Decimal& decimal) {
   return {decimal.digits * whole_power_of_ten(17 - width), decimal.exponent - (17 - width)};
 }
 
-Decimal shortest_with_care(double value) {
+Decimal shortest(double value) {
   const Binary v(value);
   const bool odd = v.m % 2 != 0;
   const bool at_power_of_two = v.m == Binary::hidden && v.bits > Binary::hidden;  // near from below
 
-  // As in shortest, but in units of 2^-70, so that no product seems to be whole, or half, that is not.
+  // In units of 10^-p the doubles that read back as the value fill an interval at least 1 and less than 10 wide: at
+  // most one of its integers ends in 0, and is then shorter than all others. With 70 bits after the point no product
+  // seems to be whole, or half, that is not.
   const int p = -(at_power_of_two ? floor_log10_of_three_quarters(v.q) : floor_log10_power_of_two(v.q));
   const Uint128 g = power_significand(p);
   const int shift = v.q + floor_log2_power_of_ten(p) + 5;

@@ -1,10 +1,11 @@
 // Decimals: from a double to the digits that stand for it, and from digits to the nearest double.
 //
-// All three ways are one multiplication by a power of ten of 128 bits, of which the upper 128 bits are kept: F.
+// All ways are one multiplication by a power of ten of 128 bits, of which the upper 128 bits are kept: F.
 // That they are enough rests on two facts. The power is rounded up, by less than 2^-127 of itself, and the low bits
 // of the product are cut off; so where the true product is whole or half, so is F. And nowhere else is the true
 // product so near to a whole or a half that F lies on another side of it. This holds for all numbers that come here:
-// tests/format/decimal_proof.py searches all powers for others, and finds none.
+// tests/format/decimal_proof.py searches all powers for others, and finds none. Only shortest_if_plain() needs no
+// proof: it leaves alone what is nearer to a limit than F may be wrong.
 //
 // Source: R. Giulietti, "The Schubfach way to render doubles" (2020); R. Cox, "Floating-point printing and parsing
 //   can be simple and fast" (2026), https://research.swtch.com/fp; D. Lemire, doi:10.1002/spe.2984, and
@@ -15,6 +16,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "format/digits.hpp"
 #include "format/power_of_ten.hpp"
@@ -45,35 +47,43 @@ struct Binary {
 /// The same number with 17 digits. Requires: 0 < digits < 10^17.
 Decimal widened(const Decimal& decimal);
 
-/// As shortest below, by products of their own for the value and both ends of its interval.
-Decimal shortest_with_care(double value);
+/// The decimal nearest to the value among the shortest ones that read back as it; zeros at its end fill it up to 17
+/// digits. Requires: value > 0, finite.
+Decimal shortest(double value);
 
-/// The decimal nearest to the value among the shortest ones that read back as it; zeros at its end fill it up to 16
-/// or 17 digits. Requires: value > 0, finite.
-inline Decimal shortest(double value) {
-  const Binary v(value);
-  if (v.m <= Binary::hidden) return shortest_with_care(value);  // a power of two, or subnormal
+/// (10 tens + last) 10^exponent.
+struct SplitDecimal {
+  std::uint64_t tens, last;
+  int exponent;
+};
 
-  // In units of 10^-p the doubles that read back as the value fill an interval at least 1 and less than 10 wide:
-  // at most one of its integers ends in 0, and is then shorter than all others.
-  const int p = -floor_log10_power_of_two(v.q);
+/// The same in less time, with 16 or 17 digits; nothing where it takes more care.
+inline std::optional<SplitDecimal> shortest_if_plain(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const int biased = static_cast<int>(bits >> 52);
+  const bool regular = (biased > 0) & (biased < 2047) & (bits % Binary::hidden != 0);
+  if (!regular) return std::nullopt;  // a power of two, subnormal, or no number at all
+
+  // In units of 10^-p the doubles that read back as the value fill an interval at least 1/10 and less than 1 wide: at
+  // most one integer is in it, and is then shorter than all other decimals there.
+  const int q = biased - 1075;
+  const int p = -floor_log10_power_of_two(q) - 1;
   const Uint128 g = power_significand(p);
-  const int shift = v.q + floor_log2_power_of_ten(p) + 1;  // 1 to 4
-  const Uint128 product = high_product(v.m << shift, g);
-  const auto whole = static_cast<std::uint64_t>(product >> 64);
-  const auto part = static_cast<std::uint64_t>(product);
+  const int shift = q + floor_log2_power_of_ten(p) + 4;  // 0 to 3
+  const Uint128 product = high_product((bits % Binary::hidden + Binary::hidden) << shift, g);
+  const auto whole = static_cast<std::uint64_t>(product >> 67);
+  const auto part = static_cast<std::uint64_t>(product >> 3);  // in units of 2^-64, less than two too small
 
-  // What lies above the last multiple of 10, and below the next one, against half the interval; in units of 2^-60.
-  // Only where they are equal to the last unit, or the two nearest integers are equally near, is more care due.
-  constexpr std::uint64_t one = std::uint64_t{1} << 60;
-  const std::uint64_t tens = whole / 10 * 10;
-  const std::uint64_t above = (whole - tens) * one + part / 16;
-  const std::uint64_t half = static_cast<std::uint64_t>(g >> 64) >> (5 - shift);
-  const std::uint64_t rest = 10 * one - above;
-  const bool certain = (above - half + 1 > 2) & (rest - half + 1 > 2) & (part != std::uint64_t{1} << 63);
-  if (!certain) return shortest_with_care(value);
-  const std::uint64_t round = choose(above < half, tens, tens + 10);
-  return {choose((above < half) | (rest < half), round, whole + (part >> 63)), -p};
+  // How far the nearest integer is, against half the interval; and the nearest tenth.
+  const std::uint64_t up = part >> 63;
+  const std::uint64_t distance = part ^ -up;
+  const std::uint64_t half = static_cast<std::uint64_t>(g >> 64) >> (4 - shift);
+  const Uint128 tenths = static_cast<Uint128>(part) * 10 + (std::uint64_t{1} << 63);
+  const bool certain = (distance - half + 2 > 4) & (static_cast<std::uint64_t>(tenths) + 20 > 20);
+  if (!certain) return std::nullopt;
+  const bool inside = distance < half;
+  const auto tenth = static_cast<std::uint64_t>(tenths >> 64);
+  return SplitDecimal{whole + (up & (inside ? 1 : 0)), choose(inside, 0, tenth), -p - 1};
 }
 
 /// value 10^p, rounded to an integer, half to even.

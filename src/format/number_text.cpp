@@ -7,6 +7,7 @@
 
 #include "format/decimal.hpp"
 #include "format/digits.hpp"
+#include "format/sixteen_digits.hpp"
 
 namespace tcb::format {
 namespace {
@@ -15,29 +16,30 @@ constexpr int longest_fixed = 312;  ///< of a double without decimals, with its 
 
 constexpr double two_to_63 = 9223372036854775808.0;
 
-constexpr Uint128 zeros_16 = static_cast<Uint128>(eight_zeros) << 64 | eight_zeros;
-
 /// Seventeen digits with the point after the first of them.
 struct Digits {
-  char first;
-  Uint128 others;  ///< the first of them lowest
+  SixteenDigits sixteen;
+  char last;
   int exponent;
   int count;  ///< without the zeros at the end
+
+  void write(char* out) const {
+    sixteen.write(out);
+    out[16] = last;
+  }
 };
 
 /// Requires: 16 or 17 digits.
-Digits digits_of(const Decimal& decimal) {
-  const std::uint64_t missing = decimal.digits < 10'000'000'000'000'000 ? 1 : 0;
-  const std::uint64_t seventeen = decimal.digits * (1 + 9 * missing);
+Digits digits_of(const SplitDecimal& decimal) {
+  const bool missing = decimal.tens < 1'000'000'000'000'000;
+  const SixteenDigits sixteen(choose(missing, decimal.tens * 10 + decimal.last, decimal.tens));
+  const std::uint64_t last = choose(missing, 0, decimal.last);
+  return {sixteen, static_cast<char>('0' + last), decimal.exponent + 16 - (missing ? 1 : 0), sixteen.count(last != 0)};
+}
 
-  constexpr std::uint64_t eight = 100'000'000;
-  const std::uint64_t nine = seventeen / eight;
-  const std::uint64_t first = (nine * 1441151881) >> 57;  // 1441151881 / 2^57: 10^-8
-  const std::uint64_t early = eight_digits(nine - first * eight);
-  const std::uint64_t late = eight_digits(seventeen - nine * eight);
-  const int zeros = (late != 0 ? std::countl_zero(late) : 64 + std::countl_zero(early)) / 8;
-  return {static_cast<char>('0' + first), (static_cast<Uint128>(late) << 64 | early) | zeros_16,
-          decimal.exponent - static_cast<int>(missing) + 16, 17 - zeros};
+/// Requires: 17 digits.
+Digits digits_of(const Decimal& decimal) {
+  return digits_of(SplitDecimal{decimal.digits / 10, decimal.digits % 10, decimal.exponent});
 }
 
 /// The exponent with its sign and two or three digits.
@@ -52,29 +54,35 @@ char* write_exponent(int exponent, char* out) {
 }
 
 char* write_scientific(const Digits& digits, char* out) {
-  out[0] = digits.first;
+  digits.write(out + 1);
+  out[0] = out[1];
   out[1] = '.';
-  store(out + 2, digits.others);
   return write_exponent(digits.exponent, out + (digits.count == 1 ? 1 : digits.count + 1));
 }
 
 /// With `count` digits from the first one that is not zero, and all of those before the point.
 /// Requires: -18 <= digits.exponent <= 16.
-char* write_plain(const Digits& digits, int count, char* out) {
+[[gnu::always_inline]] inline char* write_plain(const Digits& digits, int count, char* out) {
   const int before = digits.exponent + 1;  // digits before the point
   if (before <= 0) {
     for (int i = 0; i < 24; i += 8) store(out + i, eight_zeros);
     out[1] = '.';
-    out += 2 - before;
-    out[0] = digits.first;
-    store(out + 1, digits.others);
-    return out + count;
+    digits.write(out + 2 - before);
+    return out + 2 - before + count;
   }
-  out[0] = digits.first;
-  store(out + 1, digits.others);
+  digits.write(out);
   if (count <= before) return out + before;
+  // What follows the point goes one byte further.
+  const auto late = load<std::uint64_t>(out + 8);
+  if (before <= 8) {
+    const auto from_point = load<std::uint64_t>(out + before);
+    store(out + 9, late);
+    store(out + before + 1, from_point);
+  } else {
+    store(out + before + 1, late >> 8 * (before - 9) >> 8);
+  }
+  out[17] = digits.last;
   out[before] = '.';
-  store(out + before + 1, digits.others >> 8 * (before - 1));
   return out + count + 1;
 }
 
@@ -87,6 +95,20 @@ char* write_sign(double value, char* out) {
 /// By the standard library, which knows all digits of a double.
 char* write_exactly(double value, std::chars_format notation, int precision, char* out) {
   return std::to_chars(out, out + longest_fixed + precision, value, notation, precision).ptr;
+}
+
+/// Numbers that are whole or very small, and those whose shortest decimal takes care. Requires: not 0; no sign.
+[[gnu::noinline]] char* write_unusual(double size, char* out) {
+  if (!std::isfinite(size)) return std::to_chars(out, out + number_room, size).ptr;
+  const auto decimal = shortest_if_plain(size);
+  const Digits digits = decimal ? digits_of(*decimal) : digits_of(shortest(size));
+  // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
+  const int lone = digits.count == 1 ? 1 : 0;
+  const auto above_least = static_cast<unsigned>(digits.exponent + 4 - lone);
+  if (above_least > static_cast<unsigned>(digits.count + 8 - 2 * lone)) return write_scientific(digits, out);
+  if (digits.exponent <= 15) return write_plain(digits, digits.count, out);
+  if (size < 2 * two_to_63) return write_whole(static_cast<std::uint64_t>(size), out);
+  return std::to_chars(out, out + number_room, size).ptr;
 }
 
 char* write_bytes(double value, char* out) {
@@ -112,21 +134,18 @@ char* write_whole(std::uint64_t value, char* out) {
 
 char* write_shortest(double value, char* out) {
   const double size = std::abs(value);
-  if (!std::isfinite(value)) return std::to_chars(out, out + number_room, value).ptr;
   out = write_sign(value, out);
   constexpr double all_below_are_plain = 100'000;  // which is 1e+05
   if (size < all_below_are_plain) {
-    const auto whole = static_cast<std::uint32_t>(size);
-    if (whole == size) return write_whole(whole, out);
+    const auto whole = static_cast<std::int32_t>(size);
+    if (whole == size) return write_whole(static_cast<std::uint64_t>(whole), out);
   }
-  const Digits digits = digits_of(shortest(size));
-  // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
-  const int lone = digits.count == 1 ? 1 : 0;
-  const auto above_least = static_cast<unsigned>(digits.exponent + 4 - lone);
-  if (above_least > static_cast<unsigned>(digits.count + 8 - 2 * lone)) return write_scientific(digits, out);
-  if (digits.exponent <= 15) return write_plain(digits, digits.count, out);
-  if (size < 2 * two_to_63) return write_whole(static_cast<std::uint64_t>(size), out);
-  return std::to_chars(out, out + number_room, size).ptr;
+  if (const auto decimal = shortest_if_plain(size)) {
+    const Digits digits = digits_of(*decimal);
+    const bool plain = digits.exponent >= -3 && digits.exponent + 1 < digits.count;
+    if (plain) return write_plain(digits, digits.count, out);
+  }
+  return write_unusual(size, out);
 }
 
 char* write_fixed(double value, int decimals, char* out) {
@@ -135,7 +154,7 @@ char* write_fixed(double value, int decimals, char* out) {
   if (!(size < static_cast<double>(whole_power_of_ten(digits_of_double - decimals)))) return nullptr;
   out = write_sign(value, out);
   const std::uint64_t scaled = size == 0 ? 0 : rounded(size, decimals);
-  const Digits zero{'0', zeros_16, decimals == 0 ? 0 : -1, 1};
+  const Digits zero{SixteenDigits(0), '0', decimals == 0 ? 0 : -1, 1};
   const Digits digits = scaled == 0 ? zero : digits_of(widened({scaled, -decimals}));
   return write_plain(digits, digits.exponent + 1 + decimals, out);
 }

@@ -17,10 +17,11 @@ Time AnywhereInTime::on_curve(std::uint64_t row) const {
 
 void AnywhereInTime::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
   const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
+  located.outside.clear();
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     const Time t = place(row);
-    const Outside outside = map_to_curve(kind_, first_, last_, t);
-    return {t, locate(outside.t), {}, outside};
+    located.outside.push_back(map_to_curve(kind_, first_, last_, t));
+    return {t, locate(located.outside.back().t)};
   });
 }
 
@@ -32,8 +33,8 @@ Time AnywhereInLength::on_curve(std::uint64_t row) const {
 }
 
 void AnywhereInLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
-  located.lengths.clear();
-  for (std::uint64_t row = first; row != last; ++row) located.lengths.push_back(place(row));
+  located.coordinates.clear();
+  for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place(row));
   locate_lengths(piece, located);
 }
 

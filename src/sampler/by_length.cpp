@@ -28,18 +28,17 @@ Sample sample_at(const Piece& piece, const Time& duration, const Time& s, const 
 
 void locate_lengths(const Piece& piece, Located& located) {
   located.arc.assign(piece.cubics, piece.metric);
-  located.places.resize(located.lengths.size());
-  spline::ArcInverse<double>(located.arc, piece.s_start, piece.s_end).at(located.lengths, located.places);
+  located.places.resize(located.coordinates.size());
+  spline::ArcInverse<double>(located.arc, piece.s_start, piece.s_end).at(located.coordinates, located.places);
   const Time duration = piece.end - piece.start;
   located.samples.clear();
-  for (std::size_t i = 0; i < located.lengths.size(); ++i) {
-    located.samples.push_back(sample_at(piece, duration, located.lengths[i], located.places[i]));
+  for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
+    located.samples.push_back(sample_at(piece, duration, located.coordinates[i], located.places[i]));
   }
 }
 
 void ByLength::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
-  located.lengths.clear();
-  for (std::uint64_t row = first; row != last; ++row) located.lengths.push_back(coordinate(piece, row));
+  set_coordinates(piece, first, last, located.coordinates);
   locate_lengths(piece, located);
 }
 

@@ -66,6 +66,11 @@ Time Grid::time(std::uint64_t j) const {
   return nearest_time(Rational(first_ + increment_ * j, denominator_));
 }
 
+void Grid::set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const {
+  times.clear();
+  for (std::uint64_t row = first; row != last; ++row) times.push_back(time(row));
+}
+
 std::uint64_t Grid::estimate(const Time& t) const {
   const double rows = ((t - near_start_) / near_step_).hi;
   constexpr double most = 9.0e18;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "sampler/rational.hpp"
 
@@ -16,6 +17,9 @@ class Grid {
 
   /// start + j step, rounded once.
   Time time(std::uint64_t j) const;
+
+  /// Puts the times of the rows from first to before last in the place of others.
+  void set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const;
 
   /// How many rows stand before t, and how many at or before it. Requires: step > 0.
   std::uint64_t rows_before(const Time& t) const;

@@ -82,11 +82,12 @@ Run OnGrid::place(const Piece& piece) {
   return run;
 }
 
-Time OnGrid::coordinate(const Piece& piece, std::uint64_t row) const {
+void OnGrid::set_coordinates(const Piece& piece, std::uint64_t first, std::uint64_t last,
+                             std::vector<Time>& coordinates) const {
+  if (first < Row::at_key) return spacing_.grid.set_times(first, last, coordinates);
   const Range on = range(piece);
-  if (row == Row::at_key) return on.start;
-  if (row == Row::at_end) return cut_ ? std::min(*spacing_.end, on.end) : on.end;
-  return spacing_.grid.time(row);
+  const Time end = cut_ ? std::min(*spacing_.end, on.end) : on.end;
+  coordinates.assign(1, first == Row::at_key ? on.start : end);
 }
 
 }  // namespace tcb::sampler

@@ -25,10 +25,9 @@ class OnGrid : public Sampler {
   virtual Bound lower(const Range& range) const = 0;
   virtual Bound upper(const Range& range) const = 0;
 
-  const Grid& grid() const { return spacing_.grid; }
-
-  /// The coordinate of a row on this piece.
-  Time coordinate(const Piece& piece, std::uint64_t row) const;
+  /// Puts the coordinates of some rows on this piece in the place of others.
+  void set_coordinates(const Piece& piece, std::uint64_t first, std::uint64_t last,
+                       std::vector<Time>& coordinates) const;
 
  private:
   void require_bounds(const Piece& piece, const Range& on) const;

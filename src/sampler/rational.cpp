@@ -124,17 +124,4 @@ Time nearest_time(const Rational& value) {
   return value < 0 ? -time : time;
 }
 
-std::optional<Time> rounded_once(const Time& near, double doubt) {
-  const double size = std::abs(near.hi);
-  if (size < 0x1p-900) return std::nullopt;  // where the low part loses digits
-  if (size < whole_from) {
-    const bool certain = near.hi + (near.lo + doubt) == near.hi && near.hi + (near.lo - doubt) == near.hi;
-    return certain ? std::optional(Time(near.hi)) : std::nullopt;
-  }
-  constexpr double round_to_whole = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
-  const double low = (near.lo + round_to_whole) - round_to_whole;
-  if (std::abs(near.lo - low) + doubt >= 0.5) return std::nullopt;
-  return Time::normalized(near.hi, low);
-}
-
 }  // namespace tcb::sampler

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -33,6 +34,17 @@ bool within_doubles(const Rational& value);
 Time nearest_time(const Rational& value);
 
 /// The time nearest to a number that is within `doubt` of `near`; nothing where that leaves a choice.
-std::optional<Time> rounded_once(const Time& near, double doubt);
+inline std::optional<Time> rounded_once(const Time& near, double doubt) {
+  const double size = std::abs(near.hi);
+  if (size < 0x1p-900) return std::nullopt;  // where the low part loses digits
+  if (size < 0x1p53) {
+    const bool certain = near.hi + (near.lo + doubt) == near.hi && near.hi + (near.lo - doubt) == near.hi;
+    return certain ? std::optional(Time(near.hi)) : std::nullopt;
+  }
+  constexpr double round_to_whole = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
+  const double low = (near.lo + round_to_whole) - round_to_whole;
+  if (std::abs(near.lo - low) + doubt >= 0.5) return std::nullopt;
+  return Time::normalized(near.hi, low);
+}
 
 }  // namespace tcb::sampler

@@ -53,13 +53,13 @@ struct Sample {
   Time t;
   spline::Local<double> at;
   std::optional<double> s = std::nullopt;
-  Outside outside = {};  ///< how its time relates to one on the curve
 };
 
 /// Samples that were located, and the memory that locating needs.
 struct Located {
   std::vector<Sample> samples;
-  std::vector<Time> lengths = {};  ///< at which samples are to be, for those that are located by length
+  std::vector<Outside> outside = {};   ///< how their times relate to those on the curve; empty where all lie on it
+  std::vector<Time> coordinates = {};  ///< the times or arc lengths at which they are to be
   std::vector<spline::Local<double>> places = {};
   spline::ArcLength<double> arc = {};
 };

@@ -80,7 +80,7 @@ class Tangents {
  private:
   /// P[key + 1] - P[key] in one channel.
   W chord(std::size_t key, std::size_t channel) const {
-    return W(keys_.position(key + 1)[channel]) - W(keys_.position(key)[channel]);
+    return exact_difference(keys_.position(key + 1)[channel], keys_.position(key)[channel]);
   }
 
   void set_interior(std::size_t key, const Factors<W>& f) {

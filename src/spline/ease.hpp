@@ -29,10 +29,10 @@ class Warp {
 
   /// Where the curve is when the fraction u of the segment's duration has passed. `left` is 1 - u.
   Local<S> at(const working_t<S>& u, const working_t<S>& left) const {
-    if (is_identity()) return u < left ? from_start(u) : from_end(left);
-    if (u < f_) return from_start(k_ / f_ * u * u);
-    if (left > e_) return from_start(k_ * (u + u - f_));
-    return from_end(e_ == W(0) ? W(0) : k_ / e_ * left * left);
+    if (is_identity()) return u < left ? from_start<S>(u) : from_end<S>(left);
+    if (u < f_) return from_start<S>(k_ / f_ * u * u);
+    if (left > e_) return from_start<S>(k_ * (u + u - f_));
+    return from_end<S>(e_ == W(0) ? W(0) : k_ / e_ * left * left);
   }
 
   /// The fraction of the duration after which the curve is at a place.
@@ -63,9 +63,6 @@ class Warp {
  private:
   using W = working_t<S>;
 
-  static Local<S> from_start(const W& u) { return {narrow<S>(u), narrow<S>(u + S(-1))}; }
-  static Local<S> from_end(const W& left) { return {narrow<S>(-left + S(1)), narrow<S>(-left)}; }
-
   W f_{0}, e_{0}, k_{0.5};
 };
 
@@ -86,8 +83,8 @@ class Locate {
     if (plain_ && rest<S>(passed) == S(0) && rest<S>(left) == S(0) && rest<S>(duration_) == S(0)) {
       return {narrow<S>(passed) / narrow<S>(duration_), -narrow<S>(left) / narrow<S>(duration_)};
     }
-    if (passed < left) return warped(passed / duration_);
-    return warped_from_end(left / duration_);
+    if (passed < left) return plain_ ? from_start<S>(passed / duration_) : warped(passed / duration_);
+    return plain_ ? from_end<S>(left / duration_) : warped_from_end(left / duration_);
   }
 
  private:

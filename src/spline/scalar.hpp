@@ -72,8 +72,9 @@ struct Twice {
   }
   friend constexpr Twice operator/(const Twice& a, const Twice& b) {
     const double quotient = a.hi / b.hi;
-    const Twice rest = a - b * Twice(quotient);
-    return normalized(quotient, rest.hi / b.hi);
+    const auto product = two_product(quotient, b.hi);
+    const double rest = ((a.hi - product.value) - product.error) + (a.lo - quotient * b.lo);  // the first - is exact
+    return normalized(quotient, rest / b.hi);
   }
   friend constexpr bool operator==(const Twice&, const Twice&) = default;
   friend constexpr auto operator<=>(const Twice& a, const Twice& b) {
@@ -122,6 +123,17 @@ constexpr S narrow(const working_t<S>& value) {
     return value.hi;
   } else {
     return value;
+  }
+}
+
+/// a - b, exactly.
+template <class S>
+constexpr working_t<S> exact_difference(const S& a, const S& b) {
+  if constexpr (std::is_same_v<S, double>) {
+    const auto [value, error] = two_sum(a, -b);
+    return {value, error};
+  } else {
+    return a - b;
   }
 }
 

@@ -20,6 +20,16 @@ struct Local {
   bool near_start() const { return u <= S(0.5); }
 };
 
+/// The place at a fraction, or with a fraction left.
+template <class S>
+Local<S> from_start(const working_t<S>& u) {
+  return {narrow<S>(u), narrow<S>(u + S(-1))};
+}
+template <class S>
+Local<S> from_end(const working_t<S>& left) {
+  return {narrow<S>(-left + S(1)), narrow<S>(-left)};
+}
+
 /// One channel of a segment.
 template <class S>
 struct Cubic {
@@ -32,7 +42,7 @@ struct Cubic {
 template <class S>
 Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
   using W = working_t<S>;
-  const W chord = W(p1) - W(p0);
+  const W chord = exact_difference(p1, p0);
   const W out_bend = out - chord;
   const W in_bend = in - chord;
   const W d = out_bend + in_bend;

@@ -1,4 +1,4 @@
-// Decimals: the shortest one is read back as the same double, by the short way and by the careful one alike.
+// Decimals: the shortest one is read back as the same double, by the plain way and by the careful one alike.
 #include "format/decimal.hpp"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,14 @@ Decimal trimmed(Decimal decimal) {
 void check(double value) {
   if (value <= 0) return;
   const Decimal decimal = shortest(value);
-  ASSERT_GE(decimal.digits, 1'000'000'000'000'000U) << value;
+  ASSERT_GE(decimal.digits, 10'000'000'000'000'000U) << value;
   ASSERT_LT(decimal.digits, 100'000'000'000'000'000U) << value;
-  ASSERT_TRUE(trimmed(decimal) == trimmed(shortest_with_care(value))) << value;
+  if (const auto split = shortest_if_plain(value)) {
+    ASSERT_LT(split->last, 10U) << value;
+    ASSERT_GE(split->tens, 100'000'000'000'000U) << value;
+    ASSERT_LT(split->tens, 10'000'000'000'000'000U) << value;
+    ASSERT_TRUE(trimmed({split->tens * 10 + split->last, split->exponent}) == trimmed(decimal)) << value;
+  }
   if (value >= std::numeric_limits<double>::min()) {
     ASSERT_EQ(nearest(decimal), value);
   } else {
@@ -36,6 +41,18 @@ TEST(Decimals, the_shortest_one_is_read_back) {
     check(std::abs(random.any()));
     check(random.near());
     check(random.short_decimal());
+  }
+}
+
+TEST(Decimals, most_are_plain) {
+  RandomDoubles random(2);
+  int plain = 0;
+  for (int i = 0; i < 10'000; ++i) plain += shortest_if_plain(std::abs(random.any())) ? 1 : 0;
+  EXPECT_GT(plain, 9'950);
+  EXPECT_TRUE(shortest_if_plain(0.1));
+  EXPECT_TRUE(shortest_if_plain(3));
+  for (const double value : {0.0, 0.25, 2.0, 5e-324, 2251799813685248.25, std::numeric_limits<double>::infinity()}) {
+    EXPECT_FALSE(shortest_if_plain(value)) << value;
   }
 }
 
