@@ -22,16 +22,26 @@ Cell* write_one(Cell* row, const Cell& cell) {
 
 Cell* write_time(Cell* row, Point& point) { return write_one(row, point.sample().t); }
 
+/// From a place at an end of the curve to one outside.
+void go_on(Cell* position, Point& point, const sampler::Outside& outside) {
+  for (std::size_t i = 0; i < point.piece().cubics.size(); ++i) {
+    if (outside.beyond.hi != 0) position[i].hi += point.motion().velocity[i] * outside.beyond.hi;
+    if (outside.cycles != 0) position[i].hi += outside.cycles * point.piece().cycle[i];
+  }
+}
+
 Cell* write_position(Cell* row, Point& point) {
   const auto& piece = point.piece();
   const auto& at = point.sample().at;
   const sampler::Outside* const outside = point.outside();
-  for (std::size_t i = 0; i < piece.cubics.size(); ++i, ++row) {
-    double position = spline::position(piece.cubics[i], at);
-    if (outside != nullptr && outside->beyond.hi != 0) position += point.motion().velocity[i] * outside->beyond.hi;
-    if (outside != nullptr && outside->cycles != 0) position += outside->cycles * piece.cycle[i];
-    *row = Cell(position);
+  Cell* const begin = row;
+  std::size_t i = 0;
+  for (; piece.cubics.size() - i >= 2; i += 2) {
+    const spline::Pair both = spline::positions(piece.cubics[i], piece.cubics[i + 1], at);
+    row = write_one(write_one(row, both[0]), both[1]);
   }
+  if (i < piece.cubics.size()) row = write_one(row, spline::position(piece.cubics[i], at));
+  if (outside != nullptr) go_on(begin, point, *outside);
   return row;
 }
 

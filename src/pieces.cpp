@@ -48,6 +48,24 @@ Stretch stretch_of(const spline::Window<double>& window, const Rules& rules, boo
   return stretch;
 }
 
+/// The same keys in blocks so small that the memory of a block's segments is soon used again, and stays near.
+Source<Keys> in_small_blocks(Source<Keys> keys) {
+  constexpr std::size_t most = 512;
+  return [keys = std::move(keys), block = Keys(), next = std::size_t{0}]() mutable -> std::optional<Keys> {
+    if (next == block.size()) {
+      std::optional<Keys> more = keys();
+      if (!more || more->size() <= most) return more;
+      block = std::move(*more);
+      next = 0;
+    }
+    const std::size_t first = next;
+    next = std::min(first + most, block.size());
+    Keys part;
+    spline::append(part, block, first, next);
+    return part;
+  };
+}
+
 /// Windows of an open curve, as they become known.
 Source<spline::Window<double>> open_windows(Source<Keys> keys) {
   return [keys = std::move(keys), linker = spline::Linker<double>(),
@@ -193,6 +211,7 @@ void measure(Stretch& stretch, const Rules& rules) {
 }
 
 Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads) {
+  keys.keys = in_small_blocks(std::move(keys.keys));
   auto windows = keys.context ? closed_windows(std::move(keys.keys), std::move(*keys.context))
                               : open_windows(std::move(keys.keys));
   const auto link = [rules, measured](const spline::Window<double>& window) {

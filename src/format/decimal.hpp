@@ -78,12 +78,11 @@ inline std::optional<SplitDecimal> shortest_if_plain(double value) {
   const std::uint64_t up = part >> 63;
   const std::uint64_t distance = part ^ -up;
   const std::uint64_t half = static_cast<std::uint64_t>(g >> 64) >> (4 - shift);
-  const Uint128 tenths = static_cast<Uint128>(part) * 10 + (std::uint64_t{1} << 63);
-  const bool certain = (distance - half + 2 > 4) & (static_cast<std::uint64_t>(tenths) + 20 > 20);
+  const std::uint64_t tenths = part / 16 * 10 + (std::uint64_t{1} << 59);  // in units of 2^-60
+  const bool certain = (distance - half + 2 > 4) & ((tenths + 20) % (std::uint64_t{1} << 60) > 20);
   if (!certain) return std::nullopt;
   const bool inside = distance < half;
-  const auto tenth = static_cast<std::uint64_t>(tenths >> 64);
-  return SplitDecimal{whole + (up & (inside ? 1 : 0)), choose(inside, 0, tenth), -p - 1};
+  return SplitDecimal{whole + (up & (inside ? 1 : 0)), choose(inside, 0, tenths >> 60), -p - 1};
 }
 
 /// value 10^p, rounded to an integer, half to even.

@@ -1,7 +1,7 @@
 // Eight digits at a time: from a number to the bytes of its text and back, by arithmetic on all bytes at once.
 //
 // Source: for printing, the divisions by multiplication of H. S. Warren, Hacker's Delight, ch. 10, in two, four
-//   and eight lanes; for reading, the sums of neighbours in D. Lemire, doi:10.1002/spe.2984.
+//   and eight lanes, and for zero bytes ch. 6; for reading, the sums of neighbours in D. Lemire, doi:10.1002/spe.2984.
 #pragma once
 
 #include <bit>
@@ -39,6 +39,11 @@ constexpr std::uint64_t number_of(std::uint64_t digits) {
 /// All eight bytes are below 10.
 constexpr bool are_digits(std::uint64_t values) {
   return (((values + 0x7676767676767676) | values) & 0x8080808080808080) == 0;  // 0x76 + 9 = 0x7F
+}
+
+/// The first of eight bytes that are zero has its upper bit set, and none before it has one.
+constexpr std::uint64_t zero_bytes(std::uint64_t bytes) {
+  return (bytes - 0x0101010101010101) & ~bytes & 0x8080808080808080;
 }
 
 /// One of two numbers, without a branch where the processor could not foresee it.

@@ -4,13 +4,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
+#include "format/digits.hpp"
 #include "format/place.hpp"
 
 namespace tcb::format {
 namespace {
 
 bool is_blank(char c) { return Dialect::is_blank(c); }
+
+/// The first of three characters, or the end.
+const char* find_one(const char* at, const char* end, char a, char b, char c) {
+  const auto eight = [](char each) { return 0x0101010101010101 * static_cast<unsigned char>(each); };
+  for (; end - at >= 8; at += 8) {
+    const auto bytes = load<std::uint64_t>(at);
+    const std::uint64_t found =
+        zero_bytes(bytes ^ eight(a)) | zero_bytes(bytes ^ eight(b)) | zero_bytes(bytes ^ eight(c));
+    if (found != 0) return at + std::countr_zero(found) / 8;
+  }
+  while (at != end && *at != a && *at != b && *at != c) ++at;
+  return at;
+}
 
 }  // namespace
 
@@ -90,10 +106,8 @@ std::string_view Records::take_cell() {
   const char* const start = at_;
   if (*start == '"') return take_quoted();
   const char delimiter = dialect_.delimiter, other = delimiter == ' ' ? '\t' : delimiter;
-  const char* const end = end_;
-  const char* now = start;
-  while (now != end && *now != delimiter && *now != '\n' && *now != other) ++now;
-  const bool at_end = now == end || *now == '\n';
+  const char* const now = find_one(start, end_, delimiter, '\n', other);
+  const bool at_end = now == end_ || *now == '\n';
   at_ = at_end && now != start && now[-1] == '\r' ? now - 1 : now;
   const char* last = at_;
   while (last != start && is_blank(last[-1])) --last;

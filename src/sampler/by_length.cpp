@@ -21,7 +21,8 @@ namespace {
 Sample sample_at(const Piece& piece, const Time& duration, const Time& s, const spline::Local<double>& at) {
   if (s <= Time(piece.s_start.hi) || at.u == 0) return {piece.start, {0, -1}, s.hi};
   if (s >= Time(piece.s_end.hi) || at.w == 0) return {piece.end, {1, 0}, s.hi};
-  return {rounded_time(piece.start + piece.warp.inverse(at) * duration), at, s.hi};
+  if (!piece.warp.is_identity()) return {rounded_time(piece.start + piece.warp.inverse(at) * duration), at, s.hi};
+  return {rounded_time(at.near_start() ? piece.start + duration * at.u : piece.end + duration * at.w), at, s.hi};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "spline/pair.hpp"
+
 namespace tcb::sampler {
 namespace {
 
@@ -34,8 +36,6 @@ Grid::Grid(const Rational& start, const Rational& step)
   increment_ = numerator(step) * (denominator_ / denominator(step));
   near_start_ = nearest_twice(start);
   near_step_ = nearest_twice(step);
-  upper_step_ = spline::upper_half(near_step_.hi);
-  lower_step_ = near_step_.hi - upper_step_;
   if (denominator_ >= Integer(whole_from)) return;
   double_rows_ = rows_within_doubles(first_, increment_);
   if (double_rows_ == 0) return;
@@ -44,14 +44,18 @@ Grid::Grid(const Rational& start, const Rational& step)
   double_denominator_ = static_cast<double>(denominator_);
 }
 
-/// The time of a row in twice the precision.
-Time Grid::near_time(double row) const {
-  if (row >= 0x1p26) return near_start_ + near_step_ * Time(row);
-  // Half of the bits of the step times a row number this small are exact.
-  const auto first = spline::two_sum(near_start_.hi, upper_step_ * row);
-  const auto second = spline::two_sum(first.value, lower_step_ * row);
-  const double low = (near_start_.lo + near_step_.lo * row) + (first.error + second.error);
-  return Time::normalized(second.value, low);
+template <class D>
+spline::TwiceOf<D> Grid::near_time(const D& row) const {
+  const auto product = spline::two_product(D(near_step_.hi), row);
+  const auto sum = spline::two_sum(D(near_start_.hi), product.value);
+  const D low = (near_start_.lo + near_step_.lo * row) + (product.error + sum.error);
+  return spline::TwiceOf<D>::normalized(sum.value, low);
+}
+
+template <class D>
+D Grid::doubt(const D& near) const {
+  using std::abs;
+  return (std::abs(near_start_.hi) + abs(near)) * 0x1p-98;
 }
 
 Time Grid::time(std::uint64_t j) const {
@@ -60,15 +64,26 @@ Time Grid::time(std::uint64_t j) const {
   if (j <= double_rows_ && double_rows_ > 0) return {(double_first_ + double_increment_ * row) / double_denominator_};
   if (j < static_cast<std::uint64_t>(whole_from)) {
     const Time near = near_time(row);
-    const double doubt = (std::abs(near_start_.hi) + std::abs(near.hi)) * 0x1p-98;
-    if (const auto time = rounded_once(near, doubt)) return *time;
+    if (const auto time = rounded_once(near, doubt(near.hi))) return *time;
   }
   return nearest_time(Rational(first_ + increment_ * j, denominator_));
 }
 
 void Grid::set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const {
+  using spline::Pair;
   times.clear();
-  for (std::uint64_t row = first; row != last; ++row) times.push_back(time(row));
+  std::uint64_t row = first;
+  const bool near_is_enough = double_rows_ == 0 && last < static_cast<std::uint64_t>(whole_from);
+  for (; near_is_enough && last - row >= 2; row += 2) {
+    const auto number = static_cast<double>(row);
+    const auto near = near_time(Pair(number, number + 1));
+    const Pair doubts = doubt(near.hi);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto rounded = rounded_once({near.hi[i], near.lo[i]}, doubts[i]);
+      times.push_back(rounded ? *rounded : time(row + i));
+    }
+  }
+  for (; row != last; ++row) times.push_back(time(row));
 }
 
 std::uint64_t Grid::estimate(const Time& t) const {

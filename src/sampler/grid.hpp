@@ -37,7 +37,13 @@ class Grid {
   bool is_single() const { return is_single_; }      ///< the step is 0
 
  private:
-  Time near_time(double row) const;
+  /// The time of a row in twice the precision, or those of two rows.
+  template <class D>
+  spline::TwiceOf<D> near_time(const D& row) const;
+
+  /// How far that may be off.
+  template <class D>
+  D doubt(const D& near) const;
 
   /// A row number that is right or a little off, for the exact search to start from.
   std::uint64_t estimate(const Time& t) const;
@@ -49,7 +55,6 @@ class Grid {
   std::uint64_t double_rows_ = 0;            ///< up to this row numerator and denominator are exact doubles,
   double double_first_{}, double_increment_{}, double_denominator_{};  ///< made of these
   Time near_start_, near_step_;                                        ///< in twice the precision
-  double upper_step_, lower_step_;                                     ///< the high part of the step in two halves
 };
 
 }  // namespace tcb::sampler

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace tcb::spline {
 
@@ -16,11 +17,14 @@ class Pair {
 
   double operator[](std::size_t i) const { return of_[i]; }
 
+  friend Pair upper_half(const Pair& a) { return Pair(Vector(Bits(a.of_) & 0xFFFF'FFFF'F800'0000)); }
+
   friend Pair operator-(const Pair& a) { return Pair(-a.of_); }
   friend Pair operator+(const Pair& a, const Pair& b) { return Pair(a.of_ + b.of_); }
   friend Pair operator-(const Pair& a, const Pair& b) { return Pair(a.of_ - b.of_); }
   friend Pair operator*(const Pair& a, const Pair& b) { return Pair(a.of_ * b.of_); }
   friend Pair operator/(const Pair& a, const Pair& b) { return Pair(a.of_ / b.of_); }
+  friend Pair abs(const Pair& a) { return Pair(a.of_ < Vector{} ? -a.of_ : a.of_); }
   friend Pair sqrt(const Pair& a) { return {std::sqrt(a.of_[0]), std::sqrt(a.of_[1])}; }
   friend Pair min(const Pair& a, const Pair& b) { return Pair(b.of_ < a.of_ ? b.of_ : a.of_); }
   friend Pair max(const Pair& a, const Pair& b) { return Pair(a.of_ < b.of_ ? b.of_ : a.of_); }
@@ -32,6 +36,7 @@ class Pair {
 
  private:
   using Vector = double __attribute__((vector_size(2 * sizeof(double))));
+  using Bits = std::uint64_t __attribute__((vector_size(2 * sizeof(double))));
   explicit Pair(Vector of) : of_(of) {}
 
   Vector of_;

@@ -35,58 +35,71 @@ constexpr double upper_half(double value) {
 }
 
 /// a * b and its rounding error (exact to 2^-105 of the product, and while nothing underflows).
-constexpr Rounded<double> two_product(double a, double b) {
-  const double a1 = upper_half(a);
-  const double b1 = upper_half(b);
-  const double a2 = a - a1;
-  const double b2 = b - b1;
-  const double product = a * b;
+template <class D>
+constexpr Rounded<D> two_product(const D& a, const D& b) {
+  const D a1 = upper_half(a);
+  const D b1 = upper_half(b);
+  const D a2 = a - a1;
+  const D b2 = b - b1;
+  const D product = a * b;
   return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-/// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: some 106 bits.
+/// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: some 106 bits. D is double, or doubles side by side.
 /// Promises: + - * / are right to 2^-100 of the larger operand or better.
-struct Twice {
-  double hi = 0;
-  double lo = 0;
+template <class D>
+struct TwiceOf {
+  D hi{0};
+  D lo{0};
 
-  constexpr Twice() = default;
-  constexpr Twice(double value) : hi(value) {}  // NOLINT(google-explicit-constructor): a double is one
-  constexpr Twice(double high, double low) : hi(high), lo(low) {}
+  constexpr TwiceOf() = default;
+  constexpr TwiceOf(D value) : hi(value) {}  // NOLINT(google-explicit-constructor): a double is one
+  constexpr TwiceOf(D high, D low) : hi(high), lo(low) {}
 
-  friend constexpr Twice operator-(const Twice& a) { return {-a.hi, -a.lo}; }
-  friend constexpr Twice operator+(const Twice& a, const Twice& b) {
+  friend constexpr TwiceOf operator-(const TwiceOf& a) { return {-a.hi, -a.lo}; }
+  friend constexpr TwiceOf operator+(const TwiceOf& a, const TwiceOf& b) {
     const auto high = two_sum(a.hi, b.hi);
-    const auto low = two_sum(a.lo, b.lo);
-    const Twice sum = normalized(high.value, high.error + low.value);
-    return normalized(sum.hi, sum.lo + low.error);
+    return normalized(high.value, high.error + (a.lo + b.lo));
   }
-  friend constexpr Twice operator+(const Twice& a, double b) {
+  friend constexpr TwiceOf operator+(const TwiceOf& a, const D& b) {
     const auto high = two_sum(a.hi, b);
     return normalized(high.value, high.error + a.lo);
   }
-  friend constexpr Twice operator-(const Twice& a, const Twice& b) { return a + -b; }
-  friend constexpr Twice operator*(const Twice& a, const Twice& b) {
+  friend constexpr TwiceOf operator-(const TwiceOf& a, const TwiceOf& b) { return a + -b; }
+  friend constexpr TwiceOf operator*(const TwiceOf& a, const TwiceOf& b) {
     const auto product = two_product(a.hi, b.hi);
     return normalized(product.value, product.error + (a.hi * b.lo + a.lo * b.hi));
   }
-  friend constexpr Twice operator/(const Twice& a, const Twice& b) {
-    const double quotient = a.hi / b.hi;
+  friend constexpr TwiceOf operator*(const TwiceOf& a, const D& b) {
+    const auto product = two_product(a.hi, b);
+    return normalized(product.value, product.error + a.lo * b);
+  }
+  friend constexpr TwiceOf operator/(const TwiceOf& a, const TwiceOf& b) {
+    const D quotient = a.hi / b.hi;
     const auto product = two_product(quotient, b.hi);
-    const double rest = ((a.hi - product.value) - product.error) + (a.lo - quotient * b.lo);  // the first - is exact
+    const D rest = ((a.hi - product.value) - product.error) + (a.lo - quotient * b.lo);  // the first - is exact
     return normalized(quotient, rest / b.hi);
   }
-  friend constexpr bool operator==(const Twice&, const Twice&) = default;
-  friend constexpr auto operator<=>(const Twice& a, const Twice& b) {
+  friend constexpr bool operator==(const TwiceOf&, const TwiceOf&) = default;
+  friend constexpr auto operator<=>(const TwiceOf& a, const TwiceOf& b) {
     return a.hi == b.hi ? a.lo <=> b.lo : a.hi <=> b.hi;
   }
 
-  /// high + low as a Twice. Requires: |high| >= |low|, or high = 0.
-  static constexpr Twice normalized(double high, double low) {
-    const double sum = high + low;
+  /// high + low as one. Requires: |high| >= |low|, or high = 0.
+  static constexpr TwiceOf normalized(D high, D low) {
+    const D sum = high + low;
     return {sum, low - (sum - high)};
   }
 };
+
+using Twice = TwiceOf<double>;
+
+/// Half of a number.
+template <class W>
+constexpr W halved(const W& value) {
+  return W(0.5) * value;
+}
+constexpr Twice halved(const Twice& value) { return {0.5 * value.hi, 0.5 * value.lo}; }
 
 /// The square root of a Twice, right to 2^-100. Requires: value >= 0.
 inline Twice sqrt(const Twice& value) {

@@ -8,6 +8,7 @@
 // Source: the Hermite form of D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", section 2.
 #pragma once
 
+#include "spline/pair.hpp"
 #include "spline/scalar.hpp"
 
 namespace tcb::spline {
@@ -66,6 +67,17 @@ S position(const Cubic<S>& x, const Local<S>& at) {
   if (at.w == S(0)) return x.p1;
   return at.near_start() ? compensated_cubic(x.p0, x.out, x.c, x.c_rest, x.d, at.u)
                          : compensated_cubic(x.p1, x.in, x.e, x.e_rest, x.d, at.w);
+}
+
+/// The same of two channels.
+inline Pair positions(const Cubic<double>& x, const Cubic<double>& y, const Local<double>& at) {
+  using C = Cubic<double>;
+  const auto both = [&](double C::*part) { return Pair(x.*part, y.*part); };
+  if (at.u == 0) return both(&C::p0);
+  if (at.w == 0) return both(&C::p1);
+  return at.near_start()
+             ? compensated_cubic<Pair>(both(&C::p0), both(&C::out), both(&C::c), both(&C::c_rest), both(&C::d), at.u)
+             : compensated_cubic<Pair>(both(&C::p1), both(&C::in), both(&C::e), both(&C::e_rest), both(&C::d), at.w);
 }
 
 /// The part of a segment from one time to another, as a segment of its own.

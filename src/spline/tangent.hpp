@@ -51,15 +51,14 @@ struct Weights {
 /// The plain tangents in = (c D0 + d D1)/2, out = (a D0 + b D1)/2, each times a factor.
 template <class W>
 Weights<W> scaled_weights(const Factors<W>& f, const W& in, const W& out) {
-  const W half_in = W(0.5) * in;
-  const W half_out = W(0.5) * out;
+  const W half_in = halved(in);
+  const W half_out = halved(out);
   return {half_in * f.c, half_in * f.d, half_out * f.a, half_out * f.b};
 }
 
 template <class W>
 Weights<W> velocity_weights(const InnerKey<W>& key) {
-  const W half(0.5);
-  return {half * key.f.c, half * key.f.d * (key.h0 / key.h1), half * key.f.a * (key.h1 / key.h0), half * key.f.b};
+  return {halved(key.f.c), halved(key.f.d) * (key.h0 / key.h1), halved(key.f.a) * (key.h1 / key.h0), halved(key.f.b)};
 }
 
 template <class W>
@@ -69,13 +68,13 @@ Weights<W> uniform_weights(const InnerKey<W>& key) {
 
 template <class W>
 Weights<W> interval_weights(const InnerKey<W>& key) {
-  const W mean = W(0.5) * (key.h0 + key.h1);
+  const W mean = halved(W(key.h0 + key.h1));
   return scaled_weights(key.f, key.h0 / mean, key.h1 / mean);
 }
 
 template <class W>
 Weights<W> interval_c_weights(const InnerKey<W>& key) {
-  const W mean = W(0.5) * (key.h0 + key.h1);
+  const W mean = halved(W(key.h0 + key.h1));
   const W c = key.continuity < W(0) ? -key.continuity : key.continuity;
   const auto blended = [&](const W& ratio) { return ratio + c * (W(1) - ratio); };
   return scaled_weights(key.f, blended(key.h0 / mean), blended(key.h1 / mean));
@@ -92,15 +91,14 @@ Weights<W> finite_difference_weights(const InnerKey<W>& key) {
 
 template <class W>
 Weights<W> kb1984_weights(const InnerKey<W>& key) {
-  const W mean = W(0.5) * (key.h0 + key.h1);
+  const W mean = halved(W(key.h0 + key.h1));
   return scaled_weights(key.f, key.h1 / mean, key.h0 / mean);
 }
 
 template <class W>
 Weights<W> synfig_weights(const InnerKey<W>& key) {
-  const W half(0.5);
   const W scale(1.5);
-  return scaled_weights(key.f, scale * key.h0 / (half * key.h0 + key.h1), scale * key.h1 / (half * key.h1 + key.h0));
+  return scaled_weights(key.f, scale * key.h0 / (halved(key.h0) + key.h1), scale * key.h1 / (halved(key.h1) + key.h0));
 }
 
 /// A tangent rule, and what the manual says of it. Uin = (c D0 + d D1)/2, Uout = (a D0 + b D1)/2.
