@@ -117,6 +117,8 @@ std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, 
   if (batch.parts.empty()) return {};
   std::vector<Cell> cells(batch.rows() * cells_in_row(chosen, batch.parts.front().piece.cubics.size()));
   Cell* row = cells.data();
+  std::vector<decltype(Field::write)> writes;
+  for (const std::size_t field : chosen) writes.push_back(fields()[field].write);
   sampler::Located located;
   Point point;
   for (const auto& [piece, first, last] : batch.parts) {
@@ -125,7 +127,7 @@ std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, 
     for (std::size_t i = 0; i < located.samples.size(); ++i) {
       point.set(located.samples[i], located.outside.empty() ? nullptr : &located.outside[i]);
       const Cell* const begin = row;
-      for (const std::size_t field : chosen) row = fields()[field].write(row, point);
+      for (const auto write : writes) row = write(row, point);
       const auto is_finite = [](const Cell& cell) { return std::isfinite(cell.hi); };
       if (!std::all_of(begin, static_cast<const Cell*>(row), is_finite)) refuse_overflow(located.samples[i]);
     }

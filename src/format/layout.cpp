@@ -40,12 +40,12 @@ char* write_text(char* out, std::string_view text) {
   return out + 1;
 }
 
-/// Room for any row.
-std::size_t row_room(const Layout& layout) {
-  std::size_t room = layout.between_rows.size() + layout.row_end.size();
-  const std::size_t cell = std::max(room_for(layout.notation), layout.empty.size());
-  for (const std::string& before : layout.before) room += before.size() + cell;
-  return room;
+/// The length of the longest row.
+std::size_t longest_row(const Layout& layout) {
+  std::size_t length = layout.between_rows.size() + layout.row_end.size();
+  const std::size_t cell = std::max(longest_number_in(layout.notation), layout.empty.size());
+  for (const std::string& before : layout.before) length += before.size() + cell;
+  return length;
 }
 
 /// The texts before the members of an object.
@@ -83,15 +83,17 @@ std::string json_text(std::string_view text) {
 
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first) {
-  const std::size_t begin = out.size();
-  out.resize(begin + cells.size() / columns.size() * row_room(layout));
+  const std::size_t begin = out.size(), width = columns.size();
+  const bool shortest = layout.notation.kind == Notation::Kind::shortest;
+  out.resize(begin + cells.size() / width * longest_row(layout) + spare_room);
   char* at = out.data() + begin;
-  for (std::size_t row = 0; row < cells.size(); row += columns.size()) {
-    if (row > 0 || !first) at = write_text(at, layout.between_rows);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const Cell& cell = cells[row + i];
+  for (const Cell* row = cells.data(); row != cells.data() + cells.size(); row += width) {
+    if (row != cells.data() || !first) at = write_text(at, layout.between_rows);
+    for (std::size_t i = 0; i < width; ++i) {
       at = write_text(at, layout.before[i]);
-      at = is_empty(cell) ? write_text(at, layout.empty) : write_cell(at, columns[i].kind, cell, layout.notation);
+      at = is_empty(row[i]) ? write_text(at, layout.empty)
+           : shortest       ? write_cell(at, columns[i].kind, row[i])
+                            : write_cell(at, columns[i].kind, row[i], layout.notation);
     }
     at = write_text(at, layout.row_end);
   }
@@ -101,7 +103,7 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first) {
   if (texts.empty()) return append_rows(out, layout, columns, cells, first);
-  std::string number(room_for(layout.notation), '\0');
+  std::string number(longest_number_in(layout.notation) + spare_room, '\0');
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::size_t column = i % columns.size();
     if (column == 0 && (i > 0 || !first)) out += layout.between_rows;

@@ -179,11 +179,11 @@ char* write_hex(double value, char* out) {
   return std::to_chars(out, out + number_room, std::abs(value), std::chars_format::hex).ptr;
 }
 
-std::size_t room_for(const Notation& notation) {
+std::size_t longest_number_in(const Notation& notation) {
   const auto count = static_cast<std::size_t>(notation.count);
   return notation.kind == Notation::Kind::fixed    ? static_cast<std::size_t>(longest_fixed) + count
-         : notation.kind == Notation::Kind::digits ? number_room + count
-                                                   : number_room;
+         : notation.kind == Notation::Kind::digits ? longest_number + count
+                                                   : longest_number;
 }
 
 char* write_number(double value, const Notation& notation, char* out) {

@@ -9,12 +9,14 @@
 
 namespace tcb::format {
 
-/// Room for any of the texts below but the last two. No text is longer than 24 characters, but bytes after it are
-/// written too.
-inline constexpr std::size_t number_room = 40;
+/// Any of the texts below but the last two is at most so long, and bytes after it are written too: it needs
+/// number_room.
+inline constexpr std::size_t longest_number = 24;
+inline constexpr std::size_t spare_room = 16;
+inline constexpr std::size_t number_room = longest_number + spare_room;
 
-/// Room for any number in a notation.
-std::size_t room_for(const Notation& notation);
+/// The length of the longest number in a notation.
+std::size_t longest_number_in(const Notation& notation);
 
 /// Each function writes at out, where it needs number_room bytes, and answers the end of the text.
 
@@ -36,7 +38,7 @@ char* write_digits(double value, int count, char* out);
 /// As printf("%a", value) writes it, but always with a point.
 char* write_hex(double value, char* out);
 
-/// These need room_for(notation) bytes at out.
+/// These need longest_number_in(notation) + spare_room bytes at out.
 
 /// A finite number in a notation.
 char* write_number(double value, const Notation& notation, char* out);

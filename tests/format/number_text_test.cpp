@@ -140,7 +140,7 @@ TEST(NumberText, what_needs_more_than_17_digits_is_not_written) {
 
 /// As it is written in a notation.
 std::string in_notation(double value, const Notation& notation) {
-  std::string text(room_for(notation), '\0');
+  std::string text(longest_number_in(notation) + spare_room, '\0');
   text.resize(static_cast<std::size_t>(write_number(value, notation, text.data()) - text.data()));
   return text;
 }
@@ -200,7 +200,7 @@ TEST(NumberText, hexadecimal_reads_back_bit_for_bit) {
 TEST(NumberText, whole_times_beyond_2_to_53_stay_whole) {
   const spline::Time<double> time{1403715524907143168.0, -1};
   const auto text = [&](const spline::Time<double>& t, const Notation& notation) {
-    std::string out(room_for(notation), '\0');
+    std::string out(longest_number_in(notation) + spare_room, '\0');
     out.resize(static_cast<std::size_t>(write_time(t, notation, out.data()) - out.data()));
     return out;
   };

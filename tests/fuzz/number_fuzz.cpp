@@ -103,7 +103,7 @@ std::string by_printf(const char* form, Arguments... arguments) {
 }
 
 std::string written(double value, const format::Notation& notation) {
-  std::string text(format::room_for(notation), '\0');
+  std::string text(format::longest_number_in(notation) + format::spare_room, '\0');
   text.resize(static_cast<std::size_t>(format::write_number(value, notation, text.data()) - text.data()));
   return text;
 }
