@@ -1,10 +1,10 @@
 // Decimals: from a double to the digits that stand for it, and from digits to the nearest double.
 //
-// All ways are one multiplication by a power of ten of 128 bits, of which the upper 128 bits are kept: F.
+// Each product is one multiplication by a power of ten of 128 bits, of which the upper 128 bits are kept: F.
 // That they are enough rests on two facts. The power is rounded up, by less than 2^-127 of itself, and the low bits
 // of the product are cut off; so where the true product is whole or half, so is F. And nowhere else is the true
 // product so near to a whole or a half that F lies on another side of it. This holds for all numbers that come here:
-// tests/format/decimal_proof.py searches all powers for others, and finds none. Only shortest_if_plain() needs no
+// tests/format/decimal_proof.py searches all powers for others, and finds none. Only shortest_if_easy() needs no
 // proof: it leaves alone what is nearer to a limit than F may be wrong.
 //
 // Source: R. Giulietti, "The Schubfach way to render doubles" (2020); R. Cox, "Floating-point printing and parsing
@@ -57,8 +57,8 @@ struct SplitDecimal {
   int exponent;
 };
 
-/// The same in less time, with 16 or 17 digits; nothing where it takes more care.
-inline std::optional<SplitDecimal> shortest_if_plain(double value) {
+/// The same in less time, with 16 or 17 digits; nothing where it takes more care, or the value is no number above 0.
+inline std::optional<SplitDecimal> shortest_if_easy(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const int biased = static_cast<int>(bits >> 52);
   const bool regular = (biased > 0) & (biased < 2047) & (bits % Binary::hidden != 0);
@@ -72,9 +72,11 @@ inline std::optional<SplitDecimal> shortest_if_plain(double value) {
   const int shift = q + floor_log2_power_of_ten(p) + 4;  // 0 to 3
   const Uint128 product = high_product((bits % Binary::hidden + Binary::hidden) << shift, g);
   const auto whole = static_cast<std::uint64_t>(product >> 67);
-  const auto part = static_cast<std::uint64_t>(product >> 3);  // in units of 2^-64, less than two too small
+  const auto part = static_cast<std::uint64_t>(product >> 3);  // in units of 2^-64, about one too small at most
 
-  // How far the nearest integer is, against half the interval; and the nearest tenth.
+  // How far the nearest integer is, against half the interval; and the nearest tenth. Their difference is wrong by
+  // little more than one, and the tenths by ten: nearer than twice that to a limit, more care is due. A tenth that
+  // rounds to a whole is inside then, as the interval is so wide.
   const std::uint64_t up = part >> 63;
   const std::uint64_t distance = part ^ -up;
   const std::uint64_t half = static_cast<std::uint64_t>(g >> 64) >> (4 - shift);

@@ -41,7 +41,7 @@ constexpr bool are_digits(std::uint64_t values) {
   return (((values + 0x7676767676767676) | values) & 0x8080808080808080) == 0;  // 0x76 + 9 = 0x7F
 }
 
-/// The first of eight bytes that are zero has its upper bit set, and none before it has one.
+/// Marks the first of eight bytes that is zero by its upper bit, and none before it; marks behind it may be wrong.
 constexpr std::uint64_t zero_bytes(std::uint64_t bytes) {
   return (bytes - 0x0101010101010101) & ~bytes & 0x8080808080808080;
 }

@@ -61,7 +61,7 @@ char* write_scientific(const Digits& digits, char* out) {
 }
 
 /// With `count` digits from the first one that is not zero, and all of those before the point.
-/// Requires: -18 <= digits.exponent <= 16.
+/// Requires: -18 <= digits.exponent <= 16. Inlined, so that the digits stay in registers.
 [[gnu::always_inline]] inline char* write_plain(const Digits& digits, int count, char* out) {
   const int before = digits.exponent + 1;  // digits before the point
   if (before <= 0) {
@@ -97,10 +97,11 @@ char* write_exactly(double value, std::chars_format notation, int precision, cha
   return std::to_chars(out, out + longest_fixed + precision, value, notation, precision).ptr;
 }
 
-/// Numbers that are whole or very small, and those whose shortest decimal takes care. Requires: not 0; no sign.
+/// Numbers from 100000 up that are whole, below 0.001, or not finite, and those whose shortest decimal takes care.
+/// Requires: not 0; no sign. It is kept out of write_shortest, which is shorter without.
 [[gnu::noinline]] char* write_unusual(double size, char* out) {
   if (!std::isfinite(size)) return std::to_chars(out, out + number_room, size).ptr;
-  const auto decimal = shortest_if_plain(size);
+  const auto decimal = shortest_if_easy(size);
   const Digits digits = decimal ? digits_of(*decimal) : digits_of(shortest(size));
   // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
   const int lone = digits.count == 1 ? 1 : 0;
@@ -135,12 +136,12 @@ char* write_whole(std::uint64_t value, char* out) {
 char* write_shortest(double value, char* out) {
   const double size = std::abs(value);
   out = write_sign(value, out);
-  constexpr double all_below_are_plain = 100'000;  // which is 1e+05
-  if (size < all_below_are_plain) {
+  constexpr double whole_below_are_plain = 100'000;  // which is 1e+05
+  if (size < whole_below_are_plain) {
     const auto whole = static_cast<std::int32_t>(size);
     if (whole == size) return write_whole(static_cast<std::uint64_t>(whole), out);
   }
-  if (const auto decimal = shortest_if_plain(size)) {
+  if (const auto decimal = shortest_if_easy(size)) {
     const Digits digits = digits_of(*decimal);
     const bool plain = digits.exponent >= -3 && digits.exponent + 1 < digits.count;
     if (plain) return write_plain(digits, digits.count, out);

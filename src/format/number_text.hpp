@@ -9,10 +9,13 @@
 
 namespace tcb::format {
 
-/// Any of the texts below but the last two is at most so long, and bytes after it are written too: it needs
-/// number_room.
+/// The length of the longest text below but for the last two.
 inline constexpr std::size_t longest_number = 24;
+
+/// Bytes behind the longest text that may be written, too.
 inline constexpr std::size_t spare_room = 16;
+
+/// Room for both.
 inline constexpr std::size_t number_room = longest_number + spare_room;
 
 /// The length of the longest number in a notation.

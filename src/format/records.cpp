@@ -17,7 +17,7 @@ bool is_blank(char c) { return Dialect::is_blank(c); }
 
 /// The first of three characters, or the end.
 const char* find_one(const char* at, const char* end, char a, char b, char c) {
-  const auto eight = [](char each) { return 0x0101010101010101 * static_cast<unsigned char>(each); };
+  const auto eight = [](char each) { return std::uint64_t{0x0101010101010101} * static_cast<unsigned char>(each); };
   for (; end - at >= 8; at += 8) {
     const auto bytes = load<std::uint64_t>(at);
     const std::uint64_t found =

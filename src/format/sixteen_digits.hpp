@@ -44,7 +44,7 @@ class SixteenDigitsInWords {
 class SixteenDigitsInVector {
  public:
   explicit SixteenDigitsInVector(std::uint64_t n) {
-    // Each step has lanes of q 100 + r, say, and puts q where they were and r into as many bits above.
+    // Each step cuts all lanes in two: of a = d q + r, q stays in the lower half, and r goes to the upper.
     const std::uint64_t eight = n / 100'000'000;
     const auto two_eights = _mm_set_epi64x(signed_bits(n - eight * 100'000'000), signed_bits(eight));
     const auto upper = _mm_srli_epi64(_mm_mul_epu32(two_eights, _mm_set1_epi64x(109951163)), 40);  // / 2^40: 10^-4

@@ -58,7 +58,7 @@ struct Sample {
 /// Samples that were located, and the memory that locating needs.
 struct Located {
   std::vector<Sample> samples;
-  std::vector<Outside> outside = {};   ///< how their times relate to those on the curve; empty where all lie on it
+  std::vector<Outside> outside = {};   ///< how their times relate to those on the curve; none where all must be on it
   std::vector<Time> coordinates = {};  ///< the times or arc lengths at which they are to be
   std::vector<spline::Local<double>> places = {};
   spline::ArcLength<double> arc = {};

@@ -34,7 +34,7 @@ constexpr double upper_half(double value) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & 0xFFFF'FFFF'F800'0000);
 }
 
-/// a * b and its rounding error (exact to 2^-105 of the product, and while nothing underflows).
+/// a * b and its rounding error (exact to 2^-104 of the product, and while nothing underflows).
 template <class D>
 constexpr Rounded<D> two_product(const D& a, const D& b) {
   const D a1 = upper_half(a);
@@ -46,7 +46,7 @@ constexpr Rounded<D> two_product(const D& a, const D& b) {
 }
 
 /// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: some 106 bits. D is double, or doubles side by side.
-/// Promises: + - * / are right to 2^-100 of the larger operand or better.
+/// Promises: + and - are right to 2^-100 of the larger operand, * and / to 2^-100 of the result, or better.
 template <class D>
 struct TwiceOf {
   D hi{0};
@@ -85,7 +85,7 @@ struct TwiceOf {
     return a.hi == b.hi ? a.lo <=> b.lo : a.hi <=> b.hi;
   }
 
-  /// high + low as one. Requires: |high| >= |low|, or high = 0.
+  /// high + low as one. Requires: |high| >= |low|, or high a multiple of low's last bit.
   static constexpr TwiceOf normalized(D high, D low) {
     const D sum = high + low;
     return {sum, low - (sum - high)};
@@ -139,7 +139,7 @@ constexpr S narrow(const working_t<S>& value) {
   }
 }
 
-/// a - b, exactly.
+/// a - b, exactly while nothing overflows.
 template <class S>
 constexpr working_t<S> exact_difference(const S& a, const S& b) {
   if constexpr (std::is_same_v<S, double>) {

@@ -8,6 +8,9 @@
 // Source: the Hermite form of D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", section 2.
 #pragma once
 
+#include <cmath>
+#include <type_traits>
+
 #include "spline/pair.hpp"
 #include "spline/scalar.hpp"
 
@@ -39,16 +42,25 @@ struct Cubic {
   S d;
 };
 
-/// The cubic from p0 to p1 with the given local tangents.
+/// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is 0 where it is no more than what
+/// rounding leaves of numbers that cancel, so that a natural end has no acceleration, and a straight segment no bend.
 template <class S>
 Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
   using W = working_t<S>;
   const W chord = exact_difference(p1, p0);
+  S residue(0);
+  if constexpr (std::is_same_v<S, double>) {
+    residue = 0x1p-96 * std::abs(chord.hi) + 0x1p-96 * std::abs(out.hi) + 0x1p-96 * std::abs(in.hi);
+  }
+  const auto cleared = [&](const W& value) {
+    const S size = narrow<S>(value);
+    return size < residue && -size < residue ? W(0) : value;
+  };
   const W out_bend = out - chord;
   const W in_bend = in - chord;
-  const W d = out_bend + in_bend;
-  const W c = -(out_bend + d);
-  const W e = in_bend + d;
+  const W d = cleared(out_bend + in_bend);
+  const W c = cleared(-(out_bend + d));
+  const W e = cleared(in_bend + d);
   return {p0, narrow<S>(out), narrow<S>(c), rest<S>(c), p1, narrow<S>(in), narrow<S>(e), rest<S>(e), narrow<S>(d)};
 }
 

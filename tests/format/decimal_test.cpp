@@ -1,4 +1,4 @@
-// Decimals: the shortest one is read back as the same double, by the plain way and by the careful one alike.
+// Decimals: the shortest one is read back as the same double, by the easy way and by the careful one alike.
 #include "format/decimal.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ void check(double value) {
   const Decimal decimal = shortest(value);
   ASSERT_GE(decimal.digits, 10'000'000'000'000'000U) << value;
   ASSERT_LT(decimal.digits, 100'000'000'000'000'000U) << value;
-  if (const auto split = shortest_if_plain(value)) {
+  if (const auto split = shortest_if_easy(value)) {
     ASSERT_LT(split->last, 10U) << value;
     ASSERT_GE(split->tens, 100'000'000'000'000U) << value;
     ASSERT_LT(split->tens, 10'000'000'000'000'000U) << value;
@@ -44,15 +44,15 @@ TEST(Decimals, the_shortest_one_is_read_back) {
   }
 }
 
-TEST(Decimals, most_are_plain) {
+TEST(Decimals, most_are_easy) {
   RandomDoubles random(2);
-  int plain = 0;
-  for (int i = 0; i < 10'000; ++i) plain += shortest_if_plain(std::abs(random.any())) ? 1 : 0;
-  EXPECT_GT(plain, 9'950);
-  EXPECT_TRUE(shortest_if_plain(0.1));
-  EXPECT_TRUE(shortest_if_plain(3));
+  int easy = 0;
+  for (int i = 0; i < 10'000; ++i) easy += shortest_if_easy(std::abs(random.any())) ? 1 : 0;
+  EXPECT_GT(easy, 9'950);
+  EXPECT_TRUE(shortest_if_easy(0.1));
+  EXPECT_TRUE(shortest_if_easy(3));
   for (const double value : {0.0, 0.25, 2.0, 5e-324, 2251799813685248.25, std::numeric_limits<double>::infinity()}) {
-    EXPECT_FALSE(shortest_if_plain(value)) << value;
+    EXPECT_FALSE(shortest_if_easy(value)) << value;
   }
 }
 

@@ -36,6 +36,20 @@ TEST(Records, lines_end_in_lf_or_crlf_and_the_last_may_not_end) {
   }
 }
 
+TEST(Records, cells_of_any_length_end_at_any_delimiter) {
+  for (const char delimiter : {',', ';', '\x7F', '\x80', '\xA7', '\xFF', '\1'}) {
+    Dialect dialect;
+    dialect.delimiter = delimiter;
+    for (std::size_t first = 0; first < 20; ++first) {
+      for (std::size_t second = 1; second < 20; ++second) {
+        const std::vector<std::string> row{std::string(first, 'a'), std::string(second, '-')};
+        const std::string text = row[0] + delimiter + row[1];
+        EXPECT_EQ(table(text + '\n' + text, dialect), (Table{row, row})) << int{delimiter};
+      }
+    }
+  }
+}
+
 TEST(Records, blanks_around_cells_are_dropped_and_those_inside_kept) {
   EXPECT_EQ(table(" a b ,\tc\t, \n"), (Table{{"a b", "c", ""}}));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <string_view>
 #include <vector>
 
@@ -180,6 +181,26 @@ TEST(Rules, two_keys_follow_the_formulas_but_for_natural_ends) {
     const Tangents<double> tangents(window, chosen);
     EXPECT_EQ(tangents.outgoing(0)[0].hi, row.out) << row.rule;
     EXPECT_EQ(tangents.incoming(1)[0].hi, row.in) << row.rule;
+  }
+}
+
+TEST(Rules, natural_ends_have_no_acceleration_at_all) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> place(-100, 100), step(0.01, 3), parameter(-1.5, 1.5);
+  for (const auto& rule : tangent_rules<double>) {
+    for (int i = 0; i < 200; ++i) {
+      Keys<double> keys;
+      keys.channels = 1;
+      double t = place(random);
+      for (int key = 0; key < 4; ++key, t += step(random)) {
+        keys.times.emplace_back(t);
+        keys.positions.push_back(place(random));
+        keys.tcbs.push_back({parameter(random), parameter(random), parameter(random)});
+      }
+      const auto curve = segments<double>({keys}, rules(rule.name, "natural"));
+      ASSERT_EQ(curve[0][0].c, 0) << rule.name;
+      ASSERT_EQ(curve[2][0].e, 0) << rule.name;
+    }
   }
 }
 
