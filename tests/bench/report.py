@@ -1,12 +1,15 @@
 """Makes the tables and the plot data of a comparison: report.py DIR, after compare has put its measurements there.
 
-table.md has every number: time, its standard deviation, time a row, processor time, peak memory. summary.md has a
-line a contender, for a README. uniform.dat and arc.dat are what plot.gnuplot draws, a block a contender.
+table.md has every number: the least time of all runs, the standard deviation of their times, time a row, processor
+time, peak memory. What else a machine does makes times longer, never shorter, so that the least ones compare best.
+summary.md has a line a contender, for a README. uniform.dat and arc.dat are what plot.gnuplot draws, a block a
+contender.
 """
 
 import json
 import math
 import pathlib
+import statistics
 import sys
 
 folder = pathlib.Path(sys.argv[1])
@@ -14,23 +17,25 @@ titles = {"uniform": "Uniform in time: `tcbsample -n N`", "arc": "Uniform in arc
 
 
 class Run:
-    """One contender at one number of rows. Units: seconds, MiB."""
+    """One contender at one number of rows, from its result in each round. Units: seconds, MiB."""
 
-    def __init__(self, result, memory, rows):
-        self.name = result["command"]
+    def __init__(self, results, memory, rows):
+        self.name = results[0]["command"]
         self.rows = rows
-        self.time, self.deviation = result["mean"], result["stddev"] or 0.0
-        self.processor = result["user"] + result["system"]
+        times = [time for result in results for time in result["times"]]
+        self.time, self.mean, self.deviation = min(times), statistics.mean(times), statistics.pstdev(times)
+        self.processor = statistics.mean(result["user"] + result["system"] for result in results)
         self.memory = int(memory[self.name]) / 1024
 
 
 def read(mode):
     """The runs of a mode, by number of rows."""
     runs = {}
-    for path in folder.glob(mode + "-*.json"):
+    for path in folder.glob(mode + "-*.memory"):
         rows = int(path.stem.split("-")[1])
-        memory = dict(line.split("\t")[:2] for line in path.with_suffix(".memory").read_text().splitlines())
-        runs[rows] = [Run(result, memory, rows) for result in json.loads(path.read_text())["results"]]
+        memory = dict(line.split("\t")[:2] for line in path.read_text().splitlines())
+        rounds = [json.loads(each.read_text())["results"] for each in sorted(folder.glob(path.stem + "-*.json"))]
+        runs[rows] = [Run(results, memory, rows) for results in zip(*rounds)]
     return dict(sorted(runs.items()))
 
 
@@ -56,7 +61,7 @@ def markdown(header, rows):
 
 
 def full_table(runs):
-    header = ["contender", "rows", "time", "±", "time a row", "processor time", "peak memory", "time / tcbsample"]
+    header = ["contender", "rows", "least time", "deviation", "time a row", "processor time", "peak memory", "time / tcbsample"]
     rows = []
     for name in names(runs):
         for size in runs.values():
@@ -83,15 +88,15 @@ def names(runs):
 
 
 def ratios(runs):
-    """Processor time (user and system) of tcbsample with one thread over that of the bare loop."""
+    """The least time of tcbsample with one thread over that of the bare loop."""
     parts = []
     for rows, size in runs.items():
         bare = next((run for run in size if run.name == "bare loop"), None)
         if bare and size[0].name.startswith("tcbsample"):
-            parts.append(f"{size[0].processor / bare.processor:.2f} at {rows:,} rows")
+            parts.append(f"{size[0].time / bare.time:.2f} at {rows:,} rows")
     if not parts:
         return ""
-    what = "Processor time (user and system) of tcbsample with one thread over that of the bare loop: "
+    what = "Time of tcbsample with one thread over that of the bare loop: "
     return what + ", ".join(parts) + ".\n"
 
 
@@ -105,7 +110,7 @@ def plot_data(runs):
 
 def busy(runs):
     """A warning where programs waited for the processor: their times then say little."""
-    waits = [run.time / run.processor for size in runs.values() for run in size if run.time > 0.1]
+    waits = [run.mean / run.processor for size in runs.values() for run in size if run.time > 0.1]
     if not waits or max(waits) < 1.25:
         return ""
     return f"**Other work ran on the machine: up to {max(waits):.1f} times as much time went by as was used.**\n"
