@@ -10,14 +10,13 @@ namespace {
 using format::Cell;
 using format::CellKind;
 
-Cell* write_optional(Cell* row, const std::optional<double>& value) {
-  *row = value ? Cell(*value) : format::empty_cell;
-  return row + 1;
-}
-
 Cell* write_one(Cell* row, const Cell& cell) {
   *row = cell;
   return row + 1;
+}
+
+Cell* write_optional(Cell* row, const std::optional<double>& value) {
+  return write_one(row, value ? Cell(*value) : format::empty_cell);
 }
 
 Cell* write_time(Cell* row, Point& point) { return write_one(row, point.sample().t); }

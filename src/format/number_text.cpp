@@ -12,7 +12,7 @@
 namespace tcb::format {
 namespace {
 
-constexpr int longest_fixed = 312;  ///< of a double without decimals, with its sign and point
+constexpr int longest_fixed = 311;  ///< of a double without decimals, with its sign and point
 
 constexpr double two_to_63 = 9223372036854775808.0;
 
