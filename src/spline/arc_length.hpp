@@ -57,8 +57,9 @@ class ArcLength {
   void cut(const Panel<S>& panel);
   void refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings);
   void accept(const Panel<S>& panel, const S& disagreement = S(0));
-  Panel<S> part(const Panel<S>& panel, const S& begin, const S& end) const {
-    return make_panel(speed_, panel.half, begin, end);
+  std::array<Panel<S>, 2> halves(const Panel<S>& panel) const {
+    return make_panels<S>(speed_, {panel.half, panel.middle - panel.width, panel.middle},
+                          {panel.half, panel.middle, panel.middle + panel.width});
   }
   S rule_sum(const Panel<S>& panel) const { return panel_sum(panel, speed_, S(-1), S(1)); }
 
@@ -96,8 +97,7 @@ template <class S>
 void ArcLength<S>::add(const Panel<S>& panel, int halvings) {
   if (panel.is_smooth()) return accept(panel);
   if (halvings == 0) return cut(panel);
-  add(part(panel, panel.middle - panel.width, panel.middle), halvings - 1);
-  add(part(panel, panel.middle, panel.middle + panel.width), halvings - 1);
+  for (const Panel<S>& half : halves(panel)) add(half, halvings - 1);
 }
 
 /// Cuts a panel at the minima of the speed, as far as there are any. An end counts as one where the speed is small.
@@ -109,11 +109,11 @@ void ArcLength<S>::cut(const Panel<S>& panel) {
   const S end = panel.middle + panel.width;
   bool slow = speed_(panel.half, from) < small;
   for (const S& place : slowest_places(speed_, panel.half, from, end)) {
-    refine(part(panel, from, place), slow, true, most_halvings);
+    refine(make_panel<S>(speed_, {panel.half, from, place}), slow, true, most_halvings);
     from = place;
     slow = true;
   }
-  refine(part(panel, from, end), slow, speed_(panel.half, end) < small, most_halvings);
+  refine(make_panel<S>(speed_, {panel.half, from, end}), slow, speed_(panel.half, end) < small, most_halvings);
 }
 
 /// A panel as it is if it is smooth, or if it has a minimum of the speed at an end and the rule agrees with itself on
@@ -122,8 +122,7 @@ template <class S>
 void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings) {
   using std::abs;
   if (panel.is_smooth()) return accept(panel);
-  const auto left = part(panel, panel.middle - panel.width, panel.middle);
-  const auto right = part(panel, panel.middle, panel.middle + panel.width);
+  const auto [left, right] = halves(panel);
   if (slow_begin || slow_end || halvings == 0) {
     // Beside a speed that is nearly zero, each of the halvings left may add as much.
     const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel)) * S(halvings + 1);
@@ -152,9 +151,7 @@ void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std
     total_ = {speed * unit, speed * unit * epsilon};
     return;
   }
-  const S half(0.5);
-  add(make_panel(speed_, 0, S(0), half), first_halvings);
-  add(make_panel(speed_, 1, -half, S(0)), first_halvings);
+  for (const Panel<S>& half : make_panels<S>(speed_, {0, S(0), S(0.5)}, {1, S(-0.5), S(0)})) add(half, first_halvings);
   const S value = narrow<S>(sum_);
   total_ = {value * unit, (disagreement_ + S(8) * epsilon * (value + S(1))) * unit};
 }

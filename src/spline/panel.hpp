@@ -12,15 +12,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include "spline/quadrature.hpp"
 #include "spline/speed.hpp"
 
 namespace tcb::spline {
-
-/// A polynomial of fourth degree: its coefficients, from the constant up.
-template <class T>
-using Quartic = std::array<T, 5>;
 
 /// Part of a half of a segment: its places are middle + width z.
 template <class S>
@@ -70,35 +67,80 @@ const S& smooth_radius_power() {
   return power;
 }
 
-/// The points that a panel's rule needs, by the zeros of q. Promises: never too few, and seldom more than the zeros ask
-/// for within 1.2 times the radius.
-template <class S>
-std::size_t points_needed(const Quartic<S>& q) {
-  using std::abs;
-  if (!(q[0] > S(0))) return 0;
-  const S unit = S(1) / q[0];
-  S a1 = q[1] * unit, a2 = q[2] * unit, a3 = q[3] * unit, a4 = q[4] * unit;
-  for (int squaring = 0; squaring < squarings; ++squaring) {  // a(z) a(-z), a polynomial in z^2: each zero is squared
-    const S b1 = S(2) * a2 - a1 * a1;
-    const S b2 = a2 * a2 + S(2) * (a4 - a1 * a3);
-    const S b3 = S(2) * a2 * a4 - a3 * a3;
-    a4 = a4 * a4;
-    a3 = b3;
-    a2 = b2;
-    a1 = b1;
+/// What the terms of q after the first come to within a radius, as parts of the first, once each zero is squared so
+/// often: where that is below 1, there is no zero within the radius.
+template <class T>
+class OtherTerms {
+ public:
+  explicit OtherTerms(const Quartic<T>& q) {
+    const T unit = T(1.0) / q[0];
+    a1_ = q[1] * unit, a2_ = q[2] * unit, a3_ = q[3] * unit, a4_ = q[4] * unit;
+    for (int squaring = 0; squaring < squarings; ++squaring) {  // a(z) a(-z), a polynomial in z^2
+      const T b1 = 2.0 * a2_ - a1_ * a1_;
+      const T b2 = a2_ * a2_ + 2.0 * (a4_ - a1_ * a3_);
+      const T b3 = 2.0 * a2_ * a4_ - a3_ * a3_;
+      a4_ = a4_ * a4_;
+      a3_ = b3;
+      a2_ = b2;
+      a1_ = b1;
+    }
   }
-  // There is no zero where the other terms are less than the first.
-  const auto is_free = [&](const S& r) { return r * (abs(a1) + r * (abs(a2) + r * (abs(a3) + r * abs(a4)))) < S(1); };
-  if (!is_free(smooth_radius_power<S, most_points<S>>())) return 0;
-  return is_free(smooth_radius_power<S, few_points<S>>()) ? few_points<S> : most_points<S>;
+
+  /// `r`: the radius, to the power of 2^squarings. No number where q(0) is 0.
+  T within(const T& r) const {
+    using std::abs;
+    return r * (abs(a1_) + r * (abs(a2_) + r * (abs(a3_) + r * abs(a4_))));
+  }
+
+ private:
+  T a1_, a2_, a3_, a4_;
+};
+
+/// The bounds of a panel.
+template <class S>
+struct Bounds {
+  std::size_t half;
+  S begin, end;
+
+  S middle() const { return (begin + end) * S(0.5); }
+  S width() const { return (end - begin) * S(0.5); }
+};
+
+/// The points that a panel's rule needs, by OtherTerms within the radius that either rule asks for. Promises: never too
+/// few, and seldom more than the zeros ask for within 1.2 times the radius.
+template <class S>
+std::size_t points_needed(const S& for_most, const S& for_few) {
+  return for_few < S(1) ? few_points<S> : for_most < S(1) ? most_points<S> : 0;
 }
 
 template <class S>
-Panel<S> make_panel(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
-  Panel<S> panel{half, (begin + end) * S(0.5), (end - begin) * S(0.5), {}, 0};
-  panel.square = speed.square_about(half, panel.middle, panel.width);
-  panel.points = points_needed(panel.square);
-  return panel;
+Panel<S> make_panel(const Speed<S>& speed, const Bounds<S>& at) {
+  const auto q = speed.square_about(at.half, at.middle(), at.width());
+  const OtherTerms<S> others(q);
+  const auto points = points_needed<S>(others.within(smooth_radius_power<S, most_points<S>>()),
+                                       others.within(smooth_radius_power<S, few_points<S>>()));
+  return {at.half, at.middle(), at.width(), q, points};
+}
+
+/// Two panels, side by side where that saves time.
+template <class S>
+std::array<Panel<S>, 2> make_panels(const Speed<S>& speed, const Bounds<S>& a, const Bounds<S>& b) {
+  if constexpr (std::is_same_v<S, double>) {
+    const auto q = speed.squares_about({a.half, b.half}, {a.middle(), b.middle()}, {a.width(), b.width()});
+    const OtherTerms<Pair> others(q);
+    const Pair for_most = others.within(smooth_radius_power<S, most_points<S>>());
+    const Pair for_few = others.within(smooth_radius_power<S, few_points<S>>());
+    const auto panel = [&](const Bounds<S>& at, std::size_t i) {
+      return Panel<S>{at.half,
+                      at.middle(),
+                      at.width(),
+                      {q[0][i], q[1][i], q[2][i], q[3][i], q[4][i]},
+                      points_needed(for_most[i], for_few[i])};
+    };
+    return {panel(a, 0), panel(b, 1)};
+  } else {
+    return {make_panel(speed, a), make_panel(speed, b)};
+  }
 }
 
 /// The quartic q about z, by the powers of a step from there.

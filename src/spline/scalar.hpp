@@ -181,6 +181,21 @@ constexpr working_t<S> scaled(const working_t<S>& value, const S& power_of_two) 
   }
 }
 
+/// The largest power of two up to a number, but 2^-1000 at least, so that its reciprocal is a double, too.
+/// Requires: value > 0, finite.
+template <class S>
+S power_of_two_below(const S& value) {
+  using std::frexp, std::ldexp;
+  int exponent = 0;
+  (void)frexp(value, &exponent);
+  return ldexp(S(1), exponent > -999 ? exponent - 1 : -1000);
+}
+inline double power_of_two_below(double value) {
+  constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000;
+  const auto power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & exponent);  // 0 where subnormal
+  return power > 0x1p-1000 ? power : 0x1p-1000;
+}
+
 /// What narrow() rounded away, itself rounded to the scalar.
 template <class S>
 constexpr S rest(const working_t<S>& value) {

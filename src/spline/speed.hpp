@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "spline/pair.hpp"
 #include "spline/segment.hpp"
 
 namespace tcb::spline {
@@ -25,6 +26,23 @@ struct Quadratic {
   S slope(const S& v) const { return k1 + S(2) * (v * k2); }
 };
 
+/// A polynomial of fourth degree: its coefficients, from the constant up.
+template <class T>
+using Quartic = std::array<T, 5>;
+
+/// Adds the square of x at middle + width z, by the powers of z.
+template <class T>
+void add_square(Quartic<T>& sum, const Quadratic<T>& x, const T& middle, const T& width) {
+  const T a = x(middle);
+  const T b = width * x.slope(middle);
+  const T c = width * width * x.k2;
+  sum[0] = sum[0] + a * a;
+  sum[1] = sum[1] + T(2) * a * b;
+  sum[2] = sum[2] + (b * b + T(2) * a * c);
+  sum[3] = sum[3] + T(2) * b * c;
+  sum[4] = sum[4] + c * c;
+}
+
 template <class S>
 class Speed {
  public:
@@ -33,13 +51,12 @@ class Speed {
 
   /// Looks at another segment. `metric` lists the channels that count; empty: all.
   void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) {
-    channels_[0].clear();
-    channels_[1].clear();
     const std::size_t size = metric.empty() ? segment.size() : metric.size();
+    for (auto& half : channels_) half.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
       const Cubic<S>& x = segment[metric.empty() ? i : metric[i]];
-      channels_[0].push_back({x.out, S(2) * x.c, S(3) * x.d});
-      channels_[1].push_back({x.in, S(2) * x.e, S(3) * x.d});
+      channels_[0][i] = {x.out, S(2) * x.c, S(3) * x.d};
+      channels_[1][i] = {x.in, S(2) * x.e, S(3) * x.d};
     }
     rescale();
   }
@@ -78,17 +95,20 @@ class Speed {
   }
 
   /// The square of the speed at middle + width z, by the powers of z.
-  std::array<S, 5> square_about(std::size_t half, const S& middle, const S& width) const {
-    std::array<S, 5> sum{};
-    for (const auto& x : channels_[half]) {
-      const S a = x(middle);
-      const S b = width * x.slope(middle);
-      const S c = width * width * x.k2;
-      sum[0] += a * a;
-      sum[1] += S(2) * a * b;
-      sum[2] += b * b + S(2) * a * c;
-      sum[3] += S(2) * b * c;
-      sum[4] += c * c;
+  Quartic<S> square_about(std::size_t half, const S& middle, const S& width) const {
+    Quartic<S> sum{};
+    for (const auto& x : channels_[half]) add_square(sum, x, middle, width);
+    return sum;
+  }
+
+  /// The same about two places side by side.
+  Quartic<Pair> squares_about(const std::array<std::size_t, 2>& halves, const Pair& middle, const Pair& width) const {
+    Quartic<Pair> sum;
+    sum.fill(0.0);
+    for (std::size_t i = 0; i < channels_[0].size(); ++i) {
+      const auto& x = channels_[halves[0]][i];
+      const auto& y = channels_[halves[1]][i];
+      add_square(sum, {Pair(x.k0, y.k0), Pair(x.k1, y.k1), Pair(x.k2, y.k2)}, middle, width);
     }
     return sum;
   }
@@ -114,7 +134,7 @@ class Speed {
 
  private:
   void rescale() {
-    using std::abs, std::frexp, std::ldexp;
+    using std::abs;
     S largest(0), nothing(0);
     for (const auto& half : channels_) {
       for (const auto& [k0, k1, k2] : half) {
@@ -125,10 +145,7 @@ class Speed {
     unit_ = S(0);
     finite_ = nothing == S(0);
     if (largest == S(0) || !finite_) return;
-    int exponent = 0;
-    (void)frexp(largest, &exponent);
-    exponent = std::max(exponent - 1, -1000);  // so that 1 / unit is a double, too
-    unit_ = ldexp(S(1), exponent);
+    unit_ = power_of_two_below(largest);
     const S scale = S(1) / unit_;
     for (auto& half : channels_) {
       for (auto& [k0, k1, k2] : half) {
