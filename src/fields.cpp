@@ -9,6 +9,8 @@ namespace {
 
 using format::Cell;
 using format::CellKind;
+using sampler::Piece;
+using sampler::Sample;
 
 Cell* write_one(Cell* row, const Cell& cell) {
   *row = cell;
@@ -21,6 +23,10 @@ Cell* write_optional(Cell* row, const std::optional<double>& value) {
 
 Cell* write_time(Cell* row, Point& point) { return write_one(row, point.sample().t); }
 
+void write_times(Cell* first, std::size_t width, const Piece&, std::span<const Sample> samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) first[i * width] = samples[i].t;
+}
+
 /// From a place at an end of the curve to one outside.
 void go_on(Cell* position, Point& point, const sampler::Outside& outside) {
   for (std::size_t i = 0; i < point.piece().cubics.size(); ++i) {
@@ -30,18 +36,32 @@ void go_on(Cell* position, Point& point, const sampler::Outside& outside) {
 }
 
 Cell* write_position(Cell* row, Point& point) {
-  const auto& piece = point.piece();
-  const auto& at = point.sample().at;
-  const sampler::Outside* const outside = point.outside();
   Cell* const begin = row;
-  std::size_t i = 0;
-  for (; piece.cubics.size() - i >= 2; i += 2) {
-    const spline::Pair both = spline::positions(piece.cubics[i], piece.cubics[i + 1], at);
-    row = write_one(write_one(row, both[0]), both[1]);
-  }
-  if (i < piece.cubics.size()) row = write_one(row, spline::position(piece.cubics[i], at));
-  if (outside != nullptr) go_on(begin, point, *outside);
+  for (const auto& x : point.piece().cubics) row = write_one(row, spline::position(x, point.sample().at));
+  if (point.outside() != nullptr) go_on(begin, point, *point.outside());
   return row;
+}
+
+void write_positions(Cell* first, std::size_t width, const Piece& piece, std::span<const Sample> samples) {
+  for (const auto& x : piece.cubics) {
+    Cell* cell = first++;
+    const auto put = [&](double value) {
+      *cell = value;
+      cell += width;
+    };
+    for (std::size_t i = 0; i < samples.size();) {
+      const auto& at = samples[i].at;
+      if (i + 1 < samples.size() && spline::may_pair(at, samples[i + 1].at)) {
+        const spline::Pair both = spline::positions(x, at, samples[i + 1].at);
+        put(both[0]);
+        put(both[1]);
+        i += 2;
+      } else {
+        put(spline::position(x, at));
+        ++i;
+      }
+    }
+  }
 }
 
 /// The arc length from the curve's first key.
@@ -94,8 +114,8 @@ Cell* write_arc_error(Cell* row, Point& point) { return write_one(row, point.pie
 using Motion = spline::Motion<double>;
 
 constexpr std::array all_fields{
-    Field{"time", "", CellKind::time, false, false, false, false, write_time},
-    Field{"position", "", CellKind::real, true, false, false, false, write_position},
+    Field{"time", "", CellKind::time, false, false, false, false, write_time, write_times},
+    Field{"position", "", CellKind::real, true, false, false, false, write_position, write_positions},
     Field{"s", "", CellKind::real, false, true, true, false, write_length},
     Field{"velocity", "_v", CellKind::real, true, false, false, true, write_derivative<&Motion::velocity>},
     Field{"acceleration", "_a", CellKind::real, true, false, false, true, write_derivative<&Motion::acceleration>},
@@ -156,6 +176,28 @@ std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channe
   std::size_t cells = 0;
   for (const std::size_t index : chosen) cells += all_fields[index].per_channel ? channels : 1;
   return cells;
+}
+
+void write_rows(Cell* rows, std::span<const std::size_t> chosen, const Piece& piece, const sampler::Located& located,
+                Point& point) {
+  const std::size_t width = cells_in_row(chosen, piece.cubics.size());
+  std::vector<std::pair<decltype(Field::write), Cell*>> by_row;  // and where in the first row
+  Cell* first = rows;
+  for (const std::size_t index : chosen) {
+    const Field& field = all_fields[index];
+    if (field.write_column != nullptr && located.outside.empty()) {
+      field.write_column(first, width, piece, located.samples);
+    } else {
+      by_row.emplace_back(field.write, first);
+    }
+    first += cells_in_row({&index, 1}, piece.cubics.size());
+  }
+  if (by_row.empty()) return;
+  point.set(piece);
+  for (std::size_t i = 0; i < located.samples.size(); ++i) {
+    point.set(located.samples[i], located.outside.empty() ? nullptr : &located.outside[i]);
+    for (const auto& [write, cells] : by_row) write(cells + i * width, point);
+  }
 }
 
 std::vector<format::OutputColumn> output_columns(std::span<const std::size_t> chosen, const format::Input& input) {

@@ -50,12 +50,21 @@ struct Field {
   bool over_metric;    ///< it is a length or a speed over the metric channels
   bool has_side;       ///< at a key it may differ from one side to the other
   format::Cell* (*write)(format::Cell* row, Point& point);  ///< answers the end of its cells
+
+  /// The same of all samples on a piece, in rows of `width` cells, where that saves time. Requires: they are on the
+  /// curve, none outside.
+  void (*write_column)(format::Cell* first, std::size_t width, const sampler::Piece& piece,
+                       std::span<const sampler::Sample> samples) = nullptr;
 };
 
 std::span<const Field> fields();
 
 /// How many cells the chosen fields have in a row.
 std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channels);
+
+/// Writes the chosen fields of the samples on a piece, row after row. `point` is memory that may be used again.
+void write_rows(format::Cell* rows, std::span<const std::size_t> chosen, const sampler::Piece& piece,
+                const sampler::Located& located, Point& point);
 
 /// The columns that the chosen fields make.
 std::vector<format::OutputColumn> output_columns(std::span<const std::size_t> chosen, const format::Input& input);

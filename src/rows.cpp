@@ -115,22 +115,18 @@ Source<Batch> place(Source<Stretch> stretches, std::shared_ptr<sampler::Sampler>
 
 std::vector<Cell> evaluate(const Batch& batch, const sampler::Locator& locator, std::span<const std::size_t> chosen) {
   if (batch.parts.empty()) return {};
-  std::vector<Cell> cells(batch.rows() * cells_in_row(chosen, batch.parts.front().piece.cubics.size()));
-  Cell* row = cells.data();
-  std::vector<decltype(Field::write)> writes;
-  for (const std::size_t field : chosen) writes.push_back(fields()[field].write);
+  const std::size_t width = cells_in_row(chosen, batch.parts.front().piece.cubics.size());
+  std::vector<Cell> cells(batch.rows() * width);
+  Cell* rows = cells.data();
   sampler::Located located;
   Point point;
   for (const auto& [piece, first, last] : batch.parts) {
     locator.locate(piece, first, last, located);
-    point.set(piece);
-    for (std::size_t i = 0; i < located.samples.size(); ++i) {
-      point.set(located.samples[i], located.outside.empty() ? nullptr : &located.outside[i]);
-      const Cell* const begin = row;
-      for (const auto write : writes) row = write(row, point);
-      const auto is_finite = [](const Cell& cell) { return std::isfinite(cell.hi); };
-      if (!std::all_of(begin, static_cast<const Cell*>(row), is_finite)) refuse_overflow(located.samples[i]);
-    }
+    write_rows(rows, chosen, piece, located, point);
+    Cell* const end = rows + located.samples.size() * width;
+    const auto beyond = std::find_if(rows, end, [](const Cell& cell) { return !std::isfinite(cell.hi); });
+    if (beyond != end) refuse_overflow(located.samples[static_cast<std::size_t>(beyond - rows) / width]);
+    rows = end;
   }
   return cells;
 }

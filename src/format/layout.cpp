@@ -83,17 +83,20 @@ std::string json_text(std::string_view text) {
 
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first) {
-  const std::size_t begin = out.size(), width = columns.size();
+  const std::size_t begin = out.size();
   const bool shortest = layout.notation.kind == Notation::Kind::shortest;
-  out.resize(begin + cells.size() / width * longest_row(layout) + spare_room);
+  std::vector<std::pair<std::string_view, CellKind>> row;  // what stands before each cell, and its kind
+  for (std::size_t i = 0; i < columns.size(); ++i) row.emplace_back(layout.before[i], columns[i].kind);
+  out.resize(begin + cells.size() / columns.size() * longest_row(layout) + spare_room);
   char* at = out.data() + begin;
-  for (const Cell* row = cells.data(); row != cells.data() + cells.size(); row += width) {
-    if (row != cells.data() || !first) at = write_text(at, layout.between_rows);
-    for (std::size_t i = 0; i < width; ++i) {
-      at = write_text(at, layout.before[i]);
-      at = is_empty(row[i]) ? write_text(at, layout.empty)
-           : shortest       ? write_cell(at, columns[i].kind, row[i])
-                            : write_cell(at, columns[i].kind, row[i], layout.notation);
+  for (const Cell* cell = cells.data(); cell != cells.data() + cells.size();) {
+    if (cell != cells.data() || !first) at = write_text(at, layout.between_rows);
+    for (const auto& [before, kind] : row) {
+      at = write_text(at, before);
+      at = is_empty(*cell) ? write_text(at, layout.empty)
+           : shortest      ? write_cell(at, kind, *cell)
+                           : write_cell(at, kind, *cell, layout.notation);
+      ++cell;
     }
     at = write_text(at, layout.row_end);
   }

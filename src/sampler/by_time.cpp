@@ -6,8 +6,13 @@ namespace tcb::sampler {
 void ByTime::locate(const Piece& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
   const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
   set_coordinates(piece, first, last, located.coordinates);
-  located.samples.clear();
-  for (const Time& t : located.coordinates) located.samples.push_back({t, locate(t)});
+  located.samples.resize(located.coordinates.size());
+  for (std::size_t i = 0; i < located.samples.size(); ++i) {
+    Sample& sample = located.samples[i];
+    sample.t = located.coordinates[i];
+    sample.at = locate(sample.t);
+    sample.s.reset();
+  }
 }
 
 }  // namespace tcb::sampler

@@ -92,7 +92,19 @@ std::uint64_t Grid::estimate(const Time& t) const {
   return rows > 0 ? static_cast<std::uint64_t>(std::min(rows, most)) : 0;
 }
 
+std::optional<std::uint64_t> Grid::rows_if_clear(const Time& t) const {
+  // Its error in rows, and that of the rows' rounding, is less than five times (|t| + |start|) 2^-53 / step.
+  const double row = (t.hi - near_start_.hi) / near_step_.hi;
+  const double doubt = (std::abs(t.hi) + std::abs(near_start_.hi)) * 0x1p-50 / near_step_.hi;
+  if (!(row > 0 && row < whole_from)) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(row);
+  const double part = row - static_cast<double>(whole);
+  if (!(part > doubt && part < 1 - doubt)) return std::nullopt;
+  return whole + 1;
+}
+
 std::uint64_t Grid::rows_before(const Time& t) const {
+  if (const auto rows = rows_if_clear(t)) return *rows;
   std::uint64_t rows = estimate(t);
   while (rows > 0 && time(rows - 1) >= t) --rows;
   while (time(rows) < t) ++rows;
@@ -100,6 +112,7 @@ std::uint64_t Grid::rows_before(const Time& t) const {
 }
 
 std::uint64_t Grid::rows_through(const Time& t) const {
+  if (const auto rows = rows_if_clear(t)) return *rows;
   std::uint64_t rows = estimate(t);
   while (rows > 0 && time(rows - 1) > t) --rows;
   while (time(rows) <= t) ++rows;

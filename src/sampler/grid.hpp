@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sampler/rational.hpp"
@@ -44,6 +45,9 @@ class Grid {
   /// How far that may be off.
   template <class D>
   D doubt(const D& near) const;
+
+  /// How many rows stand before t, where none is so near to it that rounding could decide.
+  std::optional<std::uint64_t> rows_if_clear(const Time& t) const;
 
   /// A row number that is right or a little off, for the exact search to start from.
   std::uint64_t estimate(const Time& t) const;

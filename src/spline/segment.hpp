@@ -81,15 +81,16 @@ S position(const Cubic<S>& x, const Local<S>& at) {
                          : compensated_cubic(x.p1, x.in, x.e, x.e_rest, x.d, at.w);
 }
 
-/// The same of two channels.
-inline Pair positions(const Cubic<double>& x, const Cubic<double>& y, const Local<double>& at) {
-  using C = Cubic<double>;
-  const auto both = [&](double C::*part) { return Pair(x.*part, y.*part); };
-  if (at.u == 0) return both(&C::p0);
-  if (at.w == 0) return both(&C::p1);
-  return at.near_start()
-             ? compensated_cubic<Pair>(both(&C::p0), both(&C::out), both(&C::c), both(&C::c_rest), both(&C::d), at.u)
-             : compensated_cubic<Pair>(both(&C::p1), both(&C::in), both(&C::e), both(&C::e_rest), both(&C::d), at.w);
+/// Two places have the same end of the segment nearer, and neither is an end.
+inline bool may_pair(const Local<double>& a, const Local<double>& b) {
+  return a.near_start() == b.near_start() && a.u != 0 && b.u != 0 && a.w != 0 && b.w != 0;
+}
+
+/// The same at two places. Requires: may_pair().
+inline Pair positions(const Cubic<double>& x, const Local<double>& a, const Local<double>& b) {
+  const bool start = a.near_start();
+  return compensated_cubic<Pair>(start ? x.p0 : x.p1, start ? x.out : x.in, start ? x.c : x.e,
+                                 start ? x.c_rest : x.e_rest, x.d, start ? Pair(a.u, b.u) : Pair(a.w, b.w));
 }
 
 /// The part of a segment from one time to another, as a segment of its own.

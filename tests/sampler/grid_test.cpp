@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -69,6 +70,33 @@ TEST(Grid, search_agrees_with_walking) {
       EXPECT_EQ(grid.rows_through(grid.time(j)), j + 1);
     }
     EXPECT_EQ(grid.rows_through({grid.time(0).hi - 1}), 0U);
+  }
+}
+
+TEST(Grid, search_agrees_with_times_beside_rows) {
+  std::mt19937_64 random(14);
+  const auto power_of_ten = [&](int most) {
+    return Rational(pow(Integer(10), static_cast<unsigned>(random() % most)));
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const auto number = [&] { return Rational(Integer(random()) + 1, Integer(random()) + 1); };
+    const Rational start = (i % 2 == 0 ? 1 : -1) * number() * power_of_ten(19);
+    const Grid grid(start, number() / power_of_ten(9));
+    const std::uint64_t row = random() % 1'000'000;
+    if (!grid.resolves(grid.time(row))) continue;
+    for (int units = -6; units <= 6; ++units) {
+      Time t = grid.time(row);
+      if (std::abs(t.hi) >= 0x1p53) {
+        t = Time::normalized(t.hi, t.lo + units);
+      } else {
+        for (int k = 0; k < std::abs(units); ++k) t.hi = std::nextafter(t.hi, units < 0 ? -1e300 : 1e300);
+      }
+      const std::uint64_t before = grid.rows_before(t), through = grid.rows_through(t);
+      ASSERT_TRUE(before == 0 || grid.time(before - 1) < t) << i;
+      ASSERT_GE(grid.time(before), t) << i;
+      ASSERT_TRUE(through == 0 || grid.time(through - 1) <= t) << i;
+      ASSERT_GT(grid.time(through), t) << i;
+    }
   }
 }
 

@@ -160,6 +160,23 @@ TEST(Curve, a_channel_does_not_see_the_others) {
   }
 }
 
+TEST(Curve, two_places_side_by_side_give_the_bits_of_each) {
+  std::mt19937_64 random(18);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 10'000; ++i) {
+    const auto x = cubic<double>(uniform(random), uniform(random), uniform(random), uniform(random));
+    const auto place = [&] { return from_start<double>(Twice(std::abs(uniform(random)))); };
+    const auto a = place(), b = place();
+    if (!may_pair(a, b)) continue;
+    const Pair both = positions(x, a, b);
+    ASSERT_EQ(both[0], position(x, a));
+    ASSERT_EQ(both[1], position(x, b));
+  }
+  const Local<double> start{0, -1}, inside{0.25, -0.75}, late{0.75, -0.25}, end{1, 0};
+  EXPECT_TRUE(may_pair(inside, inside));
+  EXPECT_FALSE(may_pair(inside, late) || may_pair(start, inside) || may_pair(late, end));
+}
+
 TEST(Linker, windows_of_any_size_give_the_same_segments) {
   std::mt19937_64 random(6);
   const auto keys = random_keys(random, 23, 2);
