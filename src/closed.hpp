@@ -2,7 +2,7 @@
 #pragma once
 
 #include "curve_plan.hpp"
-#include "pieces.hpp"
+#include "kept_keys.hpp"
 
 namespace tcb {
 

@@ -48,18 +48,17 @@ Stretch stretch_of(const spline::Window<double>& window, const Rules& rules, boo
   return stretch;
 }
 
-/// The same keys in blocks so small that the memory of a block's segments is soon used again, and stays near.
+/// The same keys in blocks of keys_at_once.
 Source<Keys> in_small_blocks(Source<Keys> keys) {
-  constexpr std::size_t most = 512;
   return [keys = std::move(keys), block = Keys(), next = std::size_t{0}]() mutable -> std::optional<Keys> {
     if (next == block.size()) {
       std::optional<Keys> more = keys();
-      if (!more || more->size() <= most) return more;
+      if (!more || more->size() <= keys_at_once) return more;
       block = std::move(*more);
       next = 0;
     }
     const std::size_t first = next;
-    next = std::min(first + most, block.size());
+    next = std::min(first + keys_at_once, block.size());
     Keys part;
     spline::append(part, block, first, next);
     return part;
@@ -155,48 +154,6 @@ Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least) {
     if (count == 0 && block->keys.size() > 0) line = block->lines[0];
     count += block->keys.size();
     return block;
-  };
-}
-
-KeptKeys::KeptKeys(const Source<KeyBlock>& blocks) : blocks_(std::make_shared<std::vector<Keys>>()) {
-  while (std::optional<KeyBlock> block = blocks()) {
-    if (block->keys.size() == 0) continue;
-    if (blocks_->empty()) first_line_ = block->lines.front();
-    last_line_ = block->lines.back();
-    blocks_->push_back(std::move(block->keys));
-  }
-}
-
-std::size_t KeptKeys::size() const {
-  std::size_t size = 0;
-  for (const Keys& block : *blocks_) size += block.size();
-  return size;
-}
-
-Keys KeptKeys::key(std::size_t number) const {
-  auto block = blocks_->begin();
-  for (; number >= block->size(); ++block) number -= block->size();
-  Keys key;
-  spline::append(key, *block, number, number + 1);
-  return key;
-}
-
-void KeptKeys::drop_last() {
-  Keys shorter;
-  spline::append(shorter, blocks_->back(), 0, blocks_->back().size() - 1);
-  blocks_->pop_back();
-  if (shorter.size() > 0) blocks_->push_back(std::move(shorter));
-}
-
-bool KeptKeys::are_sparse() const {
-  return std::ranges::any_of(*blocks_, [](const Keys& block) {
-    return std::ranges::any_of(block.positions, [](double position) { return std::isnan(position); });
-  });
-}
-
-Source<Keys> KeptKeys::source() const {
-  return [blocks = blocks_, next = std::size_t{0}]() mutable {
-    return next < blocks->size() ? std::optional((*blocks)[next++]) : std::nullopt;
   };
 }
 

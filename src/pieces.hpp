@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,27 +36,8 @@ double parameter_step(std::span<const double> a, std::span<const double> b, doub
 /// Requires: times that increase. Throws: Error (data) naming the rows.
 Source<format::KeyBlock> checked(Source<format::KeyBlock> blocks, std::size_t least);
 
-/// Keys that were read to the end, to be gone through more than once.
-class KeptKeys {
- public:
-  /// Requires: one key at least.
-  explicit KeptKeys(const Source<format::KeyBlock>& blocks);
-
-  std::size_t size() const;
-  /// A single key; the last one is number size() - 1.
-  Keys key(std::size_t number) const;
-  void drop_last();
-  /// Whether a position is missing.
-  bool are_sparse() const;
-  std::uint64_t first_line() const { return first_line_; }
-  std::uint64_t last_line() const { return last_line_; }
-
-  Source<Keys> source() const;
-
- private:
-  std::shared_ptr<std::vector<Keys>> blocks_;
-  std::uint64_t first_line_ = 0, last_line_ = 0;
-};
+/// How many keys are linked at once: so few that the memory of their segments is soon used again, and stays near.
+inline constexpr std::size_t keys_at_once = 512;
 
 /// Keys ready to be linked to segments.
 struct LinkedKeys {

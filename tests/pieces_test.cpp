@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "kept_keys.hpp"
 
 namespace tcb {
 namespace {
@@ -84,22 +85,6 @@ TEST(Parameterized, refuses_neighbours_without_a_distance) {
       }),
       "f:2: error: the position repeats that in line 1; distances make the times, and here there is none; take one "
       "of the rows out, or give --parameter uniform");
-}
-
-TEST(KeptKeys, are_gone_through_as_often_as_wanted_and_lose_their_last) {
-  KeptKeys kept(blocks({{0, 1}, {1, 2}, {2, 3}}, 1));
-  EXPECT_EQ(kept.size(), 3U);
-  EXPECT_EQ(kept.key(2).positions[0], 3);
-  EXPECT_EQ(kept.first_line(), 1U);
-  EXPECT_EQ(kept.last_line(), 3U);
-  for (int round = 0; round < 2; ++round) {
-    const auto source = kept.source();
-    std::size_t count = 0;
-    while (const auto block = source()) count += block->size();
-    EXPECT_EQ(count, 3U);
-  }
-  kept.drop_last();
-  EXPECT_EQ(kept.size(), 2U);
 }
 
 TEST(Stretches, measured_at_once_or_with_known_lengths_are_the_same) {
