@@ -37,8 +37,7 @@ Keys KeptKeys::Columns::part(std::size_t first, std::size_t last) const {
 }
 
 KeptKeys::KeptKeys(const Source<format::KeyBlock>& blocks) : columns_(std::make_shared<Columns>()) {
-  std::optional<format::KeyBlock>
-      block;  // it stays until the next is there, so that its memory is not given back to the system between them
+  std::optional<format::KeyBlock> block;  // stays until the next is there: the system does not get its memory back
   while ((block = blocks())) {
     if (block->keys.size() == 0) continue;
     if (size() == 0) first_line_ = block->lines.front();

@@ -34,6 +34,7 @@ class Placer {
       segment_ = 0;
     }
     Batch batch{stretch_, {}, first_};
+    batch.parts.reserve(most_parts_);
     for (std::uint64_t room = Batch::most_rows; room > 0;) {
       if (left_.empty() && !piece_follows()) break;
       if (left_.empty()) place_next();
@@ -46,6 +47,7 @@ class Placer {
       if (part.first == part.last) left_.pop_front();
     }
     first_ = first_ && batch.parts.empty();
+    most_parts_ = std::max(most_parts_, batch.parts.size());
     return batch;
   }
 
@@ -88,6 +90,7 @@ class Placer {
   std::size_t segment_ = 0;
   std::uint64_t number_ = 0;
   std::deque<Batch::Part> left_;  ///< rows of the last piece that are not in a batch yet
+  std::size_t most_parts_ = 0;    ///< of the batches so far
   spline::Twice s_;
   double s_error_ = 0;
   bool first_ = true;
