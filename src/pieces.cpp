@@ -177,10 +177,23 @@ Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, un
   return ordered_map(std::move(windows), link, threads);
 }
 
+void require_length(const Twice& length, const Time<double>& end) {
+  if (std::isfinite(length.hi)) return;
+  throw Error(Exit::data,
+              fmt::format("up to time {} the curve is longer than doubles reach; expected less than 1.8e308; "
+                          "scale the keys down",
+                          format::time_text(end)));
+}
+
 Lengths all_lengths(const Source<Stretch>& measured) {
   Lengths lengths;
+  Twice sum;
   while (const std::optional<Stretch> stretch = measured()) {
-    lengths.insert(lengths.end(), stretch->lengths.begin(), stretch->lengths.end());
+    for (std::size_t i = 0; i < stretch->lengths.size(); ++i) {
+      lengths.push_back(stretch->lengths[i]);
+      sum = sum + Twice(lengths.back().value);
+      require_length(sum, stretch->segments.times[i + 1]);
+    }
   }
   return lengths;
 }

@@ -51,6 +51,9 @@ void measure(Stretch& stretch, const Rules& rules);
 /// The segments between the keys, each as soon as the key after its end has come.
 Source<Stretch> stretches(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
 
+/// Throws: Error (data) where the length of the curve up to a time is beyond the range of doubles.
+void require_length(const spline::Twice& length, const spline::Time<double>& end);
+
 /// The lengths of all segments in order.
 using Lengths = std::deque<spline::Length<double>>;  // it grows without a copy
 Lengths all_lengths(const Source<Stretch>& measured);

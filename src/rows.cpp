@@ -63,6 +63,7 @@ class Placer {
     if (!stretch_->lengths.empty()) {
       s_ = s_ + spline::Twice(stretch_->lengths[i].value);
       s_error_ += stretch_->lengths[i].error;
+      require_length(s_, segments.times[i + 1]);
     }
     const bool last = stretch_->last && segment_ == segments.size();
     Piece piece{segments.times[i],

@@ -8,12 +8,6 @@
 namespace tcb::sampler {
 namespace {
 
-/// A rational as a person reads it: the nearest double, shortest.
-std::string text(const Rational& value) {
-  const Time time = nearest_time(value);
-  return time.lo == 0 ? fmt::format("{}", time.hi) : (Integer(time.hi) + Integer(time.lo)).str();
-}
-
 constexpr std::string_view outside_in_time = "give one within the curve, or --extrapolate";
 constexpr std::string_view outside_in_length = "give one within the curve";
 
@@ -23,6 +17,11 @@ constexpr std::string_view outside_in_length = "give one within the curve";
 }
 
 }  // namespace
+
+std::string text(const Rational& value) {
+  const Time time = nearest_time(value);
+  return time.lo == 0 ? fmt::format("{}", time.hi) : (Integer(time.hi) + Integer(time.lo)).str();
+}
 
 Bound first_key(const Time& time) { return {"the first key", exact_time(time), outside_in_time}; }
 Bound last_key(const Time& time) { return {"the last key", exact_time(time), outside_in_time}; }

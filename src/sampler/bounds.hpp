@@ -1,11 +1,15 @@
 // The checks that a request fits the curve, each with its message.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "sampler/grid.hpp"
 
 namespace tcb::sampler {
+
+/// A rational as a person reads it: the nearest double, shortest.
+std::string text(const Rational& value);
 
 /// An end of the curve, in time or in arc length.
 struct Bound {

@@ -96,7 +96,8 @@ std::optional<std::uint64_t> Grid::rows_if_clear(const Time& t) const {
   // Its error in rows, and that of the rows' rounding, is less than five times (|t| + |start|) 2^-53 / step.
   const double row = (t.hi - near_start_.hi) / near_step_.hi;
   const double doubt = (std::abs(t.hi) + std::abs(near_start_.hi)) * 0x1p-50 / near_step_.hi;
-  if (!(row > 0 && row < whole_from)) return std::nullopt;
+  const bool step_has_all_digits = near_step_.hi >= std::numeric_limits<double>::min();
+  if (!(row > 0 && row < whole_from && step_has_all_digits)) return std::nullopt;
   const auto whole = static_cast<std::uint64_t>(row);
   const double part = row - static_cast<double>(whole);
   if (!(part > doubt && part < 1 - doubt)) return std::nullopt;

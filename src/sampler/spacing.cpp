@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "sampler/bounds.hpp"
 
 namespace tcb::sampler {
 namespace {
@@ -51,6 +52,12 @@ Spacing spacing(const Request& request, const Extent& extent) {
   const bool arc = by_length(request.mode);
   const Rational from = request.from.value_or(arc ? Rational(0) : exact_time(extent.first));
   std::optional<Rational> to = request.to;
+  if (to && *to < from) {  // a --from of the request is before it
+    throw Error(Exit::usage,
+                fmt::format("--to {} is before {}, where samples begin unless --from is given; expected it "
+                            "after; give a later one, or --from",
+                            text(*to), text(from)));
+  }
   if (!to && arc && extent.length) to = Rational(*extent.length);  // nobody wrote it: the double is what it is
   if (!to && !arc && extent.last) to = exact_time(*extent.last);
   if (to && !std::isfinite(nearest_double(*to - from))) {

@@ -100,6 +100,16 @@ TEST(Grid, search_agrees_with_times_beside_rows) {
   }
 }
 
+TEST(Grid, steps_with_few_digits_left_are_searched_exactly) {
+  for (const char* step : {"1.7e-315", "2.3e-316", "4.9e-314", "3.3e-309"}) {
+    const Grid grid(0, *parse_rational(step));
+    for (std::uint64_t row = 1; row < 100'000; row = row * 3 + 1) {
+      EXPECT_EQ(grid.rows_before(grid.time(row)), row) << step;
+      EXPECT_EQ(grid.rows_through(grid.time(row)), row + 1) << step;
+    }
+  }
+}
+
 TEST(Grid, knows_when_rows_would_fall_together) {
   EXPECT_TRUE(Grid(0, Rational(1, 10)).resolves({1e9}));
   EXPECT_FALSE(Grid(0, *parse_rational("1e-300")).resolves({1}));
