@@ -3,13 +3,14 @@
 #include <exception>
 #include <new>
 
+#include "app/pipeline.hpp"
 #include "cli/options.hpp"
 #include "cli/reference.hpp"
+#include "cli/remedies.hpp"
 #include "compare/compare.hpp"
 #include "error.hpp"
-#include "file.hpp"
-#include "resample.hpp"
-#include "unfinished.hpp"
+#include "io/file.hpp"
+#include "io/unfinished.hpp"
 
 namespace {
 
@@ -30,13 +31,13 @@ int main(int argc, char** argv) {
   tcb::keep_standard_streams();
   tcb::end_when_interrupted();
   try {
-    const tcb::cli::Request request = tcb::cli::parse(argc, argv);
-    if (request.plan.comparison) return static_cast<int>(tcb::compare::compare(request.plan));
+    const tcb::Invocation request = tcb::parse(argc, argv);
+    if (request.plan.comparison) return static_cast<int>(tcb::compare(request.plan));
     if (!request.text) return static_cast<int>(tcb::resample(request.plan));
     print(*request.text);
     return static_cast<int>(tcb::Exit::done);
   } catch (const tcb::Error& error) {
-    return refuse(error.exit(), error.text());
+    return refuse(error.exit(), error_text(error));
   } catch (const std::bad_alloc&) {
     return refuse(tcb::Exit::usage, "tcbsample: error: out of memory");
   } catch (const std::exception& error) {

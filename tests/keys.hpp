@@ -8,22 +8,23 @@
 #include <sstream>
 #include <string>
 
+#include "cli/remedies.hpp"
 #include "error.hpp"
-#include "format/input.hpp"
-#include "stream.hpp"
+#include "input/input.hpp"
+#include "stream/stream.hpp"
 
 namespace tcb {
 
 /// Keys of one channel in blocks of `size`, from lines "TIME POSITION TEXT…", where line i stands on line i.
 /// A line "/" is no key: the curve breaks off there. "gap TIME" is a gap, "?" a position that is missing.
-inline Source<format::KeyBlock> keys_of(const std::string& lines, std::size_t size) {
-  std::vector<format::KeyBlock> blocks(1);
+inline Source<KeyBlock> keys_of(const std::string& lines, std::size_t size) {
+  std::vector<KeyBlock> blocks(1);
   std::istringstream in(lines);
   std::uint64_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
     if (blocks.back().lines.size() == size) blocks.emplace_back();
-    format::KeyBlock& block = blocks.back();
+    KeyBlock& block = blocks.back();
     if (line == "/") {
       block.breaks.push_back(block.lines.size());
       continue;
@@ -48,7 +49,7 @@ inline Source<format::KeyBlock> keys_of(const std::string& lines, std::size_t si
 }
 
 /// Keys as "LINE:POSITION", with "/" where the curve breaks off, and the first lines of faults in brackets.
-inline std::string shown_keys(const Source<format::KeyBlock>& keys) {
+inline std::string shown_keys(const Source<KeyBlock>& keys) {
   std::string out;
   while (const auto block = keys()) {
     for (std::size_t i = 0; i < block->lines.size(); ++i) {
@@ -56,7 +57,7 @@ inline std::string shown_keys(const Source<format::KeyBlock>& keys) {
       if (std::ranges::count(block->gaps, i) > 0) out += " gap";
       out += fmt::format(" {}:{}", block->lines[i], block->keys.positions[i]);
     }
-    for (const Error& fault : block->faults) out += fmt::format(" [{}]", fault.in("f").text());
+    for (const Error& fault : block->faults) out += fmt::format(" [{}]", error_text(fault.in("f")));
   }
   return out;
 }
@@ -67,7 +68,7 @@ std::string refusal_of(F f) {
   try {
     f();
   } catch (const Error& error) {
-    return error.in("f").text();
+    return error_text(error.in("f"));
   }
   return "nothing";
 }

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "error.hpp"
-#include "names.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
 /// Options that mean something only where each file has an output of its own.
-void require_folder(const Typed& typed) {
+void require_folder(const TypedOptions& typed) {
   if (!typed.output_dir.empty()) return;
   const std::initializer_list<std::pair<const char*, bool>> given{{"--recursive", typed.recursive},
                                                                   {"--suffix", !typed.suffix.empty()},
@@ -30,7 +30,7 @@ void require_folder(const Typed& typed) {
 
 }  // namespace
 
-BatchOptions make_batch(const Typed& typed) {
+BatchOptions make_batch(const TypedOptions& typed) {
   require_folder(typed);
   if (typed.nul && typed.list.empty()) {
     throw Error(Exit::usage, "-0 has no effect without --files; give --files LIST, or take it out");
@@ -45,7 +45,7 @@ BatchOptions make_batch(const Typed& typed) {
   return {typed.list, typed.nul, typed.recursive, typed.suffix, typed.update, typed.fail_fast};
 }
 
-Talk make_talk(const Typed& typed) {
+Verbosity make_talk(const TypedOptions& typed) {
   if (typed.progress && (typed.no_progress || typed.quiet)) {
     throw Error(Exit::usage, fmt::format("--progress and {} say the opposite; expected one of them; take one out",
                                          typed.no_progress ? "--no-progress" : "--quiet"));
@@ -56,4 +56,4 @@ Talk make_talk(const Typed& typed) {
   return {typed.quiet, terminal && !typed.quiet, progress};
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -3,12 +3,12 @@
 
 #include "cli/options.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
-BatchOptions make_batch(const Typed& typed);
+BatchOptions make_batch(const TypedOptions& typed);
 
 /// Throws: Error (usage).
-Talk make_talk(const Typed& typed);
+Verbosity make_talk(const TypedOptions& typed);
 
-}  // namespace tcb::cli
+}  // namespace tcb

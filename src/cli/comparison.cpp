@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "error.hpp"
-#include "format/number.hpp"
-#include "names.hpp"
+#include "text/number.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
 /// "1e-9", "x=1e-6", or several apart by commas.
@@ -20,7 +20,7 @@ std::vector<Tolerance> tolerances(std::string_view option, const std::string& te
   for (const std::string_view part : split(text, ',')) {
     const std::size_t equals = part.rfind('=');
     const bool named = equals != std::string_view::npos;
-    const auto most = format::parse_number(named ? part.substr(equals + 1) : part);
+    const auto most = parse_number(named ? part.substr(equals + 1) : part);
     if (!most || *most < 0 || (named && equals == 0)) {
       refuse_value(option, part, "a distance from 0 up, for all columns or as COLUMN=DISTANCE, such as 1e-9 or x=1e-6");
     }
@@ -35,7 +35,7 @@ struct Idle {
   bool given;
 };
 
-void require_effects(const Typed& typed, std::string_view option) {
+void require_effects(const TypedOptions& typed, std::string_view option) {
   const std::array idle{Idle{"--step", !typed.step.empty()},
                         Idle{"--rate", !typed.rate.empty()},
                         Idle{"--count", !typed.count.empty()},
@@ -75,7 +75,7 @@ void require_effects(const Typed& typed, std::string_view option) {
 }
 
 /// Options that have a meaning with one of the two alone.
-void require_kind(const Typed& typed) {
+void require_kind(const TypedOptions& typed) {
   const bool any_tolerance = !typed.abs.empty() || !typed.rel.empty() || !typed.ulp.empty();
   if (any_tolerance && typed.check.empty()) {
     throw Error(Exit::usage, "--abs, --rel and --ulp have no effect without --check; take them out, or add it");
@@ -93,7 +93,7 @@ void require_kind(const Typed& typed) {
   }
 }
 
-void require_files(const Typed& typed, const std::string& file, std::string_view option) {
+void require_files(const TypedOptions& typed, const std::string& file, std::string_view option) {
   if (typed.files.size() > 1) {
     throw Error(Exit::usage, fmt::format("{} compares with the curves of one file of keys; {} are given; take the "
                                          "others out",
@@ -108,7 +108,7 @@ void require_files(const Typed& typed, const std::string& file, std::string_view
 
 }  // namespace
 
-std::optional<Comparison> make_comparison(const Typed& typed) {
+std::optional<Comparison> make_comparison(const TypedOptions& typed) {
   require_kind(typed);
   const bool identify = !typed.identify.empty();
   if (!identify && typed.check.empty()) return std::nullopt;
@@ -125,4 +125,4 @@ std::optional<Comparison> make_comparison(const Typed& typed) {
   return comparison;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -3,10 +3,10 @@
 
 #include "cli/options.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 
 /// The comparison that is asked for, if any. Throws: Error (usage) that names the option, what was expected, and the
 /// remedy.
-std::optional<Comparison> make_comparison(const Typed& typed);
+std::optional<Comparison> make_comparison(const TypedOptions& typed);
 
-}  // namespace tcb::cli
+}  // namespace tcb

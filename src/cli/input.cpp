@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "error.hpp"
-#include "format/number.hpp"
-#include "names.hpp"
+#include "text/number.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
 char delimiter(const std::string& text) {
@@ -33,7 +33,7 @@ spline::Tcb<double> tcb(const std::string& text) {
   std::array<double, 3> values{};
   if (parts.size() != values.size()) refuse_value("--tcb", text, "three numbers T,C,B, such as 0,0.5,-0.25");
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto value = format::parse_number(parts[i]);
+    const auto value = parse_number(parts[i]);
     if (!value) refuse_value("--tcb", text, "three numbers T,C,B, such as 0,0.5,-0.25");
     values[i] = *value;
   }
@@ -41,22 +41,22 @@ spline::Tcb<double> tcb(const std::string& text) {
 }
 
 /// The columns of --group, besides those of --columns.
-format::RoleRequest groups(const std::string& text) {
+RoleRequest groups(const std::string& text) {
   const auto names = split(text, ',');
   if (std::ranges::count(names, "") > 0) refuse_value("--group", text, "columns by name or number, apart by commas");
-  return {format::Role::group, {names.begin(), names.end()}, "--group"};
+  return {Role::group, {names.begin(), names.end()}, "--group"};
 }
 
 /// Throws: Error (usage) for options about delimited text where the input is JSON.
-void require_text(const format::InputOptions& input, const Typed& typed) {
+void require_text(const InputOptions& input, const TypedOptions& typed) {
   const bool about_text = input.delimiter || input.header || !typed.decimal.empty() || !typed.comment.empty();
-  if (!about_text || !input.format || format::formats()[*input.format].has_header) return;
+  if (!about_text || !input.format || formats()[*input.format].has_header) return;
   throw Error(Exit::usage,
               "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out");
 }
 
 /// Throws: Error (usage) where a decimal comma would end cells.
-void require_delimiter(const format::InputOptions& input) {
+void require_delimiter(const InputOptions& input) {
   if (input.decimal != ',' || input.delimiter != ',') return;
   throw Error(Exit::usage,
               "--decimal , and --delimiter , contradict each other; expected another delimiter; take one of them out");
@@ -64,9 +64,9 @@ void require_delimiter(const format::InputOptions& input) {
 
 }  // namespace
 
-format::InputOptions make_input(const Typed& typed) {
-  format::InputOptions input;
-  if (!typed.input_format.empty()) input.format = format::find_format("--input-format", typed.input_format, true);
+InputOptions make_input(const TypedOptions& typed) {
+  InputOptions input;
+  if (!typed.input_format.empty()) input.format = find_format("--input-format", typed.input_format, true);
   if (!typed.delimiter.empty()) input.delimiter = delimiter(typed.delimiter);
   if (typed.header && typed.no_header) {
     throw Error(Exit::usage, "--header and --no-header contradict each other; expected one of them; take one out");
@@ -79,16 +79,16 @@ format::InputOptions make_input(const Typed& typed) {
   }
   require_text(input, typed);
   require_delimiter(input);
-  if (!typed.columns.empty()) input.roles = format::parse_roles(typed.columns);
+  if (!typed.columns.empty()) input.roles = parse_roles(typed.columns);
   if (!typed.group.empty()) input.roles.push_back(groups(typed.group));
   if (!typed.tcb.empty()) input.tcb = tcb(typed.tcb);
   if (!typed.missing.empty()) {
-    input.missing = format::missing_names[find_named("--missing", format::missing_names, typed.missing)].way;
+    input.missing = missing_names[find_named("--missing", missing_names, typed.missing)].way;
   }
   return input;
 }
 
-CurveOptions make_curves(const Typed& typed) {
+CurveOptions make_curves(const TypedOptions& typed) {
   CurveOptions curves;
   curves.sort = typed.sort;
   if (!typed.duplicates.empty()) {
@@ -97,4 +97,4 @@ CurveOptions make_curves(const Typed& typed) {
   return curves;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

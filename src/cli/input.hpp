@@ -3,12 +3,12 @@
 
 #include "cli/options.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
-format::InputOptions make_input(const Typed& typed);
+InputOptions make_input(const TypedOptions& typed);
 
 /// How keys make curves. Throws: Error (usage).
-CurveOptions make_curves(const Typed& typed);
+CurveOptions make_curves(const TypedOptions& typed);
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -12,10 +12,10 @@
 #include "cli/reference.hpp"
 #include "cli/sampling.hpp"
 #include "error.hpp"
-#include "file.hpp"
-#include "format/format.hpp"
+#include "input/format.hpp"
+#include "io/file.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
 std::string name_of(const CLI::Option& option) {
@@ -35,7 +35,7 @@ std::vector<const CLI::Option*> telling(const CLI::App& app) {
 }
 
 /// An option as one word; places are listed in it, wherever they came from.
-std::string word(const CLI::Option& option, const Typed& typed) {
+std::string word(const CLI::Option& option, const TypedOptions& typed) {
   std::string name = name_of(option);
   if (option.get_items_expected_max() == 0) return name;
   std::string value = fmt::format("{}", fmt::join(option.results(), ","));
@@ -51,7 +51,7 @@ std::string word(const CLI::Option& option, const Typed& typed) {
 
 /// Throws: Error unless all options of an earlier output are known, and make bytes with provenance.
 void require_telling(const std::vector<std::string>& words) {
-  Typed typed;
+  TypedOptions typed;
   const auto app = declare(typed);
   read_words(*app, words);
   const auto is_used = [](const CLI::Option* option) { return option->count() > 0; };
@@ -63,27 +63,27 @@ void require_telling(const std::vector<std::string>& words) {
 }
 
 /// Throws: Error (usage) where there is no place for provenance.
-void require_place(const Typed& typed) {
+void require_place(const TypedOptions& typed) {
   if (!typed.check.empty() || !typed.identify.empty() || typed.explain) {
     throw Error(Exit::usage, "--meta has no effect where a report is printed and no rows; take it out");
   }
   const std::string name = typed.output_format.empty() ? "csv" : typed.output_format;
-  if (format::formats()[format::find_format("--output-format", name)].open == nullptr) {
+  if (formats()[find_format("--output-format", name)].open == nullptr) {
     throw Error(Exit::usage, fmt::format("--meta has no place in {}; expected a format of text; take it out", name));
   }
 }
 
 }  // namespace
 
-format::Meta new_meta(const CLI::App& app, const Typed& typed) {
+Provenance new_meta(const CLI::App& app, const TypedOptions& typed) {
   require_place(typed);
-  format::Meta meta;
+  Provenance meta;
   meta.program = version_text();
   for (const CLI::Option* option : telling(app)) meta.options.push_back(word(*option, typed));
   return meta;
 }
 
-MetaRequest earlier_meta(const CLI::App& app, const Typed& typed) {
+ProvenanceRequest earlier_meta(const CLI::App& app, const TypedOptions& typed) {
   const auto typed_too = telling(app);
   if (!typed_too.empty()) {
     throw Error(Exit::usage,
@@ -91,10 +91,10 @@ MetaRequest earlier_meta(const CLI::App& app, const Typed& typed) {
                             "out",
                             name_of(*typed_too[0]), typed.from_meta));
   }
-  MetaRequest request;
+  ProvenanceRequest request;
   request.from = typed.from_meta;
   try {
-    request.earlier = format::read_meta(read_file(typed.from_meta));
+    request.earlier = read_meta(read_file(typed.from_meta));
     require_telling(request.earlier.options);
   } catch (const Error& error) {
     throw error.in(shown_name(typed.from_meta));
@@ -108,4 +108,4 @@ MetaRequest earlier_meta(const CLI::App& app, const Typed& typed) {
   return request;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -3,14 +3,14 @@
 
 #include "cli/options.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 
 /// The provenance of an output that is made with the typed options: all of them but those that do not change a byte.
 /// Throws: Error (usage).
-format::Meta new_meta(const CLI::App& app, const Typed& typed);
+Provenance new_meta(const CLI::App& app, const TypedOptions& typed);
 
 /// The provenance of the output that is to be made again. Throws: Error (usage) where options are typed that it has to
 /// bring, or another number of files than it was made from; Error where it cannot be read.
-MetaRequest earlier_meta(const CLI::App& app, const Typed& typed);
+ProvenanceRequest earlier_meta(const CLI::App& app, const TypedOptions& typed);
 
-}  // namespace tcb::cli
+}  // namespace tcb

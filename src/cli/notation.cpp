@@ -6,38 +6,38 @@
 #include <charconv>
 #include <vector>
 
+#include "curve/fields.hpp"
 #include "error.hpp"
-#include "fields.hpp"
-#include "golden/golden_rows.hpp"
-#include "names.hpp"
+#include "exact/golden_rows.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
-using Kind = format::Notation::Kind;
+using Kind = Notation::Kind;
 
 int count(std::string_view option, const std::string& text, int least) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (!whole || value < least || value > format::most_digits)
-    refuse_value(option, text, fmt::format("a whole number from {} to {}", least, format::most_digits));
+  if (!whole || value < least || value > most_digits)
+    refuse_value(option, text, fmt::format("a whole number from {} to {}", least, most_digits));
   return value;
 }
 
 }  // namespace
 
-format::Notation make_notation(const Typed& typed, std::size_t output_format) {
+Notation make_notation(const TypedOptions& typed, std::size_t output_format) {
   std::vector<std::string_view> given;
-  format::Notation notation;
+  Notation notation;
   if (!typed.digits.empty()) {
     given.emplace_back("--digits");
     notation = {Kind::digits, count("--digits", typed.digits, 1)};
-    if (notation.count > format::digits_of_double && !typed.golden) {
+    if (notation.count > digits_of_double && !typed.golden) {
       throw Error(Exit::usage,
                   fmt::format("--digits {}: a double has {} digits that say something; expected as many at "
                               "most, or --golden, which works out more; give one of the two",
-                              typed.digits, format::digits_of_double));
+                              typed.digits, digits_of_double));
     }
   }
   if (!typed.fixed.empty()) {
@@ -53,7 +53,7 @@ format::Notation make_notation(const Typed& typed, std::size_t output_format) {
                 fmt::format("{} and {} both say how numbers are printed; expected one of them; take one out", given[0],
                             given[1]));
   }
-  const format::Format& output = format::formats()[output_format];
+  const Format& output = formats()[output_format];
   if (!given.empty() && output.head != nullptr) {
     throw Error(Exit::usage, fmt::format("{} has no effect on {}, which holds the doubles themselves; take it out",
                                          given[0], output.name));
@@ -67,20 +67,20 @@ format::Notation make_notation(const Typed& typed, std::size_t output_format) {
   return notation;
 }
 
-void set_golden(Plan& plan, const Typed& typed) {
+void set_golden(Job& plan, const TypedOptions& typed) {
   if (typed.exact_input && !typed.golden) {
     throw Error(Exit::usage,
                 "--exact-input has no effect without --golden, which works exactly; give both, or neither");
   }
   if (!typed.golden) return;
   for (const std::size_t field : plan.fields) {
-    if (golden::has_field(fields()[field].name)) continue;
+    if (has_field(fields()[field].name)) continue;
     throw Error(Exit::usage, fmt::format("--golden: {} is about the error of s, which then is only rounded; take the "
                                          "field out",
                                          fields()[field].name));
   }
-  plan.golden = golden::Options{typed.exact_input, plan.notation};
+  plan.golden = GoldenOptions{typed.exact_input, plan.notation};
   plan.input.keeps_decimals = typed.exact_input;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -3,13 +3,13 @@
 
 #include "cli/options.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
-format::Notation make_notation(const Typed& typed, std::size_t output_format);
+Notation make_notation(const TypedOptions& typed, std::size_t output_format);
 
 /// Whether and how rows are worked out exactly. Requires: the plan has its fields and its notation.
 /// Throws: Error (usage).
-void set_golden(Plan& plan, const Typed& typed);
+void set_golden(Job& plan, const TypedOptions& typed);
 
-}  // namespace tcb::cli
+}  // namespace tcb

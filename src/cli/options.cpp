@@ -10,12 +10,12 @@
 #include "cli/reference.hpp"
 #include "cli/sampling.hpp"
 #include "error.hpp"
-#include "names.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
-void declare_input(CLI::App& app, Typed& typed) {
+void declare_input(CLI::App& app, TypedOptions& typed) {
   app.add_option("FILE", typed.files, "Files of keys; without any, or for -, standard input")->group("");
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Input");
@@ -44,7 +44,7 @@ void declare_input(CLI::App& app, Typed& typed) {
       ->type_name("MARK");
 }
 
-void declare_curves(CLI::App& app, Typed& typed) {
+void declare_curves(CLI::App& app, TypedOptions& typed) {
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Input");
   };
@@ -66,7 +66,7 @@ void declare_curves(CLI::App& app, Typed& typed) {
       ->group("Input");
 }
 
-void declare_curve(CLI::App& app, Typed& typed) {
+void declare_curve(CLI::App& app, TypedOptions& typed) {
   CurveSettings& curve = typed.curve;
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Curve");
@@ -99,7 +99,7 @@ void declare_curve(CLI::App& app, Typed& typed) {
       ->type_name("WAY");
 }
 
-void declare_sampling(CLI::App& app, Typed& typed) {
+void declare_sampling(CLI::App& app, TypedOptions& typed) {
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Sampling");
   };
@@ -125,7 +125,7 @@ void declare_sampling(CLI::App& app, Typed& typed) {
   option("--to", typed.to, "Where sampling ends; default: the last key")->type_name("T");
 }
 
-void declare_range(CLI::App& app, Typed& typed) {
+void declare_range(CLI::App& app, TypedOptions& typed) {
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Sampling");
   };
@@ -140,7 +140,7 @@ void declare_range(CLI::App& app, Typed& typed) {
   option("--max-rows", typed.max_rows, "Refuses to make more samples than this; default 1e9")->type_name("N");
 }
 
-void declare_output(CLI::App& app, Typed& typed) {
+void declare_output(CLI::App& app, TypedOptions& typed) {
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Output");
   };
@@ -182,7 +182,7 @@ void declare_output(CLI::App& app, Typed& typed) {
   flag("--no-output-header", typed.no_output_header, "No names above the rows; the default where the input has none");
 }
 
-void declare_batch(CLI::App& app, Typed& typed) {
+void declare_batch(CLI::App& app, TypedOptions& typed) {
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Many files");
   };
@@ -201,7 +201,7 @@ void declare_batch(CLI::App& app, Typed& typed) {
   flag("--fail-fast", typed.fail_fast, "Stops at the first file that fails; without it the others are finished");
 }
 
-void declare_comparison(CLI::App& app, Typed& typed) {
+void declare_comparison(CLI::App& app, TypedOptions& typed) {
   const auto option = [&](const char* name, auto& value, const char* text) {
     return app.add_option(name, value, text)->group("Comparison");
   };
@@ -222,7 +222,7 @@ void declare_comparison(CLI::App& app, Typed& typed) {
       ->type_name("FILE");
 }
 
-void declare_about(CLI::App& app, Typed& typed) {
+void declare_about(CLI::App& app, TypedOptions& typed) {
   app.add_flag("--explain", typed.explain, "Says what was found and would be done, without samples")->group("About");
   app.add_flag("--progress", typed.progress,
                "Shows on a terminal how far the work is, once it takes a second, also where rows go to it; by default "
@@ -265,7 +265,7 @@ void declare_about(CLI::App& app, Typed& typed) {
 
 }  // namespace
 
-std::unique_ptr<CLI::App> declare(Typed& typed) {
+std::unique_ptr<CLI::App> declare(TypedOptions& typed) {
   auto app = std::make_unique<CLI::App>("Resamples curves through keys with tension, continuity and bias", "tcbsample");
   app->set_help_flag();
   declare_input(*app, typed);
@@ -298,8 +298,8 @@ void read_words(CLI::App& app, std::vector<std::string> words) {
   }
 }
 
-Request parse(int argc, const char* const* argv) {
-  Typed typed;
+Invocation parse(int argc, const char* const* argv) {
+  TypedOptions typed;
   auto app = declare(typed);
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   read_words(*app, words);
@@ -307,7 +307,7 @@ Request parse(int argc, const char* const* argv) {
   if (typed.list_presets) return {presets_text(), {}};
   if (typed.version) return {version_text(), {}};
   if (!typed.generate.empty()) return {generated_text(*app, typed.generate), {}};
-  std::optional<MetaRequest> meta;
+  std::optional<ProvenanceRequest> meta;
   if (!typed.from_meta.empty()) {
     meta = earlier_meta(*app, typed);
     words.insert(words.begin(), meta->earlier.options.begin(), meta->earlier.options.end());
@@ -317,12 +317,12 @@ Request parse(int argc, const char* const* argv) {
   }
   take_lists(typed);
   if (typed.meta) {
-    const MetaRequest earlier = meta.value_or(MetaRequest{});
-    meta = MetaRequest{new_meta(*app, typed), earlier.earlier, earlier.from};
+    const ProvenanceRequest earlier = meta.value_or(ProvenanceRequest{});
+    meta = ProvenanceRequest{new_meta(*app, typed), earlier.earlier, earlier.from};
   }
-  Plan plan = make_plan(typed);
+  Job plan = make_plan(typed);
   plan.meta = std::move(meta);
   return {std::nullopt, std::move(plan)};
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "task.hpp"
+#include "app/job.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace tcb::cli {
+namespace tcb {
 
-/// What was typed, option by option; what it means is a Plan.
-struct Typed {
+/// What was typed, option by option; what it means is a Job.
+struct TypedOptions {
   std::vector<std::string> files;
   std::string input_format, delimiter, comment, columns, tcb, group, missing, duplicates, decimal;
   bool header = false, no_header = false, sort = false;
@@ -39,18 +39,18 @@ struct Typed {
 };
 
 /// All options, bound to the fields of `typed`: the one place where they are declared.
-std::unique_ptr<CLI::App> declare(Typed& typed);
+std::unique_ptr<CLI::App> declare(TypedOptions& typed);
 
 /// Sets what the words say, none of them empty. Throws: Error (usage).
 void read_words(CLI::App& app, std::vector<std::string> words);
 
 /// What the program is asked for: a text to print, or else a plan to carry out.
-struct Request {
+struct Invocation {
   std::optional<std::string> text;
-  Plan plan;
+  Job plan;
 };
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
-Request parse(int argc, const char* const* argv);
+Invocation parse(int argc, const char* const* argv);
 
-}  // namespace tcb::cli
+}  // namespace tcb

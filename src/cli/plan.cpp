@@ -12,16 +12,14 @@
 #include "cli/input.hpp"
 #include "cli/notation.hpp"
 #include "cli/sampling.hpp"
-#include "curve_plan.hpp"
+#include "curve/curve_plan.hpp"
+#include "curve/fields.hpp"
 #include "error.hpp"
-#include "fields.hpp"
-#include "format/number.hpp"
-#include "names.hpp"
+#include "text/number.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
-
-using sampler::Mode;
 
 std::vector<std::size_t> make_fields(const std::string& text) {
   std::vector<std::string_view> known;
@@ -43,23 +41,22 @@ std::vector<std::size_t> make_fields(const std::string& text) {
 }
 
 /// Whether lengths or speeds are asked for anywhere.
-bool needs_metric(const Plan& plan, const CurvePlan& curve) {
+bool needs_metric(const Job& plan, const CurvePlan& curve) {
   const auto over_metric = [](std::size_t field) {
     return fields()[field].needs_lengths || fields()[field].over_metric;
   };
-  return sampler::by_length(plan.sampling.mode) || plan.sampling.mode == Mode::tolerance || curve.rules.equal_speed ||
+  return by_length(plan.sampling.mode) || plan.sampling.mode == Mode::tolerance || curve.rules.equal_speed ||
          curve.parameter.value_or(0) != 0 || std::ranges::any_of(plan.fields, over_metric);
 }
 
 /// The names are known, and no option about the curve is without effect.
-void check_curve(Plan& plan) {
+void check_curve(Job& plan) {
   const CurvePlan curve = make_curve(plan.curve);
   plan.input.timeless = plan.curve.parameter.has_value();
   if (plan.curve.metric && !plan.comparison && !needs_metric(plan, curve)) {
     throw Error(Exit::usage, "--metric has no effect where no length or speed is asked for; take it out");
   }
-  if (plan.input.missing == format::Missing::skip_cell &&
-      (curve.rules.equal_speed || curve.parameter.value_or(0) != 0)) {
+  if (plan.input.missing == Missing::skip_cell && (curve.rules.equal_speed || curve.parameter.value_or(0) != 0)) {
     throw Error(Exit::usage,
                 "--missing skip-cell leaves channels apart, and --equal-speed and --parameter need all of them at each "
                 "key; expected one of the two; take one out");
@@ -80,7 +77,7 @@ bool from_left(const std::string& side, const std::vector<std::size_t>& chosen) 
 
 unsigned make_jobs(const std::string& text) {
   constexpr unsigned most = 1024;
-  const auto jobs = sampler::parse_rational(text);
+  const auto jobs = parse_rational(text);
   if (!jobs || *jobs < 1 || denominator(*jobs) != 1 || *jobs > most)
     refuse_value("--jobs", text, fmt::format("a whole number from 1 to {}", most));
   return static_cast<unsigned>(numerator(*jobs));
@@ -88,8 +85,8 @@ unsigned make_jobs(const std::string& text) {
 
 }  // namespace
 
-Plan make_plan(const Typed& typed) {
-  Plan plan;
+Job make_plan(const TypedOptions& typed) {
+  Job plan;
   plan.comparison = make_comparison(typed);
   if (!plan.comparison) plan.sampling = make_sampling(typed);
   plan.input = make_input(typed);
@@ -105,12 +102,12 @@ Plan make_plan(const Typed& typed) {
   check_curve(plan);
   plan.explain = typed.explain;
   if (!typed.jobs.empty()) plan.jobs = make_jobs(typed.jobs);
-  plan.talk = make_talk(typed);
-  if (!typed.output_format.empty()) plan.output_format = format::find_format("--output-format", typed.output_format);
+  plan.verbosity = make_talk(typed);
+  if (!typed.output_format.empty()) plan.output_format = find_format("--output-format", typed.output_format);
   plan.notation = make_notation(typed, plan.output_format);
   set_golden(plan, typed);
   if (typed.no_output_header) {
-    if (!format::formats()[plan.output_format].has_header) {
+    if (!formats()[plan.output_format].has_header) {
       throw Error(Exit::usage,
                   "--no-output-header has no effect on this output format, which has no line of names; take "
                   "it out");
@@ -126,4 +123,4 @@ Plan make_plan(const Typed& typed) {
   return plan;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -3,9 +3,9 @@
 
 #include "cli/options.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
-Plan make_plan(const Typed& typed);
+Job make_plan(const TypedOptions& typed);
 
-}  // namespace tcb::cli
+}  // namespace tcb

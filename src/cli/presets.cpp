@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "cli/text.hpp"
-#include "spline/end.hpp"
-#include "spline/preset.hpp"
-#include "spline/tangent.hpp"
+#include "tcb/spline/end.hpp"
+#include "tcb/spline/preset.hpp"
+#include "tcb/spline/tangent.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 
 using spline::end_rules;
 using spline::presets;
@@ -67,4 +67,4 @@ std::string manual_ends() {
   return out;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace tcb::cli {
+namespace tcb {
 
 /// Presets, tangent rules and end rules with their formulas, in 80 columns.
 std::string presets_text();
@@ -13,4 +13,4 @@ std::string manual_presets();
 std::string manual_tangents();
 std::string manual_ends();
 
-}  // namespace tcb::cli
+}  // namespace tcb

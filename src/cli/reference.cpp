@@ -11,7 +11,7 @@
 #include "cli/text.hpp"
 #include "error.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
 struct Entry {
@@ -144,4 +144,4 @@ std::string generated_text(const CLI::App& app, std::string_view kind) {
   throw Error(Exit::usage, fmt::format("--generate \"{}\": expected man, bash, zsh or fish", kind));
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

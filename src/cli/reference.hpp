@@ -8,7 +8,7 @@ namespace CLI {
 class App;
 }
 
-namespace tcb::cli {
+namespace tcb {
 
 /// The help, in 80 columns.
 std::string help_text(const CLI::App& app);
@@ -18,4 +18,4 @@ std::string version_text();
 /// The manual page, or a completion script for bash, zsh or fish. Throws: Error (usage) for another kind.
 std::string generated_text(const CLI::App& app, std::string_view kind);
 
-}  // namespace tcb::cli
+}  // namespace tcb

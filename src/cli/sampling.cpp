@@ -11,21 +11,17 @@
 #include <string>
 
 #include "error.hpp"
-#include "format/number.hpp"
-#include "names.hpp"
+#include "text/number.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
-
-using sampler::Mode;
-using sampler::Rational;
-using sampler::Request;
 
 /// A decimal or a ratio that is a time, a length or a rate. Throws: Error (usage) saying what was expected.
 Rational rational(std::string_view option, std::string_view text, std::string_view expected) {
-  auto value = sampler::parse_rational(text);
+  auto value = parse_rational(text);
   if (!value) refuse_value(option, text, expected);
-  if (!sampler::within_doubles(*value)) refuse_value(option, text, sampler::double_range);
+  if (!within_doubles(*value)) refuse_value(option, text, double_range);
   return *value;
 }
 
@@ -57,24 +53,23 @@ std::vector<Rational> list(std::string_view option, const std::string& text) {
   return values;
 }
 
-using Set = void (*)(Request&, std::string_view name, const std::string& value);
+using Set = void (*)(SamplingRequest&, std::string_view name, const std::string& value);
 
-void set_step(Request& request, std::string_view name, const std::string& value) {
+void set_step(SamplingRequest& request, std::string_view name, const std::string& value) {
   request.step = positive_rational(name, value);
 }
-void set_rate(Request& request, std::string_view name, const std::string& value) {
+void set_rate(SamplingRequest& request, std::string_view name, const std::string& value) {
   request.step = 1 / positive_rational(name, value);
-  if (!sampler::within_doubles(request.step))
-    refuse_value(name, value, "a rate whose step is a double, less than 1.8e308");
+  if (!within_doubles(request.step)) refuse_value(name, value, "a rate whose step is a double, less than 1.8e308");
 }
-void set_count(Request& request, std::string_view name, const std::string& value) {
+void set_count(SamplingRequest& request, std::string_view name, const std::string& value) {
   request.count = positive_count(name, value);
 }
-void set_places(Request& request, std::string_view name, const std::string& value) {
+void set_places(SamplingRequest& request, std::string_view name, const std::string& value) {
   request.places = list(name, value);
 }
-void set_tolerance(Request& request, std::string_view name, const std::string& value) {
-  const auto tolerance = format::parse_number(value);
+void set_tolerance(SamplingRequest& request, std::string_view name, const std::string& value) {
+  const auto tolerance = parse_number(value);
   if (!tolerance || *tolerance <= 0) refuse_value(name, value, "a distance above 0, such as 0.01");
   request.tolerance = *tolerance;
 }
@@ -82,26 +77,26 @@ void set_tolerance(Request& request, std::string_view name, const std::string& v
 /// A way to ask for samples: its option, what its value becomes, and which other options have a meaning with it.
 struct Way {
   std::string_view name;
-  std::string Typed::*value;
+  std::string TypedOptions::*value;
   Mode mode;
   Set set;
   bool range, end, keys;  ///< --from and --to; --end; --keys
 };
 
 constexpr std::array ways{
-    Way{"--step", &Typed::step, Mode::step, set_step, true, true, true},
-    Way{"--rate", &Typed::rate, Mode::step, set_rate, true, true, true},
-    Way{"--count", &Typed::count, Mode::count, set_count, true, false, true},
-    Way{"--segments", &Typed::segments, Mode::segments, set_count, true, false, true},
-    Way{"--per-segment", &Typed::per_segment, Mode::per_segment, set_count, false, false, false},
-    Way{"--at", &Typed::at, Mode::at, set_places, false, false, false},
-    Way{"--arc-step", &Typed::arc_step, Mode::arc_step, set_step, true, true, true},
-    Way{"--arc-count", &Typed::arc_count, Mode::arc_count, set_count, true, false, true},
-    Way{"--arc-at", &Typed::arc_at, Mode::arc_at, set_places, false, false, false},
-    Way{"--tolerance", &Typed::tolerance, Mode::tolerance, set_tolerance, false, false, true},
+    Way{"--step", &TypedOptions::step, Mode::step, set_step, true, true, true},
+    Way{"--rate", &TypedOptions::rate, Mode::step, set_rate, true, true, true},
+    Way{"--count", &TypedOptions::count, Mode::count, set_count, true, false, true},
+    Way{"--segments", &TypedOptions::segments, Mode::segments, set_count, true, false, true},
+    Way{"--per-segment", &TypedOptions::per_segment, Mode::per_segment, set_count, false, false, false},
+    Way{"--at", &TypedOptions::at, Mode::at, set_places, false, false, false},
+    Way{"--arc-step", &TypedOptions::arc_step, Mode::arc_step, set_step, true, true, true},
+    Way{"--arc-count", &TypedOptions::arc_count, Mode::arc_count, set_count, true, false, true},
+    Way{"--arc-at", &TypedOptions::arc_at, Mode::arc_at, set_places, false, false, false},
+    Way{"--tolerance", &TypedOptions::tolerance, Mode::tolerance, set_tolerance, false, false, true},
 };
 
-const Way& chosen_way(const Typed& typed) {
+const Way& chosen_way(const TypedOptions& typed) {
   std::vector<const Way*> given;
   std::vector<std::string_view> names;
   for (const Way& way : ways) {
@@ -130,10 +125,9 @@ std::optional<Rational> bound(std::string_view option, const std::string& text) 
   return rational(option, text, "a decimal or a ratio, such as 1.5 or 7/24");
 }
 
-void require_extrapolation(const Typed& typed, const Way& way) {
+void require_extrapolation(const TypedOptions& typed, const Way& way) {
   if (!typed.curve.extrapolate || *typed.curve.extrapolate == "error") return;
-  const bool leaves =
-      way.mode == Mode::at || (!sampler::by_length(way.mode) && !(typed.from.empty() && typed.to.empty()));
+  const bool leaves = way.mode == Mode::at || (!by_length(way.mode) && !(typed.from.empty() && typed.to.empty()));
   require_effect(true, leaves, "--extrapolate",
                  leaves ? way.name : fmt::format("{} alone, whose samples lie on the curve", way.name));
 }
@@ -144,14 +138,15 @@ std::string listed(std::string_view option, const std::string& text) {
   const std::string path = text.substr(1);
   std::ifstream file(path);
   if (!file)
-    throw Error(Exit::usage, Place{path}, fmt::format("cannot be read for {}; expected a file of numbers", option));
+    throw Error(Exit::usage, TextPosition{path},
+                fmt::format("cannot be read for {}; expected a file of numbers", option));
   const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   std::string items, line;
   for (std::uint64_t number = 1; std::getline(file, line); ++number) {
     std::ranges::replace_if(line, is_blank, ',');
     for (const std::string_view item : split(line, ',')) {
       if (item.empty()) continue;
-      at_place({path, number, 0}, [&] { (void)listed_number(option, item); });
+      at_position({path, number, 0}, [&] { (void)listed_number(option, item); });
       items += (items.empty() ? "" : ",") + std::string(item);
     }
   }
@@ -161,14 +156,14 @@ std::string listed(std::string_view option, const std::string& text) {
 
 }  // namespace
 
-void take_lists(Typed& typed) {
+void take_lists(TypedOptions& typed) {
   typed.at = listed("--at", typed.at);
   typed.arc_at = listed("--arc-at", typed.arc_at);
 }
 
-sampler::Request make_sampling(const Typed& typed) {
+SamplingRequest make_sampling(const TypedOptions& typed) {
   const Way& way = chosen_way(typed);
-  sampler::Request request;
+  SamplingRequest request;
   request.mode = way.mode;
   way.set(request, way.name, typed.*way.value);
   require_effect(!typed.from.empty(), way.range, "--from", way.name);
@@ -182,11 +177,10 @@ sampler::Request make_sampling(const Typed& typed) {
     throw Error(Exit::usage,
                 fmt::format("--to {} is before --from {}; expected it after; exchange them", typed.to, typed.from));
   }
-  if (!typed.end.empty())
-    request.end = sampler::end_policies[find_named("--end", sampler::end_policies, typed.end)].policy;
+  if (!typed.end.empty()) request.end = end_policies[find_named("--end", end_policies, typed.end)].policy;
   request.keys = typed.keys;
   if (!typed.max_rows.empty()) {
-    const auto rows = sampler::parse_rational(typed.max_rows);
+    const auto rows = parse_rational(typed.max_rows);
     if (!rows || *rows < 1 || denominator(*rows) != 1 || *rows > INT64_MAX)
       refuse_value("--max-rows", typed.max_rows, "a whole number from 1 to 2^63 - 1");
     request.max_rows = static_cast<std::uint64_t>(numerator(*rows));
@@ -194,4 +188,4 @@ sampler::Request make_sampling(const Typed& typed) {
   return request;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace tcb::cli {
+namespace tcb {
 
 std::string wrapped(std::string_view text, std::size_t indent) {
   constexpr std::size_t width = 80;
@@ -39,4 +39,4 @@ std::string escaped(std::string_view text) {
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-}  // namespace tcb::cli
+}  // namespace tcb

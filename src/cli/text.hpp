@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace tcb::cli {
+namespace tcb {
 
 /// Text in lines of 80 columns at most, each indented, each ended.
 std::string wrapped(std::string_view text, std::size_t indent);
@@ -12,4 +12,4 @@ std::string wrapped(std::string_view text, std::size_t indent);
 /// Text for the manual page, where dashes, backslashes and leading points have a meaning.
 std::string escaped(std::string_view text);
 
-}  // namespace tcb::cli
+}  // namespace tcb

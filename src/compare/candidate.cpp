@@ -7,43 +7,44 @@
 #include <tuple>
 #include <utility>
 
-namespace tcb::compare {
+namespace tcb {
 
-Comparer::Comparer(const Plan& plan, const Sides& sides, const std::vector<TcbOrders>& orders, bool closed)
+Comparer::Comparer(const Job& plan, const ComparisonInputs& sides, const std::vector<TcbOrders>& orders, bool closed)
     : plan_(plan), sides_(sides), orders_(orders), closed_(closed), request_(plan.sampling) {
-  request_.mode = sides.columns.by_length ? sampler::Mode::arc_at : sampler::Mode::at;
+  request_.mode = sides.columns.by_length ? Mode::arc_at : Mode::at;
 }
 
-Whole Comparer::whole(const KeptCurve& curve, const Convention& convention) const {
+IndexedCurve Comparer::whole(const KeptCurve& curve, const Convention& convention) const {
   const CurveSettings settings = settings_of(convention, plan_.curve, closed_);
-  const Path path(request_, settings, sides_.columns.fields, std::nullopt, sides_.kept.input, *curve.beside_keys);
+  const CurvePipeline path(request_, settings, sides_.columns.fields, std::nullopt, sides_.kept.input,
+                           *curve.curve_info);
   const TcbOrder& order = orders_[convention.order].order;
   if (order.is_plain()) return path.whole(curve.keys());
-  return path.whole(mapped(curve.keys(), [&order](format::KeyBlock block) {
+  return path.whole(mapped(curve.keys(), [&order](KeyBlock block) {
     block.keys.common_tcb = order.of(block.keys.common_tcb);
     for (auto& tcb : block.keys.tcbs) tcb = order.of(tcb);
     return block;
   }));
 }
 
-Places Comparer::places(const Sample& sample, const Whole& whole) const {
+Places Comparer::places(const GivenSamples& sample, const IndexedCurve& whole) const {
   Limits limits;
   if (sides_.columns.by_length) limits.abs = std::numeric_limits<double>::infinity();
   return places_of(sample.rows, sides_.table, sides_.columns, whole, limits);
 }
 
-Candidate Comparer::compare(const Convention& convention, const std::vector<Sample>& samples) const {
+Candidate Comparer::compare(const Convention& convention, const std::vector<GivenSamples>& samples) const {
   Candidate candidate{convention, 0, {}, 0, {}, {}};
-  for (const Sample& sample : samples) {
-    const Whole curve = whole(*sample.curve, convention);
+  for (const GivenSamples& sample : samples) {
+    const IndexedCurve curve = whole(*sample.curve, convention);
     for_each_row(places(sample, curve), sides_.columns, curve, true, 1,
                  [&](std::size_t row, auto cells) { compare_row(candidate, sample, row, cells); });
   }
   return candidate;
 }
 
-void Comparer::compare_row(Candidate& candidate, const Sample& sample, std::size_t row,
-                           std::span<const format::Cell> cells) const {
+void Comparer::compare_row(Candidate& candidate, const GivenSamples& sample, std::size_t row,
+                           std::span<const Cell> cells) const {
   const auto& columns = sides_.columns.compared;
   bool off = false;
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -107,4 +108,4 @@ Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool close
   return result;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

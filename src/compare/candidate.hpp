@@ -11,7 +11,7 @@
 #include "compare/lookup.hpp"
 #include "compare/samples.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 struct Candidate {
   Convention convention;
@@ -24,23 +24,23 @@ struct Candidate {
 /// Compares the rows of samples with conventions. It looks into what it was made from.
 class Comparer {
  public:
-  Comparer(const Plan& plan, const Sides& sides, const std::vector<TcbOrders>& orders, bool closed);
+  Comparer(const Job& plan, const ComparisonInputs& sides, const std::vector<TcbOrders>& orders, bool closed);
 
-  Candidate compare(const Convention& convention, const std::vector<Sample>& samples) const;
+  Candidate compare(const Convention& convention, const std::vector<GivenSamples>& samples) const;
 
   /// Where the rows of a sample are on the keys' curve under a convention; an arc length beyond its end is there.
-  Places places(const Sample& sample, const Whole& whole) const;
-  Whole whole(const KeptCurve& curve, const Convention& convention) const;
+  Places places(const GivenSamples& sample, const IndexedCurve& whole) const;
+  IndexedCurve whole(const KeptCurve& curve, const Convention& convention) const;
 
  private:
-  void compare_row(Candidate& candidate, const Sample& sample, std::size_t row,
-                   std::span<const format::Cell> cells) const;
+  void compare_row(Candidate& candidate, const GivenSamples& sample, std::size_t row,
+                   std::span<const Cell> cells) const;
 
-  const Plan& plan_;
-  const Sides& sides_;
+  const Job& plan_;
+  const ComparisonInputs& sides_;
   const std::vector<TcbOrders>& orders_;
   bool closed_;
-  sampler::Request request_;
+  SamplingRequest request_;
 };
 
 /// The candidates in the order of how well they agree: those that fit and cannot be told apart, the most usual first;
@@ -53,4 +53,4 @@ struct Ranking {
 };
 Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool closed);
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -14,26 +14,26 @@
 #include "compare/sides.hpp"
 #include "error.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 /// Compares the rows of one curve after another.
 class Checker {
  public:
-  Checker(const Sides& sides, const Comparison& comparison, Check& result)
+  Checker(const ComparisonInputs& sides, const Comparison& comparison, Check& result)
       : table_(sides.table), columns_(sides.columns), result_(result) {
-    for (const Column& column : columns_.compared) {
+    for (const MatchedColumn& column : columns_.compared) {
       limits_.push_back(limits_of(comparison, column.name));
       result.columns.push_back({column.name, 0, {}});
     }
   }
 
-  void compare_row(const Rows& rows, std::size_t row, std::span<const format::Cell> cells) {
+  void compare_row(const SampleRows& rows, std::size_t row, std::span<const Cell> cells) {
     ++result_.rows;
     for (std::size_t i = 0; i < columns_.compared.size(); ++i) {
-      const Column& column = columns_.compared[i];
-      const format::Cell& cell = cells[column.ours];
-      const double ours = format::is_empty(cell) ? std::numeric_limits<double>::quiet_NaN() : cell.hi;
+      const MatchedColumn& column = columns_.compared[i];
+      const Cell& cell = cells[column.ours];
+      const double ours = is_empty(cell) ? std::numeric_limits<double>::quiet_NaN() : cell.hi;
       const double theirs = rows.numbers[row * table_.columns.size() + column.theirs];
       ++result_.values;
       const Distance found = distance(theirs, ours);
@@ -57,16 +57,16 @@ class Checker {
     if (!result_.worst || difference.distance.abs > result_.worst->distance.abs) result_.worst = std::move(difference);
   }
 
-  const Table& table_;
-  const Columns& columns_;
+  const SampleTable& table_;
+  const MatchedColumns& columns_;
   Check& result_;
   std::vector<Limits> limits_;
 };
 
 /// Throws: Error (usage) for a tolerance of a column that is not compared.
-void require_columns(const Comparison& comparison, const Sides& sides) {
+void require_columns(const Comparison& comparison, const ComparisonInputs& sides) {
   std::vector<std::string> known{sides.place_name()};
-  for (const Column& column : sides.columns.compared) known.push_back(column.name);
+  for (const MatchedColumn& column : sides.columns.compared) known.push_back(column.name);
   for (const auto& [option, tolerances] : {std::pair{"--abs", &comparison.abs}, std::pair{"--rel", &comparison.rel},
                                            std::pair{"--ulp", &comparison.ulp}}) {
     for (const Tolerance& tolerance : *tolerances) {
@@ -78,12 +78,13 @@ void require_columns(const Comparison& comparison, const Sides& sides) {
 }
 
 /// Compares the rows of one curve.
-void check_pair(const Pair& pair, const Plan& plan, const Sides& sides, Checker& checker, Check& result) {
-  const Columns& columns = sides.columns;
-  sampler::Request request = plan.sampling;
-  request.mode = columns.by_length ? sampler::Mode::arc_at : sampler::Mode::at;
-  const Path path(request, plan.curve, columns.fields, std::nullopt, sides.kept.input, *pair.curve->beside_keys);
-  const Whole whole = path.whole(pair.curve->keys());
+void check_pair(const Pair& pair, const Job& plan, const ComparisonInputs& sides, Checker& checker, Check& result) {
+  const MatchedColumns& columns = sides.columns;
+  SamplingRequest request = plan.sampling;
+  request.mode = columns.by_length ? Mode::arc_at : Mode::at;
+  const CurvePipeline path(request, plan.curve, columns.fields, std::nullopt, sides.kept.input,
+                           *pair.curve->curve_info);
+  const IndexedCurve whole = path.whole(pair.curve->keys());
   const Places places =
       places_of(pair.rows, sides.table, columns, whole, limits_of(*plan.comparison, sides.place_name()));
   if (!places.off_curve.empty()) result.problems.push_back(off_curve(places, pair.rows));
@@ -93,8 +94,8 @@ void check_pair(const Pair& pair, const Plan& plan, const Sides& sides, Checker&
 
 }  // namespace
 
-Check check(const Plan& plan) {
-  Sides sides = read_sides(plan, plan.fields);
+Check check(const Job& plan) {
+  ComparisonInputs sides = read_sides(plan, plan.fields);
   require_columns(*plan.comparison, sides);
   const Pairs pairs = pair_up(sides.kept, sides.table);
   Check result{compared(sides, pairs)};
@@ -105,4 +106,4 @@ Check check(const Plan& plan) {
   return result;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "app/job.hpp"
 #include "compare/distance.hpp"
 #include "compare/pairs.hpp"
-#include "task.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 /// Two numbers that should be one.
 struct Difference {
@@ -36,6 +36,6 @@ struct Check : Compared {
 };
 
 /// Compares. Throws: Error where the keys make no curve, or there is nothing to compare.
-Check check(const Plan& plan);
+Check check(const Job& plan);
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -1,4 +1,4 @@
-// Columns: which column of someone's samples is which number of a row of ours.
+// MatchedColumns: which column of someone's samples is which number of a row of ours.
 #include "compare/columns.hpp"
 
 #include <fmt/format.h>
@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <numeric>
 
+#include "curve/fields.hpp"
 #include "error.hpp"
-#include "fields.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 using Names = std::vector<std::string>;
 using Fields = std::vector<std::size_t>;
 
-Names names_of(const Fields& chosen, const format::Input& keys) {
+Names names_of(const Fields& chosen, const Input& keys) {
   Names names;
   for (const auto& column : output_columns(chosen, keys)) names.push_back(column.name);
   return names;
@@ -30,7 +30,7 @@ std::optional<std::size_t> find(const Names& names, const std::string& name) {
 
 bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(chosen, field) > 0; }
 
-[[noreturn]] void refuse(const Table& table, const Names& known) {
+[[noreturn]] void refuse(const SampleTable& table, const Names& known) {
   throw Error(Exit::data, fmt::format("nothing to compare: its columns are {}; expected some of {}; rename them",
                                       fmt::join(table.columns, ", "), fmt::join(known, ", ")));
 }
@@ -38,10 +38,10 @@ bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(ch
 /// Matches columns that have names.
 class Matcher {
  public:
-  Matcher(const Table& table, const format::Input& keys, const Fields& given)
+  Matcher(const SampleTable& table, const Input& keys, const Fields& given)
       : table_(table), keys_(keys), given_(given) {}
 
-  Columns match() {
+  MatchedColumns match() {
     require_once();
     find_places();
     Fields candidates = given_;
@@ -84,8 +84,9 @@ class Matcher {
     Names missing;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto theirs = find(table_.columns, names[i]);
-      const bool taken =
-          theirs && std::ranges::any_of(result_.compared, [&](const Column& other) { return other.theirs == *theirs; });
+      const bool taken = theirs && std::ranges::any_of(result_.compared, [&](const MatchedColumn& other) {
+                           return other.theirs == *theirs;
+                         });
       if (theirs && !taken)
         result_.compared.push_back({names[i], *theirs, first + i});
       else
@@ -97,11 +98,11 @@ class Matcher {
     result_.problems.push_back(fmt::format("columns missing: {}", fmt::join(missing, ", ")));
   }
 
-  /// Columns of theirs without one of ours.
+  /// MatchedColumns of theirs without one of ours.
   void sort_out_the_rest() {
     Names unknown;
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-      const bool known = i == result_.place || std::ranges::count(result_.compared, i, &Column::theirs) > 0;
+      const bool known = i == result_.place || std::ranges::count(result_.compared, i, &MatchedColumn::theirs) > 0;
       if (!known) unknown.push_back(table_.columns[i]);
     }
     result_.ignored = table_.left_out;
@@ -113,17 +114,17 @@ class Matcher {
     }
   }
 
-  const Table& table_;
-  const format::Input& keys_;
+  const SampleTable& table_;
+  const Input& keys_;
   const Fields& given_;
-  Columns result_;
+  MatchedColumns result_;
 };
 
 /// Matches columns by their order.
-Columns match_by_order(const Table& table, const format::Input& keys, const Fields& given) {
+MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const Fields& given) {
   const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
   const Names names = names_of(chosen, keys);
-  Columns result{chosen, {}, {}, false, {}, {}};
+  MatchedColumns result{chosen, {}, {}, false, {}, {}};
   const std::size_t skipped = table.timed ? 1 : 0;
   if (names.size() != table.columns.size() + skipped) {
     throw Error(Exit::data, fmt::format("{} columns without names; expected {}: {}; name them in a first row, or say "
@@ -151,8 +152,8 @@ std::size_t field_of(std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin());
 }
 
-Columns match_columns(const Table& table, const format::Input& keys, const std::vector<std::size_t>& given) {
+MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
   return table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

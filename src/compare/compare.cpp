@@ -5,24 +5,24 @@
 
 #include "compare/check.hpp"
 #include "compare/report.hpp"
-#include "file.hpp"
-#include "stream.hpp"
+#include "io/file.hpp"
+#include "stream/stream.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 namespace {
 
 template <class Outcome>
-Exit report(const Outcome& outcome, bool good, const Plan& plan) {
+Exit report(const Outcome& outcome, bool good, const Job& plan) {
   Output output(plan.output);
-  output.write(format::formats()[plan.output_format].name == "json" ? json(outcome) : text(outcome));
+  output.write(formats()[plan.output_format].name == "json" ? json(outcome) : text(outcome));
   output.commit();
   return good ? Exit::done : Exit::data;
 }
 
 }  // namespace
 
-Exit compare(const Plan& plan) {
+Exit compare(const Job& plan) {
   const ThreadLimit limit(plan.threads());
   if (plan.comparison->identify) {
     const Identified identified = identify(plan);
@@ -32,4 +32,4 @@ Exit compare(const Plan& plan) {
   return report(checked, checked.passed(), plan);
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

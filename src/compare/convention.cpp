@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <set>
 
-#include "spline/end.hpp"
-#include "spline/preset.hpp"
-#include "spline/tangent.hpp"
+#include "tcb/spline/end.hpp"
+#include "tcb/spline/preset.hpp"
+#include "tcb/spline/tangent.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 using Triple = std::array<double, 3>;
@@ -21,7 +21,7 @@ Triple triple_of(const spline::Tcb<double>& tcb) { return {tcb.tension, tcb.cont
 std::set<Triple> triples(const KeptCurves& kept) {
   std::set<Triple> found;
   for (const KeptCurve& curve : kept.curves) {
-    for (const format::KeyBlock& block : curve.blocks) {
+    for (const KeyBlock& block : curve.blocks) {
       if (block.keys.tcbs.empty()) found.insert(triple_of(block.keys.common_tcb));
       for (const auto& tcb : block.keys.tcbs) found.insert(triple_of(tcb));
     }
@@ -132,4 +132,4 @@ std::vector<std::string> presets_of(const Convention& convention, bool closed) {
   return names;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

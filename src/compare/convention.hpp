@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "compare/kept.hpp"
-#include "settings.hpp"
+#include "curve/settings.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 /// What a program takes for tension, continuity and bias: which of the keys' three, and with which sign.
 struct TcbOrder {
@@ -55,4 +55,4 @@ std::string name_of(const Convention& convention, bool closed);
 /// The presets that it is.
 std::vector<std::string> presets_of(const Convention& convention, bool closed);
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 /// The doubles in order, numbered; both zeros are 0.
@@ -45,4 +45,4 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
   return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "comparison.hpp"
+#include "compare/comparison.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 /// How far a number is from ours; a missing number is not a number.
 struct Distance {
@@ -30,4 +30,4 @@ struct Limits {
 /// The limits of a column: for each measure its own, else the one for all columns; equality where there is none.
 Limits limits_of(const Comparison& comparison, const std::string& column);
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -7,21 +7,21 @@
 
 #include "compare/pairs.hpp"
 #include "compare/sides.hpp"
-#include "curve_plan.hpp"
+#include "curve/curve_plan.hpp"
 #include "error.hpp"
-#include "stream.hpp"
+#include "stream/stream.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 constexpr std::size_t most_chosen = 64, most_mixed = 16;
 
 /// Leaves the columns of positions alone among those that are compared.
-void leave_positions(Sides& sides) {
-  Columns& columns = sides.columns;
+void leave_positions(ComparisonInputs& sides) {
+  MatchedColumns& columns = sides.columns;
   const auto& channels = sides.kept.input.channels;
-  std::vector<Column> positions;
-  for (Column column : columns.compared) {
+  std::vector<MatchedColumn> positions;
+  for (MatchedColumn column : columns.compared) {
     const auto channel = std::ranges::find(channels, column.name);
     if (channel == channels.end()) {
       columns.ignored.push_back(column.name);
@@ -36,15 +36,15 @@ void leave_positions(Sides& sides) {
   throw Error(Exit::data, "no column of positions, which tell conventions apart; expected one at least; name it");
 }
 
-bool is_closed(const KeptCurves& kept, const Plan& plan) {
+bool is_closed(const KeptCurves& kept, const Job& plan) {
   return std::ranges::any_of(kept.curves, [&](const KeptCurve& curve) {
-    return make_curve(over(plan.curve, curve.beside_keys->settings)).closed;
+    return make_curve(over(plan.curve, curve.curve_info->settings)).closed;
   });
 }
 
 /// What is wrong with rows on no curve, which any convention has at the same times.
-void say_off_curve(const Comparer& comparer, const std::vector<Sample>& samples, Identified& result) {
-  for (const Sample& sample : samples) {
+void say_off_curve(const Comparer& comparer, const std::vector<GivenSamples>& samples, Identified& result) {
+  for (const GivenSamples& sample : samples) {
     const Places places = comparer.places(sample, comparer.whole(*sample.curve, {}));
     result.rows += places.rows.size();
     if (!places.off_curve.empty()) result.problems.push_back(off_curve(places, sample.rows));
@@ -53,12 +53,12 @@ void say_off_curve(const Comparer& comparer, const std::vector<Sample>& samples,
 
 [[noreturn]] void refuse_nothing(const Identified& result) {
   const std::string why = result.problems.empty() ? "it has no rows" : result.problems.back();
-  throw Error(Exit::data, Place{result.file}, why + "; expected rows on the curve of the keys; give others");
+  throw Error(Exit::data, TextPosition{result.file}, why + "; expected rows on the curve of the keys; give others");
 }
 
 /// Compares all conventions with samples, on all threads.
 std::vector<Candidate> compared(const Comparer& comparer, const std::vector<Convention>& conventions,
-                                const std::vector<Sample>& samples, unsigned threads) {
+                                const std::vector<GivenSamples>& samples, unsigned threads) {
   Source<Convention> source = [&conventions, next = std::size_t{0}]() mutable {
     return next < conventions.size() ? std::optional(conventions[next++]) : std::nullopt;
   };
@@ -97,7 +97,7 @@ std::vector<Convention> mixed(const Ranking& ranking) {
 /// Ranks by few rows first, and the best of them by all.
 class Search {
  public:
-  Search(const Comparer& comparer, const std::vector<Sample>& samples, Few few, bool closed, unsigned threads)
+  Search(const Comparer& comparer, const std::vector<GivenSamples>& samples, Subset few, bool closed, unsigned threads)
       : comparer_(comparer), samples_(samples), few_(std::move(few)), closed_(closed), threads_(threads) {}
 
   Ranking rank(const std::vector<Convention>& conventions) const {
@@ -112,21 +112,21 @@ class Search {
   }
 
  private:
-  Ranking rank(const std::vector<Convention>& conventions, const std::vector<Sample>& samples) const {
+  Ranking rank(const std::vector<Convention>& conventions, const std::vector<GivenSamples>& samples) const {
     return ranked(compared(comparer_, conventions, samples, threads_), count_rows(samples), closed_);
   }
 
   const Comparer& comparer_;
-  const std::vector<Sample>& samples_;
-  Few few_;
+  const std::vector<GivenSamples>& samples_;
+  Subset few_;
   bool closed_;
   unsigned threads_;
 };
 
 }  // namespace
 
-Identified identify(const Plan& plan) {
-  Sides sides =
+Identified identify(const Job& plan) {
+  ComparisonInputs sides =
       read_sides(plan, plan.fields.empty() ? std::vector{field_of("time"), field_of("position")} : plan.fields);
   in_file(sides.file, [&] { leave_positions(sides); });
   Pairs pairs = pair_up(sides.kept, sides.table);
@@ -136,7 +136,7 @@ Identified identify(const Plan& plan) {
     result.orders = distinct_orders(sides.kept);
     const std::vector<Convention> all = conventions(result.orders.size(), result.closed);
     result.conventions = all.size();
-    const std::vector<Sample> samples = samples_of(std::move(pairs.pairs), sides);
+    const std::vector<GivenSamples> samples = samples_of(std::move(pairs.pairs), sides);
     const Comparer comparer(plan, sides, result.orders, result.closed);
     say_off_curve(comparer, samples, result);
     if (result.rows == 0) refuse_nothing(result);
@@ -154,4 +154,4 @@ Identified identify(const Plan& plan) {
   return result;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

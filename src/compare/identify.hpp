@@ -8,7 +8,7 @@
 #include "compare/candidate.hpp"
 #include "compare/pairs.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 struct Identified : Compared {
   bool closed = false;
@@ -22,6 +22,6 @@ struct Identified : Compared {
 
 /// Compares the positions with those of every convention. Of many rows and keys, 1,000 rows and 256 keys choose the 64
 /// best and all that fit, which are then compared with all. Throws: Error as check().
-Identified identify(const Plan& plan);
+Identified identify(const Job& plan);
 
-}  // namespace tcb::compare
+}  // namespace tcb

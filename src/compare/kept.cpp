@@ -3,28 +3,28 @@
 
 #include <utility>
 
-#include "file.hpp"
-#include "format/format.hpp"
+#include "input/format.hpp"
+#include "io/file.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
-Source<format::KeyBlock> KeptCurve::keys() const {
+Source<KeyBlock> KeptCurve::keys() const {
   return [this, next = std::size_t{0}]() mutable {
     return next < blocks.size() ? std::optional(blocks[next++]) : std::nullopt;
   };
 }
 
-KeptCurves keep(const Plan& plan) {
+KeptCurves keep(const Job& plan) {
   const std::string& path = plan.files[0];
-  format::InputOptions options = plan.input;
+  InputOptions options = plan.input;
   options.threads = plan.threads();
-  KeptCurves kept{format::open_input(path, read_file(path), options), {}};
+  KeptCurves kept{open_input(path, read_file(path), options), {}};
   Curves curves(kept.input, plan.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
-    KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->beside_keys, {}});
-    while (std::optional<format::KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
+    KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
+    while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
   }
   return kept;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -5,25 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "format/input.hpp"
-#include "task.hpp"
+#include "app/job.hpp"
+#include "input/input.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 struct KeptCurve {
   std::vector<std::string> group;
-  std::shared_ptr<const format::BesideKeys> beside_keys;
-  std::vector<format::KeyBlock> blocks;
+  std::shared_ptr<const CurveInfo> curve_info;
+  std::vector<KeyBlock> blocks;
 
-  Source<format::KeyBlock> keys() const;
+  Source<KeyBlock> keys() const;
 };
 
 struct KeptCurves {
-  format::Input input;
+  Input input;
   std::vector<KeptCurve> curves;
 };
 
 /// The curves of the one input of a plan. Throws: Error.
-KeptCurves keep(const Plan& plan);
+KeptCurves keep(const Job& plan);
 
-}  // namespace tcb::compare
+}  // namespace tcb

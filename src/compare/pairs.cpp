@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "format/texts.hpp"
+#include "input/texts.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 bool is_told(const std::vector<std::string>& group) {
@@ -18,22 +18,22 @@ bool is_told(const std::vector<std::string>& group) {
 /// What tells a curve apart, as it stands in a table.
 std::vector<std::string> contents(const std::vector<std::string>& group) {
   std::vector<std::string> texts;
-  for (const std::string& text : group) texts.emplace_back(format::content(text));
+  for (const std::string& text : group) texts.emplace_back(content(text));
   return texts;
 }
 
 std::string title(const std::vector<std::string>& names, const std::vector<std::string>& group) {
   std::string text = "curve";
   for (std::size_t i = 0; i < group.size() && i < names.size(); ++i) {
-    text += fmt::format(" {}={}", names[i], format::content(group[i]));
+    text += fmt::format(" {}={}", names[i], content(group[i]));
   }
   return text;
 }
 
 /// All rows as if they were those of one curve.
-Rows joined(std::vector<Rows>& parts) {
-  Rows all;
-  for (Rows& part : parts) {
+SampleRows joined(std::vector<SampleRows>& parts) {
+  SampleRows all;
+  for (SampleRows& part : parts) {
     all.times.insert(all.times.end(), part.times.begin(), part.times.end());
     all.numbers.insert(all.numbers.end(), part.numbers.begin(), part.numbers.end());
     all.lines.insert(all.lines.end(), part.lines.begin(), part.lines.end());
@@ -41,12 +41,12 @@ Rows joined(std::vector<Rows>& parts) {
   return all;
 }
 
-Pairs by_group(const KeptCurves& kept, Table& table) {
+Pairs by_group(const KeptCurves& kept, SampleTable& table) {
   Pairs result;
   std::vector<bool> taken(table.curves.size());
   for (const KeptCurve& curve : kept.curves) {
     const auto wanted = contents(curve.group);
-    Rows rows;
+    SampleRows rows;
     for (std::size_t i = 0; i < taken.size(); ++i) {
       if (taken[i] || contents(table.curves[i].group) != wanted) continue;
       taken[i] = true;
@@ -67,7 +67,7 @@ Pairs by_group(const KeptCurves& kept, Table& table) {
 
 }  // namespace
 
-Pairs pair_up(const KeptCurves& kept, Table& table) {
+Pairs pair_up(const KeptCurves& kept, SampleTable& table) {
   if (kept.curves.size() > 0 && is_told(kept.curves[0].group) && !table.curves.empty() &&
       is_told(table.curves[0].group)) {
     return by_group(kept, table);
@@ -87,10 +87,10 @@ Pairs pair_up(const KeptCurves& kept, Table& table) {
   return result;
 }
 
-Compared compared(const Sides& sides, const Pairs& pairs) {
+Compared compared(const ComparisonInputs& sides, const Pairs& pairs) {
   Compared result{sides.file, sides.keys, sides.columns.by_length, sides.columns.ignored, sides.columns.problems};
   result.problems.insert(result.problems.end(), pairs.problems.begin(), pairs.problems.end());
   return result;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

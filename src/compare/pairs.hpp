@@ -8,11 +8,11 @@
 #include "compare/sides.hpp"
 #include "compare/table.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 struct Pair {
   const KeptCurve* curve;
-  Rows rows;
+  SampleRows rows;
 };
 
 struct Pairs {
@@ -21,7 +21,7 @@ struct Pairs {
 };
 
 /// By what tells the curves apart where both have it, else by their order; all rows for a single curve.
-Pairs pair_up(const KeptCurves& kept, Table& table);
+Pairs pair_up(const KeptCurves& kept, SampleTable& table);
 
 /// What every comparison tells of its two sides.
 struct Compared {
@@ -31,6 +31,6 @@ struct Compared {
   std::vector<std::string> problems;  ///< what is not as it should be beside the numbers
 };
 
-Compared compared(const Sides& sides, const Pairs& pairs);
+Compared compared(const ComparisonInputs& sides, const Pairs& pairs);
 
-}  // namespace tcb::compare
+}  // namespace tcb

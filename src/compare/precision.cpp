@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
-#include "format/number.hpp"
+#include "text/number.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 /// The shortest decimal of a number: how many digits it has, and the powers of ten of the first and the last.
@@ -30,7 +30,7 @@ Decimal decimal_of(double value) {
   return decimal;
 }
 
-double power_of_ten(int exponent) { return format::parse_number("1e" + std::to_string(exponent)).value_or(0); }
+double power_of_ten(int exponent) { return parse_number("1e" + std::to_string(exponent)).value_or(0); }
 
 bool is_number(double value) { return std::isfinite(value); }
 
@@ -61,4 +61,4 @@ std::vector<Allowance> allowances(std::span<const double> column, double size) {
   return result;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcb::compare {
+namespace tcb {
 
 /// What may part a number from the exact one, the finest first.
 inline constexpr std::array<std::string_view, 3> precisions{"rounding", "the printed digits", "single precision"};
@@ -19,4 +19,4 @@ using Allowance = std::array<double, precisions.size()>;
 /// Single precision: 2^-20 of the largest, where no number has more than nine digits or all are single precision.
 std::vector<Allowance> allowances(std::span<const double> column, double size);
 
-}  // namespace tcb::compare
+}  // namespace tcb

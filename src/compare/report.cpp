@@ -9,13 +9,11 @@
 #include <string_view>
 
 #include "compare/words.hpp"
-#include "format/layout.hpp"
-#include "spline/tangent.hpp"
+#include "output/layout.hpp"
+#include "tcb/spline/tangent.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
-
-using format::json_text;
 
 constexpr std::size_t most_listed = 30, most_ranked = 10;
 
@@ -159,4 +157,4 @@ std::string json(const Identified& identified) {
       list_json(identified.problems), list_json(identified.ignored));
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

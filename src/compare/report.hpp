@@ -6,7 +6,7 @@
 #include "compare/check.hpp"
 #include "compare/identify.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 /// For people, a line for each thing that is to be said.
 std::string text(const Check& check);
@@ -16,4 +16,4 @@ std::string text(const Identified& identified);
 std::string json(const Check& check);
 std::string json(const Identified& identified);
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -1,13 +1,13 @@
 // The two sides of a comparison: keys, and someone's samples of their curves.
 #include "compare/sides.hpp"
 
-#include "fields.hpp"
-#include "file.hpp"
+#include "curve/fields.hpp"
+#include "io/file.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
-Sides read_sides(const Plan& plan, const std::vector<std::size_t>& chosen) {
-  Sides sides;
+ComparisonInputs read_sides(const Job& plan, const std::vector<std::size_t>& chosen) {
+  ComparisonInputs sides;
   sides.keys = shown_name(plan.files[0]);
   sides.file = shown_name(plan.comparison->file);
   sides.threads = plan.threads();
@@ -21,4 +21,4 @@ Sides read_sides(const Plan& plan, const std::vector<std::size_t>& chosen) {
   return sides;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -9,12 +9,12 @@
 #include "compare/table.hpp"
 #include "error.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
-struct Sides {
+struct ComparisonInputs {
   KeptCurves kept;
-  Table table;
-  Columns columns;
+  SampleTable table;
+  MatchedColumns columns;
   std::string keys, file;  ///< their names for messages
   unsigned threads = 1;
 
@@ -24,6 +24,6 @@ struct Sides {
 
 /// Reads both, and finds which columns are the same; `fields` as match_columns takes them.
 /// Throws: Error, naming the file that is not as it should be.
-Sides read_sides(const Plan& plan, const std::vector<std::size_t>& fields);
+ComparisonInputs read_sides(const Job& plan, const std::vector<std::size_t>& fields);
 
-}  // namespace tcb::compare
+}  // namespace tcb

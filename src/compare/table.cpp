@@ -5,13 +5,13 @@
 #include <string_view>
 #include <utility>
 
-#include "curves.hpp"
-#include "file.hpp"
-#include "format/format.hpp"
-#include "names.hpp"
-#include "stream.hpp"
+#include "input/format.hpp"
+#include "io/file.hpp"
+#include "keys/curves.hpp"
+#include "stream/stream.hpp"
+#include "text/suggest.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -30,7 +30,7 @@ char decimal_of(std::string_view beginning) {
   return commas ? ',' : '.';
 }
 
-void append(Rows& rows, const format::KeyBlock& block) {
+void append(SampleRows& rows, const KeyBlock& block) {
   rows.times.insert(rows.times.end(), block.keys.times.begin(), block.keys.times.end());
   rows.numbers.insert(rows.numbers.end(), block.keys.positions.begin(), block.keys.positions.end());
   rows.lines.insert(rows.lines.end(), block.lines.begin(), block.lines.end());
@@ -38,21 +38,21 @@ void append(Rows& rows, const format::KeyBlock& block) {
 
 }  // namespace
 
-format::InputOptions table_options(const format::Input& keys, bool timeless, unsigned threads) {
-  format::InputOptions options;
-  options.samples = format::SampleNames{keys.time, keys.groups, keys.carried};
-  options.missing = format::Missing::skip_cell;
+InputOptions table_options(const Input& keys, bool timeless, unsigned threads) {
+  InputOptions options;
+  options.samples = SampleNames{keys.time, keys.groups, keys.carried};
+  options.missing = Missing::skip_cell;
   options.timeless = timeless;
   options.threads = threads;
   return options;
 }
 
-Table read_table(const std::string& path, format::InputOptions options) {
+SampleTable read_table(const std::string& path, InputOptions options) {
   Source<std::string> bytes = read_file(path);
   std::string beginning = bytes().value_or("");
   options.decimal = decimal_of(beginning);
-  format::Input input = format::open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
-  Table table{input.named, input.timed, input.time, input.channels, {}, {}};
+  Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
+  SampleTable table{input.named, input.timed, input.time, input.channels, {}, {}};
   for (const auto& [name, value] : input.facts) {
     if (name != "left out") continue;
     for (const std::string_view column : split(value, ',')) {
@@ -62,10 +62,10 @@ Table read_table(const std::string& path, format::InputOptions options) {
   input.timed = false;  // rows may stand in any order
   Curves curves(input, {}, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
-    Rows& rows = table.curves.emplace_back(Rows{curve->group, {}, {}, {}});
-    while (const std::optional<format::KeyBlock> block = curve->keys()) append(rows, *block);
+    SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
+    while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
   }
   return table;
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

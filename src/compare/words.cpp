@@ -3,16 +3,16 @@
 
 #include <cmath>
 
-#include "format/layout.hpp"
-#include "format/number.hpp"
+#include "output/layout.hpp"
+#include "text/number.hpp"
 
-namespace tcb::compare {
+namespace tcb {
 
 std::string number_text(double value) {
   if (std::isnan(value)) return "nothing";
   if (std::isinf(value)) return "-";
   std::string text;
-  format::append_number(text, value);
+  append_number(text, value);
   return text;
 }
 
@@ -20,8 +20,8 @@ std::string number_json(double value) { return std::isfinite(value) ? number_tex
 
 std::string list_json(const std::vector<std::string>& texts) {
   std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + format::json_text(text);
+  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + json_text(text);
   return "[" + list + "]";
 }
 
-}  // namespace tcb::compare
+}  // namespace tcb

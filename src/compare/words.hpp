@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace tcb::compare {
+namespace tcb {
 
 /// The shortest text that reads back as the same double; "nothing" where it is not a number, "-" where it is infinite.
 std::string number_text(double value);
@@ -14,4 +14,4 @@ std::string number_json(double value);
 
 std::string list_json(const std::vector<std::string>& texts);
 
-}  // namespace tcb::compare
+}  // namespace tcb

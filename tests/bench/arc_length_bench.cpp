@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "spline/arc_inverse.hpp"
-#include "spline/arc_length.hpp"
-#include "spline/curve.hpp"
+#include "tcb/spline/arc_inverse.hpp"
+#include "tcb/spline/arc_length.hpp"
+#include "tcb/spline/curve.hpp"
 
 namespace {
 
@@ -35,7 +35,7 @@ double measure(Length& length, const Segment& segment) {
 double find_places(const Length& length, std::int64_t samples) {
   const double total = length.total().value;
   const double step = total / static_cast<double>(samples);
-  static std::vector<tcb::spline::Twice> lengths;
+  static std::vector<tcb::spline::DoubleDouble> lengths;
   static std::vector<tcb::spline::Local<double>> places;
   lengths.clear();
   for (std::int64_t i = 0; i < samples; ++i) lengths.emplace_back((static_cast<double>(i) + 0.5) * step);

@@ -16,7 +16,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "format/number_text.hpp"
+#include "text/print_number.hpp"
 
 namespace {
 
@@ -76,8 +76,8 @@ void set_velocities(std::vector<Key>& keys) {
 class Output {
  public:
   void number(double value, char after) {
-    if (size_ + tcb::format::number_room > buffer_.size()) flush();
-    char* const end = tcb::format::write_shortest(value, buffer_.data() + size_);
+    if (size_ + tcb::number_room > buffer_.size()) flush();
+    char* const end = tcb::write_shortest(value, buffer_.data() + size_);
     *end = after;
     size_ = static_cast<std::size_t>(end + 1 - buffer_.data());
   }

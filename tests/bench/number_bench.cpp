@@ -9,12 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "format/number.hpp"
-#include "format/number_text.hpp"
+#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace {
-
-using tcb::format::number_room;
 
 using Values = std::vector<double>;
 using Texts = std::vector<std::string>;
@@ -69,9 +67,9 @@ char* to_chars_digits(double value, char* out) {
   return std::to_chars(out, out + 512, value, std::chars_format::general, 9).ptr;
 }
 char* with_fmt(double value, char* out) { return fmt::format_to(out, "{}", value); }
-char* time(double value, char* out) { return tcb::format::write_time(value, out); }
-char* fixed(double value, char* out) { return tcb::format::write_fixed(value, 6, out); }
-char* digits(double value, char* out) { return tcb::format::write_digits(value, 9, out); }
+char* time(double value, char* out) { return tcb::write_time(value, out); }
+char* fixed(double value, char* out) { return tcb::write_fixed(value, 6, out); }
+char* digits(double value, char* out) { return tcb::write_digits(value, 9, out); }
 double from_chars(const std::string& text) {
   double value = 0;
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -87,7 +85,7 @@ void compare(const std::string& name, const Values& values) {
     benchmark::RegisterBenchmark(("read/" + name + "/" + way).c_str(),
                                  [=, &values](benchmark::State& state) { read(state, values, parse); });
   };
-  printing("ours", tcb::format::write_shortest);
+  printing("ours", tcb::write_shortest);
   printing("ours_as_time", time);
   printing("to_chars", to_chars);
   printing("fmt", with_fmt);
@@ -95,8 +93,8 @@ void compare(const std::string& name, const Values& values) {
   printing("six_decimals_by_to_chars", to_chars_fixed);
   printing("nine_digits", digits);
   printing("nine_digits_by_to_chars", to_chars_digits);
-  reading("ours", tcb::format::parse_number);
-  reading("ours_as_time", tcb::format::parse_time);
+  reading("ours", tcb::parse_number);
+  reading("ours_as_time", tcb::parse_time);
   reading("from_chars", from_chars);
 }
 

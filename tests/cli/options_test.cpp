@@ -5,12 +5,12 @@
 
 #include "error.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
 using testing::ElementsAre;
 
-Request parsed(std::vector<const char*> arguments) {
+Invocation parsed(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "tcbsample");
   return parse(static_cast<int>(arguments.size()), arguments.data());
 }
@@ -26,10 +26,10 @@ std::string refusal(std::vector<const char*> arguments) {
 }
 
 TEST(Options, options_and_files_come_in_any_order) {
-  const Plan plan = parsed({"a.csv", "-s", "0.5", "-", "--output-format=json", "b.csv"}).plan;
+  const Job plan = parsed({"a.csv", "-s", "0.5", "-", "--output-format=json", "b.csv"}).plan;
   EXPECT_THAT(plan.files, ElementsAre("a.csv", "-", "b.csv"));
-  EXPECT_EQ(plan.sampling.step, sampler::Rational(1, 2));
-  EXPECT_EQ(plan.output_format, format::find_format("", "json"));
+  EXPECT_EQ(plan.sampling.step, Rational(1, 2));
+  EXPECT_EQ(plan.output_format, find_format("", "json"));
 }
 
 TEST(Options, two_dashes_end_the_options) {
@@ -37,9 +37,9 @@ TEST(Options, two_dashes_end_the_options) {
 }
 
 TEST(Options, a_value_may_be_negative) {
-  const Plan plan = parsed({"-s1", "--from", "-1.5", "--to", "-.5", "--tcb", "-1,0,.5"}).plan;
-  EXPECT_EQ(plan.sampling.from, sampler::Rational(-3, 2));
-  EXPECT_EQ(plan.sampling.to, sampler::Rational(-1, 2));
+  const Job plan = parsed({"-s1", "--from", "-1.5", "--to", "-.5", "--tcb", "-1,0,.5"}).plan;
+  EXPECT_EQ(plan.sampling.from, Rational(-3, 2));
+  EXPECT_EQ(plan.sampling.to, Rational(-1, 2));
   EXPECT_EQ(plan.input.tcb, (spline::Tcb<double>{-1, 0, 0.5}));
 }
 
@@ -72,4 +72,4 @@ TEST(Options, what_the_plan_refuses_is_refused_here) {
 }
 
 }  // namespace
-}  // namespace tcb::cli
+}  // namespace tcb

@@ -13,7 +13,7 @@
 #include "cli/options.hpp"
 #include "error.hpp"
 
-namespace tcb::cli {
+namespace tcb {
 namespace {
 
 using testing::HasSubstr;
@@ -46,7 +46,7 @@ class ReferenceTest : public testing::Test {
     return said;
   }
 
-  Typed typed_;
+  TypedOptions typed_;
   std::unique_ptr<CLI::App> app_ = declare(typed_);
 };
 
@@ -126,4 +126,4 @@ TEST_F(ReferenceTest, the_version_has_the_name_and_three_numbers) {
 }
 
 }  // namespace
-}  // namespace tcb::cli
+}  // namespace tcb

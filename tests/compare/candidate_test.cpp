@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 using testing::ElementsAre;
@@ -44,4 +44,4 @@ TEST(Ranking, where_none_fits_few_wrong_rows_count_for_more_than_a_small_error) 
 }
 
 }  // namespace
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 using testing::ElementsAre;
@@ -12,7 +12,7 @@ using testing::IsEmpty;
 /// One curve whose keys have these.
 KeptCurves with(std::vector<spline::Tcb<double>> tcbs) {
   KeptCurves kept;
-  format::KeyBlock block;
+  KeyBlock block;
   block.keys.tcbs = std::move(tcbs);
   kept.curves.push_back({{}, nullptr, {block}});
   return kept;
@@ -62,4 +62,4 @@ TEST(Conventions, are_asked_for_by_name) {
 }
 
 }  // namespace
-}  // namespace tcb::compare
+}  // namespace tcb

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -54,4 +54,4 @@ TEST(Limits, those_of_a_column_go_before_those_of_all) {
 }
 
 }  // namespace
-}  // namespace tcb::compare
+}  // namespace tcb

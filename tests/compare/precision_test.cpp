@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tcb::compare {
+namespace tcb {
 namespace {
 
 constexpr std::size_t rounding = 0, printed = 1, single = 2;
@@ -34,4 +34,4 @@ TEST(Precision, nine_digits_or_single_numbers_allow_single_precision) {
 }
 
 }  // namespace
-}  // namespace tcb::compare
+}  // namespace tcb

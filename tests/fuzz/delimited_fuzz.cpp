@@ -10,17 +10,17 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tcb;
   FuzzedDataProvider choices(data, size);
-  format::InputOptions options;
-  options.format = format::find_format("", choices.PickValueInArray({"csv", "csv", "tsv", "ssv"}));
+  InputOptions options;
+  options.format = find_format("", choices.PickValueInArray({"csv", "csv", "tsv", "ssv"}));
   const char delimiter = choices.PickValueInArray({'\0', '\0', ';', '|', 'x', ' ', '\xA7'});
   if (delimiter != '\0') options.delimiter = delimiter;
   options.header = choices.PickValueInArray<std::optional<bool>>({std::nullopt, std::nullopt, true, false});
   options.comment = choices.PickValueInArray({"#", "#", "", "//", ">"});
   options.decimal = choices.PickValueInArray({'.', '.', ','});
-  options.missing = choices.PickValueInArray(format::missing_names).way;
+  options.missing = choices.PickValueInArray(missing_names).way;
   options.timeless = choices.ConsumeBool();
   const char* const columns = choices.PickValueInArray({"", "", "", "time=1", "group=1,time=2", "carry=3", "carry=x"});
-  if (*columns != '\0') options.roles = format::parse_roles(columns);
+  if (*columns != '\0') options.roles = parse_roles(columns);
   const auto piece = choices.ConsumeIntegralInRange<std::size_t>(1, 64);
   fuzz::require_same_readings(choices.ConsumeRemainingBytesAsString(), options, piece, true);
   return 0;

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "format/refusal.hpp"
+#include "text/refusal.hpp"
 
 namespace tcb::fuzz {
 
@@ -25,7 +25,7 @@ inline void require_same(std::string_view one, std::string_view other, std::stri
 
 /// A refusal fits a terminal: UTF-8 in lines of its own, each naming the file or the program, ten faults at most.
 inline void require_refusal(std::string_view text, std::string_view file) {
-  require(format::find_foreign(text) == std::string_view::npos, "a refusal is not UTF-8", text);
+  require(find_foreign(text) == std::string_view::npos, "a refusal is not UTF-8", text);
   std::size_t lines = 0;
   for (std::string_view left = text; !left.empty(); ++lines) {
     const std::string_view line = left.substr(0, left.find('\n'));

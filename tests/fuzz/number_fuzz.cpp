@@ -12,10 +12,10 @@
 #include <optional>
 #include <string>
 
-#include "format/decimals.hpp"
-#include "format/number.hpp"
-#include "format/number_text.hpp"
 #include "invariant.hpp"
+#include "text/decimal_mark.hpp"
+#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb::fuzz {
 namespace {
@@ -60,7 +60,7 @@ bool is_hexadecimal(const std::string& text) {
 }
 
 std::optional<double> expected_number(const std::string& text) {
-  const bool is_number = is_decimal(text) || (is_hexadecimal(text) && format::parse_number(text));
+  const bool is_number = is_decimal(text) || (is_hexadecimal(text) && parse_number(text));
   const double value = is_number ? std::strtod(text.c_str(), nullptr) : std::nan("");
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -74,20 +74,20 @@ std::optional<std::int64_t> expected_whole(std::string_view text) {
 
 void read(const std::string& text) {
   const std::optional<double> wanted = expected_number(text);
-  require(same(format::parse_number(text), wanted), "read otherwise than by strtod", text);
-  require(!wanted || format::looks_numeric(text), "a number that does not look like one", text);
+  require(same(parse_number(text), wanted), "read otherwise than by strtod", text);
+  require(!wanted || looks_numeric(text), "a number that does not look like one", text);
 
   std::string with_comma = text;
   for (char& c : with_comma) c = c == ',' ? '.' : c == '.' ? ',' : c;
-  require(same(format::Decimals(',').number(with_comma), wanted), "a decimal comma changes the number", text);
+  require(same(Decimals(',').number(with_comma), wanted), "a decimal comma changes the number", text);
 
-  const std::optional<format::Time> time = format::parse_time(text);
+  const std::optional<Time> time = parse_time(text);
   require(time.has_value() == wanted.has_value(), "a time, but no number", text);
   if (!wanted) return;
   const auto whole = is_decimal(text) && text.find('.') == std::string::npos ? expected_whole(text) : std::nullopt;
   if (!whole) return require(time->hi == *wanted && time->lo == 0, "a time is not its number", text);
   require(static_cast<__int128>(time->hi) + static_cast<__int128>(time->lo) == *whole, "digits lost", text);
-  require_same(format::time_text(*time), std::to_string(*whole), "a time is written otherwise");
+  require_same(time_text(*time), std::to_string(*whole), "a time is written otherwise");
 }
 
 std::string by_to_chars(double value) {
@@ -102,25 +102,25 @@ std::string by_printf(const char* form, Arguments... arguments) {
   return text;
 }
 
-std::string written(double value, const format::Notation& notation) {
-  std::string text(format::longest_number_in(notation) + format::spare_room, '\0');
-  text.resize(static_cast<std::size_t>(format::write_number(value, notation, text.data()) - text.data()));
+std::string written(double value, const Notation& notation) {
+  std::string text(longest_number_in(notation) + spare_room, '\0');
+  text.resize(static_cast<std::size_t>(write_number(value, notation, text.data()) - text.data()));
   return text;
 }
 
 void write(double value, int places) {
   std::string shortest;
-  format::append_number(shortest, value);
+  append_number(shortest, value);
   require_same(shortest, by_to_chars(value), "the shortest text");
-  require(same(format::parse_number(shortest), value), "not read back", shortest);
-  using Kind = format::Notation::Kind;
+  require(same(parse_number(shortest), value), "not read back", shortest);
+  using Kind = Notation::Kind;
   require_same(written(value, {Kind::fixed, places}), by_printf("%.*f", places, value),
                fmt::format("{} decimals", places));
   require_same(written(value, {Kind::digits, places}), by_printf("%.*g", places, value),
                fmt::format("{} digits", places));
 
   // A time has one text, which is its number's unless it is whole.
-  const std::string time = format::time_text(format::Time(value));
+  const std::string time = time_text(Time(value));
   const bool whole = std::trunc(value) == value && std::abs(value) < 0x1p63;
   require_same(time, whole ? std::to_string(static_cast<std::int64_t>(value)) : shortest, "a time");
 }

@@ -12,13 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "app/pipeline.hpp"
 #include "cli/options.hpp"
+#include "cli/remedies.hpp"
+#include "curve/fields.hpp"
 #include "error.hpp"
-#include "fields.hpp"
-#include "format/format.hpp"
-#include "format/number.hpp"
+#include "input/format.hpp"
 #include "invariant.hpp"
-#include "resample.hpp"
+#include "text/number.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
@@ -72,8 +73,8 @@ bool names_a_file(std::string_view options) {
 }
 
 /// What a line of options asks for: from standard input to standard output, and few rows. Nothing for other requests.
-std::optional<Plan> parse(std::string_view line) {
-  if (names_a_file(line) || format::find_foreign(line) != std::string_view::npos) return std::nullopt;
+std::optional<Job> parse(std::string_view line) {
+  if (names_a_file(line) || find_foreign(line) != std::string_view::npos) return std::nullopt;
   std::vector<std::string> words{"tcbsample"};
   for (const std::string_view word : split(line, ' ')) {
     if (!word.empty()) words.emplace_back(word.substr(0, word.find('\0')));
@@ -81,25 +82,25 @@ std::optional<Plan> parse(std::string_view line) {
   std::vector<const char*> arguments;
   for (const std::string& word : words) arguments.push_back(word.c_str());
   try {
-    cli::Request request = cli::parse(static_cast<int>(arguments.size()), arguments.data());
+    Invocation request = parse(static_cast<int>(arguments.size()), arguments.data());
     if (request.text) return std::nullopt;
     request.plan.files = {"-"};
     request.plan.output = "-";
     request.plan.output_folder.reset();
     request.plan.batch = {};
-    request.plan.talk = {.quiet = true};
+    request.plan.verbosity = {.quiet = true};
     request.plan.sampling.max_rows = std::min(request.plan.sampling.max_rows, most_rows);
     return request.plan;
   } catch (const Error& error) {
-    require(error.exit() == Exit::usage, "options refused as if they were data", error.text());
-    require(error.text().starts_with("tcbsample: error: "), "options refused elsewhere", error.text());
+    require(error.exit() == Exit::usage, "options refused as if they were data", error_text(error));
+    require(error_text(error).starts_with("tcbsample: error: "), "options refused elsewhere", error_text(error));
     return std::nullopt;
   }
 }
 
 /// As parse, which takes longer than all the rest, of lines that were not seen lately.
-const std::optional<Plan>& parsed(std::string_view line) {
-  static std::map<std::string, std::optional<Plan>, std::less<>> known;
+const std::optional<Job>& parsed(std::string_view line) {
+  static std::map<std::string, std::optional<Job>, std::less<>> known;
   constexpr std::size_t most = 4096;
   if (const auto found = known.find(line); found != known.end()) return found->second;
   if (known.size() == most) known.clear();
@@ -111,7 +112,7 @@ struct Outcome {
   std::string out, refusal;
 };
 
-Outcome run(Plan plan, unsigned jobs, std::string_view input) {
+Outcome run(Job plan, unsigned jobs, std::string_view input) {
   static const MemoryFile in(STDIN_FILENO), out(STDOUT_FILENO);
   in.set(input);
   out.set("");
@@ -120,31 +121,31 @@ Outcome run(Plan plan, unsigned jobs, std::string_view input) {
     require(resample(plan) == Exit::done, "a failure without a refusal", input);
     return {out.text(), {}};
   } catch (const Error& error) {
-    require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error.text());
-    require_refusal(error.text(), "standard input");
-    return {{}, error.text()};
+    require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error_text(error));
+    require_refusal(error_text(error), "standard input");
+    return {{}, error_text(error)};
   }
 }
 
 /// Every cell of delimited rows is a finite number or empty, and time does not go back.
 void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
-  std::optional<format::Time> last;
+  std::optional<Time> last;
   for (const std::string_view row : split(rows, '\n')) {
     if (row.starts_with('#')) continue;  // provenance
     const std::vector<std::string_view> cells = split(row, delimiter);
     for (const std::string_view cell : cells) {
       const bool undefined = cell.empty() || (delimiter == ' ' && cell == "NA");
-      require(undefined || format::parse_number(cell).has_value(), "a cell that is no number", rows);
+      require(undefined || parse_number(cell).has_value(), "a cell that is no number", rows);
     }
-    const auto time = format::parse_time(cells[0]);
+    const auto time = parse_time(cells[0]);
     require(!ordered || !last || !time || !(*time < *last), "time goes back", rows);
     last = time;  // an empty row begins a new curve
   }
 }
 
 /// Requires: rows that were not refused.
-void require_sound(const Plan& plan, std::string_view text, std::string_view rows) {
-  const format::Format& format = format::formats()[plan.output_format];
+void require_sound(const Job& plan, std::string_view text, std::string_view rows) {
+  const Format& format = formats()[plan.output_format];
   if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
   if (format.name == "jsonl") {
     for (const std::string_view row : split(rows, '\n')) {
@@ -155,7 +156,7 @@ void require_sound(const Plan& plan, std::string_view text, std::string_view row
   const auto bytes = [text, read = false]() mutable {
     return std::exchange(read, true) ? std::nullopt : std::optional(std::string(text));
   };
-  const format::Input input = format::open_input("-", bytes, plan.input);
+  const Input input = open_input("-", bytes, plan.input);
   if (!input.groups.empty() || !input.carried.empty()) return;  // their texts may be anything
   const auto drop_line = [&rows] { rows.remove_prefix(std::min(rows.size(), rows.find('\n') + 1)); };
   while (rows.starts_with('#')) drop_line();  // provenance
@@ -164,7 +165,7 @@ void require_sound(const Plan& plan, std::string_view text, std::string_view row
     drop_line();
   }
   const auto mode = plan.sampling.mode;
-  const bool in_order = mode != sampler::Mode::at && mode != sampler::Mode::arc_at;
+  const bool in_order = mode != Mode::at && mode != Mode::arc_at;
   const char delimiter = format.name == "csv" ? ',' : format.name == "tsv" ? '\t' : ' ';
   require_sound_rows(rows, delimiter, in_order && fields()[plan.fields[0]].name == "time");
 }

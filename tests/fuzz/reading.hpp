@@ -10,9 +10,10 @@
 #include <string>
 #include <string_view>
 
+#include "cli/remedies.hpp"
 #include "error.hpp"
-#include "format/faults.hpp"
-#include "format/format.hpp"
+#include "input/faults.hpp"
+#include "input/format.hpp"
 #include "invariant.hpp"
 
 namespace tcb::fuzz {
@@ -32,9 +33,9 @@ class ShownKeys {
  public:
   ShownKeys(std::uint64_t lines, bool may_miss) : lines_(lines), may_miss_(may_miss) {}
 
-  void add(const format::KeyBlock& block) {
-    if (block.beside_keys)
-      text_ += fmt::format("id {}\n", block.beside_keys->id);  // a curve begins, of one block or more
+  void add(const KeyBlock& block) {
+    if (block.curve_info)
+      text_ += fmt::format("id {}\n", block.curve_info->id);  // a curve begins, of one block or more
     const std::size_t texts = block.lines.empty() ? 0 : block.texts.size() / block.lines.size();
     for (std::size_t i = 0; i < block.lines.size(); ++i) {
       if (std::ranges::count(block.breaks, i) > 0 || breaks_) text_ += "break\n";
@@ -58,7 +59,7 @@ class ShownKeys {
     require(std::isfinite(value) || may_be_missing, "a key that is not finite", text_);
   }
 
-  void add_key(const format::KeyBlock& block, std::size_t i) {
+  void add_key(const KeyBlock& block, std::size_t i) {
     const spline::Keys<double>& keys = block.keys;
     text_ += fmt::format("{}:{}", block.lines[i], block.columns.empty() ? 0 : block.columns[i]);
     require(block.lines[i] >= 1 && block.lines[i] <= lines_, "a key on no line", text_);
@@ -87,20 +88,20 @@ struct Reading {
   bool refused = false;
 };
 
-inline Reading read(std::string_view text, const format::InputOptions& options, std::size_t piece) {
+inline Reading read(std::string_view text, const InputOptions& options, std::size_t piece) {
   const auto lines = static_cast<std::uint64_t>(std::ranges::count(text, '\n')) + 1;
   try {
-    const format::Input input = format::open_input("f", pieces(text, piece), options);
+    const Input input = open_input("f", pieces(text, piece), options);
     std::string found;
     for (const auto& [name, value] : input.facts) found += fmt::format("{}: {}\n", name, value);
     ShownKeys shown(lines, input.may_miss);
-    const Source<format::KeyBlock> keys = format::without_faults(input.keys, false);
+    const Source<KeyBlock> keys = without_faults(input.keys, false);
     while (const auto block = keys()) shown.add(*block);
     return {found + shown.text()};
   } catch (const Error& error) {
-    const std::string refusal = error.in("f").text();
+    const std::string refusal = error_text(error.in("f"));
     require_refusal(refusal, "f");
-    const bool there = error.place().line <= lines && error.place().column <= text.size() + 1;
+    const bool there = error.position().line <= lines && error.position().column <= text.size() + 1;
     require(there, "a place that is not there", refusal);
     return {refusal, true};
   }
@@ -108,8 +109,7 @@ inline Reading read(std::string_view text, const format::InputOptions& options, 
 
 /// The text read whole and in pieces, on one thread and, now and then, on three. Where pieces are cut may decide what
 /// is said first of a text that is refused, unless `same_refusals`.
-inline void require_same_readings(std::string_view text, format::InputOptions options, std::size_t piece,
-                                  bool same_refusals) {
+inline void require_same_readings(std::string_view text, InputOptions options, std::size_t piece, bool same_refusals) {
   const Reading whole = read(text, options, std::string_view::npos);
   const Reading pieced = read(text, options, piece);
   const bool both_refused = whole.refused && pieced.refused;

@@ -1,6 +1,6 @@
 // Arc length: curves whose length is known, cusps, holds, and the inverse.
-#include "spline/arc_length.hpp"
-#include "spline/arc_inverse.hpp"
+#include "tcb/spline/arc_length.hpp"
+#include "tcb/spline/arc_inverse.hpp"
 
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ void expect_as_in_extended(std::span<const Cubic<double>> segment) {
   EXPECT_LE(error, 4 * (std::nextafter(length, HUGE_VAL) - length));
   ArcInverse<double> inverse(arc, 0.0, length);
   for (int row = 1; row < 8; ++row) {
-    const Twice s = Twice(length) * Twice(row / 8.0);
+    const DoubleDouble s = DoubleDouble(length) * DoubleDouble(row / 8.0);
     const Local<double> at = inverse.at(s);
     const Local<Extended> place =
         at.near_start() ? Local<Extended>{at.u, Extended(at.u) - 1} : Local<Extended>{Extended(at.w) + 1, at.w};
@@ -189,10 +189,10 @@ TEST(ArcInverse, finds_many_places_as_it_finds_each) {
     Segment curve;
     for (auto& x : curve) x = cubic<double>(uniform(random), uniform(random), uniform(random), uniform(random));
     const ArcLength<double> arc(curve, {});
-    const Twice start(uniform(random)), end = start + Twice(arc.total().value);
-    std::vector<Twice> lengths;
+    const DoubleDouble start(uniform(random)), end = start + DoubleDouble(arc.total().value);
+    std::vector<DoubleDouble> lengths;
     for (int row = 0; row <= i % 13; ++row)
-      lengths.push_back(start + Twice(arc.total().value * (uniform(random) + 1) / 2));
+      lengths.push_back(start + DoubleDouble(arc.total().value * (uniform(random) + 1) / 2));
     std::vector<Local<double>> places(lengths.size());
     ArcInverse<double>(arc, start, end).at(lengths, places);
     for (std::size_t row = 0; row < lengths.size(); ++row) {

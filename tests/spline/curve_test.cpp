@@ -1,5 +1,5 @@
 // Curves: tabled values, the laws of the splines, and windows that do not show.
-#include "spline/curve.hpp"
+#include "tcb/spline/curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -165,7 +165,7 @@ TEST(Curve, two_places_side_by_side_give_the_bits_of_each) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 10'000; ++i) {
     const auto x = cubic<double>(uniform(random), uniform(random), uniform(random), uniform(random));
-    const auto place = [&] { return from_start<double>(Twice(std::abs(uniform(random)))); };
+    const auto place = [&] { return from_start<double>(DoubleDouble(std::abs(uniform(random)))); };
     const auto a = place(), b = place();
     if (!may_pair(a, b)) continue;
     const Pair both = positions(x, a, b);

@@ -1,5 +1,5 @@
 // Ease: tabled values, its inverse, and its derivatives.
-#include "spline/ease.hpp"
+#include "tcb/spline/ease.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace tcb::spline {
 namespace {
 
 double warped(double ease_out, double ease_in, double u) {
-  return Warp<double>(ease_out, ease_in).at(u, Twice(1) - Twice(u)).u;
+  return Warp<double>(ease_out, ease_in).at(u, DoubleDouble(1) - DoubleDouble(u)).u;
 }
 
 TEST(Warp, meets_the_tabled_values) {
@@ -27,9 +27,9 @@ TEST(Warp, inverse_and_slopes_fit) {
        {std::array{.3, .2}, std::array{0., .5}, std::array{1., 0.}, std::array{.8, .7}, std::array{1., 1.}}) {
     const Warp<double> warp(out, in);
     for (double u = 0.03125; u < 1; u += 0.0625) {
-      EXPECT_NEAR(warp.inverse(warp.at(u, Twice(1) - Twice(u))).hi, u, 1e-15);
+      EXPECT_NEAR(warp.inverse(warp.at(u, DoubleDouble(1) - DoubleDouble(u))).hi, u, 1e-15);
       const double h = 0x1p-20;
-      const auto at = [&](double x) { return warp.at(x, Twice(1) - Twice(x)).u; };
+      const auto at = [&](double x) { return warp.at(x, DoubleDouble(1) - DoubleDouble(x)).u; };
       EXPECT_NEAR(warp.slope(u), (at(u + h) - at(u - h)) / (2 * h), 1e-5);
       EXPECT_NEAR(warp.bend(u), (warp.slope(u + h) - warp.slope(u - h)) / (2 * h), 1e-3);
     }

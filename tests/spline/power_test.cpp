@@ -1,5 +1,5 @@
 // Powers by square roots: against products and roots that are known.
-#include "spline/power.hpp"
+#include "tcb/spline/power.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spline/curve.hpp"
-#include "spline/preset.hpp"
+#include "tcb/spline/curve.hpp"
+#include "tcb/spline/preset.hpp"
 
 namespace tcb::spline {
 namespace {

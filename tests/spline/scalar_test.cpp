@@ -1,5 +1,5 @@
-// Twice the precision: sums, products and quotients against 128-bit integers.
-#include "spline/scalar.hpp"
+// DoubleDouble the precision: sums, products and quotients against 128-bit integers.
+#include "tcb/spline/scalar.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
-/// A Twice with whole parts as the integer that it stands for.
-Int128 whole(const Twice& value) { return static_cast<Int128>(value.hi) + static_cast<Int128>(value.lo); }
+/// A DoubleDouble with whole parts as the integer that it stands for.
+Int128 whole(const DoubleDouble& value) { return static_cast<Int128>(value.hi) + static_cast<Int128>(value.lo); }
 
 class TwiceTest : public testing::Test {
  protected:
@@ -22,28 +22,28 @@ class TwiceTest : public testing::Test {
 TEST_F(TwiceTest, sums_and_products_of_53_bit_integers_are_exact) {
   for (int i = 0; i < 100'000; ++i) {
     const double a = draw(), b = draw();
-    ASSERT_EQ(whole(Twice(a) + Twice(b)), static_cast<Int128>(a) + static_cast<Int128>(b));
-    ASSERT_EQ(whole(Twice(a) * Twice(b)), static_cast<Int128>(a) * static_cast<Int128>(b));
+    ASSERT_EQ(whole(DoubleDouble(a) + DoubleDouble(b)), static_cast<Int128>(a) + static_cast<Int128>(b));
+    ASSERT_EQ(whole(DoubleDouble(a) * DoubleDouble(b)), static_cast<Int128>(a) * static_cast<Int128>(b));
   }
 }
 
 TEST_F(TwiceTest, quotients_times_divisors_come_back_to_100_bits) {
   for (int i = 0; i < 100'000; ++i) {
-    const Twice a(draw()), b(draw());
-    const Twice back = a / b * b - a;
+    const DoubleDouble a(draw()), b(draw());
+    const DoubleDouble back = a / b * b - a;
     ASSERT_LE(std::abs(back.hi), std::abs(a.hi) * 0x1p-100);
   }
 }
 
 TEST_F(TwiceTest, products_do_not_overflow_before_the_result_does) {
-  const Twice product = Twice(0x1p1000) * Twice(0x1.5p23);
+  const DoubleDouble product = DoubleDouble(0x1p1000) * DoubleDouble(0x1.5p23);
   EXPECT_EQ(product.hi, 0x1.5p1023);
   EXPECT_EQ(product.lo, 0);
 }
 
 TEST_F(TwiceTest, order_looks_at_both_parts) {
-  EXPECT_LT(Twice(0x1p60, -1), Twice(0x1p60));
-  EXPECT_LT(Twice(0x1p60), Twice(0x1p60, 1));
+  EXPECT_LT(DoubleDouble(0x1p60, -1), DoubleDouble(0x1p60));
+  EXPECT_LT(DoubleDouble(0x1p60), DoubleDouble(0x1p60, 1));
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// Everything that one run of the program is to do.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "compare/comparison.hpp"
+#include "curve/settings.hpp"
+#include "exact/options.hpp"
+#include "input/format.hpp"
+#include "keys/curves.hpp"
+#include "output/provenance_recorder.hpp"
+#include "sampling/request.hpp"
+
+namespace tcb {
+
+/// Which files there are besides those named, and what is done with all of them.
+struct BatchOptions {
+  std::string list;        ///< a file that names files; "-": standard input; empty: none
+  bool nul = false;        ///< the names in the list end in NUL, not in a new line
+  bool recursive = false;  ///< folders stand for the files in them
+  std::string suffix;      ///< of the outputs' names, before the ending
+  bool update = false;     ///< leaves out what has an output that is not older
+  bool fail_fast = false;  ///< stops at the first file that fails
+};
+
+/// What is said on standard error besides errors.
+struct Verbosity {
+  bool quiet = false;     ///< nothing
+  bool notes = false;     ///< what may surprise
+  bool progress = false;  ///< how far the work is, once it takes a while
+};
+
+/// Everything that one run of the program is to do.
+struct Job {
+  std::vector<std::string> files;  ///< "-" is standard input
+  BatchOptions batch;
+  InputOptions input;
+  CurveOptions curves;
+  CurveSettings curve;
+  SamplingRequest sampling;
+  std::vector<std::size_t> fields;       ///< indices into fields(), in output order; none: those of the comparison
+  std::optional<Comparison> comparison;  ///< instead of printing samples
+  std::size_t output_format = 0;         ///< index into formats()
+  std::optional<bool> output_header;
+  std::optional<GoldenOptions> golden;    ///< rows are worked out exactly
+  Notation notation;                      ///< of numbers that may have a fraction
+  std::optional<ProvenanceRequest> meta;  ///< provenance goes with the rows
+  bool explain = false;                   ///< say what was found and would be done, and do not
+  std::optional<unsigned> jobs;           ///< threads; nothing: all cores, one for a live pipe
+  Verbosity verbosity;
+  std::string output = "-";                  ///< one output for all files, or
+  std::optional<std::string> output_folder;  ///< one for each, in this folder
+
+  /// How many threads the work may take.
+  unsigned threads() const { return jobs.value_or(std::max(1U, std::thread::hardware_concurrency())); }
+};
+
+}  // namespace tcb

@@ -1,0 +1,77 @@
+// Words for errors: from codes, subjects and values to what was wrong, what was expected, and the remedy.
+#include "cli/remedies.hpp"
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "text/refusal.hpp"
+
+namespace tcb {
+namespace {
+
+/// The words of a code. {0}, {1}, … are its values, lists joined by ", "; {subject} is the option, as --NAME, or the
+/// member of JSON that the error is about.
+struct Words {
+  ErrorCode code;
+  std::string_view text;
+};
+
+constexpr std::array all_words{
+    Words{ErrorCode::legacy, "{0}"},
+    // text
+    // io
+    // input
+    // input/csv
+    // input/json
+    // keys
+    // sampling
+    // curve
+    // exact
+    // output
+    // app
+    // compare
+    // cli
+};
+
+struct AppendValue {
+  fmt::dynamic_format_arg_store<fmt::format_context>& to;
+  void operator()(const std::vector<std::string>& list) const {
+    to.push_back(fmt::format("{}", fmt::join(list, ", ")));
+  }
+  void operator()(const auto& value) const { to.push_back(value); }
+};
+
+std::string line_of(const Error& error) {
+  const TextPosition& position = error.position();
+  if (position.file.empty()) return in_one_line("tcbsample: error: " + error_message(error));
+  std::string where = position.file;
+  if (position.line != 0) where += fmt::format(":{}", position.line);
+  if (position.line != 0 && position.column != 0) where += fmt::format(":{}", position.column);
+  return in_one_line(where + ": error: " + error_message(error));
+}
+
+}  // namespace
+
+std::string_view option_name(Option) { return ""; }
+
+std::string error_message(const Error& error) {
+  const auto words = std::ranges::find(all_words, error.code(), &Words::code);
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  for (const ErrorValue& value : error.values()) std::visit(AppendValue{values}, value);
+  const std::string subject = error.member().empty() ? std::string(option_name(error.option())) : error.member();
+  values.push_back(fmt::arg("subject", subject));
+  return fmt::vformat(words->text, values);
+}
+
+std::string error_text(const Error& error) {
+  std::string text = line_of(error);
+  for (const Error& other : error.others()) text += "\n" + error_text(other);
+  return text;
+}
+
+}  // namespace tcb

@@ -1,0 +1,102 @@
+// Keys as exact numbers: what a golden curve is made from.
+#include "exact/exact_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+/// The numbers of one key of a block.
+class Numbers {
+ public:
+  Numbers(const KeyBlock& block, std::size_t key, bool decimal)
+      : block_(block), key_(key), per_key_(block.decimals.size() / block.lines.size()), decimal_(decimal) {}
+
+  /// The number that stands in this place among the key's decimals. Requires: not missing.
+  Rational operator()(std::size_t place, const Time& nearest) const {
+    const std::string_view text = place < per_key_ ? block_.decimals[key_ * per_key_ + place] : std::string_view();
+    if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
+    if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
+    if (const auto number = parse_rational(text)) return *number;
+    throw Error(Exit::data, TextPosition{"", block_.lines[key_], 0},
+                "a decimal of more digits than --exact-input takes; expected 10,000 at most; shorten it, or take "
+                "--exact-input out");
+  }
+
+ private:
+  const KeyBlock& block_;
+  std::size_t key_, per_key_;
+  bool decimal_;
+};
+
+spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& number) {
+  return {number(NumberOfKey::tension, tcb.tension), number(NumberOfKey::continuity, tcb.continuity),
+          number(NumberOfKey::bias, tcb.bias)};
+}
+
+}  // namespace
+
+Rational exact_number(const Time& time, bool decimal) {
+  return decimal ? exact_time(time) : Rational(Rational(time.hi) + Rational(time.lo));
+}
+
+spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules, bool decimal) {
+  const auto end = [&](const spline::EndChoice<double>& choice) {
+    spline::EndChoice<Rational> exact{choice.rule, {}};
+    for (const double value : choice.velocity) exact.velocity.push_back(exact_number(value, decimal));
+    return exact;
+  };
+  return {rules.tangents, end(rules.start), end(rules.end), rules.equal_speed, rules.metric};
+}
+
+void ExactKeys::add(const KeyBlock& block) {
+  const spline::Keys<double>& keys = block.keys;
+  keys_.channels = keys.channels;
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    const Numbers number(block, key, decimal_);
+    keys_.times.push_back(number(NumberOfKey::time, keys.times[key]));
+    keys_.tcbs.push_back(exact_tcb(keys.tcb(key), number));
+    if (!keys.eases.empty()) {
+      const spline::Ease<double>& ease = keys.eases[key];
+      keys_.eases.push_back({number(NumberOfKey::ease_in, ease.in), number(NumberOfKey::ease_out, ease.out)});
+    }
+    for (std::size_t i = 0; i < keys.channels; ++i) {
+      const double position = keys.position(key)[i];
+      missing_.push_back(std::isnan(position));
+      keys_.positions.push_back(missing_.back() ? Rational(0) : number(NumberOfKey::position + i, position));
+    }
+  }
+}
+
+void ExactKeys::set_times(KeyBlock& block, double exponent, std::span<const std::size_t> metric) {
+  std::size_t key = keys_.size() - block.keys.size();
+  for (Time& time : block.keys.times) {
+    if (key > 0) time_ += distance<Float<80>>(keys_.position(key - 1), keys_.position(key), metric, exponent);
+    time = nearest_double(rational_of(time_));
+    ++key;
+  }
+}
+
+Time ExactKeys::time_back(double exponent, std::span<const std::size_t> metric) const {
+  const auto last = keys_.position(keys_.size() - 1);
+  return nearest_double(rational_of(Float<80>(time_ + distance<Float<80>>(last, keys_.position(0), metric, exponent))));
+}
+
+ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& rules,
+                            const std::optional<Rational>& end) const {
+  ExactCurve curve;
+  spline::append(curve.keys, keys_, 0, size);
+  if (std::ranges::count(missing_, true) > 0) curve.missing = missing_;
+  curve.rules = exact_rules(rules, decimal_);
+  curve.end = size < keys_.size() ? std::optional(keys_.times[size]) : end;
+  curve.decimal = decimal_;
+  return curve;
+}
+
+}  // namespace tcb

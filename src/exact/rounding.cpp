@@ -1,0 +1,159 @@
+// Rounding once: from an exact number, or from two between which it lies, to what is printed.
+#include "exact/rounding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "text/number.hpp"
+
+namespace tcb {
+namespace {
+
+using Kind = Notation::Kind;
+
+Integer power_of_ten(int exponent) {
+  return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::max(exponent, 0)));
+}
+
+/// value 10^exponent.
+Rational times_ten_to(const Rational& value, int exponent) {
+  return exponent < 0 ? Rational(value / power_of_ten(-exponent)) : Rational(value * power_of_ten(exponent));
+}
+
+/// The nearest whole number, half to even. Requires: value >= 0.
+Integer nearest_whole(const Rational& value) {
+  const Integer whole = numerator(value) / denominator(value);
+  const Rational rest = value - Rational(whole);
+  const Rational half(1, 2);
+  return rest > half || (rest == half && whole % 2 != 0) ? Integer(whole + 1) : whole;
+}
+
+/// The greatest e with 10^e <= value. Requires: value > 0.
+int floor_log10(const Rational& value) {
+  const auto length = [](const Integer& whole) { return static_cast<int>(whole.str().size()); };
+  const int above = length(numerator(value)) - length(denominator(value));
+  return times_ten_to(value, -above) < 1 ? above - 1 : above;
+}
+
+std::string without_zeros(std::string text) {
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+/// The root of a positive number lies in [floor, floor + 1] / scale, or is floor / scale.
+struct Root {
+  Integer floor, scale;
+  bool exact;
+};
+
+Root root_of(const Rational& square, unsigned bits) {
+  const Integer product = numerator(square) * denominator(square);  // n/d = n d / d^2
+  const unsigned width = msb(product) + 1;
+  const unsigned shift = width < 2 * bits ? bits - width / 2 : 0;
+  const Integer shifted = product << 2 * shift;
+  Integer rest;
+  Integer floor = boost::multiprecision::sqrt(shifted, rest);
+  return {std::move(floor), Integer(denominator(square) << shift), rest == 0};
+}
+
+}  // namespace
+
+std::string fixed_text(const Rational& value, int decimals) {
+  std::string digits = nearest_whole(times_ten_to(abs(value), decimals)).str();
+  const auto behind = static_cast<std::size_t>(decimals);
+  if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
+  if (behind > 0) digits.insert(digits.size() - behind, ".");
+  return (value < 0 ? "-" : "") + digits;
+}
+
+std::string digits_text(const Rational& value, int count) {
+  if (value == 0) return "0";
+  const Rational size = abs(value);
+  int exponent = floor_log10(size);
+  Integer digits = nearest_whole(times_ten_to(size, count - 1 - exponent));
+  if (digits == power_of_ten(count)) {
+    digits /= 10;
+    ++exponent;
+  }
+  const std::string sign = value < 0 ? "-" : "";
+  std::string text = digits.str();
+  if (exponent < -4 || exponent >= count) {
+    if (count > 1) text.insert(1, ".");
+    return fmt::format("{}{}e{}{:02}", sign, without_zeros(text), exponent < 0 ? '-' : '+', std::abs(exponent));
+  }
+  if (exponent < 0)
+    return sign + without_zeros("0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + text);
+  if (exponent + 1 < count) text.insert(static_cast<std::size_t>(exponent) + 1, ".");
+  return sign + without_zeros(text);
+}
+
+/// By continued fractions.
+Rational simplest_between(const Rational& low, const Rational& high) {
+  const Integer whole = numerator(low) / denominator(low);
+  if (Rational(whole) == low) return low;
+  if (Rational(whole) + 1 <= high) return Rational(whole) + 1;
+  return Rational(whole) + 1 / simplest_between(1 / (high - Rational(whole)), 1 / (low - Rational(whole)));
+}
+
+bool Rounding::has_text() const {
+  return kind_ != CellKind::whole && (notation_.kind == Kind::digits || notation_.kind == Kind::fixed);
+}
+
+std::string Rounding::text(const Rational& value) const {
+  constexpr std::uint64_t whole_from = std::uint64_t{1} << 53;
+  if (kind_ == CellKind::time && abs(value) >= whole_from) return time_text(nearest_time(value));
+  return notation_.kind == Kind::digits ? digits_text(value, notation_.count) : fixed_text(value, notation_.count);
+}
+
+Printed Rounding::rounded(const Rational& value) const {
+  Printed printed{kind_ == CellKind::time ? nearest_time(value) : Cell(nearest_double(value))};
+  if (has_text()) printed.text = text(value);
+  return printed;
+}
+
+std::optional<Printed> Rounding::enclosed(const Rational& low, const Rational& high) const {
+  Printed first = rounded(low);
+  if (low == high) return first;
+  const Printed last = rounded(high);
+  const bool same = has_text() ? first.text == last.text : first.cell == last.cell;
+  return same ? std::optional(std::move(first)) : std::nullopt;
+}
+
+Printed Rounding::exactly(const Value& value) const {
+  if (value.empty) return {empty_cell};
+  if (!value.root || value.number == 0) return rounded(value.number);
+  const bool negative = value.number < 0;
+  for (unsigned bits = 128;; bits *= 2) {  // no root that is irrational lies where rounding changes
+    const Root root = root_of(abs(value.number), bits);
+    const Rational low(root.floor, root.scale);
+    const Rational high = root.exact ? low : Rational(Integer(root.floor + 1), root.scale);
+    if (auto printed = negative ? enclosed(-high, -low) : enclosed(low, high)) return *printed;
+  }
+}
+
+std::optional<Printed> Rounding::between(const Value& rough, const Value& fine) const {
+  if (rough.doubtful || fine.doubtful || rough.empty != fine.empty) return std::nullopt;
+  if (fine.empty) return Printed{empty_cell};
+  const Rational error = 2 * abs(rough.number - fine.number);
+  return enclosed(fine.number - error, fine.number + error);
+}
+
+Printed Rounding::at_last(const Value& rough, const Value& fine) const {
+  if (fine.empty) return {empty_cell};
+  const Rational error = 2 * abs(rough.number - fine.number);
+  const Rational size = abs(fine.number);
+  if (size <= error) return rounded(0);
+  const bool fixed = has_text() && notation_.kind == Kind::fixed;
+  const int digits = has_text() ? notation_.count : digits_of_double;
+  const Rational unit = times_ten_to(fixed ? Rational(1) : size, -digits);
+  if (error * 1'000'000 > unit) throw std::range_error("too few digits");
+  const Rational simple = simplest_between(size - error, size + error);
+  return rounded(fine.number < 0 ? Rational(-simple) : simple);
+}
+
+}  // namespace tcb

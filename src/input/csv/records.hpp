@@ -1,0 +1,66 @@
+// Delimited records: where they end, and which cells they have.
+//
+// Source: RFC 4180 for quotes: a cell that begins with a quote ends with one, holds delimiters and line
+//   ends as they are, and doubles each quote inside.
+// Differs: LF or CRLF ends a record, the last may lack it; comment lines and blank lines are skipped;
+//   where the delimiter is a blank, runs of blanks and tabs count as one, and a blank line or one that
+//   begins with ">" sets curves apart.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "error.hpp"
+#include "input/csv/splitter.hpp"
+
+namespace tcb {
+
+inline constexpr std::size_t most_cells = std::size_t{1} << 20;  ///< of a record
+
+/// Walks over the records of a chunk.
+class Records {
+ public:
+  Records(const Chunk& chunk, const Dialect& dialect);
+
+  /// The cells of the next record, as they stand in the text but for blanks around them; false at the
+  /// end. Comments and blank lines are skipped; the last comment skipped is in comment().
+  /// Throws: Error (data) for a quote out of place and for more than most_cells; the record is passed over by then.
+  bool next(std::vector<std::string_view>& cells);
+
+  /// A line between the record before and this one, or at the end behind the last one, sets curves apart.
+  bool broken() const { return broken_; }
+  /// A blank line does.
+  bool follows_blank() const { return follows_blank_; }
+
+  std::uint64_t line() const { return record_line_; }
+  std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
+  std::string_view comment() const { return comment_; }
+
+  /// The place of a cell of the current record: its line, and its column in characters.
+  TextPosition place(std::string_view cell) const;
+
+ private:
+  bool skip_to_record();
+  void skip_line();
+  [[noreturn]] void refuse_cells();
+  std::string_view take_cell();
+  std::string_view take_quoted();
+  bool at_line_end() const {
+    return at_ == end_ || *at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] == '\n'));
+  }
+  void pass_line_end();
+
+  const Dialect& dialect_;
+  const char *begin_, *at_, *end_;
+  const char* record_;
+  std::uint64_t line_, record_line_;
+  std::string_view comment_;
+  bool broken_ = false, follows_blank_ = false;
+};
+
+/// The text of a cell without its quotes.
+std::string unquoted(std::string_view cell);
+
+}  // namespace tcb

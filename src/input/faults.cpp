@@ -1,0 +1,47 @@
+// Faults of an input: gathered until there are enough of them to be worth a person's while, then thrown as one.
+#include "input/faults.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace tcb {
+namespace {
+
+/// Takes the faults of a block, in the order of their places.
+void gather(std::vector<Error>& faults, KeyBlock& block) {
+  std::ranges::stable_sort(
+      block.faults, {}, [](const Error& fault) { return std::pair(fault.position().line, fault.position().column); });
+  std::ranges::move(block.faults, std::back_inserter(faults));
+}
+
+}  // namespace
+
+void refuse(std::vector<Error> faults) {
+  if (faults.size() > most_faults) faults.erase(faults.begin() + most_faults, faults.end());
+  Error first = faults[0];
+  for (std::size_t i = 1; i < faults.size(); ++i) first.add(std::move(faults[i]));
+  throw first;
+}
+
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
+  return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block || block->faults.empty()) return block;
+    std::vector<Error> faults;
+    for (bool more = true; more;) {
+      gather(faults, *block);
+      more = faults.size() < most_faults && !block->unreadable && !live;
+      try {
+        if (more) block = blocks();
+      } catch (const Error& error) {
+        faults.push_back(error);
+        more = false;
+      }
+      more = more && block;
+    }
+    refuse(std::move(faults));
+  };
+}
+
+}  // namespace tcb

@@ -1,0 +1,128 @@
+// What an input is told from outside, what flows through its reading, and what it yields.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "curve/settings.hpp"
+#include "error.hpp"
+#include "input/columns.hpp"
+#include "input/texts.hpp"
+#include "stream/stream.hpp"
+#include "tcb/spline/key.hpp"
+
+namespace tcb {
+
+/// What becomes of a cell without a number.
+enum class Missing { error, skip_row, skip_cell, break_curve };
+
+/// How --missing names them.
+struct MissingName {
+  std::string_view name;
+  Missing way;
+};
+inline constexpr std::array missing_names{
+    MissingName{"error", Missing::error}, MissingName{"skip-row", Missing::skip_row},
+    MissingName{"skip-cell", Missing::skip_cell}, MissingName{"break", Missing::break_curve}};
+
+/// What the command line says about the input.
+struct InputOptions {
+  std::optional<std::size_t> format;  ///< index into formats(); nothing: by ending or content
+  std::optional<char> delimiter;      ///< ' ' stands for runs of blanks and tabs
+  std::optional<bool> header;
+  std::string comment = "#";  ///< lines that begin with it are skipped; empty: none are
+  std::vector<RoleRequest> roles;
+  spline::Tcb<double> tcb;  ///< for keys that carry none
+  bool timeless = false;    ///< no column is the time, unless its name says so
+  unsigned threads = 1;     ///< that may work on it
+  char decimal = '.';       ///< between the digits of a number in delimited text
+  Missing missing = Missing::error;
+  std::optional<SampleNames> samples;  ///< the records are no keys but samples of a curve
+  bool keeps_decimals = false;         ///< keys keep their numbers as they are written
+};
+
+/// IndexedCurve records of an input, as text.
+struct Chunk {
+  std::string text;
+  std::uint64_t line = 1;    ///< of the first character, from 1
+  std::uint64_t column = 1;  ///< of the first character, from 1
+  std::uint64_t first = 0;   ///< number of the first record, where the format counts them
+  std::string path = {};     ///< of the list that the records are in, where the format has one
+};
+
+/// What is said of a curve beside its keys.
+struct CurveInfo {
+  CurveSettings settings;
+  std::vector<std::pair<std::string, TextPosition>> places = {};  ///< where each setting stands
+  std::string id = {};                                            ///< a text as in texts.hpp
+};
+
+/// So many faults of an input are said before it is given up.
+inline constexpr std::size_t most_faults = 10;
+
+/// Where a number stands among the decimals of its key; behind these the positions, channel by channel. An empty text
+/// stands for the shortest decimal of its double, or for a whole number.
+struct NumberOfKey {
+  enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
+};
+
+/// The place of a column's number, if it has one.
+inline std::optional<std::size_t> number_of_key(const Columns::Column& column) {
+  switch (column.role) {
+    case Role::time: return NumberOfKey::time;
+    case Role::tension: return NumberOfKey::tension;
+    case Role::continuity: return NumberOfKey::continuity;
+    case Role::bias: return NumberOfKey::bias;
+    case Role::ease_in: return NumberOfKey::ease_in;
+    case Role::ease_out: return NumberOfKey::ease_out;
+    case Role::position: return NumberOfKey::position + column.channel;
+    case Role::left_out:
+    case Role::group:
+    case Role::carry: break;
+  }
+  return std::nullopt;
+}
+
+/// Successive keys, and where each of them stands. Where the input has no times, neither have the keys.
+/// A position that is not a number stands for one that is missing; in a gap a time may be missing too.
+struct KeyBlock {
+  spline::Keys<double> keys;
+  std::vector<std::uint64_t> lines;
+  std::vector<std::uint32_t> columns = {};  ///< in those lines
+  std::string path = {};                    ///< of the list that they are in, if any
+  std::vector<std::uint64_t> numbers = {};  ///< in that list, if there is one
+  Texts texts = {};                         ///< of each key: what groups it, then its labels
+  Texts decimals = {};                      ///< of each key as NumberOfKey says: its numbers as they are written
+  std::vector<std::size_t> gaps = {};       ///< what is no key here, but breaks the curve off
+  std::vector<std::size_t> breaks = {};     ///< the keys here before which the curve breaks off
+  bool break_after = false;                 ///< it does so before the next block's first key too
+  std::shared_ptr<const CurveInfo> curve_info = {};  ///< of the curve that begins here, where each has its own
+  std::uint64_t skipped = 0;                         ///< how many keys were left out
+  std::vector<Error> faults = {};                    ///< what is wrong with keys that are therefore not here
+  bool unreadable = false;                           ///< and nothing behind the last fault can be read
+};
+
+/// An input opened: what its numbers mean, and its keys in blocks.
+struct Input {
+  bool named = false;                 ///< it names its columns
+  bool timed = false;                 ///< it has a time column
+  std::string time;                   ///< name of the time column
+  std::vector<std::string> channels;  ///< names of the position channels
+  CurveInfo curve_info;               ///< what stands beside the keys, for all of them
+  Source<KeyBlock> keys;
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< what was found, in words
+  std::vector<std::string> groups = {};                         ///< names of the columns that tell curves apart
+  std::vector<std::string> carried = {};                        ///< names of the columns of labels
+  unsigned threads = 1;                                         ///< that may work on it
+  bool may_break = false;                                       ///< a curve may end before the input does
+  bool may_miss = false;                                        ///< positions may be missing
+  bool own_curves = false;  ///< blocks say where curves begin, and what is beside their keys
+};
+
+}  // namespace tcb

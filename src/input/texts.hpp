@@ -1,0 +1,49 @@
+// Texts that keys carry: what groups them, and labels that go through to the rows.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tcb {
+
+/// A text as it is kept: behind a quote where it is a string; otherwise as JSON writes it, a number or a word;
+/// empty where there is none. So whatever wrote it, it can be written as a cell and as JSON.
+inline bool is_string(std::string_view text) { return text.starts_with('"'); }
+
+/// Its characters.
+inline std::string_view content(std::string_view text) { return is_string(text) ? text.substr(1) : text; }
+
+/// Many texts in one string.
+class Texts {
+ public:
+  std::size_t size() const { return ends_.size(); }
+  bool empty() const { return ends_.empty(); }
+  std::string_view operator[](std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+    return std::string_view(bytes_).substr(begin, ends_[i] - begin);
+  }
+
+  void add(std::string_view text) {
+    bytes_ += text;
+    ends_.push_back(bytes_.size());
+  }
+
+  /// The texts [first, last) of another list go behind these.
+  void append(const Texts& other, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) add(other[i]);
+  }
+
+  /// Leaves the first `size` texts. Requires: so many are there.
+  void cut(std::size_t size) {
+    ends_.resize(size);
+    bytes_.resize(ends_.empty() ? 0 : ends_.back());
+  }
+
+ private:
+  std::string bytes_;
+  std::vector<std::size_t> ends_;
+};
+
+}  // namespace tcb

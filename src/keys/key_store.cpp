@@ -1,0 +1,71 @@
+// Kept keys: those of a curve that has to be known to its end, in little memory.
+#include "keys/key_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace tcb {
+
+void KeyStore::Columns::append(const Keys& keys) {
+  channels = keys.channels;
+  common_tcb = keys.common_tcb;
+  for (const auto& time : keys.times) {
+    if (time.lo != 0) rests.resize(times.size());
+    times.push_back(time.hi);
+    if (time.lo != 0 || !rests.empty()) rests.push_back(time.lo);
+  }
+  positions.insert(positions.end(), keys.positions.begin(), keys.positions.end());
+  tcbs.insert(tcbs.end(), keys.tcbs.begin(), keys.tcbs.end());
+  eases.insert(eases.end(), keys.eases.begin(), keys.eases.end());
+}
+
+Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
+  Keys keys;
+  keys.channels = channels;
+  keys.common_tcb = common_tcb;
+  const auto copy = [&](auto& to, const auto& from, std::size_t stride) {
+    const auto begin = from.begin();
+    to.assign(begin + static_cast<std::ptrdiff_t>(first * stride), begin + static_cast<std::ptrdiff_t>(last * stride));
+  };
+  copy(keys.times, times, 1);
+  for (std::size_t i = 0; !rests.empty() && i < keys.times.size(); ++i) keys.times[i].lo = rests[first + i];
+  copy(keys.positions, positions, channels);
+  if (!tcbs.empty()) copy(keys.tcbs, tcbs, 1);
+  if (!eases.empty()) copy(keys.eases, eases, 1);
+  return keys;
+}
+
+KeyStore::KeyStore(const Source<KeyBlock>& blocks) : columns_(std::make_shared<Columns>()) {
+  std::optional<KeyBlock> block;  // stays until the next is there: the system does not get its memory back
+  while ((block = blocks())) {
+    if (block->keys.size() == 0) continue;
+    if (size() == 0) first_line_ = block->lines.front();
+    last_line_ = block->lines.back();
+    columns_->append(block->keys);
+  }
+}
+
+void KeyStore::drop_last() {
+  Columns& columns = *columns_;
+  columns.times.pop_back();
+  if (!columns.rests.empty()) columns.rests.pop_back();
+  columns.positions.resize(columns.times.size() * columns.channels);
+  if (!columns.tcbs.empty()) columns.tcbs.pop_back();
+  if (!columns.eases.empty()) columns.eases.pop_back();
+}
+
+bool KeyStore::are_sparse() const {
+  return std::ranges::any_of(columns_->positions, [](double position) { return std::isnan(position); });
+}
+
+Source<Keys> KeyStore::source() const {
+  return [columns = columns_, next = std::size_t{0}]() mutable -> std::optional<Keys> {
+    if (next == columns->times.size()) return std::nullopt;
+    const std::size_t first = next;
+    next = std::min(first + keys_at_once, columns->times.size());
+    return columns->part(first, next);
+  };
+}
+
+}  // namespace tcb

@@ -1,0 +1,143 @@
+// How rows look as text: a layout is a value, and one loop prints them all.
+#include "output/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "error.hpp"
+#include "text/number.hpp"
+#include "text/print_number.hpp"
+
+namespace tcb {
+namespace {
+
+char* write_cell(char* out, CellKind kind, const Cell& cell) {
+  switch (kind) {
+    case CellKind::time: return write_time(cell, out);
+    case CellKind::real: return write_shortest(cell.hi, out);
+    case CellKind::whole: return write_whole(static_cast<std::uint64_t>(cell.hi), out);
+  }
+  return out;
+}
+
+char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& notation) {
+  if (notation.kind == Notation::Kind::shortest || (kind == CellKind::whole && notation.is_text())) {
+    return write_cell(out, kind, cell);
+  }
+  if (!notation.is_text() && cell.lo != 0) {
+    throw Error(Exit::data,
+                fmt::format("time {} has more digits than a double; expected less than 2^53, or a format of "
+                            "text; choose one, such as csv",
+                            time_text(cell)));
+  }
+  return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
+}
+
+char* write_text(char* out, std::string_view text) {
+  if (text.size() != 1) return std::copy(text.begin(), text.end(), out);
+  *out = text.front();  // as a rule it is a delimiter
+  return out + 1;
+}
+
+/// The length of the longest row.
+std::size_t longest_row(const Layout& layout) {
+  std::size_t length = layout.between_rows.size() + layout.row_end.size();
+  const std::size_t cell = std::max(longest_number_in(layout.notation), layout.empty.size());
+  for (const std::string& before : layout.before) length += before.size() + cell;
+  return length;
+}
+
+/// The texts before the members of an object.
+std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
+  std::vector<std::string> before;
+  before.reserve(columns.size());
+  for (const OutputColumn& column : columns) {
+    before.push_back((before.empty() ? "{" : ",") + json_text(column.name) + ":");
+  }
+  return before;
+}
+
+}  // namespace
+
+std::string delimited_text(std::string_view text, char delimiter) {
+  const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
+                     text.find(delimiter) == std::string_view::npos && !text.starts_with('#') &&
+                     !(delimiter == ' ' &&
+                       (text.empty() || text.starts_with('>') || text.find_first_of(" \t") != std::string_view::npos));
+  if (plain) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string json_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    quoted += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, bool first) {
+  const std::size_t begin = out.size();
+  const bool shortest = layout.notation.kind == Notation::Kind::shortest;
+  std::vector<std::pair<std::string_view, CellKind>> row;  // what stands before each cell, and its kind
+  for (std::size_t i = 0; i < columns.size(); ++i) row.emplace_back(layout.before[i], columns[i].kind);
+  out.resize(begin + cells.size() / columns.size() * longest_row(layout) + spare_room);
+  char* at = out.data() + begin;
+  for (const Cell* cell = cells.data(); cell != cells.data() + cells.size();) {
+    if (cell != cells.data() || !first) at = write_text(at, layout.between_rows);
+    for (const auto& [before, kind] : row) {
+      at = write_text(at, before);
+      at = is_empty(*cell) ? write_text(at, layout.empty)
+           : shortest      ? write_cell(at, kind, *cell)
+                           : write_cell(at, kind, *cell, layout.notation);
+      ++cell;
+    }
+    at = write_text(at, layout.row_end);
+  }
+  out.resize(static_cast<std::size_t>(at - out.data()));
+}
+
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first) {
+  if (texts.empty()) return append_rows(out, layout, columns, cells, first);
+  std::string number(longest_number_in(layout.notation) + spare_room, '\0');
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t column = i % columns.size();
+    if (column == 0 && (i > 0 || !first)) out += layout.between_rows;
+    out += layout.before[column];
+    if (!texts[i].empty() || is_empty(cells[i])) {
+      out += is_empty(cells[i]) ? layout.empty : texts[i];
+    } else {
+      out.append(number.data(), write_cell(number.data(), columns[column].kind, cells[i], layout.notation));
+    }
+    if (column + 1 == columns.size()) out += layout.row_end;
+  }
+}
+
+Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header) {
+  Layout layout;
+  for (const OutputColumn& column : columns) {
+    layout.before.emplace_back(layout.before.empty() ? "" : std::string(1, delimiter));
+    if (header) layout.head += layout.before.back() + delimited_text(column.name, delimiter);
+  }
+  if (header) layout.head += '\n';
+  layout.row_end = "\n";
+  if (delimiter == ' ') layout.empty = "NA";  // nothing between blanks would be no cell
+  return layout;
+}
+
+Layout json_layout(const std::vector<OutputColumn>& columns) {
+  return {"[\n", members(columns), "}", "null", ",\n", "\n]\n", "]\n"};
+}
+
+Layout jsonl_layout(const std::vector<OutputColumn>& columns) {
+  return {"", members(columns), "}\n", "null", "", "", ""};
+}
+
+}  // namespace tcb

@@ -1,0 +1,129 @@
+// The exact grid: where twice the precision leaves no doubt of the rounding, it is enough; else integers decide.
+#include "sampling/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tcb/spline/detail/pair.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+
+/// Up to which row |first + j increment| stays below 2^53; 0: not even the first.
+std::uint64_t rows_within_doubles(const Integer& first, const Integer& increment) {
+  const Integer room = Integer(whole_from) - 1 - abs(first);
+  if (room < 0) return 0;
+  constexpr std::uint64_t all_rows = std::numeric_limits<std::uint64_t>::max();
+  const Integer rows = increment == 0 ? Integer(all_rows) : Integer(room / increment);
+  return rows > all_rows ? all_rows : static_cast<std::uint64_t>(rows);
+}
+
+/// A rational in twice the precision of a double.
+Time nearest_twice(const Rational& value) {
+  const double high = nearest_double(value);
+  return {high, nearest_double(value - Rational(high))};
+}
+
+}  // namespace
+
+Grid::Grid(const Rational& start, const Rational& step)
+    : start_(start), step_(step), first_time_(nearest_time(start)), is_single_(step == 0) {
+  denominator_ = lcm(denominator(start), denominator(step));
+  first_ = numerator(start) * (denominator_ / denominator(start));
+  increment_ = numerator(step) * (denominator_ / denominator(step));
+  near_start_ = nearest_twice(start);
+  near_step_ = nearest_twice(step);
+  if (denominator_ >= Integer(whole_from)) return;
+  double_rows_ = rows_within_doubles(first_, increment_);
+  if (double_rows_ == 0) return;
+  double_first_ = static_cast<double>(first_);
+  double_increment_ = static_cast<double>(increment_);
+  double_denominator_ = static_cast<double>(denominator_);
+}
+
+template <class D>
+spline::DoubleDoubleOf<D> Grid::near_time(const D& row) const {
+  const auto product = spline::two_product(D(near_step_.hi), row);
+  const auto sum = spline::two_sum(D(near_start_.hi), product.value);
+  const D low = (near_start_.lo + near_step_.lo * row) + (product.error + sum.error);
+  return spline::DoubleDoubleOf<D>::normalized(sum.value, low);
+}
+
+template <class D>
+D Grid::doubt(const D& near) const {
+  using std::abs;
+  return (std::abs(near_start_.hi) + abs(near)) * 0x1p-98;
+}
+
+Time Grid::time(std::uint64_t j) const {
+  // Numerator and denominator are whole numbers below 2^53, so the one division rounds once.
+  const auto row = static_cast<double>(j);
+  if (j <= double_rows_ && double_rows_ > 0) return {(double_first_ + double_increment_ * row) / double_denominator_};
+  if (j < static_cast<std::uint64_t>(whole_from)) {
+    const Time near = near_time(row);
+    if (const auto time = rounded_once(near, doubt(near.hi))) return *time;
+  }
+  return nearest_time(Rational(first_ + increment_ * j, denominator_));
+}
+
+void Grid::set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const {
+  using spline::Pair;
+  times.clear();
+  std::uint64_t row = first;
+  const bool near_is_enough = double_rows_ == 0 && last < static_cast<std::uint64_t>(whole_from);
+  for (; near_is_enough && last - row >= 2; row += 2) {
+    const auto number = static_cast<double>(row);
+    const auto near = near_time(Pair(number, number + 1));
+    const Pair doubts = doubt(near.hi);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto rounded = rounded_once({near.hi[i], near.lo[i]}, doubts[i]);
+      times.push_back(rounded ? *rounded : time(row + i));
+    }
+  }
+  for (; row != last; ++row) times.push_back(time(row));
+}
+
+std::uint64_t Grid::estimate(const Time& t) const {
+  const double rows = ((t - near_start_) / near_step_).hi;
+  constexpr double most = 9.0e18;
+  return rows > 0 ? static_cast<std::uint64_t>(std::min(rows, most)) : 0;
+}
+
+std::optional<std::uint64_t> Grid::rows_if_clear(const Time& t) const {
+  // Its error in rows, and that of the rows' rounding, is less than five times (|t| + |start|) 2^-53 / step.
+  const double row = (t.hi - near_start_.hi) / near_step_.hi;
+  const double doubt = (std::abs(t.hi) + std::abs(near_start_.hi)) * 0x1p-50 / near_step_.hi;
+  const bool step_has_all_digits = near_step_.hi >= std::numeric_limits<double>::min();
+  if (!(row > 0 && row < whole_from && step_has_all_digits)) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(row);
+  const double part = row - static_cast<double>(whole);
+  if (!(part > doubt && part < 1 - doubt)) return std::nullopt;
+  return whole + 1;
+}
+
+std::uint64_t Grid::rows_before(const Time& t) const {
+  if (const auto rows = rows_if_clear(t)) return *rows;
+  std::uint64_t rows = estimate(t);
+  while (rows > 0 && time(rows - 1) >= t) --rows;
+  while (time(rows) < t) ++rows;
+  return rows;
+}
+
+std::uint64_t Grid::rows_through(const Time& t) const {
+  if (const auto rows = rows_if_clear(t)) return *rows;
+  std::uint64_t rows = estimate(t);
+  while (rows > 0 && time(rows - 1) > t) --rows;
+  while (time(rows) <= t) ++rows;
+  return rows;
+}
+
+bool Grid::resolves(const Time& t) const {
+  const double largest = std::max(std::abs(t.hi), std::abs(near_start_.hi));
+  if (near_step_.hi > largest * 0x1p-51) return true;
+  return time(1) > time(0) && nearest_time(exact_time(t) + step_) > t;
+}
+
+}  // namespace tcb

@@ -1,0 +1,62 @@
+// What samples are asked for, as exact numbers; and the tables of the ways to ask.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "text/rational.hpp"
+
+namespace tcb {
+
+enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance };
+
+/// What becomes of the end where the steps do not meet it.
+enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
+
+struct NamedEndPolicy {
+  std::string_view name;
+  EndPolicy policy;
+  std::string_view meaning;
+};
+
+/// Every end policy by name; the first is the default.
+inline constexpr std::array end_policies{
+    NamedEndPolicy{"drop", EndPolicy::drop, "exact steps, the last one before the end"},
+    NamedEndPolicy{"keep", EndPolicy::keep, "exact steps, and the end after a shorter one"},
+    NamedEndPolicy{"fit", EndPolicy::fit, "the nearest whole number of equal steps"},
+    NamedEndPolicy{"fit-down", EndPolicy::fit_down, "equal steps, the largest that are not larger"},
+    NamedEndPolicy{"fit-up", EndPolicy::fit_up, "equal steps, the smallest that are not smaller"},
+};
+
+struct SamplingRequest {
+  Mode mode = Mode::step;
+  Rational step;                     ///< time or arc length between rows: step, arc_step
+  std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
+  std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
+  double tolerance = 0;              ///< how far the polyline may be from the curve
+  std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
+  EndPolicy end = EndPolicy::drop;   ///< step, arc_step
+  bool keys = false;                 ///< every key is a row too
+  bool from_left = true;             ///< a row at a key is looked at from the segment before, not the one after
+  std::uint64_t max_rows = 1'000'000'000;
+};
+
+/// Samples are placed by arc length, so every segment has to be measured.
+constexpr bool by_length(Mode mode) {
+  return mode == Mode::arc_step || mode == Mode::arc_count || mode == Mode::arc_at;
+}
+
+/// Rows come in an order of their own, or depend on more than the piece at hand: the curve has to be kept.
+constexpr bool needs_curve(Mode mode) { return mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance; }
+
+/// The curve's last key, or its length, must be known before the first row.
+inline bool needs_end(const SamplingRequest& request) {
+  const bool steps = request.mode == Mode::step || request.mode == Mode::arc_step;
+  const bool fits = request.end != EndPolicy::drop && request.end != EndPolicy::keep;
+  return !(steps || request.mode == Mode::per_segment) || (steps && fits);
+}
+
+}  // namespace tcb

@@ -1,0 +1,225 @@
+// The fewest rows whose polyline stays near the curve.
+#include "sampling/tolerance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "error.hpp"
+#include "sampling/by_length.hpp"
+
+namespace tcb {
+namespace {
+
+using Position = std::vector<double>;
+
+/// A point of the curve.
+struct Vertex {
+  std::uint64_t piece = 0;
+  double u = 0;
+  Time t;
+  Position x;
+};
+
+std::size_t metric_size(const CurveSegment& piece) {
+  return piece.metric.empty() ? piece.cubics.size() : piece.metric.size();
+}
+
+const spline::Cubic<double>& metric_cubic(const CurveSegment& piece, std::size_t i) {
+  return piece.cubics[piece.metric.empty() ? i : piece.metric[i]];
+}
+
+/// The chord between two points of the curve, and whether other points are near it.
+class Chord {
+ public:
+  Chord(const Vertex& from, const Vertex& to, double tolerance)
+      : from_(from), to_(to), limit_(tolerance * (1 - 1e-9)), is_graph_(from.x.size() == 1) {
+    for (std::size_t i = 0; i < from.x.size(); ++i) length2_ += (to.x[i] - from.x[i]) * (to.x[i] - from.x[i]);
+  }
+
+  /// The point x is near the chord; in a graph, near it at every time between t0 and t1.
+  bool is_near(std::span<const double> x, const Time& t0, const Time& t1) const {
+    if (is_graph_) return std::abs(x[0] - height(t0)) <= limit_ && std::abs(x[0] - height(t1)) <= limit_;
+    double along = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) along += (x[i] - from_.x[i]) * (to_.x[i] - from_.x[i]);
+    const double part = length2_ > 0 ? std::clamp(along / length2_, 0.0, 1.0) : 0.0;
+    double distance2 = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double gap = x[i] - (from_.x[i] + part * (to_.x[i] - from_.x[i]));
+      distance2 += gap * gap;
+    }
+    return distance2 <= limit_ * limit_;
+  }
+
+ private:
+  double height(const Time& t) const {
+    const double part = to_.t == from_.t ? 0 : ((t - from_.t) / (to_.t - from_.t)).hi;
+    return from_.x[0] + part * (to_.x[0] - from_.x[0]);
+  }
+
+  const Vertex& from_;
+  const Vertex& to_;
+  double limit_;
+  bool is_graph_;
+  double length2_ = 0;
+};
+
+/// Looks for the next row, and the next, along a curve.
+class Walker {
+ public:
+  Walker(const CurveSegments& pieces, double tolerance) : pieces_(pieces), tolerance_(tolerance) {}
+
+  Vertex start() const { return at(0, 0); }
+
+  /// The farthest place that a chord from here may reach.
+  Vertex next(const Vertex& from) {
+    const std::uint64_t corner = next_corner(from);
+    std::uint64_t good = from.piece, step = 1;  // the keys that end the pieces before `good` can be reached
+    while (good < corner && reaches(from, key(std::min(good + step, corner)))) {
+      good = std::min(good + step, corner);
+      step *= 2;
+    }
+    for (step /= 2; step > 0; step /= 2) {
+      if (good + step < corner && reaches(from, key(good + step))) good += step;
+    }
+    if (good == corner) return key(corner);
+    return within(from, good);
+  }
+
+  bool is_end(const Vertex& place) const { return place.piece + 1 == pieces_.count && place.u == 1; }
+
+ private:
+  Vertex at(std::uint64_t number, double u) const {
+    const CurveSegment piece = pieces_.piece(number);
+    Vertex place{number, u, u == 0 ? piece.start : u == 1 ? piece.end : time_of(piece, u), {}};
+    for (std::size_t i = 0; i < metric_size(piece); ++i) {
+      place.x.push_back(spline::position(metric_cubic(piece, i), {u, u - 1}));
+    }
+    return place;
+  }
+
+  /// The key with this number, as the end of the piece before it.
+  Vertex key(std::uint64_t number) const { return at(number - 1, 1); }
+
+  /// The farthest place on a piece, whose own end is out of reach.
+  Vertex within(const Vertex& from, std::uint64_t number) const {
+    double low = number == from.piece ? from.u : 0;
+    double high = 1;
+    for (int halving = 0; halving < 48; ++halving) {
+      const double middle = (low + high) / 2;
+      (reaches(from, at(number, middle)) ? low : high) = middle;
+    }
+    if (number == from.piece && low == from.u) {
+      throw Error(Exit::usage, fmt::format("--tolerance {} is too small: two rows would be the same; give a larger one",
+                                           tolerance_));
+    }
+    return low == 0 && number > 0 ? key(number) : at(number, low);
+  }
+
+  /// The chord between the two places is near the curve between them.
+  bool reaches(const Vertex& from, const Vertex& to) const {
+    const Chord chord(from, to, tolerance_);
+    for (std::uint64_t number = from.piece; number <= to.piece; ++number) {
+      const double low = number == from.piece ? from.u : 0;
+      const double high = number == to.piece ? to.u : 1;
+      const CurveSegment piece = pieces_.piece(number);
+      // With ease, the bound on a graph tightens slowly; what is not known by then counts as too far.
+      const int depth = piece.warp.is_identity() ? 40 : 16;
+      if (low < high && !is_near(chord, piece, low, high, depth)) return false;
+    }
+    return true;
+  }
+
+  /// The piece between two local parameters is near the chord, so its control points are, or those of its halves.
+  bool is_near(const Chord& chord, const CurveSegment& piece, double low, double high, int depth) const {
+    const Local at_low{low, low - 1};
+    const Local at_high{high, high - 1};
+    const double third = (high - low) / 3;
+    const std::size_t size = metric_size(piece);
+    std::array<Position, 4> points;
+    for (auto& point : points) point.resize(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto& x = metric_cubic(piece, i);
+      points[0][i] = spline::position(x, at_low);
+      points[3][i] = spline::position(x, at_high);
+      points[1][i] = points[0][i] + third * spline::first_derivative(x, at_low);
+      points[2][i] = points[3][i] - third * spline::first_derivative(x, at_high);
+    }
+    const Time t0 = time_of(piece, low);
+    const Time t3 = time_of(piece, high);
+    if (!chord.is_near(points[0], t0, t0) || !chord.is_near(points[3], t3, t3)) return false;
+    if (control_points_are_near(chord, piece, points, t0, t3)) return true;
+    if (depth == 0) return false;
+    const double middle = (low + high) / 2;
+    return is_near(chord, piece, low, middle, depth - 1) && is_near(chord, piece, middle, high, depth - 1);
+  }
+
+  /// Without ease, time is linear along the piece, and control point k stands at a time of its own.
+  static bool control_points_are_near(const Chord& chord, const CurveSegment& piece,
+                                      const std::array<Position, 4>& points, const Time& t0, const Time& t3) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Time t = t0 + (t3 - t0) * Time(static_cast<double>(k)) / Time(3);
+      const bool own_time = piece.warp.is_identity();
+      if (!chord.is_near(points[k], own_time ? t : t0, own_time ? t : t3)) return false;
+    }
+    return true;
+  }
+
+  static Time time_of(const CurveSegment& piece, double u) {
+    return piece.start + piece.warp.inverse({u, u - 1}) * (piece.end - piece.start);
+  }
+
+  /// The number of the first key behind a place where the curve turns, or of the last one.
+  std::uint64_t next_corner(const Vertex& from) {
+    if (corner_ > from.piece + (from.u == 1 ? 1 : 0)) return corner_;
+    corner_ = from.piece + (from.u == 1 ? 2 : 1);
+    while (corner_ < pieces_.count && !is_corner(corner_)) ++corner_;
+    return corner_;
+  }
+
+  /// The directions before and after a key differ, or it has none.
+  bool is_corner(std::uint64_t number) const {
+    const CurveSegment before = pieces_.piece(number - 1);
+    const CurveSegment after = pieces_.piece(number);
+    const bool graph = metric_size(before) == 1;
+    const double h0 = graph ? (before.end - before.start).hi : 1;
+    const double h1 = graph ? (after.end - after.start).hi : 1;
+    double in2 = 0, out2 = 0, both = 0;
+    for (std::size_t i = 0; i < metric_size(before); ++i) {
+      const double in = metric_cubic(before, i).in / h0;
+      const double out = metric_cubic(after, i).out / h1;
+      in2 += in * in;
+      out2 += out * out;
+      both += in * out;
+    }
+    constexpr double same = 1 - 1e-12;  // the cosine of an angle of a millionth
+    if (graph) return std::abs(std::sqrt(in2) - std::sqrt(out2)) > 1e-9 * std::sqrt(in2) || both < 0;
+    return !(both > 0 && both * both >= same * in2 * out2);
+  }
+
+  using Local = spline::Local<double>;
+
+  const CurveSegments& pieces_;
+  double tolerance_;
+  std::uint64_t corner_ = 0;  ///< the last one found
+};
+
+}  // namespace
+
+std::vector<Time> times_within_tolerance(const CurveSegments& pieces, double tolerance, std::uint64_t max_rows) {
+  Walker walker(pieces, tolerance);
+  std::vector<Time> times;
+  Vertex place = walker.start();
+  times.push_back(place.t);
+  while (!walker.is_end(place)) {
+    place = walker.next(place);
+    times.push_back(rounded_time(place.t));
+    require_rows(Rational(times.size() - 1), max_rows);
+  }
+  return times;
+}
+
+}  // namespace tcb

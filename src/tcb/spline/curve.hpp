@@ -1,0 +1,189 @@
+// Curves: from keys and rules to tangents, and from tangents to segments.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "tcb/spline/ease.hpp"
+#include "tcb/spline/end.hpp"
+#include "tcb/spline/key.hpp"
+#include "tcb/spline/linker.hpp"
+#include "tcb/spline/segment.hpp"
+#include "tcb/spline/tangent.hpp"
+
+namespace tcb::spline {
+
+/// The rule at one end of an open curve.
+template <class S>
+struct EndChoice {
+  std::size_t rule = 0;     ///< index into end_rules
+  std::vector<S> velocity;  ///< per unit of time, one number a channel, where the rule takes one
+};
+
+/// What makes tangents of keys.
+template <class S>
+struct CurveRules {
+  std::size_t tangents = 0;  ///< index into tangent_rules
+  EndChoice<S> start, end;
+  bool equal_speed = false;         ///< both tangents of a key are made equally fast
+  std::vector<std::size_t> metric;  ///< the channels that speeds and lengths are over; empty: all
+};
+
+/// Successive segments. Shapes: one more time than segments; `channels` cubics a segment; one warp a
+/// segment, or none where no key has ease.
+template <class S>
+struct Segments {
+  std::size_t channels = 0;
+  std::vector<Time<S>> times;
+  std::vector<Cubic<S>> cubics;
+  std::vector<Warp<S>> warps;
+
+  std::size_t size() const { return times.empty() ? 0 : times.size() - 1; }
+  std::span<const Cubic<S>> operator[](std::size_t segment) const {
+    return std::span(cubics).subspan(segment * channels, channels);
+  }
+  Warp<S> warp(std::size_t segment) const { return warps.empty() ? Warp<S>() : warps[segment]; }
+};
+
+/// The tangents at the keys of a window, `channels` numbers a key, in local units.
+template <class S>
+class Tangents {
+ public:
+  using W = working_t<S>;
+
+  /// Requires: two keys at least. Context keys are left at zero.
+  Tangents(const Window<S>& window, const CurveRules<S>& rules) : keys_(window.keys), rules_(rules) {
+    incoming_.assign(keys_.size() * keys_.channels, W(0));
+    outgoing_ = incoming_;
+    const auto common = factors(keys_.common_tcb);
+    for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
+      set_interior(key, keys_.tcbs.empty() ? common : factors(keys_.tcbs[key]));
+      if constexpr (has_roots<S>) {
+        if (rules.equal_speed) equalize(key);
+      }
+    }
+    if (window.starts) set_end(0, 1, rules.start);
+    if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, rules.end);
+  }
+
+  std::span<const W> incoming(std::size_t key) const {
+    return std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
+  }
+  std::span<const W> outgoing(std::size_t key) const {
+    return std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
+  }
+
+ private:
+  /// P[key + 1] - P[key] in one channel.
+  W chord(std::size_t key, std::size_t channel) const {
+    return exact_difference(keys_.position(key + 1)[channel], keys_.position(key)[channel]);
+  }
+
+  void set_interior(std::size_t key, const Factors<W>& f) {
+    const W h0 = keys_.times[key] - keys_.times[key - 1];
+    const W h1 = keys_.times[key + 1] - keys_.times[key];
+    const auto weights = tangent_rules<S>[rules_.tangents].weights({f, W(keys_.tcb(key).continuity), h0, h1});
+    for (std::size_t i = 0; i < keys_.channels; ++i) {
+      const W d0 = chord(key - 1, i);
+      const W d1 = chord(key, i);
+      incoming_[key * keys_.channels + i] = weights.in0 * d0 + weights.in1 * d1;
+      outgoing_[key * keys_.channels + i] = weights.out0 * d0 + weights.out1 * d1;
+    }
+  }
+
+  /// The outer tangent of the end segment, at `key`, whose only neighbour is `inner`.
+  void set_end(std::size_t key, std::size_t inner, const EndChoice<S>& choice) {
+    const bool at_start = key < inner;
+    const std::size_t first = std::min(key, inner);
+    const auto f = factors(keys_.tcb(key));
+    const auto weights =
+        end_rules<S>[choice.rule].weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(keys_.tcb(key).tension),
+                                           keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
+    auto& wanted = at_start ? outgoing_ : incoming_;
+    const auto& others = at_start ? incoming_ : outgoing_;
+    for (std::size_t i = 0; i < keys_.channels; ++i) {
+      W tangent = weights.chord * chord(first, i) + weights.other * others[inner * keys_.channels + i];
+      if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
+      wanted[key * keys_.channels + i] = tangent;
+    }
+  }
+
+  /// Gives both tangents of a key the harmonic mean of their speeds, per unit of time.
+  /// Source: D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", equations 12 and 13.
+  void equalize(std::size_t key) {
+    const std::span in = std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
+    const std::span out = std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
+    const S unit = power_of_two_above(in, out);
+    if (unit == S(0)) return;
+    const W speed_in = size(in, unit) / (keys_.times[key] - keys_.times[key - 1]);
+    const W speed_out = size(out, unit) / (keys_.times[key + 1] - keys_.times[key]);
+    const W sum = speed_in + speed_out;
+    if (sum == W(0)) return;
+    for (W& value : in) value = value * (speed_out + speed_out) / sum;
+    for (W& value : out) value = value * (speed_in + speed_in) / sum;
+  }
+
+  std::size_t metric_size() const { return rules_.metric.empty() ? keys_.channels : rules_.metric.size(); }
+  std::size_t metric(std::size_t i) const { return rules_.metric.empty() ? i : rules_.metric[i]; }
+
+  /// A power of two no smaller than any metric component, so that squares neither overflow nor vanish.
+  S power_of_two_above(std::span<const W> in, std::span<const W> out) const {
+    using std::abs, std::frexp, std::ldexp;
+    S largest(0);
+    for (std::size_t i = 0; i < metric_size(); ++i) {
+      largest = std::max({largest, S(abs(narrow<S>(in[metric(i)]))), S(abs(narrow<S>(out[metric(i)])))});
+    }
+    int exponent = 0;
+    (void)frexp(largest, &exponent);
+    return largest == S(0) ? S(0) : ldexp(S(1), exponent);
+  }
+
+  /// The length of a tangent over the metric channels, in the given unit.
+  W size(std::span<const W> tangent, const S& unit) const {
+    using std::sqrt;
+    W sum(0);
+    for (std::size_t i = 0; i < metric_size(); ++i) {
+      const W component = tangent[metric(i)] / W(unit);
+      sum = sum + component * component;
+    }
+    return sqrt(sum);
+  }
+
+  const Keys<S>& keys_;
+  const CurveRules<S>& rules_;
+  std::vector<W> incoming_, outgoing_;
+};
+
+/// A single key as a segment without duration, on which the curve rests.
+template <class S>
+Segments<S> resting(const Keys<S>& keys) {
+  Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
+  for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
+  return result;
+}
+
+/// The segments that a window makes known. Requires: window.has_segments() or window.is_single_key().
+template <class S>
+Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
+  if (window.is_single_key()) return resting(window.keys);
+  const Keys<S>& keys = window.keys;
+  const Tangents<S> tangents(window, rules);
+  Segments<S> result{keys.channels, {}, {}, {}};
+  result.cubics.reserve((window.last_key() - window.first_key()) * keys.channels);
+  for (std::size_t key = window.first_key(); key < window.last_key(); ++key) {
+    result.times.push_back(keys.times[key]);
+    for (std::size_t i = 0; i < keys.channels; ++i) {
+      result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], tangents.outgoing(key)[i],
+                                       tangents.incoming(key + 1)[i]));
+    }
+    if (!keys.eases.empty()) result.warps.emplace_back(keys.eases[key].out, keys.eases[key + 1].in);
+  }
+  result.times.push_back(keys.times[window.last_key()]);
+  return result;
+}
+
+}  // namespace tcb::spline

@@ -1,0 +1,217 @@
+// Motion: velocity, acceleration and jerk per unit of time, and the shape of the path: tangent, curvature, torsion.
+//
+//   curvature = |v ^ a| / |v|^3          torsion = det(v, a, j) / |v ^ a|^2
+// with |v ^ a|^2 the sum of the squared 2 x 2 minors, so for any number of channels; in more than three
+// the torsion has no sign and det is the root of the sum of the squared 3 x 3 minors.
+// Source: C. Jordan, "Sur la théorie des courbes dans l'espace à n dimensions", 1874.
+// Undefined quantities are said to be so, and what rounding cannot tell from zero is zero.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tcb/spline/ease.hpp"
+
+namespace tcb::spline {
+
+/// The derivatives of a segment at one place, a number a channel, with bounds on the rounding of the first two.
+template <class S>
+struct Motion {
+  std::vector<S> velocity, acceleration, jerk;
+  S velocity_noise{}, acceleration_noise{};
+};
+
+/// Sets the derivatives by time at a place that is reached after the fraction u of the duration h.
+template <class S>
+void set_motion(Motion<S>& motion, std::span<const Cubic<S>> segment, const Local<S>& at, const Warp<S>& warp,
+                const S& u, const S& h) {
+  using std::abs;
+  const S rate = warp.slope(u) / h;
+  const S bend = warp.bend(u) / (h * h);
+  const S unit(0x1p-50);
+  motion.velocity.clear();
+  motion.acceleration.clear();
+  motion.jerk.clear();
+  motion.velocity_noise = motion.acceleration_noise = S(0);
+  const S x = at.near_start() ? at.u : at.w;
+  for (const Cubic<S>& cubic : segment) {
+    const S& first = at.near_start() ? cubic.out : cubic.in;
+    const S& second = at.near_start() ? cubic.c : cubic.e;
+    const S d1 = first + x * (S(2) * second + x * (S(3) * cubic.d));
+    const S d2 = S(2) * second + S(6) * x * cubic.d;
+    const S d3 = S(6) * cubic.d;
+    motion.velocity.push_back(d1 * rate);
+    motion.acceleration.push_back(d2 * rate * rate + d1 * bend);
+    motion.jerk.push_back(d3 * rate * rate * rate + S(3) * d2 * rate * bend);
+    const S size1 = abs(first) + abs(x) * (S(2) * abs(second) + S(3) * abs(x * cubic.d));
+    const S size2 = S(2) * abs(second) + S(6) * abs(x * cubic.d);
+    motion.velocity_noise += unit * size1 * abs(rate);
+    motion.acceleration_noise += unit * (size2 * rate * rate + size1 * abs(bend));
+  }
+}
+
+/// Looks at some channels of a vector as if they were all.
+template <class S>
+class Picked {
+ public:
+  Picked(const std::vector<S>& values, std::span<const std::size_t> metric) : values_(values), metric_(metric) {}
+  std::size_t size() const { return metric_.empty() ? values_.size() : metric_.size(); }
+  const S& operator[](std::size_t i) const { return values_[metric_.empty() ? i : metric_[i]]; }
+
+ private:
+  const std::vector<S>& values_;
+  std::span<const std::size_t> metric_;
+};
+
+/// |v|^2
+template <class S>
+S square(const Picked<S>& v) {
+  S sum(0);
+  for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * v[i];
+  return sum;
+}
+
+template <class S>
+S norm(const Picked<S>& v) {
+  using std::sqrt;
+  return sqrt(square(v));
+}
+
+/// a d - b c, right to its last digits also where the products cancel.
+template <class S>
+S minor2(const S& a, const S& b, const S& c, const S& d) {
+  using W = working_t<S>;
+  return narrow<S>(W(a) * W(d) - W(b) * W(c));
+}
+
+/// |v ^ a|^2
+template <class S>
+S wedge_square(const Picked<S>& v, const Picked<S>& a) {
+  S sum(0);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    for (std::size_t k = i + 1; k < v.size(); ++k) {
+      const S minor = minor2(v[i], v[k], a[i], a[k]);
+      sum += minor * minor;
+    }
+  }
+  return sum;
+}
+
+/// |v ^ a|
+template <class S>
+S wedge(const Picked<S>& v, const Picked<S>& a) {
+  using std::sqrt;
+  return sqrt(wedge_square(v, a));
+}
+
+/// det(v, a, j) of the channels p, q, r.
+template <class S>
+S minor3(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j, std::size_t p, std::size_t q, std::size_t r) {
+  return v[p] * minor2(a[q], a[r], j[q], j[r]) - v[q] * minor2(a[p], a[r], j[p], j[r]) +
+         v[r] * minor2(a[p], a[q], j[p], j[q]);
+}
+
+/// |v ^ a ^ j|^2
+template <class S>
+S wedge_square(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
+  S sum(0);
+  for (std::size_t p = 0; p < v.size(); ++p) {
+    for (std::size_t q = p + 1; q < v.size(); ++q) {
+      for (std::size_t r = q + 1; r < v.size(); ++r) {
+        const S minor = minor3(v, a, j, p, q, r);
+        sum += minor * minor;
+      }
+    }
+  }
+  return sum;
+}
+
+/// det(v, a, j) of three channels; of more, |v ^ a ^ j|.
+template <class S>
+S wedge(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
+  using std::sqrt;
+  return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
+}
+
+/// Exponents of the units in which products and squares of a motion neither overflow nor vanish: 0 for most.
+struct Units {
+  int v = 0, a = 0, j = 0;
+};
+
+template <class S>
+int unit_of(const Picked<S>& vector) {
+  using std::abs, std::frexp;
+  constexpr int harmless = 100;
+  S largest(0);
+  for (std::size_t i = 0; i < vector.size(); ++i) largest = std::max(largest, S(abs(vector[i])));
+  int exponent = 0;
+  (void)frexp(largest, &exponent);
+  return abs(exponent) <= harmless ? 0 : exponent;
+}
+
+/// What `in` makes of a motion in such units, and the units. Most motions are taken as they are.
+template <class S, class In>
+auto in_units(const Motion<S>& motion, std::span<const std::size_t> metric, In in) {
+  using std::ldexp;
+  const Units units{unit_of<S>({motion.velocity, metric}), unit_of<S>({motion.acceleration, metric}),
+                    unit_of<S>({motion.jerk, metric})};
+  if (units.v == 0 && units.a == 0 && units.j == 0) return in(motion, units);
+  Motion<S> scaled = motion;
+  for (S& value : scaled.velocity) value = ldexp(value, -units.v);
+  for (S& value : scaled.acceleration) value = ldexp(value, -units.a);
+  for (S& value : scaled.jerk) value = ldexp(value, -units.j);
+  scaled.velocity_noise = ldexp(scaled.velocity_noise, -units.v);
+  scaled.acceleration_noise = ldexp(scaled.acceleration_noise, -units.a);
+  return in(scaled, units);
+}
+
+/// What is known of the path's shape at one place, over the metric channels.
+template <class S>
+struct Shape {
+  S speed{};
+  bool moves = false;          ///< there is a tangent: velocity / speed
+  std::optional<S> curvature;  ///< where there is a tangent
+};
+
+/// |v ^ a|, 0 where rounding cannot tell it from that.
+template <class S>
+S bend_area(const Motion<S>& motion, std::span<const std::size_t> metric) {
+  const Picked<S> v(motion.velocity, metric), a(motion.acceleration, metric);
+  const S area = wedge(v, a);
+  return area > motion.velocity_noise * norm(a) + motion.acceleration_noise * norm(v) ? area : S(0);
+}
+
+template <class S>
+Shape<S> shape(const Motion<S>& motion, std::span<const std::size_t> metric) {
+  using std::ldexp;
+  return in_units(motion, metric, [metric](const Motion<S>& in, const Units& units) {
+    const S speed = norm<S>({in.velocity, metric});
+    Shape<S> result{ldexp(speed, units.v), speed > in.velocity_noise, {}};
+    if (!result.moves) return result;
+    result.curvature = ldexp(bend_area(in, metric) / speed / speed / speed, units.a - 2 * units.v);
+    return result;
+  });
+}
+
+/// The torsion, where the curvature is not 0.
+template <class S>
+std::optional<S> torsion(const Motion<S>& motion, std::span<const std::size_t> metric) {
+  using std::abs, std::ldexp;
+  return in_units(motion, metric, [metric](const Motion<S>& in, const Units& units) -> std::optional<S> {
+    const Picked<S> v(in.velocity, metric), a(in.acceleration, metric), j(in.jerk, metric);
+    const S speed = norm(v), across = norm(a);
+    const S area = speed > in.velocity_noise ? bend_area(in, metric) : S(0);
+    if (area == S(0)) return std::nullopt;
+    const S volume = v.size() < 3 ? S(0) : wedge(v, a, j);
+    const S noise =
+        norm(j) * (in.velocity_noise * across + in.acceleration_noise * speed + S(0x1p-50) * speed * across);
+    if (!(abs(volume) > noise)) return S(0);
+    return ldexp(volume / area / area, units.j - units.v - units.a);
+  });
+}
+
+}  // namespace tcb::spline

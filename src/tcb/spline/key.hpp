@@ -1,0 +1,62 @@
+// Keys: what a curve is made from.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "tcb/spline/scalar.hpp"
+
+namespace tcb::spline {
+
+/// Tension, continuity and bias of a key. Usually in [-1, 1], legal beyond.
+template <class S>
+struct Tcb {
+  S tension{};
+  S continuity{};
+  S bias{};
+  friend bool operator==(const Tcb&, const Tcb&) = default;
+};
+
+/// How gently the curve arrives at a key and leaves it, each in [0, 1]; see ease.hpp.
+template <class S>
+struct Ease {
+  S in{};
+  S out{};
+};
+
+/// Some successive keys, each with the same number of channels.
+/// Shapes: positions holds `channels` numbers a key, key after key; tcbs holds one entry a key, or
+/// none where every key has `common_tcb`; eases holds one entry a key, or none.
+template <class S>
+struct Keys {
+  std::size_t channels = 0;
+  std::vector<Time<S>> times;
+  std::vector<S> positions;
+  std::vector<Tcb<S>> tcbs;
+  Tcb<S> common_tcb;
+  std::vector<Ease<S>> eases;
+
+  std::size_t size() const { return times.size(); }
+  std::span<const S> position(std::size_t key) const { return std::span(positions).subspan(key * channels, channels); }
+  const Tcb<S>& tcb(std::size_t key) const { return tcbs.empty() ? common_tcb : tcbs[key]; }
+};
+
+/// Appends keys [first, last) of `from`. Requires: both have tcbs, or neither; the same for eases.
+template <class S>
+void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t last) {
+  const auto copy = [&](auto& target, const auto& source, std::size_t stride) {
+    const auto begin = source.begin();
+    target.insert(target.end(), begin + static_cast<std::ptrdiff_t>(first * stride),
+                  begin + static_cast<std::ptrdiff_t>(last * stride));
+  };
+  if (first == last) return;
+  to.channels = from.channels;
+  to.common_tcb = from.common_tcb;
+  copy(to.times, from.times, 1);
+  copy(to.positions, from.positions, from.channels);
+  if (!from.tcbs.empty()) copy(to.tcbs, from.tcbs, 1);
+  if (!from.eases.empty()) copy(to.eases, from.eases, 1);
+}
+
+}  // namespace tcb::spline

@@ -1,0 +1,115 @@
+// Segments: the cubic between two keys, one channel at a time, and its derivatives.
+//
+//   X(u) = P0 + u (out + u (c + u d))          c = 3 D - 2 out - in,   D = P1 - P0
+//        = P1 + w (in  + w (e + w d))          e = out + 2 in - 3 D,   w = u - 1
+//   d = out + in - 2 D
+// The same cubic twice, expanded about either end; the nearer one is used, so |u| or |w| is at most
+// 1/2 and both keys are met bit for bit.
+// Source: the Hermite form of D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", section 2.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include "tcb/spline/detail/pair.hpp"
+#include "tcb/spline/scalar.hpp"
+
+namespace tcb::spline {
+
+/// A place on a segment: u from its start, and w = u - 1 from its end, each rounded once.
+template <class S>
+struct Local {
+  S u{};
+  S w{-1};
+  bool near_start() const { return u <= S(0.5); }
+};
+
+/// The place at a fraction, or with a fraction left.
+template <class S>
+Local<S> from_start(const working_t<S>& u) {
+  return {narrow<S>(u), narrow<S>(u + S(-1))};
+}
+template <class S>
+Local<S> from_end(const working_t<S>& left) {
+  return {narrow<S>(-left + S(1)), narrow<S>(-left)};
+}
+
+/// One channel of a segment.
+template <class S>
+struct Cubic {
+  S p0, out, c, c_rest;  ///< about the start; c_rest is what rounding took from c
+  S p1, in, e, e_rest;   ///< about the end
+  S d;
+};
+
+/// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is 0 where it is no more than what
+/// rounding leaves of numbers that cancel, so that a natural end has no acceleration, and a straight segment no bend.
+template <class S>
+Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
+  using W = working_t<S>;
+  const W chord = exact_difference(p1, p0);
+  S residue(0);
+  if constexpr (std::is_same_v<S, double>) {
+    residue = 0x1p-96 * std::abs(chord.hi) + 0x1p-96 * std::abs(out.hi) + 0x1p-96 * std::abs(in.hi);
+  }
+  const auto cleared = [&](const W& value) {
+    const S size = narrow<S>(value);
+    return size < residue && -size < residue ? W(0) : value;
+  };
+  const W out_bend = out - chord;
+  const W in_bend = in - chord;
+  const W d = cleared(out_bend + in_bend);
+  const W c = cleared(-(out_bend + d));
+  const W e = cleared(in_bend + d);
+  return {p0, narrow<S>(out), narrow<S>(c), rest<S>(c), p1, narrow<S>(in), narrow<S>(e), rest<S>(e), narrow<S>(d)};
+}
+
+/// base + x (a + x (b + x d)): Horner's rule with the rounding errors of its two inner sums carried along.
+template <class S>
+S compensated_cubic(const S& base, const S& a, const S& b, const S& b_rest, const S& d, const S& x) {
+  const auto inner = two_sum<S>(b, x * d);
+  const auto slope = two_sum<S>(a, x * inner.value);
+  return base + (x * slope.value + x * (x * (inner.error + b_rest) + slope.error));
+}
+
+/// X. Promises: within 3 ulp of the largest of |P0|, |P1|, |out|, |in|; exact at both ends.
+template <class S>
+S position(const Cubic<S>& x, const Local<S>& at) {
+  if (at.u == S(0)) return x.p0;
+  if (at.w == S(0)) return x.p1;
+  return at.near_start() ? compensated_cubic(x.p0, x.out, x.c, x.c_rest, x.d, at.u)
+                         : compensated_cubic(x.p1, x.in, x.e, x.e_rest, x.d, at.w);
+}
+
+/// Two places have the same end of the segment nearer, and neither is an end.
+inline bool may_pair(const Local<double>& a, const Local<double>& b) {
+  return a.near_start() == b.near_start() && a.u != 0 && b.u != 0 && a.w != 0 && b.w != 0;
+}
+
+/// The same at two places. Requires: may_pair().
+inline Pair positions(const Cubic<double>& x, const Local<double>& a, const Local<double>& b) {
+  const bool start = a.near_start();
+  return compensated_cubic<Pair>(start ? x.p0 : x.p1, start ? x.out : x.in, start ? x.c : x.e,
+                                 start ? x.c_rest : x.e_rest, x.d, start ? Pair(a.u, b.u) : Pair(a.w, b.w));
+}
+
+/// The part of a segment from one time to another, as a segment of its own.
+template <class S>
+Cubic<S> part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, const Time<S>& from, const Time<S>& to) {
+  using W = working_t<S>;
+  if (from == start && to == end) return whole;
+  const W out(whole.out), c = W(whole.c) + W(whole.c_rest), d(whole.d);
+  const W first = (from - start) / (end - start), last = (to - start) / (end - start);
+  const auto value = [&](const W& u) { return W(whole.p0) + u * (out + u * (c + u * d)); };
+  const auto slope = [&](const W& u) { return (out + u * (W(2) * c + u * (W(3) * d))) * (last - first); };
+  return cubic<S>(narrow<S>(value(first)), to == end ? whole.p1 : narrow<S>(value(last)), slope(first), slope(last));
+}
+
+/// dX/du.
+template <class S>
+S first_derivative(const Cubic<S>& x, const Local<S>& at) {
+  return at.near_start() ? x.out + at.u * (S(2) * x.c + at.u * (S(3) * x.d))
+                         : x.in + at.w * (S(2) * x.e + at.w * (S(3) * x.d));
+}
+
+}  // namespace tcb::spline

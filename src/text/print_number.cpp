@@ -1,0 +1,225 @@
+// Numbers as text, written straight into a caller's buffer.
+#include "text/print_number.hpp"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include "text/decimal.hpp"
+#include "text/digits.hpp"
+#include "text/sixteen_digits.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr int longest_fixed = 311;  ///< of a double without decimals, with its sign and point
+
+constexpr double two_to_63 = 9223372036854775808.0;
+
+/// Seventeen digits with the point after the first of them.
+struct Digits {
+  SixteenDigits sixteen;
+  char last;
+  int exponent;
+  int count;  ///< without the zeros at the end
+
+  void write(char* out) const {
+    sixteen.write(out);
+    out[16] = last;
+  }
+};
+
+/// Requires: 16 or 17 digits.
+Digits digits_of(const SplitDecimal& decimal) {
+  const bool missing = decimal.tens < 1'000'000'000'000'000;
+  const SixteenDigits sixteen(choose(missing, decimal.tens * 10 + decimal.last, decimal.tens));
+  const std::uint64_t last = choose(missing, 0, decimal.last);
+  return {sixteen, static_cast<char>('0' + last), decimal.exponent + 16 - (missing ? 1 : 0), sixteen.count(last != 0)};
+}
+
+/// Requires: 17 digits.
+Digits digits_of(const Decimal& decimal) {
+  return digits_of(SplitDecimal{decimal.digits / 10, decimal.digits % 10, decimal.exponent});
+}
+
+/// The exponent with its sign and two or three digits.
+char* write_exponent(int exponent, char* out) {
+  const auto size = static_cast<unsigned>(std::abs(exponent));
+  store<std::uint16_t>(out, static_cast<std::uint16_t>('e' | ('+' + ('-' - '+') * (exponent < 0 ? 1 : 0)) << 8));
+  out[2] = static_cast<char>('0' + size / 100);
+  out += size < 100 ? 2 : 3;
+  out[0] = static_cast<char>('0' + size / 10 % 10);
+  out[1] = static_cast<char>('0' + size % 10);
+  return out + 2;
+}
+
+char* write_scientific(const Digits& digits, char* out) {
+  digits.write(out + 1);
+  out[0] = out[1];
+  out[1] = '.';
+  return write_exponent(digits.exponent, out + (digits.count == 1 ? 1 : digits.count + 1));
+}
+
+/// With `count` digits from the first one that is not zero, and all of those before the point.
+/// Requires: -18 <= digits.exponent <= 16. Inlined, so that the digits stay in registers.
+[[gnu::always_inline]] inline char* write_plain(const Digits& digits, int count, char* out) {
+  const int before = digits.exponent + 1;  // digits before the point
+  if (before <= 0) {
+    for (int i = 0; i < 24; i += 8) store(out + i, eight_zeros);
+    out[1] = '.';
+    digits.write(out + 2 - before);
+    return out + 2 - before + count;
+  }
+  digits.write(out);
+  if (count <= before) return out + before;
+  // What follows the point goes one byte further.
+  const auto late = load<std::uint64_t>(out + 8);
+  if (before <= 8) {
+    const auto from_point = load<std::uint64_t>(out + before);
+    store(out + 9, late);
+    store(out + before + 1, from_point);
+  } else {
+    store(out + before + 1, late >> 8 * (before - 9) >> 8);
+  }
+  out[17] = digits.last;
+  out[before] = '.';
+  return out + count + 1;
+}
+
+/// The sign, if there is one.
+char* write_sign(double value, char* out) {
+  *out = '-';
+  return out + (std::signbit(value) ? 1 : 0);
+}
+
+/// By the standard library, which knows all digits of a double.
+char* write_exactly(double value, std::chars_format notation, int precision, char* out) {
+  return std::to_chars(out, out + longest_fixed + precision, value, notation, precision).ptr;
+}
+
+/// Numbers from 100000 up that are whole, below 0.001, or not finite, and those whose shortest decimal takes care.
+/// Requires: not 0; no sign. It is kept out of write_shortest, which is shorter without.
+[[gnu::noinline]] char* write_unusual(double size, char* out) {
+  if (!std::isfinite(size)) return std::to_chars(out, out + number_room, size).ptr;
+  const auto decimal = shortest_if_easy(size);
+  const Digits digits = decimal ? digits_of(*decimal) : digits_of(shortest(size));
+  // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
+  const int lone = digits.count == 1 ? 1 : 0;
+  const auto above_least = static_cast<unsigned>(digits.exponent + 4 - lone);
+  if (above_least > static_cast<unsigned>(digits.count + 8 - 2 * lone)) return write_scientific(digits, out);
+  if (digits.exponent <= 15) return write_plain(digits, digits.count, out);
+  if (size < 2 * two_to_63) return write_whole(static_cast<std::uint64_t>(size), out);
+  return std::to_chars(out, out + number_room, size).ptr;
+}
+
+char* write_bytes(double value, char* out) {
+  auto bits = std::bit_cast<std::uint64_t>(value);
+  for (int i = 0; i < 8; ++i, bits >>= 8) *out++ = static_cast<char>(bits & 0xFFU);
+  return out;
+}
+
+}  // namespace
+
+char* write_whole(std::uint64_t value, char* out) {
+  constexpr std::uint64_t eight = 100'000'000;
+  if (value >= eight) {
+    out = write_whole(value / eight, out);
+    store(out, eight_digits(value % eight) | eight_zeros);
+    return out + 8;
+  }
+  const std::uint64_t digits = eight_digits(value);
+  const int zeros = std::countr_zero(digits | std::uint64_t{1} << 56) / 8;  // at least the last digit stays
+  store(out, (digits | eight_zeros) >> 8 * zeros);
+  return out + 8 - zeros;
+}
+
+char* write_shortest(double value, char* out) {
+  const double size = std::abs(value);
+  out = write_sign(value, out);
+  constexpr double whole_below_are_plain = 100'000;  // which is 1e+05
+  if (size < whole_below_are_plain) {
+    const auto whole = static_cast<std::int32_t>(size);
+    if (whole == size) return write_whole(static_cast<std::uint64_t>(whole), out);
+  }
+  if (const auto decimal = shortest_if_easy(size)) {
+    const Digits digits = digits_of(*decimal);
+    const bool plain = digits.exponent >= -3 && digits.exponent + 1 < digits.count;
+    if (plain) return write_plain(digits, digits.count, out);
+  }
+  return write_unusual(size, out);
+}
+
+char* write_fixed(double value, int decimals, char* out) {
+  if (decimals < 0 || decimals > digits_of_double) return nullptr;
+  const double size = std::abs(value);
+  if (!(size < static_cast<double>(whole_power_of_ten(digits_of_double - decimals)))) return nullptr;
+  out = write_sign(value, out);
+  const std::uint64_t scaled = size == 0 ? 0 : rounded(size, decimals);
+  const Digits zero{SixteenDigits(0), '0', decimals == 0 ? 0 : -1, 1};
+  const Digits digits = scaled == 0 ? zero : digits_of(widened({scaled, -decimals}));
+  return write_plain(digits, digits.exponent + 1 + decimals, out);
+}
+
+char* write_digits(double value, int count, char* out) {
+  count = std::max(count, 1);
+  const double size = std::abs(value);
+  if (count > digits_of_double || !std::isnormal(value)) return size == 0 ? write_shortest(value, out) : nullptr;
+  int power = count - 1 - floor_log10_power_of_two(Binary(size).q + 52);
+  std::uint64_t scaled = rounded(size, power);
+  if (scaled >= whole_power_of_ten(count)) scaled = rounded(size, --power);
+  const Digits digits = digits_of(widened({scaled, -power}));
+  out = write_sign(value, out);
+  if (digits.exponent < -4 || digits.exponent >= count) return write_scientific(digits, out);
+  return write_plain(digits, digits.count, out);
+}
+
+char* write_hex(double value, char* out) {
+  out = write_sign(value, out);
+  *out++ = '0';
+  *out++ = 'x';
+  return std::to_chars(out, out + number_room, std::abs(value), std::chars_format::hex).ptr;
+}
+
+std::size_t longest_number_in(const Notation& notation) {
+  const auto count = static_cast<std::size_t>(notation.count);
+  return notation.kind == Notation::Kind::fixed    ? static_cast<std::size_t>(longest_fixed) + count
+         : notation.kind == Notation::Kind::digits ? longest_number + count
+                                                   : longest_number;
+}
+
+char* write_number(double value, const Notation& notation, char* out) {
+  switch (notation.kind) {
+    case Notation::Kind::shortest: break;
+    case Notation::Kind::bytes: return write_bytes(value, out);
+    case Notation::Kind::hex: return write_hex(value, out);
+    case Notation::Kind::digits:
+      if (char* const end = write_digits(value, notation.count, out)) return end;
+      return write_exactly(value, std::chars_format::general, notation.count, out);
+    case Notation::Kind::fixed:
+      if (char* const end = write_fixed(value, notation.count, out)) return end;
+      return write_exactly(value, std::chars_format::fixed, notation.count, out);
+  }
+  return write_shortest(value, out);
+}
+
+char* write_time(const spline::Time<double>& time, const Notation& notation, char* out) {
+  constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+  const bool plain =
+      notation.kind == Notation::Kind::shortest || (notation.is_text() && std::abs(time.hi) >= whole_from);
+  return plain ? write_time(time, out) : write_number(time.hi, notation, out);
+}
+
+char* write_time(const spline::Time<double>& time, char* out) {
+  if (!(time.hi >= -two_to_63 && time.hi <= two_to_63)) return write_shortest(time.hi, out);
+  if (time.hi == two_to_63) {
+    return write_whole((std::uint64_t{1} << 63) + static_cast<std::uint64_t>(static_cast<std::int64_t>(time.lo)), out);
+  }
+  const auto high = static_cast<std::int64_t>(time.hi);
+  if (static_cast<double>(high) != time.hi) return write_shortest(time.hi, out);
+  const std::int64_t whole = high + static_cast<std::int64_t>(time.lo);
+  *out = '-';
+  const auto bits = static_cast<std::uint64_t>(whole);
+  return whole < 0 ? write_whole(-bits, out + 1) : write_whole(bits, out);
+}
+
+}  // namespace tcb

@@ -1,0 +1,63 @@
+// Names and values typed by people: looked up in tables, taken apart, refused with the nearest known one.
+#include "text/suggest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+/// How many letters have to be changed, dropped or added to make b of a.
+/// Source: R. A. Wagner, M. J. Fischer, "The string-to-string correction problem", doi:10.1145/321796.321811.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
+  const auto nearest =
+      std::ranges::min_element(known, {}, [&](std::string_view other) { return edit_distance(name, other); });
+  if (nearest == known.end() || edit_distance(name, *nearest) * 3 > std::max(name.size(), nearest->size())) return "";
+  return "; did you mean " + std::string(*nearest) + "?";
+}
+
+void refuse_value(std::string_view option, std::string_view value, std::string_view expected) {
+  throw Error(Exit::usage, fmt::format("{} \"{}\": expected {}", option, value, expected));
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::size_t find_name(std::string_view option, const std::vector<std::string_view>& known, std::string_view name) {
+  const auto found = std::ranges::find(known, name);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  throw Error(Exit::usage, fmt::format("{}: unknown name \"{}\"; expected one of {}{}", option, name,
+                                       fmt::join(known, ", "), did_you_mean(name, known)));
+}
+
+}  // namespace tcb

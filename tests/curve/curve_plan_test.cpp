@@ -1,0 +1,89 @@
+// The settings of a curve: what names and texts become, and what is refused.
+#include "curve/curve_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+CurveSettings ends(std::string text) {
+  CurveSettings settings;
+  settings.ends = std::move(text);
+  return settings;
+}
+
+std::string refusal(const CurveSettings& settings, const std::vector<std::string>& channels = {"x", "y"}) {
+  try {
+    (void)fitted(make_curve(settings), settings, channels);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(CurvePlan, a_preset_sets_both_rules_and_each_may_be_set_over) {
+  CurveSettings settings;
+  settings.preset = "vtk";
+  EXPECT_EQ(spline::tangent_rules<double>[make_curve(settings).rules.tangents].name, "interval");
+  EXPECT_EQ(spline::end_rules<double>[make_curve(settings).rules.start.rule].name, "zero");
+  settings.ends = "chord,cry";
+  EXPECT_EQ(spline::end_rules<double>[make_curve(settings).rules.start.rule].name, "chord");
+  EXPECT_EQ(spline::end_rules<double>[make_curve(settings).rules.end.rule].name, "cry");
+}
+
+TEST(CurvePlan, velocities_have_a_number_for_each_channel) {
+  const auto rules = make_curve(ends("velocity=1:-2,velocity=3,4")).rules;
+  EXPECT_EQ(rules.start.velocity, (std::vector<double>{1, -2}));
+  EXPECT_EQ(rules.end.velocity, (std::vector<double>{3, 4}));
+  EXPECT_EQ(refusal(ends("velocity=1,zero")),
+            "--ends: a velocity of 1 numbers; expected 2, one for each of x, y; correct it");
+}
+
+TEST(CurvePlan, unknown_names_are_refused_with_the_nearest) {
+  CurveSettings settings;
+  settings.preset = "gtee";
+  EXPECT_TRUE(refusal(settings).ends_with("; did you mean gte?")) << refusal(settings);
+  EXPECT_TRUE(refusal(ends("naturel")).ends_with("; did you mean natural?"));
+  settings = {};
+  settings.metric = "z";
+  EXPECT_EQ(refusal(settings), "--metric: no channel \"z\"; expected some of x, y, or numbers from 1");
+}
+
+TEST(CurvePlan, contradictions_are_refused) {
+  CurveSettings settings = ends("zero");
+  settings.closed = true;
+  EXPECT_EQ(refusal(settings), "--ends has no effect on a closed curve, which has no ends; take one of them out");
+  EXPECT_EQ(refusal(ends("zero,zero,zero")),
+            "--ends zero,zero,zero: 3 rules; expected one, or one for the start and one for the end");
+  EXPECT_EQ(refusal(ends("zero=3")), "--ends zero=3: expected no value for this rule; take it out");
+  settings = {};
+  settings.period = "-1";
+  EXPECT_EQ(refusal(settings), "--period \"-1\": expected a decimal or a ratio above 0, such as 7.5");
+}
+
+TEST(CurveSettings, the_command_line_goes_over_what_stands_beside_the_keys) {
+  CurveSettings beside;
+  beside.preset = "vtk";
+  beside.tangents = "uniform";
+  beside.closed = true;
+  beside.period = "3";
+  CurveSettings typed;
+  EXPECT_EQ(over(typed, beside).tangents, "uniform");
+  EXPECT_EQ(over(typed, beside).period, "3");
+  typed.tangents = "kb1984";
+  EXPECT_EQ(over(typed, beside).tangents, "kb1984");
+  EXPECT_EQ(over(typed, beside).preset, "vtk");
+  typed = {};
+  typed.preset = "gte";
+  EXPECT_EQ(over(typed, beside).tangents, std::nullopt) << "a preset sets all rules";
+  typed.closed = false;
+  EXPECT_EQ(over(typed, beside).period, std::nullopt);
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,64 @@
+// A curve kept whole: the piece for any time or length, from either side.
+#include "curve/index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+namespace tcb {
+namespace {
+
+/// Straight pieces between keys at t = 0, 1, 2, 4 with a hold from 1 to 2, in segment_blocks of one piece.
+CurveIndex curve() {
+  const std::vector<double> times{0, 1, 2, 4}, positions{0, 3, 3, 7};
+  return CurveIndex(
+      [=, next = std::size_t{0}]() mutable -> std::optional<SegmentBlock> {
+        if (next == 3) return std::nullopt;
+        const double h = positions[next + 1] - positions[next];
+        SegmentBlock stretch;
+        stretch.segments = {
+            1, {times[next], times[next + 1]}, {spline::cubic<double>(positions[next], positions[next + 1], h, h)}, {}};
+        stretch.lengths = {{h, 0}};
+        stretch.last = ++next == 3;
+        return stretch;
+      },
+      {});
+}
+
+TEST(CurveIndex, finds_the_piece_for_a_time) {
+  const CurveIndex whole = curve();
+  EXPECT_EQ(whole.size(), 3U);
+  for (const bool left : {true, false}) {
+    EXPECT_EQ(whole.find_time(0.0, left), 0U);
+    EXPECT_EQ(whole.find_time(0.5, left), 0U);
+    EXPECT_EQ(whole.find_time(1.0, left), left ? 0U : 1U);
+    EXPECT_EQ(whole.find_time(3.0, left), 2U);
+    EXPECT_EQ(whole.find_time(4.0, left), 2U);
+  }
+}
+
+TEST(CurveIndex, finds_the_first_piece_that_reaches_a_length) {
+  const CurveIndex whole = curve();
+  EXPECT_EQ(whole.length(), 7);
+  EXPECT_EQ(whole.find_length(0.0, true), 0U);
+  EXPECT_EQ(whole.find_length(2.0, false), 0U);
+  EXPECT_EQ(whole.find_length(3.0, true), 0U);
+  EXPECT_EQ(whole.find_length(3.0, false), 1U) << "the hold begins here, and with it its first key";
+  EXPECT_EQ(whole.find_length(3.5, false), 2U);
+  EXPECT_EQ(whole.find_length(7.0, false), 2U);
+}
+
+TEST(CurveIndex, pieces_know_their_place) {
+  const CurveIndex whole = curve();
+  const auto piece = whole.piece(2);
+  EXPECT_EQ(piece.start.hi, 2);
+  EXPECT_EQ(piece.s_start.hi, 3);
+  EXPECT_EQ(piece.s_end.hi, 7);
+  EXPECT_TRUE(piece.last);
+  EXPECT_EQ(piece.end_key, 3U);
+  EXPECT_EQ(piece.cycle[0], 7);
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,98 @@
+// Rounding once: texts of exact numbers, roots, and what two floats leave open.
+#include "exact/rounding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <stdexcept>
+
+#include "curve/fields.hpp"
+#include "exact/golden_rows.hpp"
+#include "exact/point.hpp"
+
+namespace tcb {
+namespace {
+
+using Kind = Notation::Kind;
+
+std::string printed(const char* format, int count, double value) {
+  std::array<char, 700> text{};
+  return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), format, count, value))};
+}
+
+TEST(Rounding, texts_are_those_of_printf) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const double any = std::bit_cast<double>(random());
+    const double near = static_cast<double>(static_cast<std::int64_t>(random() % 2000000) - 1000000) / 1024;
+    for (const double value : {any, near, 0.0, 9.5, 0.00095, 99999.5, -0.5}) {
+      if (!std::isfinite(value)) continue;
+      const int count = 1 + i % 30;
+      if (value != 0) {
+        EXPECT_EQ(digits_text(Rational(value), count), printed("%.*g", count, value));
+      }
+      EXPECT_EQ(fixed_text(Rational(value), count), printed("%.*f", count, value));
+      EXPECT_EQ(fixed_text(Rational(value), 0), value < 0 || !std::signbit(value) ? printed("%.*f", 0, value) : "0");
+    }
+  }
+}
+
+TEST(Rounding, a_root_is_rounded_once) {
+  const Rounding nearest({}, CellKind::real);
+  EXPECT_EQ(nearest.exactly({2, true}).cell.hi, std::sqrt(2.0));
+  EXPECT_EQ(nearest.exactly({-2, true}).cell.hi, -std::sqrt(2.0));
+  EXPECT_EQ(nearest.exactly({Rational(9, 4), true}).cell.hi, 1.5);
+  EXPECT_EQ(nearest.exactly({0, true}).cell.hi, 0);
+  // The root of (1 + 2^-53)^2 is a tie, which goes to the even one of its neighbours; a little more goes up.
+  const Rational tie = 1 + Rational(1, Integer(1) << 53);
+  EXPECT_EQ(nearest.exactly({tie * tie, true}).cell.hi, 1);
+  EXPECT_EQ(nearest.exactly({tie * tie + Rational(1, Integer(1) << 900), true}).cell.hi, 1 + 0x1p-52);
+  const Rounding digits({Kind::digits, 50}, CellKind::real);
+  EXPECT_EQ(digits.exactly({2, true}).text, "1.4142135623730950488016887242096980785696718753769");
+}
+
+TEST(Rounding, two_floats_settle_what_they_agree_on) {
+  const Rounding nearest({}, CellKind::real);
+  const Rational third(1, 3), tiny(1, Integer(1) << 300), tie = 1 + Rational(1, Integer(1) << 53);
+  EXPECT_EQ(nearest.between({third + tiny}, {third})->cell.hi, 1.0 / 3);
+  EXPECT_FALSE(nearest.between({tie + tiny}, {tie}).has_value());
+  EXPECT_FALSE(nearest.between({tiny}, {0}).has_value());
+  EXPECT_FALSE(nearest.between({0, false, true}, {third}).has_value());
+  EXPECT_FALSE(nearest.between({0, false, true, true}, {0, false, true, true}).has_value());
+  EXPECT_EQ(nearest.at_last({tie + tiny}, {tie + tiny * tiny}).cell.hi, 1);
+  EXPECT_EQ(nearest.at_last({3 * tie + tiny}, {3 * tie - tiny}).cell.hi, 3 + 0x1p-51);
+  EXPECT_EQ(nearest.at_last({-tiny}, {tiny * tiny}).cell.hi, 0);
+  EXPECT_TRUE(is_empty(nearest.at_last({third}, {0, false, true, true}).cell));
+}
+
+TEST(Rounding, more_digits_than_there_are_is_said) {
+  const Rounding fixed({Kind::fixed, 100}, CellKind::real);
+  const Rational huge(Integer(1) << 1000), error = huge / Rational(Integer(1) << 1000);
+  EXPECT_THROW((void)fixed.at_last({huge + error}, {huge}), std::range_error);
+}
+
+TEST(Rounding, the_simplest_number_between_has_the_least_denominator) {
+  EXPECT_EQ(simplest_between(Rational(3141, 1000), Rational(3143, 1000)), Rational(22, 7));
+  EXPECT_EQ(simplest_between(Rational(1, 3), Rational(1, 3)), Rational(1, 3));
+  EXPECT_EQ(simplest_between(Rational(2, 5), Rational(7, 2)), 1);
+}
+
+TEST(Rounding, a_time_beyond_2_to_53_is_the_nearest_whole_number) {
+  const Rational time = Rational(Integer("1403715524907143169")) + Rational(1, 3);
+  EXPECT_EQ(Cell(Rounding({}, CellKind::time).exactly({time}).cell).lo, 1);
+  EXPECT_EQ(Rounding({Kind::digits, 5}, CellKind::time).exactly({time}).text, "1403715524907143169");
+}
+
+TEST(Quantities, every_field_but_the_bound_on_an_error_has_a_golden_value) {
+  for (const Field& field : fields()) EXPECT_EQ(has_field(field.name), field.name != "arc_error") << field.name;
+  for (const auto& quantity : quantities<Rational>) {
+    EXPECT_EQ(std::ranges::count(fields(), quantity.name, &Field::name), 1) << quantity.name;
+  }
+}
+
+}  // namespace
+}  // namespace tcb

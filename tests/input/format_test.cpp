@@ -1,0 +1,99 @@
+// The table of formats: how the format of an input is found, and what stands before its first byte.
+#include "input/format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "input/reading.hpp"
+
+namespace tcb {
+namespace {
+
+const std::string csv_text = "t,x\n0,1\n";
+const std::string csv_keys = "t x\n2: 0 1\n";
+
+TEST(Formats, names_and_endings_are_told_apart_and_csv_is_the_default) {
+  std::set<std::string_view> names, endings;
+  for (const Format& format : formats()) {
+    EXPECT_TRUE(names.insert(format.name).second) << format.name;
+    EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
+    EXPECT_TRUE(format.ending.starts_with('.')) << format.ending;
+    EXPECT_EQ(&formats()[find_format("-f", format.name)], &format);
+  }
+  EXPECT_EQ(formats()[0].name, "csv");
+}
+
+TEST(Formats, an_unknown_name_is_refused_with_those_that_are_known) {
+  EXPECT_EQ(error_of([] { find_format("--input-format", "CSV", true); }),
+            "usage: f: error: --input-format: unknown format \"CSV\"; expected one of csv, tsv, ssv, json, jsonl");
+}
+
+TEST(Formats, each_layout_writes_what_its_format_reads) {
+  const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
+  for (std::size_t i = 0; i < formats().size(); ++i) {
+    if (formats()[i].open == nullptr) continue;
+    const Layout layout = formats()[i].layout(columns, true);
+    std::string text = layout.head;
+    append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);
+    text += layout.tail;
+    InputOptions options;
+    options.format = i;
+    const std::string keys = read(text, options);
+    EXPECT_TRUE(keys.starts_with("t the x\n")) << keys;
+    EXPECT_NE(keys.find(": 0 0.1\n"), std::string::npos) << keys;
+    EXPECT_NE(keys.find(": 1 -2\n"), std::string::npos) << keys;
+  }
+}
+
+TEST(OpenInput, the_file_ending_tells_the_format) {
+  EXPECT_EQ(read("t\tx,y\n0\t1\n", {}, 1, "a.b/keys.tsv"), "t x,y\n2: 0 1\n");
+  EXPECT_EQ(read("t x,y\n0 1\n", {}, 1, "keys.ssv"), "t x,y\n2: 0 1\n");
+  EXPECT_EQ(read("[t,x\n0,1\n", with_columns("time=1"), 1, "keys.csv"), "[t x\n2: 0 1\n") << "no JSON, by its ending";
+  EXPECT_EQ(read("{\"t\":0,\"x\":1}\n", {}, 1, "keys.jsonl"), "t x\n1: 0 1\n");
+  EXPECT_NE(read(csv_text, {}, 1, "keys.json").find("not JSON"), std::string::npos);
+}
+
+TEST(OpenInput, without_an_ending_the_first_byte_that_is_not_blank_does) {
+  EXPECT_EQ(read(" \t\r\n [{\"t\":0,\"x\":1}]", {}, 1, "-"), "t x\n2: 0 1\n");
+  EXPECT_EQ(read("\n{\"t\":0,\"x\":1}", {}, 1, "keys"), "t x\n2: 0 1\n");
+  EXPECT_EQ(read(csv_text, {}, 1, "keys.txt"), csv_keys);
+  EXPECT_EQ(read("csv,t\n1,0\n", {}, 1, "csv"), "t csv\n2: 0 1\n") << "a name is no ending";
+}
+
+TEST(OpenInput, a_format_that_is_given_wins) {
+  InputOptions options;
+  options.format = find_format("", "csv");
+  EXPECT_EQ(read(csv_text, options, 1, "keys.json"), csv_keys);
+  options.format = find_format("", "tsv");
+  EXPECT_EQ(read("t\ta,b\n0\t1\n", options, 1, "keys.csv"), "t a,b\n2: 0 1\n");
+}
+
+TEST(OpenInput, a_delimiter_that_is_given_wins_over_the_format) {
+  InputOptions options;
+  options.delimiter = ';';
+  EXPECT_EQ(read("t;x\n0;1\n", options, 1, "keys.tsv"), "t x\n2: 0 1\n");
+}
+
+TEST(OpenInput, a_byte_order_mark_is_no_part_of_the_first_cell) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (std::size_t piece = 1; piece < 5; ++piece) {
+    EXPECT_EQ(read(mark + csv_text, {}, piece), csv_keys);
+    EXPECT_EQ(read(mark + "[{\"t\":0,\"x\":1}]", {}, piece), "t x\n1: 0 1\n");
+    EXPECT_EQ(read(mark + "t,x\n\"0\n", {}, piece),
+              "f:2:1: error: a quoted cell is not closed; expected \" at its end; add it");
+    EXPECT_EQ(read(mark + "0,inf\n1,2\n", {}, piece),
+              "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell")
+        << "characters are counted without it";
+  }
+  EXPECT_NE(read("t," + mark + "x\n0,1\n"), csv_keys) << "it is one only at the beginning";
+}
+
+TEST(OpenInput, an_input_shorter_than_a_mark_is_read_all_the_same) {
+  EXPECT_EQ(read("7"),
+            "f:1: error: no position column; expected at least one column of numbers beside the time; name it "
+            "with --columns position=NAME");
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,70 @@
+// Kept keys come back as they were, as often as wanted.
+#include "keys/key_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "keys.hpp"
+
+namespace tcb {
+namespace {
+
+TEST(KeyStore, are_gone_through_as_often_as_wanted_and_lose_their_last) {
+  KeyStore kept(keys_of("0 1\n1 2\n2 3", 1));
+  EXPECT_EQ(kept.size(), 3U);
+  EXPECT_EQ(kept.key(2).positions[0], 3);
+  EXPECT_EQ(kept.first_line(), 1U);
+  EXPECT_EQ(kept.last_line(), 3U);
+  for (int round = 0; round < 2; ++round) {
+    const auto source = kept.source();
+    std::size_t count = 0;
+    while (const auto block = source()) count += block->size();
+    EXPECT_EQ(count, 3U);
+  }
+  kept.drop_last();
+  EXPECT_EQ(kept.size(), 2U);
+}
+
+TEST(KeyStore, come_back_as_they_were) {
+  Keys all;
+  all.channels = 2;
+  const auto make = [&all](std::size_t size, double rest) {
+    KeyBlock block;
+    block.keys.channels = 2;
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto number = static_cast<double>(all.size() + i);
+      block.keys.times.push_back(spline::DoubleDouble{0x1p60 + 1024 * number, rest * number});
+      block.keys.positions.insert(block.keys.positions.end(), {number / 3, -number});
+      block.keys.tcbs.push_back({0.25, number, 0.5});
+      block.keys.eases.push_back({0, 1 / (1 + number)});
+      block.lines.push_back(all.size() + i + 1);
+    }
+    spline::append(all, block.keys, 0, size);
+    return block;
+  };
+  std::vector<KeyBlock> blocks{make(700, 0), make(1, 0), make(0, 0), make(1500, 1), make(2, 0)};
+  KeyStore kept([blocks, next = std::size_t{0}]() mutable {
+    return next < blocks.size() ? std::optional(blocks[next++]) : std::nullopt;
+  });
+  for (const std::size_t dropped : {0U, 1U}) {
+    if (dropped > 0) kept.drop_last();
+    Keys found;
+    const auto source = kept.source();
+    while (const auto part = source()) spline::append(found, *part, 0, part->size());
+    Keys expected;
+    spline::append(expected, all, 0, all.size() - dropped);
+    ASSERT_EQ(kept.size(), expected.size());
+    EXPECT_EQ(found.times, expected.times);
+    EXPECT_EQ(found.positions, expected.positions);
+    EXPECT_EQ(found.tcbs, expected.tcbs);
+    ASSERT_EQ(found.eases.size(), expected.eases.size());
+    EXPECT_EQ(found.eases.back().out, expected.eases.back().out);
+    EXPECT_EQ(kept.key(900).times[0], expected.times[900]);
+    EXPECT_EQ(kept.key(900).positions[1], -900);
+  }
+}
+
+}  // namespace
+}  // namespace tcb

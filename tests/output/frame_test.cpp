@@ -1,0 +1,71 @@
+// Frames: rows of several curves in every format, apart by a text or by a line without a row.
+#include "output/frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include "input/reading.hpp"
+
+namespace tcb {
+namespace {
+
+struct CurveRows {
+  std::vector<std::string> group;
+  std::vector<std::pair<double, std::string>> rows;  ///< a number and a label
+};
+
+/// An output with these curves. Labels are written only where `labelled`.
+std::string written(const std::string& format, const std::vector<CurveRows>& curves, bool labelled) {
+  OutputColumns columns{{}, {{"x"}}, {}};
+  if (!curves.empty()) columns.groups.assign(curves[0].group.size(), "id");
+  if (labelled) columns.labels = {"label"};
+  Frame frame(formats()[find_format("", format)], columns, true);
+  std::string out = frame.head();
+  std::optional<std::vector<std::string>> before;
+  for (const CurveRows& curve : curves) {
+    out += frame.begin(curve.group, before == curve.group);
+    before = curve.group;
+    bool first = true;
+    for (const auto& [number, label] : curve.rows) {
+      Layout layout = frame.layout();
+      const std::vector<std::string_view> labels(labelled ? 1 : 0, label);
+      layout.row_end = frame.row_end(labels);
+      append_rows(out, layout, columns.numbers, {Cell(number)}, first && frame.is_first());
+      first = false;
+    }
+    if (!first) frame.set_written();
+  }
+  return out + frame.tail();
+}
+
+const std::vector<CurveRows> two{{{"\"a"}, {{1, "\"p"}, {2, ""}}}, {{"7"}, {{3, "\"q,\""}}}};
+const std::vector<CurveRows> apart{{{}, {{1, ""}}}, {{}, {{2, ""}}}};
+
+TEST(Frame, a_text_tells_curves_apart_in_each_row) {
+  EXPECT_EQ(written("csv", two, true), "id,x,label\na,1,p\na,2,\n7,3,\"q,\"\"\"\n");
+  EXPECT_EQ(written("ssv", two, true), "id x label\na 1 p\na 2 NA\n7 3 \"q,\"\"\"\n");
+  EXPECT_EQ(written("jsonl", two, true),
+            "{\"id\":\"a\",\"x\":1,\"label\":\"p\"}\n{\"id\":\"a\",\"x\":2,\"label\":null}\n"
+            "{\"id\":7,\"x\":3,\"label\":\"q,\\\"\"}\n");
+}
+
+TEST(Frame, or_in_an_object_around_the_rows) {
+  EXPECT_EQ(
+      written("json", two, false),
+      "{\"curves\":[\n{\"id\":\"a\",\"rows\":[\n{\"x\":1},\n{\"x\":2}\n]},\n{\"id\":7,\"rows\":[\n{\"x\":3}\n]}\n]}\n");
+  EXPECT_EQ(written("json", {{{"\"a"}, {}}, {{"\"b"}, {}}}, false),
+            "{\"curves\":[\n{\"id\":\"a\",\"rows\":[\n]},\n{\"id\":\"b\",\"rows\":[\n]}\n]}\n");
+}
+
+TEST(Frame, without_one_a_line_without_a_row_does) {
+  EXPECT_EQ(written("csv", apart, false), "x\n1\n\n2\n");
+  EXPECT_EQ(written("json", apart, false), "[\n{\"x\":1},\nnull,\n{\"x\":2}\n]\n");
+  EXPECT_EQ(written("jsonl", apart, false), "{\"x\":1}\nnull\n{\"x\":2}\n");
+}
+
+TEST(Frame, parts_of_a_curve_that_broke_off_are_apart_too) {
+  const std::vector<CurveRows> parts{{{"\"a"}, {{1, ""}}}, {{"\"a"}, {{2, ""}}}, {{"\"b"}, {{3, ""}}}};
+  EXPECT_EQ(written("csv", parts, false), "id,x\na,1\n\na,2\nb,3\n");
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,92 @@
+// Layouts: the exact text of rows in each format, and names that need quotes.
+#include "output/layout.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "input/csv/records.hpp"
+#include "input/reading.hpp"
+
+namespace tcb {
+namespace {
+
+const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"x", CellKind::real}, {"n", CellKind::whole}};
+const std::vector<Cell> two_rows{Cell(0), Cell(0.1), Cell(3), {9007199254740992.0, 1}, Cell(-1e300), Cell(4)};
+
+/// All of an output: head, the rows in one go or one after another, tail.
+std::string output(const Layout& layout, const std::vector<OutputColumn>& of, const std::vector<Cell>& cells) {
+  std::string text = layout.head;
+  append_rows(text, layout, of, cells, true);
+  return text + (cells.empty() ? layout.no_rows : layout.tail);
+}
+
+TEST(Layout, delimited_rows) {
+  EXPECT_EQ(output(delimited_layout(columns, ',', true), columns, two_rows),
+            "t,x,n\n0,0.1,3\n9007199254740993,-1e+300,4\n");
+  EXPECT_EQ(output(delimited_layout(columns, '\t', false), columns, two_rows),
+            "0\t0.1\t3\n9007199254740993\t-1e+300\t4\n");
+}
+
+TEST(Layout, json_rows) {
+  EXPECT_EQ(output(json_layout(columns), columns, two_rows),
+            "[\n{\"t\":0,\"x\":0.1,\"n\":3},\n{\"t\":9007199254740993,\"x\":-1e+300,\"n\":4}\n]\n");
+  EXPECT_EQ(output(jsonl_layout(columns), columns, two_rows),
+            "{\"t\":0,\"x\":0.1,\"n\":3}\n{\"t\":9007199254740993,\"x\":-1e+300,\"n\":4}\n");
+}
+
+TEST(Layout, without_rows_the_output_is_whole_all_the_same) {
+  EXPECT_EQ(output(delimited_layout(columns, ',', true), columns, {}), "t,x,n\n");
+  EXPECT_EQ(output(jsonl_layout(columns), columns, {}), "");
+  EXPECT_TRUE(nlohmann::json::parse(output(json_layout(columns), columns, {})).empty());
+}
+
+TEST(Layout, rows_in_several_calls_are_the_rows_in_one) {
+  for (const Layout& layout : {delimited_layout(columns, ';', true), json_layout(columns), jsonl_layout(columns)}) {
+    std::string in_one, in_two;
+    append_rows(in_one, layout, columns, two_rows, true);
+    append_rows(in_two, layout, columns, {two_rows.begin(), two_rows.begin() + 3}, true);
+    append_rows(in_two, layout, columns, {two_rows.begin() + 3, two_rows.end()}, false);
+    EXPECT_EQ(in_two, in_one);
+  }
+}
+
+TEST(Layout, names_are_quoted_where_they_must_be_and_only_there) {
+  const auto head = [](const std::string& name, char delimiter) {
+    return delimited_layout({{name}}, delimiter, true).head;
+  };
+  EXPECT_EQ(head("p x [m]", ','), "p x [m]\n");
+  EXPECT_EQ(head("p x", ' '), "\"p x\"\n");
+  EXPECT_EQ(head("a\tb", ' '), "\"a\tb\"\n");
+  EXPECT_EQ(head("a,b", ','), "\"a,b\"\n");
+  EXPECT_EQ(head("a,b", ';'), "a,b\n");
+  EXPECT_EQ(head("5\" \n", ','), "\"5\"\" \n\"\n");
+}
+
+const char* const odd_names[] = {"a,b", "a;b", "a\tb", "a b", "\"", "\"a\"", "a\"\"b", "a\nb", "a\r\nb", "é", "a\\b"};
+
+TEST(Layout, delimited_names_read_back) {
+  for (const char delimiter : {',', ';', '\t', ' '}) {
+    const Dialect dialect{delimiter, ""};
+    for (const std::string name : odd_names) {
+      const Chunk chunk{delimited_layout({{"t"}, {name}}, delimiter, true).head};
+      Records records(chunk, dialect);
+      std::vector<std::string_view> cells;
+      ASSERT_TRUE(records.next(cells));
+      ASSERT_EQ(cells.size(), 2U) << chunk.text;
+      EXPECT_EQ(unquoted(cells[1]), name);
+      EXPECT_FALSE(records.next(cells));
+    }
+  }
+}
+
+TEST(Layout, json_names_read_back) {
+  for (const std::string name : {"a\"b", "\\", "\\\"", "a\nb", "\t", "é", "\x01\x1F", "a/b"}) {
+    const std::vector<OutputColumn> one{{name}};
+    const auto row = nlohmann::json::parse(output(jsonl_layout(one), one, {Cell(1)}));
+    EXPECT_EQ(row.begin().key(), name);
+  }
+}
+
+}  // namespace
+}  // namespace tcb

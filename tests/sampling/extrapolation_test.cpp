@@ -1,0 +1,33 @@
+// Extrapolation: which time on the curve stands for one outside, whatever the curve's start.
+#include "sampling/extrapolation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tcb {
+namespace {
+
+TEST(Extrapolation, maps_times_onto_the_curve) {
+  const auto on_curve = [](Extrapolation kind, double t) { return map_to_curve(kind, 10.0, 14.0, t).t.hi; };
+  for (const auto& way : extrapolations) EXPECT_EQ(on_curve(way.kind, 13), 13) << way.name;
+  EXPECT_EQ(on_curve(Extrapolation::hold, 3), 10);
+  EXPECT_EQ(on_curve(Extrapolation::hold, 33), 14);
+  EXPECT_EQ(on_curve(Extrapolation::repeat, 15), 11);
+  EXPECT_EQ(on_curve(Extrapolation::repeat, 9), 13);
+  EXPECT_EQ(on_curve(Extrapolation::repeat, -3), 13);
+  EXPECT_EQ(on_curve(Extrapolation::oscillate, 15), 13);
+  EXPECT_EQ(on_curve(Extrapolation::oscillate, 19), 11);
+  EXPECT_EQ(on_curve(Extrapolation::oscillate, 9), 11);
+}
+
+TEST(Extrapolation, tells_what_else_has_to_be_done) {
+  EXPECT_EQ(map_to_curve(Extrapolation::offset, 10.0, 14.0, 23.0).cycles, 3);
+  EXPECT_EQ(map_to_curve(Extrapolation::offset, 10.0, 14.0, 9.0).cycles, -1);
+  EXPECT_EQ(map_to_curve(Extrapolation::linear, 10.0, 14.0, 9.0).beyond.hi, -1);
+  EXPECT_EQ(map_to_curve(Extrapolation::linear, 10.0, 14.0, 16.5).beyond.hi, 2.5);
+  EXPECT_TRUE(map_to_curve(Extrapolation::hold, 10.0, 14.0, 16.5).holds);
+  EXPECT_TRUE(map_to_curve(Extrapolation::oscillate, 10.0, 14.0, 15.0).backward);
+  EXPECT_FALSE(map_to_curve(Extrapolation::oscillate, 10.0, 14.0, 19.0).backward);
+}
+
+}  // namespace
+}  // namespace tcb

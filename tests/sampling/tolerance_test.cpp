@@ -1,0 +1,130 @@
+// Tolerance: the polyline stays as near as promised, corners are rows, and there are no more rows than needed.
+#include "sampling/tolerance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "error.hpp"
+#include "tcb/spline/curve.hpp"
+
+namespace tcb {
+namespace {
+
+/// A curve through random keys, by number and by time.
+class Curve {
+ public:
+  Curve(const spline::Keys<double>& keys) : curve_(spline::segments<double>({keys}, {})) {}
+
+  CurveSegments pieces() const {
+    return {[this](std::uint64_t i) {
+              return CurveSegment{curve_.times[i], curve_.times[i + 1], {}, {}, curve_[i], {}, i + 1 == curve_.size()};
+            },
+            curve_.size()};
+  }
+
+  std::vector<double> at(double t) const {
+    std::size_t i = 0;
+    while (i + 1 < curve_.size() && curve_.times[i + 1].hi <= t) ++i;
+    std::vector<double> x;
+    for (const auto& cubic : curve_[i]) {
+      x.push_back(spline::position(cubic, spline::Locate<double>(curve_.times[i], curve_.times[i + 1])({t})));
+    }
+    return x;
+  }
+
+ private:
+  spline::Segments<double> curve_;
+};
+
+double distance(const std::vector<double>& p, const std::vector<double>& a, const std::vector<double>& b) {
+  double along = 0, length2 = 0, distance2 = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    along += (p[i] - a[i]) * (b[i] - a[i]);
+    length2 += (b[i] - a[i]) * (b[i] - a[i]);
+  }
+  const double part = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
+  for (std::size_t i = 0; i < p.size(); ++i) distance2 += std::pow(p[i] - a[i] - part * (b[i] - a[i]), 2);
+  return std::sqrt(distance2);
+}
+
+spline::Keys<double> random_keys(std::mt19937_64& random, std::size_t channels) {
+  std::uniform_real_distribution<double> place(-1, 1);
+  spline::Keys<double> keys;
+  keys.channels = channels;
+  double t = 0;
+  for (int i = 0; i < 6; ++i, t += 1.5 + place(random)) {
+    keys.times.emplace_back(t);
+    keys.tcbs.push_back({place(random), i % 2 == 0 ? place(random) : 0, place(random)});
+    for (std::size_t c = 0; c < channels; ++c) keys.positions.push_back(place(random));
+  }
+  return keys;
+}
+
+TEST(Tolerance, no_point_of_the_curve_is_farther_from_the_polyline) {
+  std::mt19937_64 random(21);
+  for (int round = 0; round < 40; ++round) {
+    const auto keys = random_keys(random, round % 2 == 0 ? 2 : 3);
+    const Curve curve(keys);
+    const double tolerance = std::pow(10, -1 - round % 3);
+    const auto rows = times_within_tolerance(curve.pieces(), tolerance, 1'000'000);
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+      const auto a = curve.at(rows[i].hi), b = curve.at(rows[i + 1].hi);
+      for (double f = 0; f <= 1; f += 1.0 / 64) {
+        ASSERT_LE(distance(curve.at(rows[i].hi + f * (rows[i + 1].hi - rows[i].hi)), a, b), tolerance);
+      }
+    }
+  }
+}
+
+TEST(Tolerance, a_single_channel_is_a_graph_over_time) {
+  std::mt19937_64 random(22);
+  for (int round = 0; round < 40; ++round) {
+    const auto keys = random_keys(random, 1);
+    const Curve curve(keys);
+    const auto rows = times_within_tolerance(curve.pieces(), 0.01, 1'000'000);
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+      const double a = curve.at(rows[i].hi)[0], b = curve.at(rows[i + 1].hi)[0];
+      for (double f = 0; f <= 1; f += 1.0 / 64) {
+        const double t = rows[i].hi + f * (rows[i + 1].hi - rows[i].hi);
+        ASSERT_LE(std::abs(curve.at(t)[0] - (a + f * (b - a))), 0.01 + 1e-15);
+      }
+    }
+  }
+}
+
+TEST(Tolerance, corners_are_rows) {
+  std::mt19937_64 random(23);
+  for (int round = 0; round < 20; ++round) {
+    const auto keys = random_keys(random, 2);
+    const auto rows = times_within_tolerance(Curve(keys).pieces(), 100, 1'000'000);
+    EXPECT_EQ(rows, (std::vector<Time>{keys.times[0], keys.times[2], keys.times[4], keys.times[5]}));
+  }
+}
+
+TEST(Tolerance, an_s_whose_middle_lies_on_the_chord_is_not_taken_for_straight) {
+  spline::Keys<double> keys;
+  keys.channels = 2;
+  keys.times = {0.0, 1.0};
+  keys.positions = {0, 0, 1, 0};
+  spline::CurveRules<double> rules;
+  const auto velocity = spline::end_rules<double>.size() - 1;
+  rules.start = {velocity, {1, 3}};
+  rules.end = {velocity, {1, 3}};
+  const auto s = spline::segments<double>({keys}, rules);
+  const CurveSegments pieces{[&](std::uint64_t) { return CurveSegment{0.0, 1.0, {}, {}, s[0], {}, true}; }, 1};
+  EXPECT_GE(times_within_tolerance(pieces, 0.1, 100).size(), 4U);
+  EXPECT_EQ(times_within_tolerance(pieces, 1, 100).size(), 2U);
+}
+
+TEST(Tolerance, asks_for_as_many_rows_as_allowed_at_most) {
+  std::mt19937_64 random(24);
+  const auto keys = random_keys(random, 2);
+  EXPECT_THROW(times_within_tolerance(Curve(keys).pieces(), 1e-6, 10), Error);
+}
+
+}  // namespace
+}  // namespace tcb

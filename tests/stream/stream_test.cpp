@@ -1,0 +1,127 @@
+// Sources: pulled one item at a time, in order, and never earlier than asked for.
+#include "stream/stream.hpp"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+
+/// 1, 2, … last; counts how often it was asked.
+Source<int> numbers(int last, int& asked) {
+  return [last, &asked, next = 1]() mutable -> std::optional<int> {
+    ++asked;
+    return next <= last ? std::optional(next++) : std::nullopt;
+  };
+}
+
+template <class T>
+std::vector<T> all(const Source<T>& source) {
+  std::vector<T> items;
+  while (auto item = source()) items.push_back(std::move(*item));
+  return items;
+}
+
+TEST(Streams, an_item_stands_in_front_once) {
+  int asked = 0;
+  const auto source = preceded_by(7, numbers(2, asked));
+  EXPECT_EQ(source(), 7);
+  EXPECT_EQ(asked, 0) << "the source behind is not asked for the item in front";
+  EXPECT_THAT(all(source), ElementsAre(1, 2));
+  EXPECT_EQ(source(), std::nullopt) << "the end stays the end";
+}
+
+TEST(Streams, an_item_may_stand_before_nothing) {
+  int asked = 0;
+  EXPECT_THAT(all(preceded_by(7, numbers(0, asked))), ElementsAre(7));
+}
+
+TEST(Streams, a_map_keeps_the_order_and_may_change_the_type) {
+  int asked = 0;
+  const auto text = [](int item) { return std::to_string(item * item); };
+  EXPECT_THAT(all(mapped(numbers(4, asked), text)), ElementsAre("1", "4", "9", "16"));
+  EXPECT_THAT(all(mapped(numbers(0, asked), text)), ElementsAre());
+}
+
+TEST(Streams, a_map_makes_an_item_when_it_is_asked_for) {
+  int asked = 0, made = 0;
+  const auto source = mapped(numbers(5, asked), [&made](int item) {
+    ++made;
+    return item;
+  });
+  EXPECT_EQ(made + asked, 0);
+  EXPECT_EQ(source(), 1);
+  EXPECT_EQ(made, 1);
+  EXPECT_EQ(asked, 1);
+}
+
+TEST(Streams, items_are_moved_through) {
+  int asked = 0;
+  const auto boxed = mapped(numbers(2, asked), [](int item) { return std::make_unique<int>(item); });
+  const auto opened = mapped(boxed, [](std::unique_ptr<int> box) { return *box; });
+  EXPECT_THAT(all(opened), ElementsAre(1, 2));
+}
+
+/// Takes longer for some items than for others.
+int slowly_squared(int item) {
+  std::this_thread::sleep_for(std::chrono::microseconds(item * 7919 % 300));
+  return item * item;
+}
+
+TEST(OrderedMap, answers_in_order_for_any_number_of_threads) {
+  std::vector<int> squares;
+  for (int i = 1; i <= 500; ++i) squares.push_back(i * i);
+  for (const unsigned threads : {1U, 2U, 3U, 8U, 16U}) {
+    const ThreadLimit limit(threads);
+    int asked = 0;
+    EXPECT_EQ(all(ordered_map(numbers(500, asked), slowly_squared, threads)), squares) << threads;
+  }
+}
+
+TEST(OrderedMap, maps_may_follow_one_another) {
+  const ThreadLimit limit(4);
+  int asked = 0;
+  const auto squares = ordered_map(numbers(100, asked), slowly_squared, 4);
+  const auto roots = all(ordered_map(
+      squares, [](int square) { return std::lround(std::sqrt(square)); }, 4));
+  ASSERT_EQ(roots.size(), 100U);
+  EXPECT_EQ(roots.front(), 1);
+  EXPECT_EQ(roots.back(), 100);
+}
+
+TEST(OrderedMap, an_error_comes_after_the_answers_before_it) {
+  const ThreadLimit limit(4);
+  for (const bool in_source : {false, true}) {
+    int asked = 0;
+    const auto fail_at_ten = [](int item) {
+      if (item == 10) throw std::runtime_error("ten");
+      return item;
+    };
+    const auto items = in_source ? ordered_map(mapped(numbers(50, asked), fail_at_ten), slowly_squared, 4)
+                                 : ordered_map(numbers(50, asked), fail_at_ten, 4);
+    for (int i = 1; i < 10; ++i) EXPECT_TRUE(items().has_value());
+    EXPECT_THROW((void)items(), std::runtime_error);
+  }
+}
+
+TEST(OrderedMap, may_be_left_before_its_end) {
+  const ThreadLimit limit(4);
+  int asked = 0;
+  {
+    const auto items = ordered_map(numbers(1000, asked), slowly_squared, 4);
+    EXPECT_EQ(items(), 1);
+  }
+  EXPECT_LE(asked, 8) << "only so many items are pulled ahead";
+}
+
+}  // namespace
+}  // namespace tcb
