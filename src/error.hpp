@@ -116,6 +116,10 @@ enum class ErrorCode {
   // input/csv
   // input/json
   // keys
+  equal_times,               ///< time, the time before and its line
+  equal_times_in_list,       ///< time, the time before, the positions of both keys in the list
+  decreasing_times,          ///< as equal_times
+  decreasing_times_in_list,  ///< as equal_times_in_list
   // sampling
   // curve
   // exact

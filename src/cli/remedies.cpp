@@ -29,6 +29,18 @@ constexpr std::array all_words{
     // input/csv
     // input/json
     // keys
+    Words{ErrorCode::equal_times,
+          "time {0} repeats the time {1} in line {2}; expected times that increase; take one of them out, or give "
+          "--duplicates first, last or break"},
+    Words{ErrorCode::equal_times_in_list,
+          "{3}: time {0} repeats the time {1} of {2}; expected times that increase; take one of them out, or give "
+          "--duplicates first, last or break"},
+    Words{ErrorCode::decreasing_times,
+          "time {0} is less than the time {1} in line {2}; expected times that increase; sort the rows by time, or "
+          "give --sort"},
+    Words{ErrorCode::decreasing_times_in_list,
+          "{3}: time {0} is less than the time {1} of {2}; expected times that increase; sort the rows by time, or "
+          "give --sort"},
     // sampling
     // curve
     // exact

@@ -54,12 +54,8 @@ KeptCurve beginning_of(const KeptCurve& curve) {
   std::size_t left = most_keys;
   for (const KeyBlock& block : curve.blocks) {
     if (left == 0) break;
-    const std::size_t count = std::min(left, block.lines.size());
-    KeyBlock& part = cut.blocks.emplace_back();
-    part.keys.channels = block.keys.channels;
-    part.keys.common_tcb = block.keys.common_tcb;
-    spline::append(part.keys, block.keys, 0, count);
-    part.lines.assign(block.lines.begin(), block.lines.begin() + static_cast<std::ptrdiff_t>(count));
+    const std::size_t count = std::min(left, block.size());
+    cut.blocks.push_back(block.range(0, count));
     left -= count;
   }
   return cut;

@@ -10,10 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "curve/settings.hpp"
 #include "error.hpp"
 #include "input/columns.hpp"
-#include "input/texts.hpp"
+#include "input/key_block.hpp"
 #include "stream/stream.hpp"
 #include "tcb/spline/key.hpp"
 
@@ -56,21 +55,8 @@ struct Chunk {
   std::string path = {};     ///< of the list that the records are in, where the format has one
 };
 
-/// What is said of a curve beside its keys.
-struct CurveInfo {
-  CurveSettings settings;
-  std::vector<std::pair<std::string, TextPosition>> places = {};  ///< where each setting stands
-  std::string id = {};                                            ///< a text as in texts.hpp
-};
-
 /// So many faults of an input are said before it is given up.
 inline constexpr std::size_t most_faults = 10;
-
-/// Where a number stands among the decimals of its key; behind these the positions, channel by channel. An empty text
-/// stands for the shortest decimal of its double, or for a whole number.
-struct NumberOfKey {
-  enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
-};
 
 /// The place of a column's number, if it has one.
 inline std::optional<std::size_t> number_of_key(const Columns::Column& column) {
@@ -88,25 +74,6 @@ inline std::optional<std::size_t> number_of_key(const Columns::Column& column) {
   }
   return std::nullopt;
 }
-
-/// Successive keys, and where each of them stands. Where the input has no times, neither have the keys.
-/// A position that is not a number stands for one that is missing; in a gap a time may be missing too.
-struct KeyBlock {
-  spline::Keys<double> keys;
-  std::vector<std::uint64_t> lines;
-  std::vector<std::uint32_t> columns = {};  ///< in those lines
-  std::string path = {};                    ///< of the list that they are in, if any
-  std::vector<std::uint64_t> numbers = {};  ///< in that list, if there is one
-  Texts texts = {};                         ///< of each key: what groups it, then its labels
-  Texts decimals = {};                      ///< of each key as NumberOfKey says: its numbers as they are written
-  std::vector<std::size_t> gaps = {};       ///< what is no key here, but breaks the curve off
-  std::vector<std::size_t> breaks = {};     ///< the keys here before which the curve breaks off
-  bool break_after = false;                 ///< it does so before the next block's first key too
-  std::shared_ptr<const CurveInfo> curve_info = {};  ///< of the curve that begins here, where each has its own
-  std::uint64_t skipped = 0;                         ///< how many keys were left out
-  std::vector<Error> faults = {};                    ///< what is wrong with keys that are therefore not here
-  bool unreadable = false;                           ///< and nothing behind the last fault can be read
-};
 
 /// An input opened: what its numbers mean, and its keys in blocks.
 struct Input {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "input/blocks.hpp"
+#include "input/key_block.hpp"
 #include "input/faults.hpp"
 
 namespace tcb {
@@ -64,23 +64,20 @@ class Curves::Cutter {
     if (!fill() || begins_curve()) return std::nullopt;
     started_ = false;
     const auto next = std::ranges::upper_bound(block_->breaks, at_);
-    const std::size_t end = next == block_->breaks.end() ? block_->lines.size() : *next;
-    if (at_ == 0 && end == block_->lines.size()) {
+    const std::size_t end = next == block_->breaks.end() ? block_->size() : *next;
+    if (at_ == 0 && end == block_->size()) {
       std::optional<KeyBlock> whole = std::exchange(block_, std::nullopt);
       whole->breaks.clear();
       return whole;
     }
-    KeyBlock part;
-    append(part, *block_, at_, end);
-    at_ = end;
-    return part;
+    return block_->range(std::exchange(at_, end), end);
   }
 
   std::vector<std::string> group() {
     if (own_curves_) return {beside_keys_->id};
     std::vector<std::string> texts;
     for (std::size_t i = 0; block_ && i < groups_; ++i) {
-      const std::size_t per_key = block_->texts.size() / block_->lines.size();
+      const std::size_t per_key = block_->texts.size() / block_->size();
       texts.emplace_back(block_->texts[at_ * per_key + i]);
     }
     return texts;
@@ -98,7 +95,7 @@ class Curves::Cutter {
 
   /// Whether there is a next key.
   bool fill() {
-    while (!block_ || at_ == block_->lines.size()) {
+    while (!block_ || at_ == block_->size()) {
       block_ = blocks_();
       at_ = 0;
       if (!block_) return false;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/blocks.hpp"
+#include "input/key_block.hpp"
 
 namespace tcb {
 namespace {
@@ -66,26 +66,26 @@ class Store {
   explicit Store(const Grouping& grouping) : grouping_(grouping) {}
 
   void add(KeyBlock block) {
-    const std::size_t texts = block.lines.empty() ? 0 : block.texts.size() / block.lines.size();
+    const std::size_t texts = block.empty() ? 0 : block.texts.size() / block.size();
     if (block.curve_info != nullptr) beside_keys_.push_back(std::exchange(block.curve_info, nullptr));
-    if (blocks_.empty() || blocks_.back().lines.size() + block.lines.size() > most_keys) blocks_.emplace_back();
+    if (blocks_.empty() || blocks_.back().size() + block.size() > most_keys) blocks_.emplace_back();
     KeyBlock& target = blocks_.back();
-    for (std::size_t i = 0; i < block.lines.size(); ++i) {
-      if (std::ranges::binary_search(block.breaks, i)) ++section_;
-      const bool gap = std::ranges::binary_search(block.gaps, i);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (block.has_break_before(i)) ++section_;
+      const bool gap = block.has_gap_at(i);
       if (gap && grouping_.sort && std::isnan(block.keys.times[i].hi)) continue;  // it has no place among the others
       const std::uint32_t curve = curve_of(block, i, texts);
       const bool breaks = sections_[curve] != section_;
       sections_[curve] = section_;
       kept_.push_back({static_cast<std::uint32_t>(blocks_.size() - 1),
-                       static_cast<std::uint32_t>(target.lines.size() + i), curve, breaks, gap});
+                       static_cast<std::uint32_t>(target.size() + i), curve, breaks, gap});
     }
     if (block.break_after) ++section_;
     skipped_ += block.skipped;
-    if (target.lines.empty()) {
+    if (target.empty()) {
       target = std::move(block);
     } else {
-      append(target, block, 0, block.lines.size());
+      target.append(block, 0, block.size());
     }
   }
 
@@ -111,12 +111,12 @@ class Store {
       const Kept& kept = kept_[next_];
       const bool begins = next_ == starts_[kept.curve];
       if (begins && grouping_.own_curves) {
-        if (!block.lines.empty()) break;
+        if (!block.empty()) break;
         block.curve_info = beside_keys_[kept.curve];
       }
-      if ((begins && next_ > 0) || (kept.breaks && !begins)) block.breaks.push_back(block.lines.size());
-      if (kept.gap) block.gaps.push_back(block.lines.size());
-      append(block, blocks_[kept.block], kept.key, kept.key + 1);
+      if ((begins && next_ > 0) || (kept.breaks && !begins)) block.breaks.push_back(block.size());
+      if (kept.gap) block.gaps.push_back(block.size());
+      block.append(blocks_[kept.block], kept.key, kept.key + 1);
     }
     return block;
   }

@@ -1,8 +1,6 @@
 // The order of keys: where curves break off, times that repeat, and times that go back.
 #include "keys/order.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -11,143 +9,112 @@
 #include <vector>
 
 #include "error.hpp"
-#include "input/blocks.hpp"
+#include "input/key_block.hpp"
 #include "text/number.hpp"
 
 namespace tcb {
 namespace {
 
-bool stands_in(const std::vector<std::size_t>& numbers, std::size_t number) {
-  return std::ranges::binary_search(numbers, number);
-}
+using Time = spline::Time<double>;
 
-/// Everything about a block but its keys.
-KeyBlock with_the_rest(KeyBlock keys, KeyBlock& block) {
-  keys.keys.channels = block.keys.channels;
-  keys.keys.common_tcb = block.keys.common_tcb;
-  keys.break_after = block.break_after;
-  if (keys.curve_info == nullptr) keys.curve_info = std::move(block.curve_info);
-  keys.skipped = block.skipped;
-  keys.faults = std::move(block.faults);
-  keys.unreadable = block.unreadable;
-  return keys;
-}
+/// Where a key is in its input, for messages about later keys.
+struct KeyLocation {
+  spline::Time<double> time;
+  std::uint64_t line = 0;
+  std::string list_position;  ///< as KeyBlock::list_position()
+};
 
-/// Walks over keys and remembers the time before.
+/// The stage behind in_order().
 class Order {
-  using Time = spline::Time<double>;
-
  public:
   Order(Source<KeyBlock> blocks, Duplicates duplicates) : blocks_(std::move(blocks)), duplicates_(duplicates) {}
 
   std::optional<KeyBlock> next() {
     std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : blocks_();
-    if (!held_.lines.empty() && (!block || begins(*block, 0))) {
+    if (!held_.empty() && (!block || block->begins_curve(0))) {
       waiting_ = std::move(block);
       return std::exchange(held_, {});
     }
     if (!block) return std::nullopt;
-    if (!held_.lines.empty() || !is_in_order(*block)) block = sift(std::move(*block));
-    if (duplicates_ == Duplicates::last) return hold_last(std::move(*block));
-    remember(*block);
+    if (!held_.empty() || !is_in_order(*block)) block = filtered(std::move(*block));
+    if (block->empty()) return block;
+    before_ = location(*block, block->size() - 1);
+    // The next key may replace the last one.
+    if (duplicates_ == Duplicates::last) held_ = block->split_last();
     return block;
   }
 
  private:
   bool is_in_order(const KeyBlock& block) const {
     const auto& times = block.keys.times;
-    if (before_ && !times.empty() && !begins(block, 0) && !(*before_ < times[0])) return false;
+    if (before_ && !times.empty() && !block.begins_curve(0) && !(before_->time < times[0])) return false;
     for (std::size_t i = 1; i < times.size(); ++i) {
-      if (!(times[i - 1] < times[i]) && !begins(block, i)) return false;
+      if (!(times[i - 1] < times[i]) && !block.begins_curve(i)) return false;
     }
     return true;
   }
 
-  /// A curve begins with this key.
-  static bool begins(const KeyBlock& block, std::size_t key) {
-    return (key == 0 && block.curve_info != nullptr) || stands_in(block.breaks, key);
+  static KeyLocation location(const KeyBlock& block, std::size_t key) {
+    return {block.keys.times[key], block.lines[key], block.list_position(key)};
   }
 
-  void remember(const KeyBlock& block) {
-    if (block.lines.empty()) return;
-    before_ = block.keys.times.back();
-    name_ = name_of_key(block, block.lines.size() - 1);
-  }
-
-  /// The keys that stay, one by one; those that do not are dropped or refused.
-  KeyBlock sift(KeyBlock block) {
+  /// The keys that remain; the others are dropped, or are faults of the block.
+  KeyBlock filtered(KeyBlock block) {
     KeyBlock all = std::exchange(held_, {});
-    const std::size_t held = all.lines.size();
-    std::vector<std::size_t> stay, breaks = all.breaks;
-    append(all, block, 0, block.lines.size());
-    if (held > 0) stay.push_back(0);
-    for (std::size_t i = held; i < all.lines.size(); ++i) {
-      const bool begins_curve = begins(block, i - held);
-      if (begins_curve) breaks.push_back(stay.size());
-      if (judge(all, i, begins_curve, block.faults, stay, breaks)) stay.push_back(i);
+    const std::size_t held = all.size();
+    std::vector<std::size_t> kept, breaks = all.breaks;
+    all.append(block, 0, block.size());
+    if (held > 0) kept.push_back(0);
+    for (std::size_t i = held; i < all.size(); ++i) {
+      const bool begins_curve = block.begins_curve(i - held);
+      if (begins_curve) breaks.push_back(kept.size());
+      if (!keeps(all, i, begins_curve, block.faults, kept, breaks)) continue;
+      before_ = location(all, i);
+      kept.push_back(i);
     }
-    KeyBlock result = chosen(all, stay);
+    KeyBlock result = all.selected(kept);
     if (held > 0) result.curve_info = std::move(all.curve_info);
     result.breaks = std::move(breaks);
-    return with_the_rest(std::move(result), block);
+    result.take_block_data(block);
+    return result;
   }
 
-  /// Whether a key stays.
-  bool judge(const KeyBlock& block, std::size_t key, bool begins_curve, std::vector<Error>& faults,
-             std::vector<std::size_t>& stay, std::vector<std::size_t>& breaks) {
+  /// Whether a key remains. The last of equal times replaces the one before in `kept`.
+  bool keeps(const KeyBlock& block, std::size_t key, bool begins_curve, std::vector<Error>& faults,
+             std::vector<std::size_t>& kept, std::vector<std::size_t>& breaks) const {
     const Time time = block.keys.times[key];
-    const bool free = begins_curve || !before_ || *before_ < time;
-    const bool equal = !free && *before_ == time;
-    bool stays = free;
+    if (begins_curve || !before_ || before_->time < time) return true;
+    const bool equal = before_->time == time;
+    if (equal && duplicates_ == Duplicates::first) return false;
     if (equal && duplicates_ == Duplicates::break_curve) {
-      breaks.push_back(stay.size());
-      stays = true;
-    } else if (equal && duplicates_ == Duplicates::last) {
-      stay.pop_back();
-      stays = true;
-    } else if (!free && !(equal && duplicates_ == Duplicates::first)) {
-      faults.push_back(fault(block, key, equal));
-      stays = !equal;
+      breaks.push_back(kept.size());
+      return true;
     }
-    if (!stays) return false;
-    before_ = time;
-    name_ = name_of_key(block, key);
-    return true;
+    if (equal && duplicates_ == Duplicates::last) {
+      kept.pop_back();
+      return true;
+    }
+    faults.push_back(fault(block, key, equal));
+    return !equal;
   }
 
   Error fault(const KeyBlock& block, std::size_t key, bool equal) const {
-    const std::string subject = block.numbers.empty() ? "" : name_of_key(block, key) + ": ";
-    return {Exit::data, place_of_key(block, key),
-            fmt::format("{}time {} {} the time {} {} {}; expected times that increase; {}", subject,
-                        time_text(block.keys.times[key]), equal ? "repeats" : "is less than", time_text(*before_),
-                        block.numbers.empty() ? "in" : "of", name_,
-                        equal ? "take one of them out, or give --duplicates first, last or break"
-                              : "sort the rows by time, or give --sort")};
-  }
-
-  /// All but the last key, which the next one may replace.
-  KeyBlock hold_last(KeyBlock block) {
-    if (block.lines.empty()) return block;
-    remember(block);
-    const std::size_t last = block.lines.size() - 1;
-    append(held_, block, last, last + 1);
-    if (stands_in(block.breaks, last)) {
-      held_.breaks = {0};
-      block.breaks.pop_back();
+    const bool in_list = !before_->list_position.empty();
+    std::vector<ErrorValue> values{time_text(block.keys.times[key]), time_text(before_->time)};
+    if (in_list) {
+      values.insert(values.end(), {before_->list_position, block.list_position(key)});
+    } else {
+      values.emplace_back(before_->line);
     }
-    KeyBlock rest;
-    append(rest, block, 0, last);
-    rest.breaks = std::move(block.breaks);
-    if (last == 0) held_.curve_info = std::move(block.curve_info);
-    rest.curve_info = std::move(block.curve_info);
-    return with_the_rest(std::move(rest), block);
+    const ErrorCode code = equal ? (in_list ? ErrorCode::equal_times_in_list : ErrorCode::equal_times)
+                                 : (in_list ? ErrorCode::decreasing_times_in_list : ErrorCode::decreasing_times);
+    return Error(Exit::data, code, std::move(values)).at(block.text_position(key));
   }
 
   Source<KeyBlock> blocks_;
   Duplicates duplicates_;
-  std::optional<Time> before_;  ///< the time of the key before, if there is one
-  std::string name_;            ///< and its name
-  KeyBlock held_;               ///< a key that the next one may replace
+  std::optional<KeyLocation> before_;  ///< of the last key that remained
+  KeyBlock held_;                      ///< that key, where the next one may replace it
   std::optional<KeyBlock> waiting_;
 };
 
@@ -158,21 +125,25 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
     std::optional<KeyBlock> block = blocks();
     if (!block) return std::nullopt;
     if (block->gaps.empty() && block->breaks.empty() && !broken) {
-      any = any || !block->lines.empty();
+      any = any || !block->empty();
       broken = std::exchange(block->break_after, false) && any;
       return block;
     }
-    std::vector<std::size_t> stay, breaks;
-    for (std::size_t i = 0; i < block->lines.size(); ++i) {
-      const bool gap = stands_in(block->gaps, i);
-      broken = broken || gap || stands_in(block->breaks, i);
+    std::vector<std::size_t> kept, breaks;
+    for (std::size_t i = 0; i < block->size(); ++i) {
+      const bool gap = block->has_gap_at(i);
+      broken = broken || gap || block->has_break_before(i);
       if (gap) continue;
-      if (std::exchange(broken, false) && any) breaks.push_back(stay.size());
-      stay.push_back(i);
+      if (std::exchange(broken, false) && any) breaks.push_back(kept.size());
+      kept.push_back(i);
       any = true;
     }
     broken = broken || block->break_after;
-    if (!block->gaps.empty()) block = with_the_rest(chosen(*block, stay), *block);
+    if (!block->gaps.empty()) {
+      KeyBlock rest = block->selected(kept);
+      rest.take_block_data(*block);
+      block = std::move(rest);
+    }
     block->breaks = std::move(breaks);
     block->gaps.clear();
     block->break_after = false;

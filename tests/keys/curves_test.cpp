@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/blocks.hpp"
+#include "input/key_block.hpp"
 #include "keys.hpp"
 
 namespace tcb {

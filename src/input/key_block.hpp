@@ -1,0 +1,83 @@
+// Key blocks: successive keys with their text positions, texts, gaps and breaks, and the faults found among them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "curve/settings.hpp"
+#include "error.hpp"
+#include "input/texts.hpp"
+#include "tcb/spline/key.hpp"
+
+namespace tcb {
+
+/// What an input says of a whole curve.
+struct CurveInfo {
+  CurveSettings settings;
+  std::vector<std::pair<std::string, TextPosition>> places = {};  ///< the text position of each setting
+  std::string id = {};                                            ///< a text as in texts.hpp
+};
+
+/// The index of a number among the decimals of its key; from `position` on, channel by channel. An empty text means
+/// the shortest decimal of the double, or a whole number.
+struct NumberOfKey {
+  enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
+};
+
+/// Successive keys. Where the input has no times, the keys have none either. A position that is NaN is missing; in a
+/// gap the time may be NaN too.
+struct KeyBlock {
+  // One entry a key, or none at all:
+  spline::Keys<double> keys;
+  std::vector<std::uint64_t> lines;         ///< always one a key
+  std::vector<std::uint32_t> columns = {};  ///< in those lines
+  std::string path = {};                    ///< of the list that holds the keys, in JSON
+  std::vector<std::uint64_t> numbers = {};  ///< in that list
+  Texts texts = {};                         ///< of each key: what groups it, then its labels
+  Texts decimals = {};                      ///< of each key in the order of NumberOfKey: its numbers as written
+
+  // Indices of keys, increasing:
+  std::vector<std::size_t> gaps = {};    ///< entries that are no keys, where the curve breaks off
+  std::vector<std::size_t> breaks = {};  ///< keys before which the curve breaks off
+
+  // Of the block:
+  bool break_after = false;                          ///< the curve breaks off before the next block's first key
+  std::shared_ptr<const CurveInfo> curve_info = {};  ///< of the curve that begins here, where each has its own
+  std::uint64_t skipped = 0;                         ///< number of keys that were left out
+  std::vector<Error> faults = {};                    ///< errors of keys, which are left out
+  bool unreadable = false;                           ///< nothing after the last fault can be read
+
+  std::size_t size() const { return lines.size(); }
+  bool empty() const { return lines.empty(); }
+  std::size_t texts_per_key() const { return empty() ? 0 : texts.size() / size(); }
+  std::string_view text(std::size_t key, std::size_t i) const { return texts[key * texts_per_key() + i]; }
+
+  bool has_gap_at(std::size_t key) const;
+  bool has_break_before(std::size_t key) const;
+  /// Whether a curve begins with the key: after a break, or because this block has information about a new curve.
+  bool begins_curve(std::size_t key) const;
+
+  /// Appends keys [first, last) of another block, without its gaps, breaks, and what it holds as a block.
+  void append(const KeyBlock& from, std::size_t first, std::size_t last);
+  /// Keys [first, last), or those with increasing indices; only the keys, as append() takes them.
+  KeyBlock range(std::size_t first, std::size_t last) const;
+  KeyBlock selected(std::span<const std::size_t> indices) const;
+  /// Removes the last key and returns it, with its break, and with curve_info if it was the only key.
+  /// Requires: !empty().
+  KeyBlock split_last();
+  /// Moves what `from` holds as a block into this one; this block's own curve_info has priority.
+  void take_block_data(KeyBlock& from);
+
+  /// The position of the key's time in text, of the key itself in JSON.
+  TextPosition text_position(std::size_t key) const;
+  /// The key in its list, as in "keys[17]"; empty where the input is no list.
+  std::string list_position(std::size_t key) const;
+};
+
+}  // namespace tcb
