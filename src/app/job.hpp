@@ -7,7 +7,6 @@
 #include <thread>
 #include <vector>
 
-#include "compare/comparison.hpp"
 #include "curve/settings.hpp"
 #include "exact/options.hpp"
 #include "input/format.hpp"
@@ -25,6 +24,19 @@ struct BatchOptions {
   std::string suffix;      ///< of the outputs' names, before the ending
   bool update = false;     ///< leaves out what has an output that is not older
   bool fail_fast = false;  ///< stops at the first file that fails
+};
+
+/// The largest distance between two numbers that is admitted, in one measure.
+struct Tolerance {
+  std::string column;  ///< empty: all columns without a tolerance of their own
+  double most = 0;
+};
+
+/// A request to compare the samples of a file with the curve instead of printing samples.
+struct Comparison {
+  std::string file;                      ///< of the samples; "-" is standard input
+  bool identify = false;                 ///< rank the rules that could have made them; otherwise check them
+  std::vector<Tolerance> abs, rel, ulp;  ///< a number is admitted by any of the three
 };
 
 /// What is said on standard error besides errors.

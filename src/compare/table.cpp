@@ -9,7 +9,6 @@
 #include "io/file.hpp"
 #include "keys/curves.hpp"
 #include "stream/stream.hpp"
-#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -52,13 +51,7 @@ SampleTable read_table(const std::string& path, InputOptions options) {
   std::string beginning = bytes().value_or("");
   options.decimal = decimal_of(beginning);
   Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
-  SampleTable table{input.named, input.timed, input.time, input.channels, {}, {}};
-  for (const auto& [name, value] : input.facts) {
-    if (name != "left out") continue;
-    for (const std::string_view column : split(value, ',')) {
-      table.left_out.emplace_back(column.substr(std::min(column.find_first_not_of(' '), column.size())));
-    }
-  }
+  SampleTable table{input.named, input.timed, input.time, input.channels, input.ignored, {}};
   input.timed = false;  // rows may stand in any order
   Curves curves(input, {}, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {

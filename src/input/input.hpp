@@ -84,6 +84,7 @@ struct Input {
   CurveInfo curve_info;               ///< what stands beside the keys, for all of them
   Source<KeyBlock> keys;
   std::vector<std::pair<std::string, std::string>> facts = {};  ///< what was found, in words
+  std::vector<std::string> ignored = {};                        ///< names of the columns without a meaning
   std::vector<std::string> groups = {};                         ///< names of the columns that tell curves apart
   std::vector<std::string> carried = {};                        ///< names of the columns of labels
   unsigned threads = 1;                                         ///< that may work on it

@@ -216,6 +216,7 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   Input input{columns.named, columns.has(Role::time), columns.time, columns.channels, {}, {}};
   input.keys = ordered_map(std::move(chunks), parse, options.threads);
   input.facts = facts(*head);
+  input.ignored = head->columns.left_out;
   input.groups = columns.groups;
   input.carried = columns.carried;
   input.may_miss = options.missing == Missing::skip_cell;

@@ -174,6 +174,7 @@ void describe(Input& input, const JsonColumns& meaning, JsonSplitter::Shape shap
   input.groups = columns.groups;
   input.carried = columns.carried;
   input.facts = facts(columns);
+  input.ignored = columns.left_out;
   input.facts.emplace(input.facts.begin(), "shape", shape_name(shape));
 }
 
