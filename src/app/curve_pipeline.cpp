@@ -226,8 +226,8 @@ Evaluate CurvePipeline::golden_rows(const ExactKeys& exact, std::size_t keys, co
 }
 
 Facts CurvePipeline::rules() const {
-  const auto end = [&](const spline::EndChoice<double>& choice) { return spline::end_rules<double>[choice.rule].name; };
-  Facts facts{{"tangents", std::string(spline::tangent_rules<double>[curve_.rules.tangents].name)}};
+  const auto end = [&](const spline::EndChoice<double>& choice) { return name_of(choice.rule); };
+  Facts facts{{"tangents", std::string(name_of(curve_.rules.tangents))}};
   if (curve_.closed) {
     facts.emplace_back("closed", "yes");
   } else {

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/text.hpp"
-#include "tcb/spline/end.hpp"
-#include "tcb/spline/preset.hpp"
-#include "tcb/spline/tangent.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 
@@ -17,7 +15,7 @@ using spline::tangent_rules;
 std::string presets_text() {
   std::string out = fmt::format("{:<10}{:<18}{:<16}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
   for (const auto& row : presets) {
-    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, row.tangents, row.ends, row.product);
+    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends), row.product);
   }
   out +=
       "\nTANGENTS of a key between chords D0, D1 of durations h0, h1, for the segment:\n"
@@ -42,8 +40,8 @@ std::string presets_text() {
 std::string manual_presets() {
   std::string out;
   for (const auto& row : presets) {
-    out += fmt::format(".TP\n.B {}\n{}, {}: {}.\n", escaped(row.name), escaped(row.tangents), escaped(row.ends),
-                       escaped(row.product));
+    out += fmt::format(".TP\n.B {}\n{}, {}: {}.\n", escaped(row.name), escaped(name_of(row.tangents)),
+                       escaped(name_of(row.ends)), escaped(row.product));
   }
   return out;
 }

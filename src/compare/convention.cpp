@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "tcb/spline/end.hpp"
-#include "tcb/spline/preset.hpp"
-#include "tcb/spline/tangent.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {
@@ -81,9 +79,10 @@ std::vector<Convention> conventions(std::size_t orders, bool closed) {
   std::vector<Convention> all;
   for (std::size_t order = 0; order < orders; ++order) {
     for (const bool equal_speed : {false, true}) {
-      for (std::size_t tangents = 0; tangents < tangent_rules<double>.size(); ++tangents) {
+      for (const auto& tangents : tangent_rules<double>) {
         for (std::size_t ends = 0; ends < (closed ? 1 : end_rules<double>.size()); ++ends) {
-          if (!end_rules<double>[ends].takes_velocity) all.push_back({tangents, ends, ends, equal_speed, order});
+          const auto& rule = end_rules<double>[ends];
+          if (!rule.takes_velocity) all.push_back({tangents.id, rule.id, rule.id, equal_speed, order});
         }
       }
     }
@@ -93,11 +92,11 @@ std::vector<Convention> conventions(std::size_t orders, bool closed) {
 
 std::vector<Convention> with_mixed_ends(const Convention& convention) {
   std::vector<Convention> all;
-  for (std::size_t start = 0; start < end_rules<double>.size(); ++start) {
-    for (std::size_t end = 0; end < end_rules<double>.size(); ++end) {
-      const bool given = end_rules<double>[start].takes_velocity || end_rules<double>[end].takes_velocity;
-      if (start != end && !given)
-        all.push_back({convention.tangents, start, end, convention.equal_speed, convention.order});
+  for (const auto& start : end_rules<double>) {
+    for (const auto& end : end_rules<double>) {
+      const bool given = start.takes_velocity || end.takes_velocity;
+      if (start.id != end.id && !given)
+        all.push_back({convention.tangents, start.id, end.id, convention.equal_speed, convention.order});
     }
   }
   return all;
@@ -105,19 +104,19 @@ std::vector<Convention> with_mixed_ends(const Convention& convention) {
 
 /// RULE or RULE,RULE.
 std::string ends_of(const Convention& convention) {
-  const std::string start(end_rules<double>[convention.start].name), end(end_rules<double>[convention.end].name);
+  const std::string start(name_of(convention.start)), end(name_of(convention.end));
   return start == end ? start : start + "," + end;
 }
 
 CurveSettings settings_of(const Convention& convention, CurveSettings others, bool closed) {
-  others.tangents = tangent_rules<double>[convention.tangents].name;
+  others.tangents = name_of(convention.tangents);
   if (!closed) others.ends = ends_of(convention);
   others.equal_speed = convention.equal_speed;
   return others;
 }
 
 std::string name_of(const Convention& convention, bool closed) {
-  std::string text = "tangents " + std::string(tangent_rules<double>[convention.tangents].name);
+  std::string text = "tangents " + std::string(name_of(convention.tangents));
   if (!closed) text += ", ends " + ends_of(convention);
   return text + (convention.equal_speed ? ", equal speed" : "");
 }
@@ -125,8 +124,9 @@ std::string name_of(const Convention& convention, bool closed) {
 std::vector<std::string> presets_of(const Convention& convention, bool closed) {
   std::vector<std::string> names;
   for (const auto& preset : spline::presets) {
-    const bool same = preset.tangents == tangent_rules<double>[convention.tangents].name &&
-                      (closed || preset.ends == ends_of(convention)) && !convention.equal_speed;
+    const bool same = preset.tangents == convention.tangents &&
+                      (closed || (preset.ends == convention.start && preset.ends == convention.end)) &&
+                      !convention.equal_speed;
     if (same) names.emplace_back(preset.name);
   }
   return names;

@@ -8,6 +8,7 @@
 
 #include "compare/kept.hpp"
 #include "curve/settings.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 
@@ -31,8 +32,8 @@ struct TcbOrders {
 std::vector<TcbOrders> distinct_orders(const KeptCurves& kept);
 
 struct Convention {
-  std::size_t tangents = 0;        ///< index into tangent_rules
-  std::size_t start = 0, end = 0;  ///< indices into end_rules
+  spline::TangentRule tangents = spline::TangentRule::velocity;
+  spline::EndRule start = spline::EndRule::half, end = spline::EndRule::half;
   bool equal_speed = false;
   std::size_t order = 0;  ///< index into the orders at hand
 };

@@ -10,7 +10,7 @@
 
 #include "compare/words.hpp"
 #include "output/layout.hpp"
-#include "tcb/spline/tangent.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {
@@ -89,10 +89,9 @@ std::string row_json(const Identified& identified, const Candidate& candidate, b
   return fmt::format(
       "{{\"fits\":{},\"tangents\":{},\"ends\":{},\"equal_speed\":{},\"order\":{},\"presets\":{},\"largest\":{},"
       "\"rows_off\":{}}}",
-      fits, json_text(spline::tangent_rules<double>[convention.tangents].name),
-      identified.closed ? "null" : json_text(ends_of(convention)), convention.equal_speed,
-      json_text(order_of(identified, candidate).order.name()), list_json(presets_of(convention, identified.closed)),
-      number_json(candidate.largest), candidate.rows_off);
+      fits, json_text(name_of(convention.tangents)), identified.closed ? "null" : json_text(ends_of(convention)),
+      convention.equal_speed, json_text(order_of(identified, candidate).order.name()),
+      list_json(presets_of(convention, identified.closed)), number_json(candidate.largest), candidate.rows_off);
 }
 
 }  // namespace

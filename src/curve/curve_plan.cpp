@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "error.hpp"
-#include "tcb/spline/preset.hpp"
+#include "tcb/spline/rules.hpp"
 #include "text/number.hpp"
 #include "text/suggest.hpp"
 
@@ -22,8 +22,9 @@ using spline::EndChoice;
 /// One rule: a name, or name=V:V:… for one that takes a velocity.
 EndChoice<double> end_choice(std::string_view text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  EndChoice<double> choice{find_named("--ends", spline::end_rules<double>, text.substr(0, equals)), {}};
-  const bool takes_velocity = spline::end_rules<double>[choice.rule].takes_velocity;
+  const auto& row = spline::end_rules<double>[find_named("--ends", spline::end_rules<double>, text.substr(0, equals))];
+  EndChoice<double> choice{row.id, {}};
+  const bool takes_velocity = row.takes_velocity;
   if (takes_velocity != (equals < text.size())) {
     throw Error(Exit::usage, fmt::format("--ends {}: expected {}", text,
                                          takes_velocity ? "a number for each channel, as in velocity=1:0"
@@ -99,8 +100,11 @@ std::size_t find_channel(const std::string& name, const std::vector<std::string>
 CurvePlan make_curve(const CurveSettings& settings) {
   CurvePlan plan;
   const auto& preset = spline::presets[find_named("--preset", spline::presets, settings.preset.value_or("gte"))];
-  plan.rules.tangents =
-      find_named("--tangents", spline::tangent_rules<double>, settings.tangents.value_or(std::string(preset.tangents)));
+  plan.rules.tangents = preset.tangents;
+  if (settings.tangents) {
+    const auto& table = spline::tangent_rules<double>;
+    plan.rules.tangents = table[find_named("--tangents", table, *settings.tangents)].id;
+  }
   if (settings.period && !settings.closed.value_or(true)) {
     throw Error(Exit::usage, "closed: false, but a period makes the curve closed; take one of them out");
   }
@@ -108,7 +112,7 @@ CurvePlan make_curve(const CurveSettings& settings) {
   if (settings.ends && plan.closed) {
     throw Error(Exit::usage, "--ends has no effect on a closed curve, which has no ends; take one of them out");
   }
-  set_ends(plan.rules, settings.ends.value_or(std::string(preset.ends)));
+  set_ends(plan.rules, settings.ends.value_or(std::string(name_of(preset.ends))));
   plan.rules.equal_speed = settings.equal_speed;
   if (settings.period) plan.period = parse_period(*settings.period);
   if (settings.parameter) plan.parameter = parse_exponent(*settings.parameter);

@@ -7,7 +7,7 @@
 
 #include "curve/settings.hpp"
 #include "sampling/extrapolation.hpp"
-#include "tcb/spline/curve.hpp"
+#include "tcb/spline/window.hpp"
 #include "text/rational.hpp"
 
 namespace tcb {

@@ -46,8 +46,8 @@ void write_positions(Cell* first, std::size_t width, const CurveSegment& piece, 
     };
     for (std::size_t i = 0; i < samples.size();) {
       const auto& at = samples[i].at;
-      if (i + 1 < samples.size() && spline::may_pair(at, samples[i + 1].at)) {
-        const spline::Pair both = spline::positions(x, at, samples[i + 1].at);
+      if (i + 1 < samples.size() && spline::can_pair(at, samples[i + 1].at)) {
+        const spline::DoublePair both = spline::positions(x, at, samples[i + 1].at);
         put(both[0]);
         put(both[1]);
         i += 2;
@@ -67,7 +67,7 @@ Cell* write_length(Cell* row, Point& point) {
   return write_one(row, (piece.s_start + spline::DoubleDouble(into.value)).hi);
 }
 
-template <std::vector<double> spline::Motion<double>::*derivative>
+template <std::vector<double> spline::Derivatives<double>::*derivative>
 Cell* write_derivative(Cell* row, Point& point) {
   for (const double value : point.motion().*derivative) row = write_one(row, value);
   return row;
@@ -106,7 +106,7 @@ Cell* write_key(Cell* row, Point& point) {
 
 Cell* write_arc_error(Cell* row, Point& point) { return write_one(row, point.piece().s_error); }
 
-using Motion = spline::Motion<double>;
+using Motion = spline::Derivatives<double>;
 
 constexpr std::array all_fields{
     Field{"time", "", CellKind::time, false, false, false, false, write_time, write_times},
@@ -144,12 +144,12 @@ const spline::ArcLength<double>& Point::arc() {
   return arc_;
 }
 
-const spline::Motion<double>& Point::motion() {
+const spline::Derivatives<double>& Point::motion() {
   if (has_motion_) return motion_;
   has_motion_ = true;
   const auto& at = sample_->at;
   const double passed = at.u == 0 || at.w == 0 ? at.u : piece_->warp.inverse(at).hi;
-  spline::set_motion<double>(motion_, piece_->cubics, at, piece_->warp, passed, (piece_->end - piece_->start).hi);
+  spline::set_derivatives<double>(motion_, piece_->cubics, at, piece_->warp, passed, (piece_->end - piece_->start).hi);
   const Outside outside = outside_ == nullptr ? Outside{} : *outside_;
   const double forth = outside.holds || piece_->start == piece_->end ? 0 : outside.backward ? -1 : 1;
   const double bends = outside.beyond.hi != 0 || forth == 0 ? 0 : 1;

@@ -26,7 +26,7 @@ class Point {
   const Sample& sample() const { return *sample_; }
   const Outside* outside() const { return outside_; }
   const spline::ArcLength<double>& arc();
-  const spline::Motion<double>& motion();
+  const spline::Derivatives<double>& motion();
   const spline::Shape<double>& shape();
 
  private:
@@ -35,7 +35,7 @@ class Point {
   const Outside* outside_ = nullptr;
   spline::ArcLength<double> arc_;
   bool has_arc_ = false;
-  spline::Motion<double> motion_;
+  spline::Derivatives<double> motion_;
   bool has_motion_ = false;
   std::optional<spline::Shape<double>> shape_;
 };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "tcb/spline/power.hpp"
+#include "tcb/spline/scalar.hpp"
 #include "text/number.hpp"
 
 namespace tcb {

@@ -8,7 +8,7 @@
 #include "input/input.hpp"
 #include "stream/stream.hpp"
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/curve.hpp"
+#include "tcb/spline/window.hpp"
 
 namespace tcb {
 

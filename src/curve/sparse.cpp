@@ -113,7 +113,7 @@ Source<SegmentBlock> sparse_stretches(const LinkedKeys& linked, const Rules& rul
       block.segments.cubics.push_back(lanes[i].between(keys.times[key], keys.times[key + 1]));
     }
   }
-  if (first == last) block.segments = spline::resting(keys);
+  if (first == last) block.segments = spline::constant_segment(keys);
   if (measured) measure(block, rules);
   return [block = std::optional(std::move(block))]() mutable { return std::exchange(block, std::nullopt); };
 }

@@ -9,7 +9,7 @@
 #include "exact/scalar.hpp"
 #include "input/input.hpp"
 #include "sampling/extrapolation.hpp"
-#include "tcb/spline/curve.hpp"
+#include "tcb/spline/window.hpp"
 
 namespace tcb {
 

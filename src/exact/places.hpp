@@ -42,7 +42,8 @@ S arc_place(const ArcPlaces& arc, std::uint64_t row, GoldenCurve<S>& curve) {
 template <class S>
 Spot<S> spot_at_key(GoldenCurve<S>& curve, std::size_t segment, bool end, bool with_length) {
   const std::size_t key = segment + (end ? 1 : 0);
-  Spot<S> spot{segment, end ? spline::Local<S>{S(1), S(0)} : spline::Local<S>{S(0), S(-1)}, S(end ? 1 : 0)};
+  Spot<S> spot{segment, end ? spline::LocalParameter<S>{S(1), S(0)} : spline::LocalParameter<S>{S(0), S(-1)},
+               S(end ? 1 : 0)};
   spot.t = curve.time(key);
   spot.at_start = !end;
   spot.at_end = end;
@@ -138,7 +139,7 @@ Spot<S> spot_at_time(const FastRow& row, const ExactCurve& exact, bool left, Gol
       spot.outside = outside;
     } else {
       spot.segment = segment;
-      spot.at = spline::Locate<S>(start, end, curve.segment(segment).warp)(on_curve);
+      spot.at = spline::TimeMap<S>(start, end, curve.segment(segment).warp)(on_curve);
       spot.passed = (on_curve - start) / (end - start);
     }
   }

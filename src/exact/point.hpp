@@ -22,7 +22,7 @@ struct GoldenOutside {
 template <class S>
 struct Spot {
   std::size_t segment = 0;
-  spline::Local<S> at;
+  spline::LocalParameter<S> at;
   S passed{};  ///< the fraction of the segment's duration
   S t{};
   std::optional<S> s = std::nullopt;  ///< where it was asked for
@@ -65,7 +65,7 @@ class GoldenPoint {
   void append_length(std::vector<Value>& row) const;
 
  private:
-  using Picked = spline::Picked<S>;
+  using Picked = spline::MetricView<S>;
 
   void set_motion();
   Picked velocity() const { return {motion_.velocity, curve_.metric()}; }
@@ -110,7 +110,7 @@ class GoldenPoint {
   GoldenCurve<S>& curve_;
   const GoldenSegment<S>& segment_;
   Spot<S> spot_;
-  spline::Motion<S> motion_;
+  spline::Derivatives<S> motion_;
   S rate_{}, bend_{};  ///< from derivatives by u to those by time
 };
 
@@ -123,9 +123,10 @@ void GoldenPoint<S>::set_motion() {
     return;
   }
   const S duration = segment_.end - segment_.start;
-  rate_ = segment_.warp.slope(spot_.passed) / duration;
-  bend_ = segment_.warp.bend(spot_.passed) / (duration * duration);
-  spline::set_motion<S>(motion_, segment_.cubics, spot_.at, segment_.warp, spot_.passed, segment_.end - segment_.start);
+  rate_ = segment_.warp.first_derivative(spot_.passed) / duration;
+  bend_ = segment_.warp.second_derivative(spot_.passed) / (duration * duration);
+  spline::set_derivatives<S>(motion_, segment_.cubics, spot_.at, segment_.warp, spot_.passed,
+                             segment_.end - segment_.start);
   if (outside.beyond != S(0)) motion_.acceleration = motion_.jerk = std::vector<S>(channels, S(0));
   if (!outside.backward) return;
   for (auto* odd : {&motion_.velocity, &motion_.jerk}) {

@@ -17,7 +17,7 @@ Time AnywhereInTime::on_curve(std::uint64_t row) const {
 
 void AnywhereInTime::locate(const CurveSegment& piece, std::uint64_t first, std::uint64_t last,
                             Located& located) const {
-  const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
+  const spline::TimeMap<double> locate(piece.start, piece.end, piece.warp);
   located.outside.clear();
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     const Time t = place(row);

@@ -18,7 +18,8 @@ Time rounded_time(const Time& t) {
 namespace {
 
 /// The sample where a piece has an arc length. A length that is printed as that of a key is the key's.
-Sample sample_at(const CurveSegment& piece, const Time& duration, const Time& s, const spline::Local<double>& at) {
+Sample sample_at(const CurveSegment& piece, const Time& duration, const Time& s,
+                 const spline::LocalParameter<double>& at) {
   if (s <= Time(piece.s_start.hi) || at.u == 0) return {piece.start, {0, -1}, s.hi};
   if (s >= Time(piece.s_end.hi) || at.w == 0) return {piece.end, {1, 0}, s.hi};
   if (!piece.warp.is_identity()) return {rounded_time(piece.start + piece.warp.inverse(at) * duration), at, s.hi};

@@ -4,7 +4,7 @@
 namespace tcb {
 
 void ByTime::locate(const CurveSegment& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
-  const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
+  const spline::TimeMap<double> locate(piece.start, piece.end, piece.warp);
   set_coordinates(piece, first, last, located.coordinates);
   located.samples.resize(located.coordinates.size());
   for (std::size_t i = 0; i < located.samples.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tcb/spline/detail/pair.hpp"
+#include "tcb/spline/detail/double_pair.hpp"
 
 namespace tcb {
 namespace {
@@ -70,14 +70,14 @@ Time Grid::time(std::uint64_t j) const {
 }
 
 void Grid::set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const {
-  using spline::Pair;
+  using spline::DoublePair;
   times.clear();
   std::uint64_t row = first;
   const bool near_is_enough = double_rows_ == 0 && last < static_cast<std::uint64_t>(whole_from);
   for (; near_is_enough && last - row >= 2; row += 2) {
     const auto number = static_cast<double>(row);
-    const auto near = near_time(Pair(number, number + 1));
-    const Pair doubts = doubt(near.hi);
+    const auto near = near_time(DoublePair(number, number + 1));
+    const DoublePair doubts = doubt(near.hi);
     for (std::size_t i = 0; i < 2; ++i) {
       const auto rounded = rounded_once({near.hi[i], near.lo[i]}, doubts[i]);
       times.push_back(rounded ? *rounded : time(row + i));

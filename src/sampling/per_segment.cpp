@@ -14,7 +14,7 @@ Run PerSegment::place(const CurveSegment& piece) {
 }
 
 void PerSegment::locate(const CurveSegment& piece, std::uint64_t first, std::uint64_t last, Located& located) const {
-  const spline::Locate<double> locate(piece.start, piece.end, piece.warp);
+  const spline::TimeMap<double> locate(piece.start, piece.end, piece.warp);
   const Rational start = exact_time(piece.start);
   const Rational step = (exact_time(piece.end) - start) / intervals_;
   fill(located, first, last, [&](std::uint64_t row) -> Sample {

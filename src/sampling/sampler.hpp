@@ -51,7 +51,7 @@ struct Run {
 /// Where a sample is: its time, its place on the segment, and its arc length where that was asked for.
 struct Sample {
   Time t;
-  spline::Local<double> at;
+  spline::LocalParameter<double> at;
   std::optional<double> s = std::nullopt;
 };
 
@@ -60,7 +60,7 @@ struct Located {
   std::vector<Sample> samples;
   std::vector<Outside> outside = {};   ///< how their times relate to those on the curve; none where all must be on it
   std::vector<Time> coordinates = {};  ///< the times or arc lengths at which they are to be
-  std::vector<spline::Local<double>> places = {};
+  std::vector<spline::LocalParameter<double>> places = {};
   spline::ArcLength<double> arc = {};
 };
 

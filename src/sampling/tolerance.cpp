@@ -200,7 +200,7 @@ class Walker {
     return !(both > 0 && both * both >= same * in2 * out2);
   }
 
-  using Local = spline::Local<double>;
+  using Local = spline::LocalParameter<double>;
 
   const CurveSegments& pieces_;
   double tolerance_;

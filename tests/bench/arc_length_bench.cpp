@@ -15,7 +15,7 @@
 
 #include "tcb/spline/arc_inverse.hpp"
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/curve.hpp"
+#include "tcb/spline/window.hpp"
 
 namespace {
 
@@ -36,7 +36,7 @@ double find_places(const Length& length, std::int64_t samples) {
   const double total = length.total().value;
   const double step = total / static_cast<double>(samples);
   static std::vector<tcb::spline::DoubleDouble> lengths;
-  static std::vector<tcb::spline::Local<double>> places;
+  static std::vector<tcb::spline::LocalParameter<double>> places;
   lengths.clear();
   for (std::int64_t i = 0; i < samples; ++i) lengths.emplace_back((static_cast<double>(i) + 0.5) * step);
   places.resize(lengths.size());

@@ -10,12 +10,12 @@ using testing::ElementsAre;
 
 /// A candidate, told apart by its tangents, with its largest error in allowances of each precision.
 Candidate candidate(std::size_t tangents, double largest, std::array<double, 3> excess, std::uint64_t rows_off = 0) {
-  return {{tangents, 0, 0, false, 0}, largest, excess, rows_off, {}, {}};
+  return {{static_cast<spline::TangentRule>(tangents), {}, {}, false, 0}, largest, excess, rows_off, {}, {}};
 }
 
 std::vector<std::size_t> tangents(const Ranking& ranking) {
   std::vector<std::size_t> order;
-  for (const Candidate& one : ranking.candidates) order.push_back(one.convention.tangents);
+  for (const Candidate& one : ranking.candidates) order.push_back(static_cast<std::size_t>(one.convention.tangents));
   return order;
 }
 

@@ -29,11 +29,11 @@ std::string refusal(const CurveSettings& settings, const std::vector<std::string
 TEST(CurvePlan, a_preset_sets_both_rules_and_each_may_be_set_over) {
   CurveSettings settings;
   settings.preset = "vtk";
-  EXPECT_EQ(spline::tangent_rules<double>[make_curve(settings).rules.tangents].name, "interval");
-  EXPECT_EQ(spline::end_rules<double>[make_curve(settings).rules.start.rule].name, "zero");
+  EXPECT_EQ(name_of(make_curve(settings).rules.tangents), "interval");
+  EXPECT_EQ(name_of(make_curve(settings).rules.start.rule), "zero");
   settings.ends = "chord,cry";
-  EXPECT_EQ(spline::end_rules<double>[make_curve(settings).rules.start.rule].name, "chord");
-  EXPECT_EQ(spline::end_rules<double>[make_curve(settings).rules.end.rule].name, "cry");
+  EXPECT_EQ(name_of(make_curve(settings).rules.start.rule), "chord");
+  EXPECT_EQ(name_of(make_curve(settings).rules.end.rule), "cry");
 }
 
 TEST(CurvePlan, velocities_have_a_number_for_each_channel) {

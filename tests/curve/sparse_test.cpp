@@ -91,7 +91,7 @@ TEST(Sparse, a_channel_without_a_missing_position_keeps_every_bit) {
   ASSERT_EQ(together.size(), own.size());
   for (std::size_t i = 0; i < own.size(); ++i) {
     const auto &one = together[i][0], &other = own[i][0];
-    EXPECT_TRUE(one.p0 == other.p0 && one.out == other.out && one.c == other.c && one.c_rest == other.c_rest &&
+    EXPECT_TRUE(one.p0 == other.p0 && one.out == other.out && one.c == other.c && one.c_low == other.c_low &&
                 one.p1 == other.p1 && one.in == other.in && one.e == other.e && one.d == other.d);
   }
 }

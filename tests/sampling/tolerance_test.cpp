@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "error.hpp"
-#include "tcb/spline/curve.hpp"
+#include "tcb/spline/window.hpp"
 
 namespace tcb {
 namespace {
@@ -31,7 +31,7 @@ class Curve {
     while (i + 1 < curve_.size() && curve_.times[i + 1].hi <= t) ++i;
     std::vector<double> x;
     for (const auto& cubic : curve_[i]) {
-      x.push_back(spline::position(cubic, spline::Locate<double>(curve_.times[i], curve_.times[i + 1])({t})));
+      x.push_back(spline::position(cubic, spline::TimeMap<double>(curve_.times[i], curve_.times[i + 1])({t})));
     }
     return x;
   }
@@ -111,7 +111,7 @@ TEST(Tolerance, an_s_whose_middle_lies_on_the_chord_is_not_taken_for_straight) {
   keys.times = {0.0, 1.0};
   keys.positions = {0, 0, 1, 0};
   spline::CurveRules<double> rules;
-  const auto velocity = spline::end_rules<double>.size() - 1;
+  constexpr auto velocity = spline::EndRule::velocity;
   rules.start = {velocity, {1, 3}};
   rules.end = {velocity, {1, 3}};
   const auto s = spline::segments<double>({keys}, rules);

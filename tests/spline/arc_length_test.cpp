@@ -58,7 +58,7 @@ TEST(ArcLength, scales_exactly_by_powers_of_two) {
   for (const int exponent : {-900, -40, 40, 900}) {
     Segment scaled = parabola;
     for (auto& x : scaled) {
-      for (double* value : {&x.p0, &x.out, &x.c, &x.c_rest, &x.p1, &x.in, &x.e, &x.e_rest, &x.d}) {
+      for (double* value : {&x.p0, &x.out, &x.c, &x.c_low, &x.p1, &x.in, &x.e, &x.e_low, &x.d}) {
         *value = std::ldexp(*value, exponent);
       }
     }
@@ -91,7 +91,7 @@ using Extended = boost::multiprecision::number<boost::multiprecision::cpp_bin_fl
 std::vector<Cubic<Extended>> extended(std::span<const Cubic<double>> segment) {
   std::vector<Cubic<Extended>> result;
   for (const auto& x : segment) {
-    result.push_back({x.p0, x.out, Extended(x.c) + x.c_rest, 0, x.p1, x.in, Extended(x.e) + x.e_rest, 0, x.d});
+    result.push_back({x.p0, x.out, Extended(x.c) + x.c_low, 0, x.p1, x.in, Extended(x.e) + x.e_low, 0, x.d});
   }
   return result;
 }
@@ -115,9 +115,9 @@ void expect_as_in_extended(std::span<const Cubic<double>> segment) {
   ArcInverse<double> inverse(arc, 0.0, length);
   for (int row = 1; row < 8; ++row) {
     const DoubleDouble s = DoubleDouble(length) * DoubleDouble(row / 8.0);
-    const Local<double> at = inverse.at(s);
-    const Local<Extended> place =
-        at.near_start() ? Local<Extended>{at.u, Extended(at.u) - 1} : Local<Extended>{Extended(at.w) + 1, at.w};
+    const LocalParameter<double> at = inverse.at(s);
+    const LocalParameter<Extended> place = at.near_start() ? LocalParameter<Extended>{at.u, Extended(at.u) - 1}
+                                                           : LocalParameter<Extended>{Extended(at.w) + 1, at.w};
     EXPECT_LE(static_cast<double>(abs(exact.to(place).value - (Extended(s.hi) + s.lo))), 2e-15 * length);
   }
 }
@@ -193,10 +193,10 @@ TEST(ArcInverse, finds_many_places_as_it_finds_each) {
     std::vector<DoubleDouble> lengths;
     for (int row = 0; row <= i % 13; ++row)
       lengths.push_back(start + DoubleDouble(arc.total().value * (uniform(random) + 1) / 2));
-    std::vector<Local<double>> places(lengths.size());
+    std::vector<LocalParameter<double>> places(lengths.size());
     ArcInverse<double>(arc, start, end).at(lengths, places);
     for (std::size_t row = 0; row < lengths.size(); ++row) {
-      const Local<double> alone = ArcInverse<double>(arc, start, end).at(lengths[row]);
+      const LocalParameter<double> alone = ArcInverse<double>(arc, start, end).at(lengths[row]);
       EXPECT_EQ(places[row].u, alone.u);
       EXPECT_EQ(places[row].w, alone.w);
     }

@@ -1,4 +1,4 @@
-// Motion: derivatives, curvature and torsion of curves whose shape is known.
+// Derivatives: derivatives, curvature and torsion of curves whose shape is known.
 #include "tcb/spline/derivatives.hpp"
 
 #include <gtest/gtest.h>
@@ -17,21 +17,21 @@ std::vector<Cubic<double>> polynomial(const std::vector<std::array<double, 3>>& 
   return cubics;
 }
 
-Motion<double> motion_at(const std::vector<Cubic<double>>& cubics, double u, double h = 1,
-                         const Warp<double>& warp = {}) {
-  Motion<double> motion;
-  set_motion<double>(motion, cubics, warp.at(u, DoubleDouble(1) - DoubleDouble(u)), warp, u, h);
+Derivatives<double> motion_at(const std::vector<Cubic<double>>& cubics, double u, double h = 1,
+                              const Warp<double>& warp = {}) {
+  Derivatives<double> motion;
+  set_derivatives<double>(motion, cubics, warp.at(u, DoubleDouble(1) - DoubleDouble(u)), warp, u, h);
   return motion;
 }
 
-TEST(Motion, derivatives_are_per_unit_of_time) {
+TEST(Derivatives, derivatives_are_per_unit_of_time) {
   const auto motion = motion_at(polynomial({{1, 2, 3}}), 0.25, 2);  // x' = 1 + 4u + 9u^2, x'' = 4 + 18u, x''' = 18
   EXPECT_DOUBLE_EQ(motion.velocity[0], (1 + 1 + 9.0 / 16) / 2);
   EXPECT_DOUBLE_EQ(motion.acceleration[0], (4 + 4.5) / 4);
   EXPECT_DOUBLE_EQ(motion.jerk[0], 18.0 / 8);
 }
 
-TEST(Motion, follows_the_warp_of_an_ease) {
+TEST(Derivatives, follows_the_warp_of_an_ease) {
   const auto cubics = polynomial({{1, 2, 3}});
   const Warp<double> warp(0.5, 0.25);
   const auto position_at = [&](double u) { return position(cubics[0], warp.at(u, DoubleDouble(1) - DoubleDouble(u))); };

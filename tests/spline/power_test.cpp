@@ -1,5 +1,5 @@
 // Powers by square roots: against products and roots that are known.
-#include "tcb/spline/power.hpp"
+#include "tcb/spline/scalar.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "tcb/spline/curve.hpp"
-#include "tcb/spline/preset.hpp"
+#include "tcb/spline/rules.hpp"
+#include "tcb/spline/window.hpp"
 
 namespace tcb::spline {
 namespace {
@@ -23,21 +23,15 @@ Keys<double> example() {
   return keys;
 }
 
-template <class Table>
-std::size_t named(const Table& table, std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find_if(table, [&](const auto& row) { return row.name == name; }) -
-                                  table.begin());
-}
-
 CurveRules<double> rules(std::string_view tangents, std::string_view ends) {
-  const std::size_t end = named(end_rules<double>, ends);
-  return {named(tangent_rules<double>, tangents), {end, {}}, {end, {}}, false, {}};
+  const EndRule end = id_named(end_rules<double>, ends).value();
+  return {id_named(tangent_rules<double>, tangents).value(), {end, {}}, {end, {}}, false, {}};
 }
 
 double at(const Segments<double>& curve, double t) {
   std::size_t i = 0;
   while (i + 1 < curve.size() && curve.times[i + 1].hi <= t) ++i;
-  return position(curve[i][0], Locate<double>(curve.times[i], curve.times[i + 1])({t}));
+  return position(curve[i][0], TimeMap<double>(curve.times[i], curve.times[i + 1])({t}));
 }
 
 struct Row {
@@ -223,11 +217,18 @@ TEST(Rules, lightwave_ends_are_one_sided_but_for_a_3600th) {
   EXPECT_NEAR(tangents.incoming(4)[0].hi, -1.404 * 7200 / 7201, 1e-15);
 }
 
-TEST(Rules, every_preset_names_rules_that_are_there) {
-  for (const Preset& preset : presets) {
-    EXPECT_LT(named(tangent_rules<double>, preset.tangents), tangent_rules<double>.size()) << preset.name;
-    EXPECT_LT(named(end_rules<double>, preset.ends), end_rules<double>.size()) << preset.name;
-  }
+TEST(Rules, names_and_ids_correspond) {
+  for (const auto& row : tangent_rules<double>) EXPECT_EQ(id_named(tangent_rules<double>, name_of(row.id)), row.id);
+  for (const auto& row : end_rules<double>) EXPECT_EQ(id_named(end_rules<double>, name_of(row.id)), row.id);
+  for (const auto& row : presets) EXPECT_EQ(id_named(presets, name_of(row.id)), row.id);
+  EXPECT_EQ(id_named(presets, "maya"), std::nullopt);
+  EXPECT_EQ(name_of(Preset::max3ds), "3dsmax");
+}
+
+TEST(Rules, the_default_preset_has_the_default_rules) {
+  const CurveRules<double> rules;
+  EXPECT_EQ(row_of(Preset::gte).tangents, rules.tangents);
+  EXPECT_EQ(row_of(Preset::gte).ends, rules.start.rule);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 #include <span>
 
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/detail/pair.hpp"
+#include "tcb/spline/detail/double_pair.hpp"
 
 namespace tcb::spline {
 
@@ -36,14 +36,14 @@ class ArcInverse {
 
   /// The first place at which the curve has the length s. Requires: start <= s <= end. Promises: right to some units in
   /// the last place of the segment's length, and the same whatever was asked for before or with it.
-  Local<S> at(const W& s) {
-    Local<S> place;
+  LocalParameter<S> at(const W& s) {
+    LocalParameter<S> place;
     at({&s, 1}, {&place, 1});
     return place;
   }
 
   /// The places for many lengths, which are found soonest in order. Requires: as many places as lengths.
-  void at(std::span<const W> lengths, std::span<Local<S>> places) {
+  void at(std::span<const W> lengths, std::span<LocalParameter<S>> places) {
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const W s = lengths[i] - start_;
       if (s <= W(0) || scale_ == S(0)) {
@@ -51,7 +51,7 @@ class ArcInverse {
       } else if (s >= total_) {
         places[i] = {S(1), S(0)};
       } else if (arc_.panels().empty()) {
-        places[i] = {narrow<S>(s / total_), narrow<S>((s - total_) / total_)};
+        places[i] = {high_part<S>(s / total_), high_part<S>((s - total_) / total_)};
       } else {
         look_for(scaled<S>(s, scale_), places[i]);
       }
@@ -69,7 +69,7 @@ class ArcInverse {
   struct Sought {
     const Panel<S>* panel;
     S into;  ///< the length from the panel's start
-    Local<S>* place;
+    LocalParameter<S>* place;
   };
 
   /// How far to go from a place for a length that is missing there.
@@ -82,7 +82,7 @@ class ArcInverse {
   /// Sizes of steps after which the series leaves less than a rounding.
   inline static const S small = is_double ? S(0x1p-17) : std::numeric_limits<S>::epsilon();
 
-  void look_for(const W& wanted, Local<S>& place);
+  void look_for(const W& wanted, LocalParameter<S>& place);
   void find();
   S settled(const Panel<S>& panel, const S& into, S z) const;
 
@@ -98,9 +98,9 @@ class ArcInverse {
     using std::min, std::max;
     return min(T(1.0), max(T(-1.0), z));
   }
-  static Local<S> local(const Panel<S>& panel, const S& z) {
+  static LocalParameter<S> local(const Panel<S>& panel, const S& z) {
     const S v = panel.middle + panel.width * z;
-    return panel.half == 0 ? Local<S>{v, v - S(1)} : Local<S>{S(1) + v, v};
+    return panel.half == 0 ? LocalParameter<S>{v, v - S(1)} : LocalParameter<S>{S(1) + v, v};
   }
 
   const ArcLength<S>& arc_;
@@ -112,7 +112,7 @@ class ArcInverse {
 };
 
 template <class S>
-void ArcInverse<S>::look_for(const W& wanted, Local<S>& place) {
+void ArcInverse<S>::look_for(const W& wanted, LocalParameter<S>& place) {
   const auto& panels = arc_.panels();
   if (wanted <= panels[panel_].before) panel_ = 0;
   while (panel_ + 1 < panels.size() && wanted > panels[panel_ + 1].before) ++panel_;
@@ -137,9 +137,9 @@ void ArcInverse<S>::find() {
       const auto& [first, second] = sought_;
       const Panel<S>& a = *first.panel;
       const Panel<S>& b = *second.panel;
-      const auto both = [&](std::size_t i) { return Pair(a.square[i], b.square[i]); };
-      const Quartic<Pair> q{both(0), both(1), both(2), both(3), both(4)};
-      const Pair width(a.width, b.width), length(a.length, b.length), into(first.into, second.into);
+      const auto both = [&](std::size_t i) { return DoublePair(a.square[i], b.square[i]); };
+      const Quartic<DoublePair> q{both(0), both(1), both(2), both(3), both(4)};
+      const DoublePair width(a.width, b.width), length(a.length, b.length), into(first.into, second.into);
       const auto [z, size] = first_step(q, length / width, into / width);
       put(first, z[0], size[0]);
       put(second, z[1], size[1]);

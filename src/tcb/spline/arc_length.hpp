@@ -41,7 +41,7 @@ class ArcLength {
   const Length<S>& total() const { return total_; }
 
   /// From the start to a place. Promises: as total().
-  Length<S> to(const Local<S>& place) const;
+  Length<S> to(const LocalParameter<S>& place) const;
 
   /// The panels in order; none where the speed is constant.
   const std::vector<Panel<S>>& panels() const { return panels_; }
@@ -152,12 +152,12 @@ void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std
     return;
   }
   for (const Panel<S>& half : make_panels<S>(speed_, {0, S(0), S(0.5)}, {1, S(-0.5), S(0)})) add(half, first_halvings);
-  const S value = narrow<S>(sum_);
+  const S value = high_part<S>(sum_);
   total_ = {value * unit, (disagreement_ + S(8) * epsilon * (value + S(1))) * unit};
 }
 
 template <class S>
-Length<S> ArcLength<S>::to(const Local<S>& place) const {
+Length<S> ArcLength<S>::to(const LocalParameter<S>& place) const {
   if (place.w == S(0)) return total_;
   if (place.u == S(0)) return {};
   if (speed_.unit() == S(0)) return speed_.is_finite() ? Length<S>{} : total_;
@@ -168,7 +168,7 @@ Length<S> ArcLength<S>::to(const Local<S>& place) const {
   while (panel + 1 != panels_.end() && (panel->half < half || panel->middle + panel->width < v)) ++panel;
   const S z = std::clamp((v - panel->middle) / panel->width, S(-1), S(1));
   const W sum = panel->before + panel_sum(*panel, speed_, S(-1), z);
-  return {narrow<S>(sum) * speed_.unit(), total_.error};
+  return {high_part<S>(sum) * speed_.unit(), total_.error};
 }
 
 }  // namespace tcb::spline

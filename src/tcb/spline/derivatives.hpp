@@ -1,4 +1,5 @@
-// Motion: velocity, acceleration and jerk per unit of time, and the shape of the path: tangent, curvature, torsion.
+// Derivatives: velocity, acceleration and jerk per unit of time, and the shape of the path: tangent, curvature,
+// torsion.
 //
 //   curvature = |v ^ a| / |v|^3          torsion = det(v, a, j) / |v ^ a|^2
 // with |v ^ a|^2 the sum of the squared 2 x 2 minors, so for any number of channels; in more than three
@@ -20,18 +21,18 @@ namespace tcb::spline {
 
 /// The derivatives of a segment at one place, a number a channel, with bounds on the rounding of the first two.
 template <class S>
-struct Motion {
+struct Derivatives {
   std::vector<S> velocity, acceleration, jerk;
   S velocity_noise{}, acceleration_noise{};
 };
 
 /// Sets the derivatives by time at a place that is reached after the fraction u of the duration h.
 template <class S>
-void set_motion(Motion<S>& motion, std::span<const Cubic<S>> segment, const Local<S>& at, const Warp<S>& warp,
-                const S& u, const S& h) {
+void set_derivatives(Derivatives<S>& motion, std::span<const Cubic<S>> segment, const LocalParameter<S>& at,
+                     const Warp<S>& warp, const S& u, const S& h) {
   using std::abs;
-  const S rate = warp.slope(u) / h;
-  const S bend = warp.bend(u) / (h * h);
+  const S rate = warp.first_derivative(u) / h;
+  const S bend = warp.second_derivative(u) / (h * h);
   const S unit(0x1p-50);
   motion.velocity.clear();
   motion.acceleration.clear();
@@ -56,9 +57,9 @@ void set_motion(Motion<S>& motion, std::span<const Cubic<S>> segment, const Loca
 
 /// Looks at some channels of a vector as if they were all.
 template <class S>
-class Picked {
+class MetricView {
  public:
-  Picked(const std::vector<S>& values, std::span<const std::size_t> metric) : values_(values), metric_(metric) {}
+  MetricView(const std::vector<S>& values, std::span<const std::size_t> metric) : values_(values), metric_(metric) {}
   std::size_t size() const { return metric_.empty() ? values_.size() : metric_.size(); }
   const S& operator[](std::size_t i) const { return values_[metric_.empty() ? i : metric_[i]]; }
 
@@ -69,14 +70,14 @@ class Picked {
 
 /// |v|^2
 template <class S>
-S square(const Picked<S>& v) {
+S square(const MetricView<S>& v) {
   S sum(0);
   for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * v[i];
   return sum;
 }
 
 template <class S>
-S norm(const Picked<S>& v) {
+S norm(const MetricView<S>& v) {
   using std::sqrt;
   return sqrt(square(v));
 }
@@ -85,12 +86,12 @@ S norm(const Picked<S>& v) {
 template <class S>
 S minor2(const S& a, const S& b, const S& c, const S& d) {
   using W = working_t<S>;
-  return narrow<S>(W(a) * W(d) - W(b) * W(c));
+  return high_part<S>(W(a) * W(d) - W(b) * W(c));
 }
 
 /// |v ^ a|^2
 template <class S>
-S wedge_square(const Picked<S>& v, const Picked<S>& a) {
+S wedge_square(const MetricView<S>& v, const MetricView<S>& a) {
   S sum(0);
   for (std::size_t i = 0; i < v.size(); ++i) {
     for (std::size_t k = i + 1; k < v.size(); ++k) {
@@ -103,21 +104,22 @@ S wedge_square(const Picked<S>& v, const Picked<S>& a) {
 
 /// |v ^ a|
 template <class S>
-S wedge(const Picked<S>& v, const Picked<S>& a) {
+S wedge(const MetricView<S>& v, const MetricView<S>& a) {
   using std::sqrt;
   return sqrt(wedge_square(v, a));
 }
 
 /// det(v, a, j) of the channels p, q, r.
 template <class S>
-S minor3(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j, std::size_t p, std::size_t q, std::size_t r) {
+S minor3(const MetricView<S>& v, const MetricView<S>& a, const MetricView<S>& j, std::size_t p, std::size_t q,
+         std::size_t r) {
   return v[p] * minor2(a[q], a[r], j[q], j[r]) - v[q] * minor2(a[p], a[r], j[p], j[r]) +
          v[r] * minor2(a[p], a[q], j[p], j[q]);
 }
 
 /// |v ^ a ^ j|^2
 template <class S>
-S wedge_square(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
+S wedge_square(const MetricView<S>& v, const MetricView<S>& a, const MetricView<S>& j) {
   S sum(0);
   for (std::size_t p = 0; p < v.size(); ++p) {
     for (std::size_t q = p + 1; q < v.size(); ++q) {
@@ -132,7 +134,7 @@ S wedge_square(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
 
 /// det(v, a, j) of three channels; of more, |v ^ a ^ j|.
 template <class S>
-S wedge(const Picked<S>& v, const Picked<S>& a, const Picked<S>& j) {
+S wedge(const MetricView<S>& v, const MetricView<S>& a, const MetricView<S>& j) {
   using std::sqrt;
   return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
 }
@@ -143,7 +145,7 @@ struct Units {
 };
 
 template <class S>
-int unit_of(const Picked<S>& vector) {
+int unit_of(const MetricView<S>& vector) {
   using std::abs, std::frexp;
   constexpr int harmless = 100;
   S largest(0);
@@ -155,12 +157,12 @@ int unit_of(const Picked<S>& vector) {
 
 /// What `in` makes of a motion in such units, and the units. Most motions are taken as they are.
 template <class S, class In>
-auto in_units(const Motion<S>& motion, std::span<const std::size_t> metric, In in) {
+auto in_units(const Derivatives<S>& motion, std::span<const std::size_t> metric, In in) {
   using std::ldexp;
   const Units units{unit_of<S>({motion.velocity, metric}), unit_of<S>({motion.acceleration, metric}),
                     unit_of<S>({motion.jerk, metric})};
   if (units.v == 0 && units.a == 0 && units.j == 0) return in(motion, units);
-  Motion<S> scaled = motion;
+  Derivatives<S> scaled = motion;
   for (S& value : scaled.velocity) value = ldexp(value, -units.v);
   for (S& value : scaled.acceleration) value = ldexp(value, -units.a);
   for (S& value : scaled.jerk) value = ldexp(value, -units.j);
@@ -179,16 +181,16 @@ struct Shape {
 
 /// |v ^ a|, 0 where rounding cannot tell it from that.
 template <class S>
-S bend_area(const Motion<S>& motion, std::span<const std::size_t> metric) {
-  const Picked<S> v(motion.velocity, metric), a(motion.acceleration, metric);
+S bend_area(const Derivatives<S>& motion, std::span<const std::size_t> metric) {
+  const MetricView<S> v(motion.velocity, metric), a(motion.acceleration, metric);
   const S area = wedge(v, a);
   return area > motion.velocity_noise * norm(a) + motion.acceleration_noise * norm(v) ? area : S(0);
 }
 
 template <class S>
-Shape<S> shape(const Motion<S>& motion, std::span<const std::size_t> metric) {
+Shape<S> shape(const Derivatives<S>& motion, std::span<const std::size_t> metric) {
   using std::ldexp;
-  return in_units(motion, metric, [metric](const Motion<S>& in, const Units& units) {
+  return in_units(motion, metric, [metric](const Derivatives<S>& in, const Units& units) {
     const S speed = norm<S>({in.velocity, metric});
     Shape<S> result{ldexp(speed, units.v), speed > in.velocity_noise, {}};
     if (!result.moves) return result;
@@ -199,10 +201,10 @@ Shape<S> shape(const Motion<S>& motion, std::span<const std::size_t> metric) {
 
 /// The torsion, where the curvature is not 0.
 template <class S>
-std::optional<S> torsion(const Motion<S>& motion, std::span<const std::size_t> metric) {
+std::optional<S> torsion(const Derivatives<S>& motion, std::span<const std::size_t> metric) {
   using std::abs, std::ldexp;
-  return in_units(motion, metric, [metric](const Motion<S>& in, const Units& units) -> std::optional<S> {
-    const Picked<S> v(in.velocity, metric), a(in.acceleration, metric), j(in.jerk, metric);
+  return in_units(motion, metric, [metric](const Derivatives<S>& in, const Units& units) -> std::optional<S> {
+    const MetricView<S> v(in.velocity, metric), a(in.acceleration, metric), j(in.jerk, metric);
     const S speed = norm(v), across = norm(a);
     const S area = speed > in.velocity_noise ? bend_area(in, metric) : S(0);
     if (area == S(0)) return std::nullopt;

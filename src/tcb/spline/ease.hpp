@@ -28,7 +28,7 @@ class Warp {
   bool is_identity() const { return f_ == W(0) && e_ == W(0); }
 
   /// Where the curve is when the fraction u of the segment's duration has passed. `left` is 1 - u.
-  Local<S> at(const working_t<S>& u, const working_t<S>& left) const {
+  LocalParameter<S> at(const working_t<S>& u, const working_t<S>& left) const {
     if (is_identity()) return u < left ? from_start<S>(u) : from_end<S>(left);
     if (u < f_) return from_start<S>(k_ / f_ * u * u);
     if (left > e_) return from_start<S>(k_ * (u + u - f_));
@@ -36,7 +36,7 @@ class Warp {
   }
 
   /// The fraction of the duration after which the curve is at a place.
-  working_t<S> inverse(const Local<S>& place) const {
+  working_t<S> inverse(const LocalParameter<S>& place) const {
     using std::sqrt;
     const W u = place.near_start() ? W(place.u) : W(1) + W(place.w);
     if (is_identity()) return u;
@@ -47,15 +47,15 @@ class Warp {
   }
 
   /// The first and second derivative of the warp where the fraction u of the duration has passed.
-  S slope(const S& u) const {
+  S first_derivative(const S& u) const {
     if (is_identity()) return S(1);
-    const S f = narrow<S>(f_), e = narrow<S>(e_), k = narrow<S>(k_);
+    const S f = high_part<S>(f_), e = high_part<S>(e_), k = high_part<S>(k_);
     if (u < f || f == S(1)) return S(2) * k / f * u;
     return S(1) - u > e || e == S(0) ? S(2) * k : S(2) * k / e * (S(1) - u);
   }
-  S bend(const S& u) const {
+  S second_derivative(const S& u) const {
     if (is_identity()) return S(0);
-    const S f = narrow<S>(f_), e = narrow<S>(e_), k = narrow<S>(k_);
+    const S f = high_part<S>(f_), e = high_part<S>(e_), k = high_part<S>(k_);
     if (u < f || f == S(1)) return S(2) * k / f;
     return S(1) - u > e || e == S(0) ? S(0) : S(-2) * k / e;
   }
@@ -68,20 +68,20 @@ class Warp {
 
 /// Where on a segment the curve is at a time: the fraction of its duration that has passed, warped, rounded once.
 template <class S>
-class Locate {
+class TimeMap {
  public:
   /// Requires: start <= end.
-  Locate(const Time<S>& start, const Time<S>& end, const Warp<S>& warp = {})
+  TimeMap(const Time<S>& start, const Time<S>& end, const Warp<S>& warp = {})
       : start_(start), end_(end), warp_(warp), duration_(elapsed<S>(start, end)), plain_(warp.is_identity()) {}
 
   /// Requires: start <= t <= end.
-  Local<S> operator()(const Time<S>& t) const {
+  LocalParameter<S> operator()(const Time<S>& t) const {
     if (t == start_) return {S(0), S(-1)};
     if (t == end_) return {S(1), S(0)};
     const W passed = elapsed<S>(start_, t);
     const W left = elapsed<S>(t, end_);
-    if (plain_ && rest<S>(passed) == S(0) && rest<S>(left) == S(0) && rest<S>(duration_) == S(0)) {
-      return {narrow<S>(passed) / narrow<S>(duration_), -narrow<S>(left) / narrow<S>(duration_)};
+    if (plain_ && low_part<S>(passed) == S(0) && low_part<S>(left) == S(0) && low_part<S>(duration_) == S(0)) {
+      return {high_part<S>(passed) / high_part<S>(duration_), -high_part<S>(left) / high_part<S>(duration_)};
     }
     if (passed < left) return plain_ ? from_start<S>(passed / duration_) : warped(passed / duration_);
     return plain_ ? from_end<S>(left / duration_) : warped_from_end(left / duration_);
@@ -90,8 +90,8 @@ class Locate {
  private:
   using W = working_t<S>;
 
-  Local<S> warped(const W& u) const { return warp_.at(u, -u + S(1)); }
-  Local<S> warped_from_end(const W& left) const { return warp_.at(-left + S(1), left); }
+  LocalParameter<S> warped(const W& u) const { return warp_.at(u, -u + S(1)); }
+  LocalParameter<S> warped_from_end(const W& left) const { return warp_.at(-left + S(1), left); }
 
   Time<S> start_, end_;
   Warp<S> warp_;

@@ -109,6 +109,22 @@ inline DoubleDouble sqrt(const DoubleDouble& value) {
   return DoubleDouble::normalized(root, rest.hi / (2 * root));
 }
 
+/// x^exponent. With exponent = n + 0.b1 b2 b3... in binary, x^0.b1b2b3... is the nested root
+/// sqrt(x^b1 sqrt(x^b2 sqrt(x^b3 ...))), worked out from inside.
+/// Requires: x > 0, 0 <= exponent <= 16. Promises: right to some 2^-95.
+inline DoubleDouble power(const DoubleDouble& x, double exponent) {
+  constexpr int fraction_bits = 62;  // the bits left out change the exponent by less than 2^-62
+  DoubleDouble whole_part(1);
+  for (; exponent >= 1; exponent -= 1) whole_part = whole_part * x;
+  auto bits = static_cast<std::uint64_t>(exponent * 0x1p62);
+  const DoubleDouble root_of_x = sqrt(x);
+  DoubleDouble root(1);
+  for (int bit = 0; bit < fraction_bits; ++bit, bits >>= 1) {
+    root = (bits & 1U) != 0 ? sqrt(root) * root_of_x : sqrt(root);
+  }
+  return whole_part * root;
+}
+
 /// The type in which tangents and local parameters are worked out before they are rounded to S.
 template <class S>
 struct Working {
@@ -131,7 +147,7 @@ using Time = working_t<S>;
 
 /// A working value rounded to the scalar.
 template <class S>
-constexpr S narrow(const working_t<S>& value) {
+constexpr S high_part(const working_t<S>& value) {
   if constexpr (std::is_same_v<S, double>) {
     return value.hi;
   } else {
@@ -196,9 +212,9 @@ inline double power_of_two_below(double value) {
   return power > 0x1p-1000 ? power : 0x1p-1000;
 }
 
-/// What narrow() rounded away, itself rounded to the scalar.
+/// What high_part() rounded away, itself rounded to the scalar.
 template <class S>
-constexpr S rest(const working_t<S>& value) {
+constexpr S low_part(const working_t<S>& value) {
   if constexpr (std::is_same_v<S, double>) {
     return value.lo;
   } else {

@@ -11,14 +11,14 @@
 #include <cmath>
 #include <type_traits>
 
-#include "tcb/spline/detail/pair.hpp"
+#include "tcb/spline/detail/double_pair.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {
 
 /// A place on a segment: u from its start, and w = u - 1 from its end, each rounded once.
 template <class S>
-struct Local {
+struct LocalParameter {
   S u{};
   S w{-1};
   bool near_start() const { return u <= S(0.5); }
@@ -26,19 +26,19 @@ struct Local {
 
 /// The place at a fraction, or with a fraction left.
 template <class S>
-Local<S> from_start(const working_t<S>& u) {
-  return {narrow<S>(u), narrow<S>(u + S(-1))};
+LocalParameter<S> from_start(const working_t<S>& u) {
+  return {high_part<S>(u), high_part<S>(u + S(-1))};
 }
 template <class S>
-Local<S> from_end(const working_t<S>& left) {
-  return {narrow<S>(-left + S(1)), narrow<S>(-left)};
+LocalParameter<S> from_end(const working_t<S>& left) {
+  return {high_part<S>(-left + S(1)), high_part<S>(-left)};
 }
 
 /// One channel of a segment.
 template <class S>
 struct Cubic {
-  S p0, out, c, c_rest;  ///< about the start; c_rest is what rounding took from c
-  S p1, in, e, e_rest;   ///< about the end
+  S p0, out, c, c_low;  ///< about the start; c_low is what rounding took from c
+  S p1, in, e, e_low;   ///< about the end
   S d;
 };
 
@@ -53,7 +53,7 @@ Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_
     residue = 0x1p-96 * std::abs(chord.hi) + 0x1p-96 * std::abs(out.hi) + 0x1p-96 * std::abs(in.hi);
   }
   const auto cleared = [&](const W& value) {
-    const S size = narrow<S>(value);
+    const S size = high_part<S>(value);
     return size < residue && -size < residue ? W(0) : value;
   };
   const W out_bend = out - chord;
@@ -61,7 +61,15 @@ Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_
   const W d = cleared(out_bend + in_bend);
   const W c = cleared(-(out_bend + d));
   const W e = cleared(in_bend + d);
-  return {p0, narrow<S>(out), narrow<S>(c), rest<S>(c), p1, narrow<S>(in), narrow<S>(e), rest<S>(e), narrow<S>(d)};
+  return {p0,
+          high_part<S>(out),
+          high_part<S>(c),
+          low_part<S>(c),
+          p1,
+          high_part<S>(in),
+          high_part<S>(e),
+          low_part<S>(e),
+          high_part<S>(d)};
 }
 
 /// base + x (a + x (b + x d)): Horner's rule with the rounding errors of its two inner sums carried along.
@@ -74,23 +82,24 @@ S compensated_cubic(const S& base, const S& a, const S& b, const S& b_rest, cons
 
 /// X. Promises: within 3 ulp of the largest of |P0|, |P1|, |out|, |in|; exact at both ends.
 template <class S>
-S position(const Cubic<S>& x, const Local<S>& at) {
+S position(const Cubic<S>& x, const LocalParameter<S>& at) {
   if (at.u == S(0)) return x.p0;
   if (at.w == S(0)) return x.p1;
-  return at.near_start() ? compensated_cubic(x.p0, x.out, x.c, x.c_rest, x.d, at.u)
-                         : compensated_cubic(x.p1, x.in, x.e, x.e_rest, x.d, at.w);
+  return at.near_start() ? compensated_cubic(x.p0, x.out, x.c, x.c_low, x.d, at.u)
+                         : compensated_cubic(x.p1, x.in, x.e, x.e_low, x.d, at.w);
 }
 
 /// Two places have the same end of the segment nearer, and neither is an end.
-inline bool may_pair(const Local<double>& a, const Local<double>& b) {
+inline bool can_pair(const LocalParameter<double>& a, const LocalParameter<double>& b) {
   return a.near_start() == b.near_start() && a.u != 0 && b.u != 0 && a.w != 0 && b.w != 0;
 }
 
-/// The same at two places. Requires: may_pair().
-inline Pair positions(const Cubic<double>& x, const Local<double>& a, const Local<double>& b) {
+/// The same at two places. Requires: can_pair().
+inline DoublePair positions(const Cubic<double>& x, const LocalParameter<double>& a, const LocalParameter<double>& b) {
   const bool start = a.near_start();
-  return compensated_cubic<Pair>(start ? x.p0 : x.p1, start ? x.out : x.in, start ? x.c : x.e,
-                                 start ? x.c_rest : x.e_rest, x.d, start ? Pair(a.u, b.u) : Pair(a.w, b.w));
+  return compensated_cubic<DoublePair>(start ? x.p0 : x.p1, start ? x.out : x.in, start ? x.c : x.e,
+                                       start ? x.c_low : x.e_low, x.d,
+                                       start ? DoublePair(a.u, b.u) : DoublePair(a.w, b.w));
 }
 
 /// The part of a segment from one time to another, as a segment of its own.
@@ -98,16 +107,17 @@ template <class S>
 Cubic<S> part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, const Time<S>& from, const Time<S>& to) {
   using W = working_t<S>;
   if (from == start && to == end) return whole;
-  const W out(whole.out), c = W(whole.c) + W(whole.c_rest), d(whole.d);
+  const W out(whole.out), c = W(whole.c) + W(whole.c_low), d(whole.d);
   const W first = (from - start) / (end - start), last = (to - start) / (end - start);
   const auto value = [&](const W& u) { return W(whole.p0) + u * (out + u * (c + u * d)); };
   const auto slope = [&](const W& u) { return (out + u * (W(2) * c + u * (W(3) * d))) * (last - first); };
-  return cubic<S>(narrow<S>(value(first)), to == end ? whole.p1 : narrow<S>(value(last)), slope(first), slope(last));
+  return cubic<S>(high_part<S>(value(first)), to == end ? whole.p1 : high_part<S>(value(last)), slope(first),
+                  slope(last));
 }
 
 /// dX/du.
 template <class S>
-S first_derivative(const Cubic<S>& x, const Local<S>& at) {
+S first_derivative(const Cubic<S>& x, const LocalParameter<S>& at) {
   return at.near_start() ? x.out + at.u * (S(2) * x.c + at.u * (S(3) * x.d))
                          : x.in + at.w * (S(2) * x.e + at.w * (S(3) * x.d));
 }

@@ -127,9 +127,9 @@ template <class S>
 std::array<Panel<S>, 2> make_panels(const Speed<S>& speed, const Bounds<S>& a, const Bounds<S>& b) {
   if constexpr (std::is_same_v<S, double>) {
     const auto q = speed.squares_about({a.half, b.half}, {a.middle(), b.middle()}, {a.width(), b.width()});
-    const OtherTerms<Pair> others(q);
-    const Pair for_most = others.within(smooth_radius_power<S, most_points<S>>());
-    const Pair for_few = others.within(smooth_radius_power<S, few_points<S>>());
+    const OtherTerms<DoublePair> others(q);
+    const DoublePair for_most = others.within(smooth_radius_power<S, most_points<S>>());
+    const DoublePair for_few = others.within(smooth_radius_power<S, few_points<S>>());
     const auto panel = [&](const Bounds<S>& at, std::size_t i) {
       return Panel<S>{at.half,
                       at.middle(),

@@ -80,8 +80,8 @@ constexpr GaussRule<S, N> make_gauss_rule() {
   for (std::size_t i = 0; i < N; ++i) {
     const working_t<S> x = polished_root(N, working_t<S>(fence[i + 1]));
     const working_t<S> one(1), slope = legendre_slope(N, x);
-    rule.node[i] = narrow<S>((x + one) * working_t<S>(0.5));
-    rule.weight[i] = narrow<S>(one / ((one - x * x) * slope * slope));
+    rule.node[i] = high_part<S>((x + one) * working_t<S>(0.5));
+    rule.weight[i] = high_part<S>(one / ((one - x * x) * slope * slope));
   }
   return rule;
 }

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "tcb/spline/detail/pair.hpp"
+#include "tcb/spline/detail/double_pair.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {
@@ -102,13 +102,14 @@ class Speed {
   }
 
   /// The same about two places side by side.
-  Quartic<Pair> squares_about(const std::array<std::size_t, 2>& halves, const Pair& middle, const Pair& width) const {
-    Quartic<Pair> sum;
+  Quartic<DoublePair> squares_about(const std::array<std::size_t, 2>& halves, const DoublePair& middle,
+                                    const DoublePair& width) const {
+    Quartic<DoublePair> sum;
     sum.fill(0.0);
     for (std::size_t i = 0; i < channels_[0].size(); ++i) {
       const auto& x = channels_[halves[0]][i];
       const auto& y = channels_[halves[1]][i];
-      add_square(sum, {Pair(x.k0, y.k0), Pair(x.k1, y.k1), Pair(x.k2, y.k2)}, middle, width);
+      add_square(sum, {DoublePair(x.k0, y.k0), DoublePair(x.k1, y.k1), DoublePair(x.k2, y.k2)}, middle, width);
     }
     return sum;
   }

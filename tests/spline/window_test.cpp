@@ -1,5 +1,5 @@
 // Curves: tabled values, the laws of the splines, and windows that do not show.
-#include "tcb/spline/curve.hpp"
+#include "tcb/spline/window.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Keys<double> keys_of(const std::vector<Key>& table) {
 double at(const Segments<double>& curve, double t, std::size_t channel = 0) {
   std::size_t i = 0;
   while (i + 1 < curve.size() && curve.times[i + 1].hi <= t) ++i;
-  return position(curve[i][channel], Locate<double>(curve.times[i], curve.times[i + 1])({t}));
+  return position(curve[i][channel], TimeMap<double>(curve.times[i], curve.times[i + 1])({t}));
 }
 
 Keys<double> random_keys(std::mt19937_64& random, std::size_t count, std::size_t channels) {
@@ -167,14 +167,14 @@ TEST(Curve, two_places_side_by_side_give_the_bits_of_each) {
     const auto x = cubic<double>(uniform(random), uniform(random), uniform(random), uniform(random));
     const auto place = [&] { return from_start<double>(DoubleDouble(std::abs(uniform(random)))); };
     const auto a = place(), b = place();
-    if (!may_pair(a, b)) continue;
-    const Pair both = positions(x, a, b);
+    if (!can_pair(a, b)) continue;
+    const DoublePair both = positions(x, a, b);
     ASSERT_EQ(both[0], position(x, a));
     ASSERT_EQ(both[1], position(x, b));
   }
-  const Local<double> start{0, -1}, inside{0.25, -0.75}, late{0.75, -0.25}, end{1, 0};
-  EXPECT_TRUE(may_pair(inside, inside));
-  EXPECT_FALSE(may_pair(inside, late) || may_pair(start, inside) || may_pair(late, end));
+  const LocalParameter<double> start{0, -1}, inside{0.25, -0.75}, late{0.75, -0.25}, end{1, 0};
+  EXPECT_TRUE(can_pair(inside, inside));
+  EXPECT_FALSE(can_pair(inside, late) || can_pair(start, inside) || can_pair(late, end));
 }
 
 TEST(Linker, windows_of_any_size_give_the_same_segments) {

@@ -1,4 +1,7 @@
-// Curves: from keys and rules to tangents, and from tangents to segments.
+// Windows: successive keys with the keys beside them, their tangents and their segments.
+//
+// Segment i is known once the key after its end is known: its end tangent needs both neighbours. A window is therefore
+// some keys with one key of context on either side, unless the curve starts or ends there.
 #pragma once
 
 #include <algorithm>
@@ -9,28 +12,68 @@
 #include <vector>
 
 #include "tcb/spline/ease.hpp"
-#include "tcb/spline/end.hpp"
 #include "tcb/spline/key.hpp"
-#include "tcb/spline/linker.hpp"
+#include "tcb/spline/rules.hpp"
 #include "tcb/spline/segment.hpp"
-#include "tcb/spline/tangent.hpp"
 
 namespace tcb::spline {
+
+/// Successive keys of one curve, with the key before and the key after those whose segments are wanted.
+template <class S>
+struct Window {
+  Keys<S> keys;
+  bool starts = true;  ///< the first key is the curve's first, not context
+  bool ends = true;    ///< the last key is the curve's last, not context
+  bool last = true;    ///< no window follows
+
+  std::size_t first_key() const { return starts ? 0 : 1; }
+  std::size_t last_key() const { return keys.size() - (ends ? 1 : 2); }
+  bool is_single_key() const { return starts && ends && keys.size() == 1; }
+  bool has_segments() const { return keys.size() > (starts ? 1U : 2U) + (ends ? 0U : 1U); }
+};
+
+/// Cuts a stream of keys into windows. It keeps three keys, whatever the length of the curve.
+template <class S>
+class Linker {
+ public:
+  /// For an open curve.
+  Linker() = default;
+  /// For a closed curve: `context` is the key before the first one. The keys to be linked end with the first key
+  /// repeated one period later, and one key more.
+  explicit Linker(Keys<S> context) : tail_(std::move(context)), starts_(false), closed_(true) {}
+
+  /// The window that is complete with some more keys; it may have no segments yet. `last`: no keys follow.
+  Window<S> link(const Keys<S>& block, bool last) {
+    Window<S> window{std::move(tail_), starts_, last && !closed_, last};
+    append(window.keys, block, 0, block.size());
+    tail_ = {};
+    if (last) return window;
+    if (window.has_segments()) starts_ = false;
+    const std::size_t size = window.keys.size();
+    append(tail_, window.keys, starts_ || size < 3 ? 0 : size - 3, size);
+    return window;
+  }
+
+ private:
+  Keys<S> tail_;
+  bool starts_ = true;
+  bool closed_ = false;
+};
 
 /// The rule at one end of an open curve.
 template <class S>
 struct EndChoice {
-  std::size_t rule = 0;     ///< index into end_rules
+  EndRule rule = EndRule::half;
   std::vector<S> velocity;  ///< per unit of time, one number a channel, where the rule takes one
 };
 
-/// What makes tangents of keys.
+/// The rules that give the tangents of keys.
 template <class S>
 struct CurveRules {
-  std::size_t tangents = 0;  ///< index into tangent_rules
+  TangentRule tangents = TangentRule::velocity;
   EndChoice<S> start, end;
-  bool equal_speed = false;         ///< both tangents of a key are made equally fast
-  std::vector<std::size_t> metric;  ///< the channels that speeds and lengths are over; empty: all
+  bool equal_speed = false;         ///< both tangents of a key get the same speed
+  std::vector<std::size_t> metric;  ///< the channels of speeds and lengths; empty: all
 };
 
 /// Successive segments. Shapes: one more time than segments; `channels` cubics a segment; one warp a
@@ -86,7 +129,7 @@ class Tangents {
   void set_interior(std::size_t key, const Factors<W>& f) {
     const W h0 = keys_.times[key] - keys_.times[key - 1];
     const W h1 = keys_.times[key + 1] - keys_.times[key];
-    const auto weights = tangent_rules<S>[rules_.tangents].weights({f, W(keys_.tcb(key).continuity), h0, h1});
+    const auto weights = row_of<S>(rules_.tangents).weights({f, W(keys_.tcb(key).continuity), h0, h1});
     for (std::size_t i = 0; i < keys_.channels; ++i) {
       const W d0 = chord(key - 1, i);
       const W d1 = chord(key, i);
@@ -100,9 +143,9 @@ class Tangents {
     const bool at_start = key < inner;
     const std::size_t first = std::min(key, inner);
     const auto f = factors(keys_.tcb(key));
-    const auto weights =
-        end_rules<S>[choice.rule].weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(keys_.tcb(key).tension),
-                                           keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
+    const auto weights = row_of<S>(choice.rule)
+                             .weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(keys_.tcb(key).tension),
+                                       keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
     auto& wanted = at_start ? outgoing_ : incoming_;
     const auto& others = at_start ? incoming_ : outgoing_;
     for (std::size_t i = 0; i < keys_.channels; ++i) {
@@ -135,7 +178,7 @@ class Tangents {
     using std::abs, std::frexp, std::ldexp;
     S largest(0);
     for (std::size_t i = 0; i < metric_size(); ++i) {
-      largest = std::max({largest, S(abs(narrow<S>(in[metric(i)]))), S(abs(narrow<S>(out[metric(i)])))});
+      largest = std::max({largest, S(abs(high_part<S>(in[metric(i)]))), S(abs(high_part<S>(out[metric(i)])))});
     }
     int exponent = 0;
     (void)frexp(largest, &exponent);
@@ -158,18 +201,18 @@ class Tangents {
   std::vector<W> incoming_, outgoing_;
 };
 
-/// A single key as a segment without duration, on which the curve rests.
+/// A single key as a constant segment without duration.
 template <class S>
-Segments<S> resting(const Keys<S>& keys) {
+Segments<S> constant_segment(const Keys<S>& keys) {
   Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
   for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
   return result;
 }
 
-/// The segments that a window makes known. Requires: window.has_segments() or window.is_single_key().
+/// The segments of a window. Requires: window.has_segments() or window.is_single_key().
 template <class S>
 Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
-  if (window.is_single_key()) return resting(window.keys);
+  if (window.is_single_key()) return constant_segment(window.keys);
   const Keys<S>& keys = window.keys;
   const Tangents<S> tangents(window, rules);
   Segments<S> result{keys.channels, {}, {}, {}};
