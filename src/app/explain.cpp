@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "curve/fields.hpp"
+#include "input/reader.hpp"
 #include "input/texts.hpp"
 #include "io/file.hpp"
 #include "text/number.hpp"
@@ -72,7 +73,7 @@ Facts intentions(const Job& plan, const Input& input) {
   std::vector<std::string_view> names;
   for (const std::size_t field : plan.fields) names.push_back(fields()[field].name);
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
-  const Format& output = formats()[plan.output_format];
+  const Format& output = format_of(plan.output_format);
   const bool header = output.has_header && plan.output_header.value_or(input.named);
   add("output", fmt::format("{}{}", output.name,
                             !output.has_header ? ""

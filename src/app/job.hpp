@@ -9,7 +9,8 @@
 
 #include "curve/settings.hpp"
 #include "exact/options.hpp"
-#include "input/format.hpp"
+#include "input/input.hpp"
+#include "io/formats.hpp"
 #include "keys/curves.hpp"
 #include "output/provenance_recorder.hpp"
 #include "sampling/request.hpp"
@@ -56,7 +57,7 @@ struct Job {
   SamplingRequest sampling;
   std::vector<std::size_t> fields;       ///< indices into fields(), in output order; none: those of the comparison
   std::optional<Comparison> comparison;  ///< instead of printing samples
-  std::size_t output_format = 0;         ///< index into formats()
+  FormatId output_format = FormatId::csv;
   std::optional<bool> output_header;
   std::optional<GoldenOptions> golden;    ///< rows are worked out exactly
   Notation notation;                      ///< of numbers that may have a fraction

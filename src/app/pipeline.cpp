@@ -13,6 +13,7 @@
 #include "app/progress.hpp"
 #include "curve/rows.hpp"
 #include "error.hpp"
+#include "input/reader.hpp"
 #include "io/input_list.hpp"
 #include "output/writer.hpp"
 

@@ -2,6 +2,7 @@
 #include "cli/input.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -50,7 +51,7 @@ RoleRequest groups(const std::string& text) {
 /// Throws: Error (usage) for options about delimited text where the input is JSON.
 void require_text(const InputOptions& input, const TypedOptions& typed) {
   const bool about_text = input.delimiter || input.header || !typed.decimal.empty() || !typed.comment.empty();
-  if (!about_text || !input.format || formats()[*input.format].has_header) return;
+  if (!about_text || !input.format || format_of(*input.format).has_header) return;
   throw Error(Exit::usage,
               "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out");
 }
@@ -64,9 +65,20 @@ void require_delimiter(const InputOptions& input) {
 
 }  // namespace
 
+FormatId named_format(std::string_view option, std::string_view name, bool Format::*capability) {
+  std::vector<std::string_view> names;
+  for (const Format& format : formats) {
+    if (!(format.*capability)) continue;
+    if (format.name == name) return format.id;
+    names.push_back(format.name);
+  }
+  throw Error(Exit::usage,
+              fmt::format("{}: unknown format \"{}\"; expected one of {}", option, name, fmt::join(names, ", ")));
+}
+
 InputOptions make_input(const TypedOptions& typed) {
   InputOptions input;
-  if (!typed.input_format.empty()) input.format = find_format("--input-format", typed.input_format, true);
+  if (!typed.input_format.empty()) input.format = named_format("--input-format", typed.input_format, &Format::can_read);
   if (!typed.delimiter.empty()) input.delimiter = delimiter(typed.delimiter);
   if (typed.header && typed.no_header) {
     throw Error(Exit::usage, "--header and --no-header contradict each other; expected one of them; take one out");

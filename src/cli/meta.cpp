@@ -9,11 +9,12 @@
 #include <array>
 #include <string_view>
 
+#include "cli/input.hpp"
 #include "cli/reference.hpp"
 #include "cli/sampling.hpp"
 #include "error.hpp"
-#include "input/format.hpp"
 #include "io/file.hpp"
+#include "io/formats.hpp"
 
 namespace tcb {
 namespace {
@@ -68,7 +69,7 @@ void require_place(const TypedOptions& typed) {
     throw Error(Exit::usage, "--meta has no effect where a report is printed and no rows; take it out");
   }
   const std::string name = typed.output_format.empty() ? "csv" : typed.output_format;
-  if (formats()[find_format("--output-format", name)].open == nullptr) {
+  if (!format_of(named_format("--output-format", name, &Format::can_write)).has_provenance) {
     throw Error(Exit::usage, fmt::format("--meta has no place in {}; expected a format of text; take it out", name));
   }
 }

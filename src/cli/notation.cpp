@@ -27,7 +27,7 @@ int count(std::string_view option, const std::string& text, int least) {
 
 }  // namespace
 
-Notation make_notation(const TypedOptions& typed, std::size_t output_format) {
+Notation make_notation(const TypedOptions& typed, FormatId output_format) {
   std::vector<std::string_view> given;
   Notation notation;
   if (!typed.digits.empty()) {
@@ -53,8 +53,8 @@ Notation make_notation(const TypedOptions& typed, std::size_t output_format) {
                 fmt::format("{} and {} both say how numbers are printed; expected one of them; take one out", given[0],
                             given[1]));
   }
-  const Format& output = formats()[output_format];
-  if (!given.empty() && output.head != nullptr) {
+  const Format& output = format_of(output_format);
+  if (!given.empty() && output.is_binary) {
     throw Error(Exit::usage, fmt::format("{} has no effect on {}, which holds the doubles themselves; take it out",
                                          given[0], output.name));
   }

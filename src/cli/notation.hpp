@@ -6,7 +6,7 @@
 namespace tcb {
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
-Notation make_notation(const TypedOptions& typed, std::size_t output_format);
+Notation make_notation(const TypedOptions& typed, FormatId output_format);
 
 /// Whether and how rows are worked out exactly. Requires: the plan has its fields and its notation.
 /// Throws: Error (usage).

@@ -103,11 +103,12 @@ Job make_plan(const TypedOptions& typed) {
   plan.explain = typed.explain;
   if (!typed.jobs.empty()) plan.jobs = make_jobs(typed.jobs);
   plan.verbosity = make_talk(typed);
-  if (!typed.output_format.empty()) plan.output_format = find_format("--output-format", typed.output_format);
+  if (!typed.output_format.empty())
+    plan.output_format = named_format("--output-format", typed.output_format, &Format::can_write);
   plan.notation = make_notation(typed, plan.output_format);
   set_golden(plan, typed);
   if (typed.no_output_header) {
-    if (!formats()[plan.output_format].has_header) {
+    if (!format_of(plan.output_format).has_header) {
       throw Error(Exit::usage,
                   "--no-output-header has no effect on this output format, which has no line of names; take "
                   "it out");

@@ -15,7 +15,7 @@ namespace {
 template <class Outcome>
 Exit report(const Outcome& outcome, bool good, const Job& plan) {
   Output output(plan.output);
-  output.write(formats()[plan.output_format].name == "json" ? json(outcome) : text(outcome));
+  output.write(plan.output_format == FormatId::json ? json(outcome) : text(outcome));
   output.commit();
   return good ? Exit::done : Exit::data;
 }

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "input/format.hpp"
+#include "input/reader.hpp"
 #include "io/file.hpp"
 
 namespace tcb {

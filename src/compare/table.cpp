@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "input/format.hpp"
+#include "input/reader.hpp"
 #include "io/file.hpp"
 #include "keys/curves.hpp"
 #include "stream/stream.hpp"

@@ -13,6 +13,8 @@
 #include "error.hpp"
 #include "input/columns.hpp"
 #include "input/key_block.hpp"
+#include "input/texts.hpp"
+#include "io/formats.hpp"
 #include "stream/stream.hpp"
 #include "tcb/spline/key.hpp"
 
@@ -32,8 +34,8 @@ inline constexpr std::array missing_names{
 
 /// What the command line says about the input.
 struct InputOptions {
-  std::optional<std::size_t> format;  ///< index into formats(); nothing: by ending or content
-  std::optional<char> delimiter;      ///< ' ' stands for runs of blanks and tabs
+  std::optional<FormatId> format;  ///< nothing: by ending or content
+  std::optional<char> delimiter;   ///< ' ' stands for runs of blanks and tabs
   std::optional<bool> header;
   std::string comment = "#";  ///< lines that begin with it are skipped; empty: none are
   std::vector<RoleRequest> roles;

@@ -50,8 +50,8 @@ void append_listed(std::vector<std::string>& names, const BatchOptions& batch) {
 }
 
 bool has_known_ending(const std::string& path) {
-  return std::ranges::any_of(
-      formats(), [&](const Format& format) { return format.open != nullptr && path.ends_with(format.ending); });
+  return std::ranges::any_of(formats,
+                             [&](const Format& format) { return format.can_read && path.ends_with(format.ending); });
 }
 
 /// Not a pipe or a device; a link that leads nowhere is an error for the reader to find.
@@ -162,7 +162,7 @@ std::string output_path(const InputFile& file, const Job& plan) {
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
   return (fs::path(*plan.output_folder) / below / kept.stem()) +=
-         fmt::format("{}{}", plan.batch.suffix, formats()[plan.output_format].ending);
+         fmt::format("{}{}", plan.batch.suffix, format_of(plan.output_format).ending);
 }
 
 Inputs find_inputs(const Job& plan) {

@@ -6,8 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "input/format.hpp"
+#include "io/formats.hpp"
 #include "output/layout.hpp"
+#include "output/output_format.hpp"
 
 namespace tcb {
 
@@ -59,6 +60,7 @@ class Frame {
   std::string end_curve() const;
 
   const Format* format_ = nullptr;
+  const OutputFormat* written_ = nullptr;
   bool nested_ = false;
   Layout all_;   ///< with the texts of all columns in front of their cells
   Layout rows_;  ///< as append_rows takes it

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "curve/rows.hpp"
-#include "input/format.hpp"
+#include "input/input.hpp"
+#include "io/formats.hpp"
 #include "io/sha256.hpp"
 #include "output/provenance.hpp"
 #include "stream/stream.hpp"

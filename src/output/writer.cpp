@@ -14,7 +14,7 @@ void Writer::begin(const Input& input, bool live, Facts rules) {
   OutputColumns columns{input.groups, output_columns(plan_.fields, input), input.carried};
   if (columns_.numbers.empty()) {
     columns_ = std::move(columns);
-    const Format& format = formats()[plan_.output_format];
+    const Format& format = format_of(plan_.output_format);
     frame_ = Frame(format, columns_, plan_.output_header.value_or(input.named), plan_.notation);
     output_.write(recorder_.head(format, std::move(rules), frame_.head(), frame_.is_nested()));
   } else if (columns.names() != columns_.names()) {

@@ -19,7 +19,7 @@ namespace tcb {
 class Writer {
  public:
   Writer(const Job& plan, std::string path)
-      : plan_(plan), output_(std::move(path), formats()[plan.output_format].head != nullptr), recorder_(plan.meta) {}
+      : plan_(plan), output_(std::move(path), format_of(plan.output_format).is_binary), recorder_(plan.meta) {}
 
   /// What the output's provenance says is told to it.
   ProvenanceRecorder& recorder() { return recorder_; }

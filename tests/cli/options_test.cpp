@@ -29,7 +29,7 @@ TEST(Options, options_and_files_come_in_any_order) {
   const Job plan = parsed({"a.csv", "-s", "0.5", "-", "--output-format=json", "b.csv"}).plan;
   EXPECT_THAT(plan.files, ElementsAre("a.csv", "-", "b.csv"));
   EXPECT_EQ(plan.sampling.step, Rational(1, 2));
-  EXPECT_EQ(plan.output_format, find_format("", "json"));
+  EXPECT_EQ(plan.output_format, FormatId::json);
 }
 
 TEST(Options, two_dashes_end_the_options) {

@@ -42,7 +42,7 @@ TEST(Job, without_options_but_a_step_all_is_default) {
   EXPECT_EQ(plan.sampling.step, Rational(1, 10)) << "a decimal is what it says";
   EXPECT_FALSE(plan.sampling.from || plan.sampling.to);
   EXPECT_THAT(plan.fields, ElementsAre(0, 1));
-  EXPECT_EQ(plan.output_format, find_format("", "csv"));
+  EXPECT_EQ(plan.output_format, FormatId::csv);
   EXPECT_FALSE(plan.output_header || plan.output_folder);
   EXPECT_EQ(plan.output, "-");
   EXPECT_FALSE(plan.input.format || plan.input.delimiter || plan.input.header);
@@ -86,7 +86,7 @@ TEST(Job, golden_rows_take_more_digits_and_exact_input) {
 
 TEST(Job, notations_without_a_meaning_in_a_format_are_refused) {
   TypedOptions npy = typed(&TypedOptions::output_format, "npy");
-  EXPECT_EQ(make_plan(npy).output_format, find_format("", "npy"));
+  EXPECT_EQ(make_plan(npy).output_format, FormatId::npy);
   npy.fixed = "3";
   EXPECT_EQ(refusal(npy), "--fixed has no effect on npy, which holds the doubles themselves; take it out");
   TypedOptions json = typed(&TypedOptions::output_format, "jsonl");
@@ -221,7 +221,7 @@ TEST(Job, tension_continuity_and_bias_are_three_numbers) {
 
 TEST(Job, the_input_is_described) {
   TypedOptions options = typed(&TypedOptions::input_format, "jsonl");
-  EXPECT_EQ(make_plan(options).input.format, find_format("", "jsonl"));
+  EXPECT_EQ(make_plan(options).input.format, FormatId::jsonl);
   EXPECT_EQ(make_plan(typed(&TypedOptions::comment, "//")).input.comment, "//");
   EXPECT_EQ(make_plan(typed(&TypedOptions::comment, "none")).input.comment, "");
   const Job roles = make_plan(typed(&TypedOptions::columns, "time=frame"));
@@ -264,7 +264,7 @@ TEST(Job, the_output_goes_to_one_place) {
   const Job plan = make_plan(options);
   EXPECT_EQ(plan.output_folder, "out");
   EXPECT_THAT(plan.files, ElementsAre("a.csv", "b.csv"));
-  EXPECT_EQ(make_plan(typed(&TypedOptions::output_format, "json")).output_format, find_format("", "json"));
+  EXPECT_EQ(make_plan(typed(&TypedOptions::output_format, "json")).output_format, FormatId::json);
   options.no_output_header = true;
   EXPECT_EQ(make_plan(options).output_header, false);
 }

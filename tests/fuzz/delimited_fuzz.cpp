@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace tcb;
   FuzzedDataProvider choices(data, size);
   InputOptions options;
-  options.format = find_format("", choices.PickValueInArray({"csv", "csv", "tsv", "ssv"}));
+  options.format = find_format(choices.PickValueInArray({"csv", "csv", "tsv", "ssv"}));
   const char delimiter = choices.PickValueInArray({'\0', '\0', ';', '|', 'x', ' ', '\xA7'});
   if (delimiter != '\0') options.delimiter = delimiter;
   options.header = choices.PickValueInArray<std::optional<bool>>({std::nullopt, std::nullopt, true, false});

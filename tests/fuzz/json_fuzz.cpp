@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace tcb;
   FuzzedDataProvider choices(data, size);
   InputOptions options;
-  options.format = find_format("", choices.PickValueInArray({"json", "jsonl"}));
+  options.format = find_format(choices.PickValueInArray({"json", "jsonl"}));
   options.missing = choices.PickValueInArray(missing_names).way;
   options.timeless = choices.ConsumeBool();
   const char* const columns = choices.PickValueInArray({"", "", "carry=label", "group=id", "position=x:y,time=t"});

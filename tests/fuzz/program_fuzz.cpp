@@ -17,7 +17,7 @@
 #include "cli/remedies.hpp"
 #include "curve/fields.hpp"
 #include "error.hpp"
-#include "input/format.hpp"
+#include "input/reader.hpp"
 #include "invariant.hpp"
 #include "text/number.hpp"
 
@@ -145,7 +145,7 @@ void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
 
 /// Requires: rows that were not refused.
 void require_sound(const Job& plan, std::string_view text, std::string_view rows) {
-  const Format& format = formats()[plan.output_format];
+  const Format& format = format_of(plan.output_format);
   if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
   if (format.name == "jsonl") {
     for (const std::string_view row : split(rows, '\n')) {

@@ -13,7 +13,7 @@
 #include "cli/remedies.hpp"
 #include "error.hpp"
 #include "input/faults.hpp"
-#include "input/format.hpp"
+#include "input/reader.hpp"
 #include "invariant.hpp"
 
 namespace tcb::fuzz {

@@ -11,7 +11,7 @@
 #include "cli/remedies.hpp"
 #include "error.hpp"
 #include "input/faults.hpp"
-#include "input/format.hpp"
+#include "input/reader.hpp"
 
 namespace tcb {
 
@@ -36,7 +36,7 @@ inline Source<std::string> pieces(std::string text, std::size_t size = std::stri
   };
 }
 
-inline std::string shown_time(const Cell& time) {
+inline std::string shown_time(const spline::DoubleDouble& time) {
   if (std::trunc(time.hi) != time.hi || std::abs(time.hi) > 0x1p62) return fmt::format("{}", time.hi);
   return std::to_string(static_cast<std::int64_t>(time.hi) + static_cast<std::int64_t>(time.lo));
 }

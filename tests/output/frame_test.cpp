@@ -18,7 +18,7 @@ std::string written(const std::string& format, const std::vector<CurveRows>& cur
   OutputColumns columns{{}, {{"x"}}, {}};
   if (!curves.empty()) columns.groups.assign(curves[0].group.size(), "id");
   if (labelled) columns.labels = {"label"};
-  Frame frame(formats()[find_format("", format)], columns, true);
+  Frame frame(format_of(*find_format(format)), columns, true);
   std::string out = frame.head();
   std::optional<std::vector<std::string>> before;
   for (const CurveRows& curve : curves) {

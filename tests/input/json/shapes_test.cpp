@@ -130,7 +130,7 @@ TEST(Json, an_array_of_another_length_and_a_value_of_another_shape_are_refused) 
 
 TEST(Json, an_input_without_keys_is_refused) {
   InputOptions json;
-  json.format = find_format("", "json");
+  json.format = FormatId::json;
   for (const char* text : {"", " \n", "[]", "[ ]\n"}) {
     EXPECT_EQ(read(text, json), "f: error: no keys: the input is empty; expected an object for each key; see --help");
   }

@@ -1,9 +1,7 @@
-// The table of formats: how the format of an input is found, and what stands before its first byte.
-#include "input/format.hpp"
+// Reader: how the format of an input is found, and what may precede its first byte.
+#include "input/reader.hpp"
 
 #include <gtest/gtest.h>
-
-#include <set>
 
 #include "input/reading.hpp"
 
@@ -12,39 +10,6 @@ namespace {
 
 const std::string csv_text = "t,x\n0,1\n";
 const std::string csv_keys = "t x\n2: 0 1\n";
-
-TEST(Formats, names_and_endings_are_told_apart_and_csv_is_the_default) {
-  std::set<std::string_view> names, endings;
-  for (const Format& format : formats()) {
-    EXPECT_TRUE(names.insert(format.name).second) << format.name;
-    EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
-    EXPECT_TRUE(format.ending.starts_with('.')) << format.ending;
-    EXPECT_EQ(&formats()[find_format("-f", format.name)], &format);
-  }
-  EXPECT_EQ(formats()[0].name, "csv");
-}
-
-TEST(Formats, an_unknown_name_is_refused_with_those_that_are_known) {
-  EXPECT_EQ(error_of([] { find_format("--input-format", "CSV", true); }),
-            "usage: f: error: --input-format: unknown format \"CSV\"; expected one of csv, tsv, ssv, json, jsonl");
-}
-
-TEST(Formats, each_layout_writes_what_its_format_reads) {
-  const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
-  for (std::size_t i = 0; i < formats().size(); ++i) {
-    if (formats()[i].open == nullptr) continue;
-    const Layout layout = formats()[i].layout(columns, true);
-    std::string text = layout.head;
-    append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);
-    text += layout.tail;
-    InputOptions options;
-    options.format = i;
-    const std::string keys = read(text, options);
-    EXPECT_TRUE(keys.starts_with("t the x\n")) << keys;
-    EXPECT_NE(keys.find(": 0 0.1\n"), std::string::npos) << keys;
-    EXPECT_NE(keys.find(": 1 -2\n"), std::string::npos) << keys;
-  }
-}
 
 TEST(OpenInput, the_file_ending_tells_the_format) {
   EXPECT_EQ(read("t\tx,y\n0\t1\n", {}, 1, "a.b/keys.tsv"), "t x,y\n2: 0 1\n");
@@ -63,9 +28,9 @@ TEST(OpenInput, without_an_ending_the_first_byte_that_is_not_blank_does) {
 
 TEST(OpenInput, a_format_that_is_given_wins) {
   InputOptions options;
-  options.format = find_format("", "csv");
+  options.format = FormatId::csv;
   EXPECT_EQ(read(csv_text, options, 1, "keys.json"), csv_keys);
-  options.format = find_format("", "tsv");
+  options.format = FormatId::tsv;
   EXPECT_EQ(read("t\ta,b\n0\t1\n", options, 1, "keys.csv"), "t a,b\n2: 0 1\n");
 }
 

@@ -1,0 +1,57 @@
+// Formats: the table of their names, file endings and capabilities.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace tcb {
+
+enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, npy };
+
+/// A format of inputs, outputs, or both. To add one: a row here, and how it is read (input/reader) and written
+/// (output).
+struct Format {
+  FormatId id;
+  std::string_view name;
+  std::string_view ending;  ///< of file names, with the point
+  bool can_read;
+  bool can_write;
+  bool has_header;      ///< the names of the columns are in one line above the rows
+  bool has_provenance;  ///< an output may hold its provenance
+  bool nests;           ///< an output with groups is an object for each curve, with a list of rows
+  bool is_binary;       ///< it holds doubles, not their texts; it cannot hold other texts, nor more than one table
+  char delimiter;       ///< between cells; 0 where there is none; ' ' is any run of blanks and tabs
+};
+
+/// All formats, in the order of FormatId. The first is the default for output.
+inline constexpr std::array<Format, 6> formats{{
+    // id              name     ending    read   write header provenance nests binary delimiter
+    {FormatId::csv, "csv", ".csv", true, true, true, true, false, false, ','},
+    {FormatId::tsv, "tsv", ".tsv", true, true, true, true, false, false, '\t'},
+    {FormatId::ssv, "ssv", ".ssv", true, true, true, true, false, false, ' '},
+    {FormatId::json, "json", ".json", true, true, false, true, true, false, '\0'},
+    {FormatId::jsonl, "jsonl", ".jsonl", true, true, false, true, false, false, '\0'},
+    {FormatId::npy, "npy", ".npy", false, true, false, false, false, true, '\0'},
+}};
+
+constexpr const Format& format_of(FormatId id) { return formats[static_cast<std::size_t>(id)]; }
+
+/// The format with this name.
+constexpr std::optional<FormatId> find_format(std::string_view name) {
+  for (const Format& format : formats) {
+    if (format.name == name) return format.id;
+  }
+  return std::nullopt;
+}
+
+/// The format that can be read and whose ending the path has.
+constexpr std::optional<FormatId> find_input_format(std::string_view path) {
+  for (const Format& format : formats) {
+    if (format.can_read && path.ends_with(format.ending)) return format.id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace tcb
