@@ -1,0 +1,267 @@
+#!/usr/bin/env python3
+"""Same bytes from several programs: same_bytes.py [--runs N] [--seed S] [--golden] PROGRAM PROGRAM...
+
+Runs every program on the same inputs with the same options, and compares standard output and the exit code:
+  - every file of samples/ in several modes;
+  - N random command lines on random keys (default 200), as CSV, TSV, JSON, JSON Lines or blank-separated text;
+  - with --golden, the commands of every case of golden/, without the lines that are messages.
+Standard error is not compared: the words of messages may differ. Prints each difference with the command line and
+leaves its input in the folder same_bytes.failed. Exit 1: something differs.
+
+For an old and a new build of the program:
+  tests/same_bytes.py --runs 5000 --golden OLD/tcbsample build/release/tcbsample
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+TESTS = pathlib.Path(__file__).resolve().parent
+SAMPLES = TESTS.parent / "samples"
+MESSAGE = re.compile(rb"error:|note:|^tcbsample: ")
+
+PRESETS = "gte wildmagic vtk fbx".split()
+TANGENTS = "uniform interval interval-c finite-difference velocity kb1984 synfig".split()
+ENDS = "half zero natural one-sided natural,half zero,natural".split()
+FIELDS = ("time position s velocity acceleration jerk speed tangent curvature torsion segment u key").split()
+
+
+def number(rng, scale=10):
+    kind = rng.random()
+    if kind < 0.2:
+        return str(rng.randint(-scale, scale))
+    if kind < 0.9:
+        return f"{rng.uniform(-scale, scale):.{rng.randint(1, 6)}f}"
+    return repr(rng.uniform(-scale, scale) * 10.0 ** rng.randint(-12, 12))
+
+
+def parameter(rng):
+    return rng.choice(["0", "0", "0", "1", "-1", f"{rng.uniform(-1, 1):.2f}"])
+
+
+def random_keys(rng):
+    """A table: names, rows of texts."""
+    channels = rng.randint(1, 4)
+    names = ["t"] + ["x", "y", "z", "w"][:channels]
+    with_tcb, with_ease = rng.random() < 0.5, rng.random() < 0.15
+    if with_tcb:
+        names += ["tension", "continuity", "bias"]
+    if with_ease:
+        names += ["ease_in", "ease_out"]
+    groups = rng.random() < 0.2
+    if groups:
+        names = ["id"] + names
+    rows = []
+    for group in range(rng.randint(2, 3) if groups else 1):
+        time = rng.choice([0.0, 0.0, -3.5, 1e6, 1403636579.25])
+        for _ in range(rng.choice([1 if rng.random() < 0.1 else 2, 2, 3, 4, 5, 8, 13, 60])):
+            row = ["abc"[group]] if groups else []
+            row.append(repr(round(time, 4)))
+            row += [number(rng) for _ in range(channels)]
+            if with_tcb:
+                row += [parameter(rng) for _ in range(3)]
+            if with_ease:
+                row += [rng.choice(["0", "0.25", "0.5"]) for _ in range(2)]
+            rows.append(row)
+            time += rng.choice([1, 1, 0.5, 0.25, 2, rng.randint(1, 9000) / 1000])
+            if rng.random() < 0.01:
+                time -= 3
+    if groups:
+        rng.shuffle(rows)
+        if rng.random() < 0.8:
+            rows.sort(key=lambda row: float(row[1]))
+    if rng.random() < 0.1:
+        rng.choice(rows)[-1] = rng.choice(["", "NA", "nan", "o.5"])
+    return names, rows, groups
+
+
+def write_keys(rng, folder):
+    """Writes random keys as a file; returns its name, and whether it has groups."""
+    names, rows, groups = random_keys(rng)
+    kind = rng.choice(["csv", "csv", "csv", "tsv", "ssv", "json", "jsonl"])
+    path = folder / f"keys.{kind}"
+    if kind in ("csv", "tsv", "ssv"):
+        delimiter = {"csv": ",", "tsv": "\t", "ssv": " "}[kind]
+        header = [names] if rng.random() < 0.85 else []
+        path.write_text("".join(delimiter.join(row) + "\n" for row in header + rows))
+    else:
+
+        def member(name, text):
+            literal = text if re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", text) else json.dumps(text)
+            return f"{json.dumps(name)}:{literal}"
+
+        objects = ["{" + ",".join(member(*cell) for cell in zip(names, row)) + "}" for row in rows]
+        if kind == "jsonl":
+            path.write_text("\n".join(objects) + "\n")
+        elif rng.random() < 0.5:
+            path.write_text("[" + ",\n".join(objects) + "]\n")
+        else:
+            settings = rng.choice(["", '"preset":"vtk",', '"closed":true,', '"ends":"natural",'])
+            path.write_text("{" + settings + '"keys":[' + ",\n".join(objects) + "]}\n")
+    return path.name, groups
+
+
+def random_mode(rng):
+    return rng.choice(
+        [
+            lambda: ["--step", rng.choice(["0.1", "1/24", "0.37", "1001/30000", "2"])],
+            lambda: ["--fps", rng.choice(["24", "30000/1001", "3"])],
+            lambda: ["--count", str(rng.choice([1, 2, 7, 100]))],
+            lambda: ["--segments", str(rng.choice([1, 3, 50]))],
+            lambda: ["--per-segment", str(rng.choice([1, 2, 5]))],
+            lambda: ["--at", ",".join(f"{rng.uniform(0, 4):.3f}" for _ in range(rng.randint(1, 5)))],
+            lambda: ["--arc-step", rng.choice(["0.5", "3", "1/7"])],
+            lambda: ["--arc-count", str(rng.choice([1, 2, 9, 60]))],
+            lambda: ["--arc-at", ",".join(f"{rng.uniform(0, 9):.2f}" for _ in range(rng.randint(1, 4)))],
+            lambda: ["--tolerance", rng.choice(["1", "0.1", "0.01"])],
+        ]
+    )()
+
+
+def random_options(rng, groups):
+    """Mostly options that agree with each other; one run in five draws from all, to compare refusals."""
+    mode = random_mode(rng)
+    options = list(mode)
+    any_of_all = rng.random() < 0.2
+    given = {mode[0]}
+
+    def maybe(chance, *words, needs=True):
+        if rng.random() < chance and (needs or any_of_all):
+            options.extend(words)
+            given.add(words[0])
+
+    by_step = mode[0] in ("--step", "--fps", "--arc-step")
+    by_place = mode[0] in ("--at", "--arc-at")
+    fields = rng.sample(FIELDS, rng.randint(1, 6)) if rng.random() < 0.4 else []
+    maybe(0.9 if groups else 0, "--group", "id")
+    maybe(0.25, "--preset", rng.choice(PRESETS))
+    maybe(0.15, "--tangents", rng.choice(TANGENTS))
+    maybe(0.08, "--period", rng.choice(["20", "100", "3"]))
+    maybe(0.05, "--closed")
+    maybe(0.2, "--ends", rng.choice(ENDS), needs=not given & {"--period", "--closed"})
+    maybe(0.08, "--equal-speed")
+    maybe(0.1, "--no-ease")
+    if by_place or any_of_all:
+        maybe(0.5, "--extrapolate", rng.choice("hold linear repeat offset oscillate error".split()))
+    plain = not by_place and mode[0] not in ("--per-segment", "--tolerance")
+    maybe(0.15, "--from", f"{rng.uniform(-2, 3):.2f}", needs=plain)
+    maybe(0.15, "--to", f"{rng.uniform(1, 9):.2f}", needs=plain)
+    maybe(0.4, "--end", rng.choice("drop keep fit fit-down fit-up".split()), needs=by_step)
+    maybe(0.15, "--keys", needs=mode[0] not in ("--per-segment", "--at", "--arc-at"))
+    measured = mode[0].startswith("--arc") or mode[0] == "--tolerance" or {"s", "speed", "tangent"} & set(fields)
+    maybe(0.2, "--metric", rng.choice(["x", "1"]), needs=measured)
+    maybe(0.5 if groups else 0.1, "--sort")
+    maybe(0.1, "--duplicates", rng.choice("first last break".split()))
+    maybe(0.15, "--missing", rng.choice("skip-row skip-cell break".split()))
+    maybe(0.15, "--tcb", rng.choice(["0.5,0,0", "0,-1,0", "0.1,0.2,-0.3"]))
+    maybe(0.02, "--parameter", rng.choice("uniform chordal centripetal 0.3".split()))
+    maybe(0.4, "-f", rng.choice("csv tsv ssv json jsonl npy".split()))
+    if fields:
+        options.extend(["--fields", ",".join(fields)])
+    changing = {"velocity", "acceleration", "jerk", "tangent", "curvature", "torsion", "speed"} & set(fields)
+    maybe(0.2, "--side", rng.choice(["left", "right"]), needs=changing)
+    maybe(0.15, *rng.choice([["--digits", "6"], ["--digits", "17"], ["--fixed", "3"], ["--hex"]]))
+    maybe(0.1, "--no-output-header", needs="-f" not in given)
+    maybe(0.1, "--meta", needs="-f" not in given)
+    maybe(0.1, "--explain", needs="--meta" not in given)
+    maybe(0.08, "--golden")
+    maybe(0.2, "-j", str(rng.randint(1, 4)))
+    return options
+
+
+def run(program, arguments, folder, stdin=None):
+    try:
+        done = subprocess.run([program] + arguments, cwd=folder, capture_output=True, stdin=stdin, timeout=20)
+        return done.returncode, done.stdout, done.stderr
+    except subprocess.TimeoutExpired:
+        return "timeout", b"", b""
+
+
+class Comparison:
+    def __init__(self, programs):
+        self.programs = programs
+        self.compared = self.accepted = self.differences = self.timeouts = 0
+
+    def report(self, what, results, folder=None):
+        if any(result[0] == "timeout" for result in results):
+            self.timeouts += 1
+            return
+        self.compared += 1
+        self.accepted += results[0][0] == 0
+        if any(result[:2] != results[0][:2] for result in results[1:]):
+            self.differences += 1
+            print(f"differs: {what}")
+            for program, (code, out, err) in zip(self.programs, results):
+                print(f"  {program}: exit code {code}, {len(out)} bytes; {err[:300].decode(errors='replace').strip()}")
+            if folder:
+                shutil.copytree(folder, f"same_bytes.failed/{self.differences}", dirs_exist_ok=True)
+
+
+def sample_runs():
+    for file in sorted(SAMPLES.iterdir()):
+        if file.suffix not in (".csv", ".tsv", ".txt", ".json", ".jsonl"):
+            continue
+        for mode in ("--step 1/30", "--count 1001", "--arc-count 777", "--per-segment 3 -f jsonl", "--tolerance 0.1"):
+            if file.name != "events.jsonl" or "--step" not in mode:  # nanoseconds: too many rows
+                yield [*mode.split(), "--fields", "time,position,s", file.name]
+
+
+def golden_case(program, case):
+    """Standard output of a case without messages, and the exit code."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch) / "case"
+        shutil.copytree(case, folder)
+        binaries = pathlib.Path(scratch) / "bin"
+        binaries.mkdir()
+        (binaries / "tcbsample").symlink_to(program)
+        path = f"{binaries}:{os.environ['PATH']}"
+        done = subprocess.run(["sh", "./cmd"], cwd=folder, capture_output=True, stdin=subprocess.DEVNULL,
+                              env={**os.environ, "PATH": path})
+        lines = [line for line in done.stdout.split(b"\n") if not MESSAGE.search(line)]
+        return done.returncode, b"\n".join(lines), done.stderr
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", nargs="+", metavar="PROGRAM")
+    parser.add_argument("--runs", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--golden", action="store_true")
+    arguments = parser.parse_args()
+    programs = [str(pathlib.Path(program).resolve()) for program in arguments.programs]
+    comparison = Comparison(programs)
+
+    def random_run(index):
+        rng = random.Random(f"{arguments.seed} {index}")
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            name, groups = write_keys(rng, folder)
+            options = random_options(rng, groups) + [name]
+            results = [run(program, options, folder) for program in programs]
+            comparison.report(f"run {index}: tcbsample " + " ".join(options), results, folder)
+
+    for options in sample_runs():
+        results = [run(program, options, SAMPLES) for program in programs]
+        comparison.report("samples: tcbsample " + " ".join(options), results)
+    if arguments.golden:
+        for case in sorted((TESTS / "golden").rglob("cmd")):
+            results = [golden_case(program, case.parent) for program in programs]
+            comparison.report(f"case {case.parent.relative_to(TESTS)}", results)
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        list(pool.map(random_run, range(arguments.runs)))
+
+    print(f"{comparison.compared} compared, {comparison.accepted} accepted, {comparison.differences} differ, "
+          f"{comparison.timeouts} took too long")
+    return comparison.differences > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
