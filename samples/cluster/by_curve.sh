@@ -1,7 +1,7 @@
 #!/bin/sh
-# Deals rows to N partitions by curve, as the shuffle of an engine does: by_curve.sh COLUMN N FOLDER <rows
+# Distributes rows to N partitions by curve, as the shuffle of an engine does: by_curve.sh COLUMN N FOLDER <rows
 #
-# Cells are apart by tabs, and COLUMN is the number of the one with the name of the curve. FOLDER, which is made, gets
+# Cells are separated by tabs; COLUMN is the number of the cell with the name of the curve. FOLDER is created and gets
 # the files 0 to N-1.
 set -eu
 [ $# -eq 3 ] || { echo "usage: by_curve.sh COLUMN N FOLDER <rows" >&2; exit 2; }

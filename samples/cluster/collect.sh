@@ -1,9 +1,9 @@
 #!/bin/sh
 # Finishes a job, and puts the rows of all its files into one table: collect.sh JOB [OPTION]...
 #
-# JOB and the OPTIONs are those that the parts were sampled with. What they left undone is done here, and files that
-# cannot be sampled are reported once more, with exit code 1 and no table. The table JOB/rows.csv has the name of the
-# file before each row; it is made of CSV with names above the rows, and not of other formats.
+# JOB and the OPTIONs are those that the parts were sampled with. Files that the parts have not finished are sampled
+# here. Files that cannot be sampled are reported again, with exit code 1 and no table. The table JOB/rows.csv has the
+# name of the file before each row; it needs CSV with a header, and no other format.
 set -eu
 [ $# -ge 1 ] || { echo "usage: collect.sh JOB [OPTION]..." >&2; exit 2; }
 cd "$1"

@@ -1,9 +1,10 @@
 #!/bin/sh
 # Samples the parts of a job on several hosts with GNU parallel, one part a host: parallel.sh JOB HOSTS [OPTION]...
 #
-# HOSTS is a file with an ssh login a line; the hosts need tcbsample and rsync in their PATH, and no common file
-# system. A part goes there, its rows come back to JOB/rows, and nothing is left. JOB/log says which parts are done:
-# the same command again does the others. Files that cannot be sampled are reported, and collect.sh counts them.
+# HOSTS is a file with one ssh login per line; the hosts need tcbsample and rsync in their PATH, but no common file
+# system. A part is sent to a host, its rows are returned to JOB/rows, and nothing remains there. JOB/log lists the
+# parts that are done: the same command again samples the others. Files that cannot be sampled are reported, and
+# collect.sh counts them.
 set -eu
 [ $# -ge 2 ] || { echo "usage: parallel.sh JOB HOSTS [OPTION]..." >&2; exit 2; }
 job=$1 hosts=$(realpath "$2")

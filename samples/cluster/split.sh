@@ -1,8 +1,8 @@
 #!/bin/sh
 # Divides the files below a folder into parts of N files, for the other scripts here: split.sh KEYS JOB [N]
 #
-# JOB, which is made, gets folders parts/0000, parts/0001, ... with hard links to the files, each below the folders
-# that it has in KEYS; so JOB and KEYS have to be on one file system. N is 5000 unless it is given.
+# JOB is created and gets folders parts/0000, parts/0001, ... with hard links to the files, in the same folders as in
+# KEYS; so JOB and KEYS have to be on one file system. N is 5000 by default.
 set -eu
 [ $# -ge 2 ] || { echo "usage: split.sh KEYS JOB [N]" >&2; exit 2; }
 keys=$1 job=$2 count=${3-5000}

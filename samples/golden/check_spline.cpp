@@ -1,4 +1,4 @@
-// A test of a spline in C++: every row of reference.csv against the function below, which stands for yours.
+// A test of a spline in C++: every row of reference.csv against the function below, in place of yours.
 #include <cmath>
 #include <cstdio>
 #include <fstream>

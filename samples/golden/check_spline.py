@@ -1,4 +1,4 @@
-"""A test of a spline in Python: every row of reference.csv against the function below, which stands for yours."""
+"""A test of a spline in Python: every row of reference.csv against the function below, in place of yours."""
 import csv
 import unittest
 
