@@ -14,14 +14,14 @@ file=$folder/$(basename "$2")
 scratch=$(mktemp -d) || exit 2
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 130' INT TERM
-LANGUAGE=en # in which other programs speak, whatever the locale
+LANGUAGE=en # the language of other programs' messages, whatever the locale
 export LANGUAGE
 mkdir "$scratch/folder" "$scratch/cases" || exit 2
 for entry in "$folder"/*; do
   [ "$entry" = "$folder/build" ] || cp -R "$entry" "$scratch/folder" || exit 2
 done
 
-# Case N: N.command, N.expected, and N.line, where it stands.
+# Case N: N.command, N.expected, and N.line, the line of its command.
 awk -v cases="$scratch/cases/" '
   function refuse(what) { print FILENAME ":" FNR ": " what; exit failed = 1 }
   !inside && /^```console[ \t]*$/ { inside = 1; waiting = 1; next }

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Runs one golden case: golden.sh PROGRAM FOLDER.
 #
-# FOLDER holds cmd (a shell command, run in a scratch copy of the folder) and what must come of it:
+# FOLDER has cmd (a shell command, run in a scratch copy of the folder) and its expected results:
 # expected (standard output, default none), errors (standard error, default none), status (exit code,
-# default 0). The numbers in `expected` come from arithmetic done by hand or with fractions, never
-# from the program.
+# default 0). The numbers in `expected` come from arithmetic by hand or with fractions, never from
+# the program.
 set -u
 program=$1 folder=$2
 scratch=$(mktemp -d) || exit 1

@@ -1,8 +1,9 @@
 #!/bin/sh
-# The bytes are those of every other build: golden_bytes.sh PROGRAM [EMULATOR [OPTION]...]
+# The same bytes from every build: golden_bytes.sh PROGRAM [EMULATOR [OPTION]...]
 #
-# Every sample, resampled in every way below, has the hash that stands in golden_bytes.sha256, and every case of
-# golden/ prints what it expects. UPDATE=1 writes the hashes anew. For aarch64, on Debian:
+# The output of every sample with each set of options below has the hash in golden_bytes.sha256; with an EMULATOR the
+# cases of golden/ run too. UPDATE=1 writes the hashes again. same_bytes.py compares two programs. For aarch64, on
+# Debian:
 #   dpkg --add-architecture arm64 && apt-get update
 #   apt-get install g++-aarch64-linux-gnu qemu-user libfmt-dev:arm64 libtbb-dev:arm64 nettle-dev:arm64
 #   cmake --preset aarch64 && cmake --build --preset aarch64
@@ -44,7 +45,7 @@ hashes() {
   for file in "$scratch/mixed.csv" "$here"/../samples/*.csv "$here"/../samples/*.tsv "$here"/../samples/*.json \
     "$here"/../samples/*.jsonl "$here"/../samples/*.txt; do
     ways | while read -r way; do
-      # A sample that refuses an option does so everywhere; its message is hashed.
+      # An error message is hashed as well.
       # shellcheck disable=SC2086
       sum=$( (cd "$(dirname "$file")" && tcbsample $way "$(basename "$file")" 2>&1 || echo "exit code $?") | sha256sum)
       echo "${sum%% *} $(basename "$file") $way"
@@ -55,7 +56,7 @@ hashes() {
 hashes >"$scratch/hashes"
 [ -z "${UPDATE-}" ] || cp "$scratch/hashes" "$here/golden_bytes.sha256"
 diff -u "$here/golden_bytes.sha256" "$scratch/hashes"
-[ $# -gt 0 ] || exit 0 # ctest runs the cases itself
+[ $# -gt 0 ] || exit 0 # ctest runs the cases as its own tests
 for command in $(cd "$here" && find golden -name cmd); do
   sh "$here/golden.sh" "$scratch/tcbsample" "$here/$(dirname "$command")" || exit 1
 done

@@ -1,5 +1,5 @@
 #!/bin/sh
-# NumPy reads what -f npy writes, bit for bit: numpy.sh PROGRAM. Exit 77: there is no NumPy.
+# NumPy reads the files of -f npy bit for bit: numpy.sh PROGRAM. Exit 77: there is no NumPy.
 set -eu
 program=$1
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,8 +1,8 @@
 // Microbenchmarks of arc length: the length of a segment, and its inverse with 1 to 100 samples on it.
 //
-// Length/SHAPE/CHANNELS: an item is a segment. Inverse/SHAPE/CHANNELS/SAMPLES: an item is a sample; what is set up
-// for the samples of a segment counts, its length does not. The rate items_per_second is shown, ns a item beside it.
-// Pick some with --benchmark_filter=Inverse/cusped/3.
+// Length/SHAPE/CHANNELS: an item is a segment. Inverse/SHAPE/CHANNELS/SAMPLES: an item is a sample; the setup for the
+// samples of a segment is included, the computation of its length is not. Shows items per second, and ns per item.
+// Choose some with --benchmark_filter=Inverse/cusped/3.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -20,18 +20,18 @@
 namespace {
 
 using tcb::spline::Cubic;
-using Segment = std::vector<Cubic<double>>;  ///< a cubic a channel
+using Segment = std::vector<Cubic<double>>;  ///< a cubic per channel
 using Length = tcb::spline::ArcLength<double>;
 
-// The only two places that know the interface of arc lengths.
+// The only two uses of the interface of arc lengths.
 
-/// Sets `length` to a segment, and answers how long that is.
+/// Sets `length` to a segment, and returns its length.
 double measure(Length& length, const Segment& segment) {
   length.assign(segment, {});
   return length.total().value;
 }
 
-/// Finds the places of samples at equal lengths; answers the sum of their u, so that the work is not left out.
+/// Finds the places of samples at equal lengths; returns the sum of their u, so that the compiler keeps the work.
 double find_places(const Length& length, std::int64_t samples) {
   const double total = length.total().value;
   const double step = total / static_cast<double>(samples);
@@ -48,7 +48,7 @@ double find_places(const Length& length, std::int64_t samples) {
 
 using Random = std::mt19937_64;
 
-/// A number in (-1, 1), the same from every standard library.
+/// A number in (-1, 1), the same with every standard library.
 double uniform(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; }
 
 /// A channel whose derivative is (u - u0) bend + (u - u0)^2 twist + drift.
@@ -58,7 +58,7 @@ Cubic<double> by_derivative(double u0, double bend, double twist, double drift) 
   return tcb::spline::cubic<double>(value(-u0), value(1 - u0), slope(-u0), slope(1 - u0));
 }
 
-/// A segment of a place where the speed comes down to some `slowest` of what it is elsewhere; 0: a cusp.
+/// A segment with a place where the speed is `slowest` times the speed elsewhere; 0: a cusp.
 Segment cusped(Random& random, std::size_t channels, double slowest) {
   const double u0 = 0.5 + 0.4 * uniform(random);
   Segment segment;
@@ -77,7 +77,7 @@ Segment between(const std::vector<std::array<double, 4>>& keys) {
   return segment;
 }
 
-/// Keys that go on in about one direction, as those of a camera do.
+/// Keys in nearly one direction, like those of a camera.
 Segment smooth(Random& random, std::size_t channels) {
   std::vector<std::array<double, 4>> keys(channels);
   for (auto& channel : keys) {
@@ -144,7 +144,7 @@ std::vector<Shape> shapes() {
           {"degenerate", held(true)}};
 }
 
-/// So many that no branch can be known from the time before.
+/// So many segments that the processor cannot learn the branches of one pass for the next.
 constexpr std::size_t segments_at_once = 512;
 
 std::vector<Segment> make_segments(const Shape& shape, std::size_t channels) {
@@ -154,7 +154,7 @@ std::vector<Segment> make_segments(const Shape& shape, std::size_t channels) {
   return segments;
 }
 
-/// Items a second, and the nanoseconds that one takes.
+/// Items per second, and nanoseconds per item.
 void report_items(benchmark::State& state, std::int64_t items) {
   using benchmark::Counter;
   state.SetItemsProcessed(state.iterations() * items);

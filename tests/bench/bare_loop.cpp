@@ -1,9 +1,9 @@
-// A bare loop, the yardstick of speed: bare_loop KEYS.csv ROWS prints ROWS rows at equal steps of time.
+// Bare loop, the reference for speed: bare_loop KEYS.csv ROWS prints ROWS rows at equal steps of time.
 //
-// What has to be done and nothing else: keys (a header, then time,x,y,z) to plain arrays, the cubic of tension,
+// The necessary work and nothing else: keys (a header, then time,x,y,z) to plain arrays, the cubic of tension,
 // continuity and bias 0 with tcbsample's default tangents and ends, and the shortest text of each number, printed by
-// the fastest routine at hand.
-// No options, no other formats, hardly a check; it holds all keys, and no rows.
+// the fastest routine available.
+// No options, no other formats, few checks; it keeps all keys in memory, and no rows.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -60,7 +60,7 @@ std::vector<Key> read_keys(const char* path) {
   return keys;
 }
 
-/// At a key the mean of the velocities of both chords; at an end half of the only one.
+/// At a key the mean of the velocities of both chords; at an end half of the velocity of the only chord.
 void set_velocities(std::vector<Key>& keys) {
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
     const double duration = keys[i + 1].time - keys[i].time;
@@ -72,7 +72,7 @@ void set_velocities(std::vector<Key>& keys) {
   }
 }
 
-/// Text on its way to standard output, in blocks.
+/// Buffer of text for standard output, written in blocks.
 class Output {
  public:
   void number(double value, char after) {

@@ -25,7 +25,7 @@ with (open("keys.csv", "w") as csv, open("keys.txt", "w") as keys, open("xyz.txt
         xyzt.write("\t".join([*position, t]) + "\n")
         if key + 1 == count:
             break
-        # The camera drifts: its velocity is a walk that forgets, and a weak pull keeps it near the scene.
+        # The velocity of the camera is an autoregressive random walk, and a weak force keeps it near the scene.
         step = generator.uniform(0.15, 0.6)
         velocity = [0.8 * v - 0.02 * p + generator.gauss(0, 1) for v, p in zip(velocity, place)]
         moved = [p + v * step for p, v in zip(place, velocity)]

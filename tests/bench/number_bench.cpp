@@ -1,4 +1,4 @@
-// Numbers to text and back: ours beside std::to_chars, fmt and std::from_chars.
+// Microbenchmarks of numbers to text and back: this program's code, std::to_chars, fmt and std::from_chars.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-"""Makes the tables and the plot data of a comparison: report.py DIR, after compare has put its measurements there.
+"""Makes the tables and the plot data of a comparison from its measurements: report.py DIR, where compare wrote them.
 
-table.md has every number: the least time of all runs, the standard deviation of their times, time a row, processor
-time, peak memory. What else a machine does makes times longer, never shorter, so that the least ones compare best.
-summary.md has a line a contender, for a README. uniform.dat and arc.dat are what plot.gnuplot draws, a block a
-contender.
+table.md has every number: the minimum time of all runs, the standard deviation of their times, time per row, processor
+time, peak memory. Other work on the machine makes times longer, never shorter, so minimum times compare best.
+summary.md has one line per contender, for a README. uniform.dat and arc.dat are the data for plot.gnuplot, one block
+per contender.
 """
 
 import json

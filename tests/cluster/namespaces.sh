@@ -1,8 +1,8 @@
-# Runs a test in namespaces of its own, so that nothing of it is seen outside or outlives it; sourced by the tests.
+# Runs a test in its own namespaces, so that it has no effect outside and leaves nothing; sourced by the tests.
 
 skip() { echo "skipped: $1"; exit 77; }
 
-# enter_namespaces "TOOL..." "$0" "$@": goes on in the test where it is alone, with an empty /run; or skips it.
+# enter_namespaces "TOOL..." "$0" "$@": continues the test in new namespaces, with an empty /run; or skips it.
 enter_namespaces() {
   PATH=$PATH:/usr/sbin:/sbin
   if [ "${ENTERED-}" = 1 ]; then
@@ -19,7 +19,7 @@ enter_namespaces() {
   ENTERED=1 exec unshare --mount --net --uts --pid --fork --kill-child --mount-proc sh "$@"
 }
 
-# make_keys FOLDER: 40 files of keys, in folders, with names that need quotes, or that awk could take for assignments.
+# make_keys FOLDER: 40 files of keys, in folders, with names that need quotes, or that awk could read as assignments.
 make_keys() {
   mkdir -p "$1/arm" "$1/leg, \"left\"/foot"
   for i in $(seq 10 49); do
@@ -29,14 +29,14 @@ make_keys() {
   done
 }
 
-# spoil FOLDER: puts a cell that is no number into a file, of which errors then say $spoilt.
+# spoil FOLDER: writes a cell that is not a number into a file; errors then contain $spoilt.
 spoil() {
   cp "$1/arm/key=25.csv" good
   echo '1,o,2' >>"$1/arm/key=25.csv"
   spoilt='key=25.csv:52:3: error'
 }
 
-# check_collecting OPTION...: whether the folder job is not collected with a bad file, and is with a good one.
+# check_collecting OPTION...: checks that the folder job is not collected with a bad file, but with a good one.
 check_collecting() {
   ! sh "$scripts/collect.sh" job "$@" 2>errors || fail "a bad file was collected"
   grep -q "$spoilt" errors || fail "collecting does not name the bad file: $(cat errors)"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Whether three hosts with sshd make the files that one program makes: parallel.sh PROGRAM SCRIPTS. Exit 77: no hosts.
+# Three hosts with sshd make the same files as one program: parallel.sh PROGRAM SCRIPTS. Exit 77: no hosts.
 #
-# A host is a network namespace with a home and an sshd of its own, and without the folder "here" of this test.
+# A host is a network namespace with its own home and sshd, but without the folder "here" of this test.
 set -eu
 . "$(dirname "$0")/namespaces.sh"
 enter_namespaces "ip parallel rsync ssh ssh-keygen sshd" "$0" "$@"
@@ -42,7 +42,7 @@ for n in 1 2 3; do
 done
 parts_done() { awk 'NR > 1 { print $NF }' job/log | sort | uniq -c | awk '{ print $1 " " $2 }'; }
 
-# All hosts get parts; a file that is no data does not stop them, nor is its part tried again.
+# All hosts get parts; a file that is not data does not stop them, and its part is not tried again.
 make_keys keys
 spoil keys
 sh "$scripts/split.sh" keys job 7
@@ -53,7 +53,7 @@ left=$(find /run/home? -type f ! -path '*/.ssh/*')
 [ -z "$left" ] || fail "left behind on a host: $left"
 check_collecting --count 500
 
-# One of the hosts fails, and the machine that starts the work stops in the middle of it; then it goes on.
+# One host fails, and the machine that starts the work stops before the end; then it continues.
 ip netns pids host3 | xargs kill
 sh "$scripts/split.sh" keys again 7
 setsid sh "$scripts/parallel.sh" again hosts --count 500 2>errors &

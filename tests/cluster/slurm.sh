@@ -1,7 +1,7 @@
 #!/bin/sh
-# Whether a Slurm array makes the files that one program makes: slurm.sh PROGRAM SCRIPTS. Exit 77: no Slurm.
+# A Slurm array makes the same files as one program: slurm.sh PROGRAM SCRIPTS. Exit 77: no Slurm.
 #
-# A slurmctld and the slurmd of two nodes, on ports of their own network.
+# One slurmctld and the slurmd of two nodes, in a network namespace.
 set -eu
 . "$(dirname "$0")/namespaces.sh"
 enter_namespaces "ip munged perl sbatch scontrol sinfo squeue slurmctld slurmd" "$0" "$@"
@@ -54,7 +54,7 @@ for _ in $(seq 50); do
 done
 [ "$nodes" = 2 ] || skip "the nodes do not get ready: $(cat /run/node1/log)"
 
-# A task for each part, and the collecting step behind them; a file that is no data fails its task and the collecting.
+# A task for each part, then the collecting step; a file that is not data fails its task and the collecting.
 make_keys keys
 spoil keys
 sh "$scripts/split.sh" keys job 7
@@ -67,7 +67,7 @@ state_of() { scontrol --oneliner show job "$1" | sed 's/.*JobState=\([A-Z]*\).*/
 grep -q ' 0 done, 39 skipped, 1 failed' "slurm-$collect.out" || fail "collecting had work left: $(cat slurm-*)"
 check_collecting --count 500
 
-# Sent again, the tasks have nothing left to do.
+# Submitted again, the tasks have nothing to do.
 sbatch --parsable --array=0-5 --output=again-%a "$scripts/array.sbatch" job --count 500 >id
 while [ -n "$(squeue --noheader)" ]; do sleep 0.1; done
 [ "$(cat again-* | grep -c ' 0 done, . skipped, 0 failed')" = 6 ] || fail "again: $(cat again-*)"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Whether partitions of a grouped file, sampled one by one, give the rows of the whole: streaming.sh PROGRAM SCRIPTS.
+# Partitions of a grouped file, sampled one by one, give the rows of the whole file: streaming.sh PROGRAM SCRIPTS.
 #
-# As after the shuffle of an engine, the rows of a partition come in no order, and one partition has none.
+# As after the shuffle of an engine, the rows of a partition have no order, and one partition is empty.
 set -eu
 scripts=$(realpath "$2")
 PATH=$(dirname "$(realpath "$1")"):$PATH
@@ -24,6 +24,6 @@ sort -s -k 1,1 rows >joined
 [ "$(cut -f 1 whole | uniq | wc -l)" = 1000 ] || { echo "not all curves are there"; exit 1; }
 cmp whole joined
 
-# What fails, fails the command, so that the engine knows.
+# A failure is the exit code of the command, which the engine checks.
 ! printf 'c\t0\tzero\nc\t1\t1\n' | sh "$scripts/sample_partition.sh" --step 1 --group 1 2>errors || { echo "bad data passed"; exit 1; }
 grep -q 'zero' errors || { cat errors; exit 1; }

@@ -1,6 +1,6 @@
-// What a system may do to a program: preloaded, it makes reading and writing fail as TCBSAMPLE_FAULT says.
+// Preloaded library that makes reading and writing fail in the way that TCBSAMPLE_FAULT names.
 //
-// FAULT or FAULT:NUMBER, such as write-full:1000, which is a disk with room for 1000 bytes; run holds them all.
+// FAULT or FAULT:NUMBER, such as write-full:1000, a disk with room for 1000 bytes; the script run uses all of them.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -16,7 +16,7 @@
 
 namespace {
 
-/// The number behind the fault's name if that is the fault, else -1.
+/// The number after the fault's name if that fault is chosen, else -1.
 long fault(std::string_view name) {
   const char* const text = std::getenv("TCBSAMPLE_FAULT");
   const std::string_view given = text == nullptr ? "" : text;
@@ -37,7 +37,7 @@ bool is_regular(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// The file behind a descriptor is changed by somebody else.
+/// Changes the file of a descriptor as another program would.
 void change(int descriptor, bool grow) {
   const std::string path = "/proc/self/fd/" + std::to_string(descriptor);
   const int other = ::open(path.c_str(), O_WRONLY | (grow ? O_APPEND : O_TRUNC));

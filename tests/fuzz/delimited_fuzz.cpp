@@ -1,4 +1,4 @@
-// The delimited reader: any text as CSV, TSV or SSV, with any options.
+// Fuzzer of the delimited reader: any text as CSV, TSV or SSV, with any options.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Invariants: what must hold of every input; where one does not, the fuzzer is told by a crash.
+// Invariants: conditions that must hold for every input; a violation is a crash, which the fuzzer reports.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ inline void require_same(std::string_view one, std::string_view other, std::stri
   if (one != other) require(false, what, fmt::format("one:\n{}\nother:\n{}", one, other));
 }
 
-/// A refusal fits a terminal: UTF-8 in lines of its own, each naming the file or the program, ten faults at most.
+/// An error fits a terminal: at most ten lines of UTF-8, each with the name of the file or the program.
 inline void require_refusal(std::string_view text, std::string_view file) {
   require(find_foreign(text) == std::string_view::npos, "a refusal is not UTF-8", text);
   std::size_t lines = 0;

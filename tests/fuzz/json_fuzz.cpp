@@ -1,4 +1,4 @@
-// The JSON reader: any text as JSON of any shape.
+// Fuzzer of the JSON reader: any text as JSON of any shape.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The number path: texts read as the C library reads them; doubles written as the standard library writes them, and
-// read back.
+// Fuzzer of numbers: texts are read like the C library reads them; doubles are written like the standard library writes
+// them, and read back.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool is_decimal(std::string_view text) {
   return power != at && first < text.size() && first + digits_at(text, first) == text.size();
 }
 
-/// What printf's %a writes; beyond the range of doubles it may be refused.
+/// A text in the form of printf's %a; beyond the range of doubles it may be refused.
 bool is_hexadecimal(const std::string& text) {
   const std::size_t digits = text.find_first_not_of("+-") + 2, power = text.find('p');
   const std::string_view all(text);
@@ -119,7 +119,7 @@ void write(double value, int places) {
   require_same(written(value, {Kind::digits, places}), by_printf("%.*g", places, value),
                fmt::format("{} digits", places));
 
-  // A time has one text, which is its number's unless it is whole.
+  // A time has one text, which is the text of its number unless it is a whole number.
   const std::string time = time_text(Time(value));
   const bool whole = std::trunc(value) == value && std::abs(value) < 0x1p63;
   require_same(time, whole ? std::to_string(static_cast<std::int64_t>(value)) : shortest, "a time");
@@ -128,7 +128,7 @@ void write(double value, int places) {
 }  // namespace
 }  // namespace tcb::fuzz
 
-/// The first bytes are a double and a number of places too.
+/// The first bytes also give a double and a number of decimals.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   tcb::fuzz::read({reinterpret_cast<const char*>(data), size});
   double value = 0;

@@ -1,5 +1,5 @@
-// The whole program on options and an input: whatever they are, it prints sound rows or refuses them, and says the
-// same on one thread and on four.
+// Fuzzer of the whole program: for any options and any input it prints valid rows or an error, and the same with one
+// thread and with four.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -37,7 +37,7 @@ std::vector<std::string_view> split(std::string_view text, char delimiter) {
   }
 }
 
-/// A file in memory in the place of standard input or output.
+/// A file in memory that replaces standard input or output.
 class MemoryFile {
  public:
   explicit MemoryFile(int descriptor) : descriptor_(descriptor) {
@@ -63,7 +63,7 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// Slashes are for ratios: no file but standard input is to be touched.
+/// Slashes are allowed in ratios only: the fuzzer uses no file but standard input.
 bool names_a_file(std::string_view options) {
   for (std::size_t i = 0; i < options.size(); ++i) {
     const bool ratio = i > 0 && std::isdigit(static_cast<unsigned char>(options[i - 1])) != 0;
@@ -72,7 +72,7 @@ bool names_a_file(std::string_view options) {
   return false;
 }
 
-/// What a line of options asks for: from standard input to standard output, and few rows. Nothing for other requests.
+/// The request of a line of options, from standard input to standard output with few rows; nothing for other requests.
 std::optional<Job> parse(std::string_view line) {
   if (names_a_file(line) || find_foreign(line) != std::string_view::npos) return std::nullopt;
   std::vector<std::string> words{"tcbsample"};
@@ -98,7 +98,7 @@ std::optional<Job> parse(std::string_view line) {
   }
 }
 
-/// As parse, which takes longer than all the rest, of lines that were not seen lately.
+/// parse() with a cache of recent lines, because parsing takes longer than everything else.
 const std::optional<Job>& parsed(std::string_view line) {
   static std::map<std::string, std::optional<Job>, std::less<>> known;
   constexpr std::size_t most = 4096;
@@ -107,7 +107,7 @@ const std::optional<Job>& parsed(std::string_view line) {
   return known.emplace(line, parse(line)).first->second;
 }
 
-/// What comes of it: rows, or a refusal.
+/// The result: rows, or an error.
 struct Outcome {
   std::string out, refusal;
 };
@@ -143,7 +143,7 @@ void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
   }
 }
 
-/// Requires: rows that were not refused.
+/// Requires: rows without an error.
 void require_sound(const Job& plan, std::string_view text, std::string_view rows) {
   const Format& format = format_of(plan.output_format);
   if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
@@ -173,7 +173,8 @@ void require_sound(const Job& plan, std::string_view text, std::string_view rows
 }  // namespace
 }  // namespace tcb::fuzz
 
-/// libFuzzer's own changes, mostly of the input alone: new options take longer to read than an input to resample.
+/// libFuzzer's mutations, mostly of the input alone, because new options take longer to parse than an input to
+/// resample.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   const std::string_view all(reinterpret_cast<const char*>(data), size);
   const std::size_t input = std::min(all.find('\n'), all.size()) + 1;

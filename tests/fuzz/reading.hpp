@@ -1,4 +1,4 @@
-// Readers: what they make of a text does not hang on how it comes, and is finite or refused with its place.
+// Readers under test: their result does not depend on the sizes of chunks, and is finite or an error with a position.
 #pragma once
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ inline Source<std::string> pieces(std::string_view text, std::size_t size) {
   };
 }
 
-/// Keys as text, one a line, with what breaks a curve between them, and the checks that hold of each of them.
+/// Keys as text, one per line, with the breaks of curves between them, and the checks that hold for each.
 class ShownKeys {
  public:
   ShownKeys(std::uint64_t lines, bool may_miss) : lines_(lines), may_miss_(may_miss) {}
@@ -82,7 +82,7 @@ class ShownKeys {
   bool breaks_ = false;
 };
 
-/// What a reader makes of a text: keys as text, or a refusal.
+/// The result of a reader for a text: keys as text, or an error.
 struct Reading {
   std::string text;
   bool refused = false;
@@ -107,8 +107,8 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
   }
 }
 
-/// The text read whole and in pieces, on one thread and, now and then, on three. Where pieces are cut may decide what
-/// is said first of a text that is refused, unless `same_refusals`.
+/// Reads the text whole and in chunks, on one thread and sometimes on three. The boundaries of chunks may decide which
+/// error of a text comes first, unless `same_refusals`.
 inline void require_same_readings(std::string_view text, InputOptions options, std::size_t piece, bool same_refusals) {
   const Reading whole = read(text, options, std::string_view::npos);
   const Reading pieced = read(text, options, piece);

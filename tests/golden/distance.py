@@ -1,7 +1,7 @@
-"""How far the rows are from golden ones, field by field: distance.py PROGRAM MANUAL [CURVES].
+"""Distance of rows from those of --golden, field by field: distance.py PROGRAM MANUAL [CURVES].
 
 The distance is in units in the last place of the exact number, or of a thousandth of the largest number of its column
-on that curve, whichever is more. MANUAL has a table of the largest and the mean distance; none may be surpassed here.
+on that curve, whichever is more. No distance may exceed the largest or the mean in the table of MANUAL.
 """
 import math
 import random

@@ -1,7 +1,7 @@
-"""Golden rows against arithmetic of 60 digits: referee.py PROGRAM [CURVES].
+"""Rows of --golden against arithmetic of 60 digits: referee.py PROGRAM [CURVES].
 
-Random keys are resampled with --golden, and every number is worked out again with mpmath, by formulas written down
-here once more. No bit may differ. Exit 77: there is no mpmath.
+Resamples random keys with --golden, and computes every number again with mpmath, by an independent implementation of
+the formulas. No bit may differ. Exit 77: there is no mpmath.
 """
 import random
 import subprocess
@@ -159,7 +159,7 @@ class Curve:
         return q
 
     def cuts(self, i):
-        """0, 1, and where the speed comes near to zero between them."""
+        """0, 1, and the minima of the speed between them."""
         q = self.derivative_square(i)
         slope = [k * q[k] for k in range(4, 0, -1)]
         while slope and slope[0] == 0:
