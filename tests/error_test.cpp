@@ -1,4 +1,4 @@
-// Errors: their text with and without a place, and the file that is filled in later.
+// Errors: text with and without a position, and the file name that is added later.
 #include "error.hpp"
 #include "cli/remedies.hpp"
 
