@@ -120,6 +120,13 @@ enum class ErrorCode {
   equal_times_in_list,       ///< time, the time before, the positions of both keys in the list
   decreasing_times,          ///< as equal_times
   decreasing_times_in_list,  ///< as equal_times_in_list
+  sort_without_times,
+  duplicates_without_times,
+  no_keys,
+  single_key,
+  ease_out_of_range,    ///< name of the role, value
+  position_repeats,     ///< line of the key before
+  parameter_step_lost,  ///< step, time
   // sampling
   // curve
   // exact

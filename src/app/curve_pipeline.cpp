@@ -10,19 +10,13 @@
 #include "curve/sparse.hpp"
 #include "error.hpp"
 #include "exact/golden_rows.hpp"
+#include "keys/parameterize.hpp"
 #include "sampling/bounds.hpp"
 #include "sampling/tolerance.hpp"
 #include "text/number.hpp"
 
 namespace tcb {
 namespace {
-
-Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
-  return mapped(std::move(blocks), [](KeyBlock block) {
-    block.keys.eases.clear();
-    return block;
-  });
-}
 
 /// The settings beside the keys; what is wrong with them is said of their place.
 const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::vector<std::string>& channels) {

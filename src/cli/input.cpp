@@ -104,7 +104,7 @@ CurveOptions make_curves(const TypedOptions& typed) {
   CurveOptions curves;
   curves.sort = typed.sort;
   if (!typed.duplicates.empty()) {
-    curves.duplicates = duplicates_names[find_named("--duplicates", duplicates_names, typed.duplicates)].way;
+    curves.duplicates = duplicates_names[find_named("--duplicates", duplicates_names, typed.duplicates)].value;
   }
   return curves;
 }

@@ -41,6 +41,21 @@ constexpr std::array all_words{
     Words{ErrorCode::decreasing_times_in_list,
           "{3}: time {0} is less than the time {1} of {2}; expected times that increase; sort the rows by time, or "
           "give --sort"},
+    Words{ErrorCode::sort_without_times,
+          "--sort orders rows by time, and there is no time column; take it out, or name the column with --columns "
+          "time=NAME"},
+    Words{ErrorCode::duplicates_without_times,
+          "--duplicates is about equal times, and there is no time column; take it out, or name the column with "
+          "--columns time=NAME"},
+    Words{ErrorCode::no_keys, "only 0 keys; a curve needs two at least; add keys"},
+    Words{ErrorCode::single_key, "only 1 key; a curve needs two at least; add keys"},
+    Words{ErrorCode::ease_out_of_range, "{0} is {1}; expected 0 to 1; correct it, or give --no-ease"},
+    Words{ErrorCode::position_repeats,
+          "the position repeats that in line {0}; times are made from distances, and here the distance is 0; take one "
+          "of the rows out, or give --parameter uniform"},
+    Words{ErrorCode::parameter_step_lost,
+          "the distance makes a step of {0}, which is lost when it is added to the time {1}; expected times that "
+          "doubles distinguish; give --parameter a smaller exponent"},
     // sampling
     // curve
     // exact

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "keys/parameterize.hpp"
 #include "text/number.hpp"
 
 namespace tcb {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "curve/curve_plan.hpp"
+#include "curve/segment_blocks.hpp"
 #include "keys/key_store.hpp"
 
 namespace tcb {

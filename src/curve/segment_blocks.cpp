@@ -8,29 +8,12 @@
 #include <utility>
 
 #include "error.hpp"
-#include "tcb/spline/scalar.hpp"
 #include "text/number.hpp"
 
 namespace tcb {
 namespace {
 
 using spline::DoubleDouble;
-
-void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
-  for (const auto& [name, value] : {std::pair{"ease_in", ease.in}, std::pair{"ease_out", ease.out}}) {
-    if (value >= 0 && value <= 1) continue;
-    throw Error(Exit::data, TextPosition{"", line, 0},
-                fmt::format("{} is {}; expected 0 to 1; correct it, or give --no-ease", name, value));
-  }
-}
-
-[[noreturn]] void refuse_lost_step(std::uint64_t line, double step, double time) {
-  throw Error(
-      Exit::data, TextPosition{"", line, 0},
-      fmt::format("the distance makes a step of {} that is lost beside the time {}; expected times that doubles "
-                  "tell apart; give --parameter a smaller exponent",
-                  step, time));
-}
 
 [[noreturn]] void refuse_tangents(const DoubleDouble& start, const DoubleDouble& end) {
   throw Error(Exit::data, fmt::format("the curve from time {} to {} has tangents beyond the range of doubles; expected "
@@ -87,73 +70,6 @@ Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
 }
 
 }  // namespace
-
-double parameter_step(std::span<const double> a, std::span<const double> b, double exponent,
-                      std::span<const std::size_t> metric) {
-  if (exponent == 0) return 1;
-  const std::size_t channels = metric.empty() ? a.size() : metric.size();
-  double largest = 0;
-  for (std::size_t i = 0; i < channels; ++i) {
-    const std::size_t channel = metric.empty() ? i : metric[i];
-    largest = std::max(largest, std::abs(b[channel] - a[channel]));
-  }
-  if (largest == 0) return 0;
-  int unit = 0;
-  (void)std::frexp(largest, &unit);
-  --unit;  // 2^unit is a double even where the next power of two is none
-  DoubleDouble sum;
-  for (std::size_t i = 0; i < channels; ++i) {
-    const std::size_t channel = metric.empty() ? i : metric[i];
-    const DoubleDouble step = DoubleDouble(std::ldexp(b[channel], -unit)) - DoubleDouble(std::ldexp(a[channel], -unit));
-    sum = sum + step * step;
-  }
-  return (spline::power(spline::sqrt(sum), exponent) * spline::power(DoubleDouble(std::ldexp(1.0, unit)), exponent)).hi;
-}
-
-Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric) {
-  return [blocks = std::move(blocks), exponent, metric = std::move(metric), before = std::vector<double>(),
-          line = std::uint64_t{0}, time = DoubleDouble()]() mutable -> std::optional<KeyBlock> {
-    std::optional<KeyBlock> block = blocks();
-    if (!block) return std::nullopt;
-    Keys& keys = block->keys;
-    const std::size_t count = block->lines.size();
-    keys.times.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto position = keys.position(i);
-      const double step = before.empty() ? 0 : parameter_step(before, position, exponent, metric);
-      if (!before.empty() && step == 0) {
-        throw Error(
-            Exit::data, TextPosition{"", block->lines[i], 0},
-            fmt::format("the position repeats that in line {}; distances make the times, and here there is none; "
-                        "take one of the rows out, or give --parameter uniform",
-                        line));
-      }
-      const double earlier = time.hi;
-      time = time + DoubleDouble(step);
-      if (!before.empty() && time.hi == earlier) refuse_lost_step(block->lines[i], step, time.hi);
-      keys.times.emplace_back(time.hi);
-      before.assign(position.begin(), position.end());
-      line = block->lines[i];
-    }
-    return block;
-  };
-}
-
-Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least) {
-  return [blocks = std::move(blocks), least, count = std::size_t{0},
-          line = std::uint64_t{0}]() mutable -> std::optional<KeyBlock> {
-    std::optional<KeyBlock> block = blocks();
-    if (!block && count < least) {
-      throw Error(Exit::data, TextPosition{"", line, 0},
-                  fmt::format("only {} {}; a curve needs two at least; add keys", count, count == 1 ? "key" : "keys"));
-    }
-    if (!block) return std::nullopt;
-    for (std::size_t i = 0; i < block->keys.eases.size(); ++i) require_ease(block->keys.eases[i], block->lines[i]);
-    if (count == 0 && block->keys.size() > 0) line = block->lines[0];
-    count += block->keys.size();
-    return block;
-  };
-}
 
 void measure(SegmentBlock& block, const Rules& rules) {
   spline::ArcLength<double> arc;

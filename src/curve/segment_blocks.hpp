@@ -5,16 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "input/input.hpp"
+#include "keys/key_store.hpp"
 #include "stream/stream.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/window.hpp"
 
 namespace tcb {
 
-using Keys = spline::Keys<double>;
 using Rules = spline::CurveRules<double>;
-using Time = spline::Time<double>;
 
 /// Successive segments with their lengths.
 struct SegmentBlock {
@@ -23,21 +21,6 @@ struct SegmentBlock {
   bool last = false;                            ///< the curve ends here
   bool closes = false;                          ///< and is back at its first key
 };
-
-/// Keys with times where the input has none: key i + 1 follows key i after |P[i+1] - P[i]|^exponent, which is 1
-/// for exponent 0. Throws: Error (data) naming both rows where that is no time at all.
-Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric);
-
-/// |b - a|^exponent over the metric channels (empty: all); 1 for exponent 0.
-double parameter_step(std::span<const double> a, std::span<const double> b, double exponent,
-                      std::span<const std::size_t> metric);
-
-/// The keys, once it is seen that there are enough of them and that their ease is in [0, 1].
-/// Requires: times that increase. Throws: Error (data) naming the rows.
-Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least);
-
-/// How many keys are linked at once: so few that the memory of their segments is soon used again, and stays near.
-inline constexpr std::size_t keys_at_once = 512;
 
 /// Keys ready to be linked to segments.
 struct LinkedKeys {

@@ -17,6 +17,9 @@
 
 namespace tcb {
 
+using Keys = spline::Keys<double>;
+using Time = spline::Time<double>;
+
 /// What an input says of a whole curve.
 struct CurveInfo {
   CurveSettings settings;
@@ -34,7 +37,7 @@ struct NumberOfKey {
 /// gap the time may be NaN too.
 struct KeyBlock {
   // One entry a key, or none at all:
-  spline::Keys<double> keys;
+  Keys keys;
   std::vector<std::uint64_t> lines;         ///< always one a key
   std::vector<std::uint32_t> columns = {};  ///< in those lines
   std::string path = {};                    ///< of the list that holds the keys, in JSON

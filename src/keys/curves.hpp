@@ -1,4 +1,4 @@
-// Curves: which keys of an input make a curve, one curve after another.
+// Curves: the keys of an input split into curves, one after another.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "input/input.hpp"
-#include "keys/group.hpp"
 #include "keys/order.hpp"
 #include "stream/stream.hpp"
 
@@ -21,7 +20,7 @@ struct CurveOptions {
 
 /// The keys of one curve.
 struct CurveKeys {
-  std::vector<std::string> group;  ///< what tells it apart, a text for each of the input's groups
+  std::vector<std::string> group;  ///< the texts that identify the curve, one for each of the input's groups
   std::shared_ptr<const CurveInfo> curve_info;
   Source<KeyBlock> keys;
 };
@@ -29,18 +28,19 @@ struct CurveKeys {
 /// The curves of an input, in order of first appearance.
 class Curves {
  public:
-  /// `live`: of faults, only those in the bytes at hand are said.
+  /// `live`: an error has only the faults in the bytes that were read, for the next ones may be far.
   Curves(const Input& input, const CurveOptions& options, bool live);
 
-  /// The next curve; the one before is at an end by then. Throws: Error (data) with all that is wrong with the keys.
+  /// The next curve. It ends the one before: keys of that which were not read are passed over.
+  /// Throws: Error (data) with all faults of the keys.
   std::optional<CurveKeys> next();
 
-  /// How many keys were left out.
+  /// Number of keys that were left out, so far.
   std::uint64_t skipped() const;
 
  private:
-  class Cutter;
-  std::shared_ptr<Cutter> cutter_;
+  class Splitter;
+  std::shared_ptr<Splitter> splitter_;
 };
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// Kept keys: those of a curve that has to be known to its end, in little memory.
+// Key store: the keys of a curve that has to be read to its end, in 8 bytes a number.
 #include "keys/key_store.hpp"
 
 #include <algorithm>
@@ -11,9 +11,9 @@ void KeyStore::Columns::append(const Keys& keys) {
   channels = keys.channels;
   common_tcb = keys.common_tcb;
   for (const auto& time : keys.times) {
-    if (time.lo != 0) rests.resize(times.size());
+    if (time.lo != 0) low_parts.resize(times.size());
     times.push_back(time.hi);
-    if (time.lo != 0 || !rests.empty()) rests.push_back(time.lo);
+    if (time.lo != 0 || !low_parts.empty()) low_parts.push_back(time.lo);
   }
   positions.insert(positions.end(), keys.positions.begin(), keys.positions.end());
   tcbs.insert(tcbs.end(), keys.tcbs.begin(), keys.tcbs.end());
@@ -29,7 +29,7 @@ Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
     to.assign(begin + static_cast<std::ptrdiff_t>(first * stride), begin + static_cast<std::ptrdiff_t>(last * stride));
   };
   copy(keys.times, times, 1);
-  for (std::size_t i = 0; !rests.empty() && i < keys.times.size(); ++i) keys.times[i].lo = rests[first + i];
+  for (std::size_t i = 0; !low_parts.empty() && i < keys.times.size(); ++i) keys.times[i].lo = low_parts[first + i];
   copy(keys.positions, positions, channels);
   if (!tcbs.empty()) copy(keys.tcbs, tcbs, 1);
   if (!eases.empty()) copy(keys.eases, eases, 1);
@@ -37,9 +37,9 @@ Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
 }
 
 KeyStore::KeyStore(const Source<KeyBlock>& blocks) : columns_(std::make_shared<Columns>()) {
-  std::optional<KeyBlock> block;  // stays until the next is there: the system does not get its memory back
+  std::optional<KeyBlock> block;  // lives until the next one: freed memory would not go back to the system
   while ((block = blocks())) {
-    if (block->keys.size() == 0) continue;
+    if (block->empty()) continue;
     if (size() == 0) first_line_ = block->lines.front();
     last_line_ = block->lines.back();
     columns_->append(block->keys);
@@ -49,7 +49,7 @@ KeyStore::KeyStore(const Source<KeyBlock>& blocks) : columns_(std::make_shared<C
 void KeyStore::drop_last() {
   Columns& columns = *columns_;
   columns.times.pop_back();
-  if (!columns.rests.empty()) columns.rests.pop_back();
+  if (!columns.low_parts.empty()) columns.low_parts.pop_back();
   columns.positions.resize(columns.times.size() * columns.channels);
   if (!columns.tcbs.empty()) columns.tcbs.pop_back();
   if (!columns.eases.empty()) columns.eases.pop_back();

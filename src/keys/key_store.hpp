@@ -1,4 +1,4 @@
-// Kept keys: those of a curve that has to be known to its end, in little memory.
+// Key store: the keys of a curve that has to be read to its end, in 8 bytes a number.
 #pragma once
 
 #include <cstddef>
@@ -6,14 +6,18 @@
 #include <deque>
 #include <memory>
 
-#include "curve/segment_blocks.hpp"
+#include "input/key_block.hpp"
+#include "stream/stream.hpp"
 
 namespace tcb {
 
-/// Keys that were read to the end, to be gone through more than once.
+/// Number of keys that are linked at once: the memory of so few segments stays in the cache.
+inline constexpr std::size_t keys_at_once = 512;
+
+/// All keys of a curve, which can be read more than once.
 class KeyStore {
  public:
-  /// Requires: one key at least.
+  /// Reads the source to its end. Requires: one key at least.
   explicit KeyStore(const Source<KeyBlock>& blocks);
 
   std::size_t size() const { return columns_->times.size(); }
@@ -25,14 +29,14 @@ class KeyStore {
   std::uint64_t first_line() const { return first_line_; }
   std::uint64_t last_line() const { return last_line_; }
 
-  /// All keys, in small blocks.
+  /// All keys, keys_at_once of them a block.
   Source<Keys> source() const;
 
  private:
-  /// As in spline::Keys. Deques grow without a copy, and without room that is not used.
+  /// As in spline::Keys. Deques grow without a copy and without unused capacity.
   struct Columns {
     std::size_t channels = 0;
-    std::deque<double> times, rests;  ///< rests: what the times are besides; none where no time has any
+    std::deque<double> times, low_parts;  ///< high and low parts of the times; low_parts is empty if all are 0
     std::deque<double> positions;
     std::deque<spline::Tcb<double>> tcbs;
     spline::Tcb<double> common_tcb;

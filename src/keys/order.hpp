@@ -1,31 +1,43 @@
-// The order of keys: where curves break off, times that repeat, and times that go back.
+// Order and groups: curves sorted apart, keys in the order of time, gaps, and times that repeat or decrease.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
-#include "input/input.hpp"
+#include "input/key_block.hpp"
 #include "stream/stream.hpp"
 
 namespace tcb {
 
-/// What becomes of keys with equal times.
+/// What is done with keys of equal times.
 enum class Duplicates { error, first, last, break_curve };
 
-/// How --duplicates names them.
 struct DuplicatesName {
   std::string_view name;
-  Duplicates way;
+  Duplicates value;
 };
 inline constexpr std::array duplicates_names{
     DuplicatesName{"error", Duplicates::error}, DuplicatesName{"first", Duplicates::first},
     DuplicatesName{"last", Duplicates::last}, DuplicatesName{"break", Duplicates::break_curve}};
 
-/// The same keys without gaps, which leave breaks; a break between two blocks stands at the front of the later one.
+/// How grouped() arranges keys.
+struct Grouping {
+  std::size_t groups = 0;   ///< number of texts, from a key's first, that identify its curve
+  bool sort = false;        ///< by time; the sort is stable
+  bool own_curves = false;  ///< a curve begins with each block that has curve_info
+};
+
+/// The keys of one curve after another, in order of first appearance, with a break before each. The first call reads
+/// the source to its end: the last row of an input may belong to its first curve.
+/// Memory: some hundred bytes a curve, and 16 bytes a key besides its numbers.
+Source<KeyBlock> grouped(Source<KeyBlock> blocks, const Grouping& grouping);
+
+/// The same keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
 
-/// The keys whose times increase up to the next break. Times that go back, and those that repeat where that is
-/// an error, are faults of the block. To find the last of equal times, one key is held back.
+/// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are
+/// faults of the block. Duplicates::last delays one key until the next is read.
 Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates);
 
 }  // namespace tcb

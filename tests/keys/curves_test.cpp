@@ -1,9 +1,8 @@
-// Curves: where one ends and the next begins, what tells them apart, and faults of all of them said at once.
+// Curves: where one ends and the next begins, the texts of groups, and the faults of all curves in one error.
 #include "keys/curves.hpp"
 
 #include <gtest/gtest.h>
 
-#include "input/key_block.hpp"
 #include "keys.hpp"
 
 namespace tcb {
@@ -17,7 +16,7 @@ Input input_of(const std::string& lines, std::size_t size, std::vector<std::stri
   return input;
 }
 
-/// The curves as "GROUP( KEYS)"; of each at most `most` blocks are looked at.
+/// The curves as "GROUP( KEYS)"; of each at most `most` blocks are read.
 std::string curves_of(const Input& input, const CurveOptions& options = {}, int most = 1000) {
   Curves curves(input, options, false);
   std::string out;
@@ -41,11 +40,11 @@ TEST(Curves, breaks_and_gaps_and_equal_times_begin_curves) {
   }
 }
 
-TEST(Curves, what_nobody_read_of_a_curve_is_passed_over) {
+TEST(Curves, keys_of_a_curve_that_were_not_read_are_passed_over) {
   EXPECT_EQ(curves_of(input_of("0 1\n1 2\n2 3\n/\n0 4\n1 5\n", 1), {}, 1), "( 1:1)( 5:4)");
 }
 
-TEST(Curves, groups_are_told_apart_by_their_texts) {
+TEST(Curves, texts_identify_groups) {
   EXPECT_EQ(curves_of(input_of("0 1 b x\n0 2 a x\n1 3 b x\n", 2, {"g", "h"})), "bx( 1:1 3:3)ax( 2:2)");
 }
 
@@ -65,7 +64,7 @@ TEST(Curves, an_input_that_cannot_break_is_not_read_to_its_end) {
   EXPECT_EQ(asked, 1);
 }
 
-TEST(Curves, faults_of_all_curves_are_said_at_once_in_the_order_of_their_lines) {
+TEST(Curves, faults_of_all_curves_are_one_error_in_the_order_of_their_lines) {
   EXPECT_EQ(refusal_of([] { curves_of(input_of("0 1 a\n5 2 b\n0 3 a\n4 4 b\n", 2, {"g"})); }),
             "f:3: error: time 0 repeats the time 0 in line 1; expected times that increase; take one of them out, or "
             "give --duplicates first, last or break\n"

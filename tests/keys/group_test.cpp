@@ -1,5 +1,5 @@
 // Grouping: curves in order of first appearance, breaks inside of them, and sorting that keeps equal times in order.
-#include "keys/group.hpp"
+#include "keys/order.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,11 +20,11 @@ TEST(Grouped, rows_in_any_order_make_curves_in_order_of_first_appearance) {
   }
 }
 
-TEST(Grouped, several_columns_tell_curves_apart_together) {
+TEST(Grouped, several_columns_identify_a_curve_together) {
   EXPECT_EQ(grouped_keys("0 1 a b\n0 2 ab x\n1 3 a b\n1 4 a c\n", {2, false}), " 1:1 3:3 / 2:2 / 4:4");
 }
 
-TEST(Grouped, a_break_in_the_input_breaks_each_curve_that_goes_on_behind_it) {
+TEST(Grouped, a_break_in_the_input_breaks_each_curve_that_continues_after_it) {
   EXPECT_EQ(grouped_keys("0 1 a\n0 2 b\n/\n1 3 a\n2 4 a\n/\n3 5 b\n", {1, false}), " 1:1 / 4:3 5:4 / 2:2 / 7:5");
 }
 
@@ -32,7 +32,7 @@ TEST(Grouped, a_gap_belongs_to_the_curve_of_its_row) {
   EXPECT_EQ(grouped_keys("0 1 a\n0 2 b\ngap 1 a\n1 4 b\n2 5 a\n", {1, false}), " 1:1 gap 3:nan 5:5 / 2:2 4:4");
 }
 
-TEST(Grouped, sorting_is_stable_and_stays_between_breaks) {
+TEST(Grouped, sorting_is_stable_and_does_not_cross_breaks) {
   EXPECT_EQ(grouped_keys("2 1\n0 2\n1 3\n0 4\n", {0, true}), " 2:2 4:4 3:3 1:1");
   EXPECT_EQ(grouped_keys("2 1\n0 2\n/\n1 3\n0 4\n", {0, true}), " 2:2 1:1 / 5:4 4:3");
   EXPECT_EQ(grouped_keys("2 1 b\n1 2 a\n0 3 b\n0 4 a\n", {1, true}), " 3:3 1:1 / 4:4 2:2");

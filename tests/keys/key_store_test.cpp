@@ -1,4 +1,4 @@
-// Kept keys come back as they were, as often as wanted.
+// Key store: keys come back unchanged, any number of times.
 #include "keys/key_store.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace tcb {
 namespace {
 
-TEST(KeyStore, are_gone_through_as_often_as_wanted_and_lose_their_last) {
+TEST(KeyStore, keys_are_read_more_than_once_and_the_last_one_can_be_dropped) {
   KeyStore kept(keys_of("0 1\n1 2\n2 3", 1));
   EXPECT_EQ(kept.size(), 3U);
   EXPECT_EQ(kept.key(2).positions[0], 3);
@@ -27,15 +27,15 @@ TEST(KeyStore, are_gone_through_as_often_as_wanted_and_lose_their_last) {
   EXPECT_EQ(kept.size(), 2U);
 }
 
-TEST(KeyStore, come_back_as_they_were) {
+TEST(KeyStore, keys_come_back_unchanged) {
   Keys all;
   all.channels = 2;
-  const auto make = [&all](std::size_t size, double rest) {
+  const auto make = [&all](std::size_t size, double low_part) {
     KeyBlock block;
     block.keys.channels = 2;
     for (std::size_t i = 0; i < size; ++i) {
       const auto number = static_cast<double>(all.size() + i);
-      block.keys.times.push_back(spline::DoubleDouble{0x1p60 + 1024 * number, rest * number});
+      block.keys.times.push_back(spline::DoubleDouble{0x1p60 + 1024 * number, low_part * number});
       block.keys.positions.insert(block.keys.positions.end(), {number / 3, -number});
       block.keys.tcbs.push_back({0.25, number, 0.5});
       block.keys.eases.push_back({0, 1 / (1 + number)});

@@ -1,0 +1,113 @@
+// Parameterize and check: times for keys without any, from the distances between them; ease and number of keys.
+#include "keys/parameterize.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "error.hpp"
+#include "tcb/spline/scalar.hpp"
+
+namespace tcb {
+namespace {
+
+using spline::DoubleDouble;
+
+Error error_in_line(std::uint64_t line, ErrorCode code, std::vector<ErrorValue> values) {
+  return Error(Exit::data, code, std::move(values)).at({"", line, 0});
+}
+
+void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
+  for (const auto& [name, value] : {std::pair{"ease_in", ease.in}, std::pair{"ease_out", ease.out}}) {
+    if (value >= 0 && value <= 1) continue;
+    throw error_in_line(line, ErrorCode::ease_out_of_range, {name, value});
+  }
+}
+
+/// Adds times to blocks, one after the other.
+class Parameterizer {
+ public:
+  Parameterizer(double exponent, std::vector<std::size_t> metric) : exponent_(exponent), metric_(std::move(metric)) {}
+
+  KeyBlock operator()(KeyBlock block) {
+    Keys& keys = block.keys;
+    keys.times.reserve(block.size());
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const auto position = keys.position(i);
+      if (!before_.empty()) advance(position, block.lines[i]);
+      keys.times.emplace_back(time_.hi);
+      before_.assign(position.begin(), position.end());
+      line_ = block.lines[i];
+    }
+    return block;
+  }
+
+ private:
+  void advance(std::span<const double> position, std::uint64_t line) {
+    const double step = parameter_step(before_, position, exponent_, metric_);
+    if (step == 0) throw error_in_line(line, ErrorCode::position_repeats, {line_});
+    const double earlier = time_.hi;
+    time_ = time_ + DoubleDouble(step);
+    if (time_.hi == earlier) throw error_in_line(line, ErrorCode::parameter_step_lost, {step, time_.hi});
+  }
+
+  double exponent_;
+  std::vector<std::size_t> metric_;
+  DoubleDouble time_;
+  std::vector<double> before_;  ///< position of the key before; empty before the first one
+  std::uint64_t line_ = 0;      ///< line of the key before
+};
+
+}  // namespace
+
+double parameter_step(std::span<const double> a, std::span<const double> b, double exponent,
+                      std::span<const std::size_t> metric) {
+  if (exponent == 0) return 1;
+  const std::size_t channels = metric.empty() ? a.size() : metric.size();
+  double largest = 0;
+  for (std::size_t i = 0; i < channels; ++i) {
+    const std::size_t channel = metric.empty() ? i : metric[i];
+    largest = std::max(largest, std::abs(b[channel] - a[channel]));
+  }
+  if (largest == 0) return 0;
+  int unit = 0;
+  (void)std::frexp(largest, &unit);
+  --unit;  // 2^unit is a double even where the next power of two is none
+  DoubleDouble sum;
+  for (std::size_t i = 0; i < channels; ++i) {
+    const std::size_t channel = metric.empty() ? i : metric[i];
+    const DoubleDouble step = DoubleDouble(std::ldexp(b[channel], -unit)) - DoubleDouble(std::ldexp(a[channel], -unit));
+    sum = sum + step * step;
+  }
+  return (spline::power(spline::sqrt(sum), exponent) * spline::power(DoubleDouble(std::ldexp(1.0, unit)), exponent)).hi;
+}
+
+Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric) {
+  return mapped(std::move(blocks), Parameterizer(exponent, std::move(metric)));
+}
+
+Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
+  return mapped(std::move(blocks), [](KeyBlock block) {
+    block.keys.eases.clear();
+    return block;
+  });
+}
+
+Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least) {
+  return [blocks = std::move(blocks), least, count = std::size_t{0},
+          line = std::uint64_t{0}]() mutable -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block && count < least) {
+      throw error_in_line(line, count == 0 ? ErrorCode::no_keys : ErrorCode::single_key, {});
+    }
+    if (!block) return std::nullopt;
+    for (std::size_t i = 0; i < block->keys.eases.size(); ++i) require_ease(block->keys.eases[i], block->lines[i]);
+    if (count == 0 && block->keys.size() > 0) line = block->lines[0];
+    count += block->keys.size();
+    return block;
+  };
+}
+
+}  // namespace tcb
