@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -21,10 +22,10 @@ constexpr std::size_t most_curves = 100;  ///< that are listed one by one
 
 std::string shown(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
 
-/// The name of a value in a table of ways.
-template <class Table, class Way>
-std::string_view name_of(const Table& table, Way way) {
-  return std::ranges::find_if(table, [&](const auto& row) { return row.way == way; })->name;
+/// The name of a value in a table of names.
+template <class Row, std::size_t size, class Value>
+std::string_view name_of(const std::array<Row, size>& names, Value Row::*member, Value value) {
+  return std::ranges::find(names, value, member)->name;
 }
 
 /// How many keys a curve has, and its times where they come with the keys.
@@ -61,8 +62,8 @@ std::string samples(const SamplingRequest& request) {
 Facts intentions(const Job& plan, const Input& input) {
   Facts facts;
   const auto add = [&](const char* name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  add("missing", std::string(name_of(missing_names, plan.input.missing)));
-  if (input.timed) add("duplicates", std::string(name_of(duplicates_names, plan.curves.duplicates)));
+  add("missing", std::string(name_of(missing_names, &MissingName::way, plan.input.missing)));
+  if (input.timed) add("duplicates", std::string(name_of(duplicates_names, &DuplicatesName::value, plan.curves.duplicates)));
   if (plan.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = plan.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
