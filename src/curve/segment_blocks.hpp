@@ -9,6 +9,7 @@
 #include "stream/stream.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/window.hpp"
+#include "text/time.hpp"
 
 namespace tcb {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "exact/scalar.hpp"
 
 namespace tcb {
 namespace {
@@ -38,6 +39,13 @@ class Numbers {
 spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& number) {
   return {number(NumberOfKey::tension, tcb.tension), number(NumberOfKey::continuity, tcb.continuity),
           number(NumberOfKey::bias, tcb.bias)};
+}
+
+/// A time and the time that a distance makes, in a float of 80 digits.
+Rational later(const Rational& time, std::span<const Rational> from, std::span<const Rational> to,
+               std::span<const std::size_t> metric, double exponent) {
+  using S = Float<80>;
+  return rational_of(S(scalar_of<S>(time) + distance<S>(from, to, metric, exponent)));
 }
 
 }  // namespace
@@ -77,15 +85,15 @@ void ExactKeys::add(const KeyBlock& block) {
 void ExactKeys::set_times(KeyBlock& block, double exponent, std::span<const std::size_t> metric) {
   std::size_t key = keys_.size() - block.keys.size();
   for (Time& time : block.keys.times) {
-    if (key > 0) time_ += distance<Float<80>>(keys_.position(key - 1), keys_.position(key), metric, exponent);
-    time = nearest_double(rational_of(time_));
+    if (key > 0) time_ = later(time_, keys_.position(key - 1), keys_.position(key), metric, exponent);
+    time = nearest_double(time_);
     ++key;
   }
 }
 
 Time ExactKeys::time_back(double exponent, std::span<const std::size_t> metric) const {
   const auto last = keys_.position(keys_.size() - 1);
-  return nearest_double(rational_of(Float<80>(time_ + distance<Float<80>>(last, keys_.position(0), metric, exponent))));
+  return nearest_double(later(time_, last, keys_.position(0), metric, exponent));
 }
 
 ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& rules,

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "exact/scalar.hpp"
 #include "input/input.hpp"
 #include "sampling/extrapolation.hpp"
 #include "tcb/spline/window.hpp"
+#include "text/rational.hpp"
 
 namespace tcb {
 
@@ -33,18 +33,6 @@ struct ExactCurve {
   /// All numbers are rational: no distance makes a time or a tangent.
   bool is_rational() const { return !exponent && !rules.equal_speed; }
 };
-
-/// |b - a|^exponent over the metric channels (empty: all).
-template <class S>
-S distance(std::span<const Rational> a, std::span<const Rational> b, std::span<const std::size_t> metric,
-           double exponent) {
-  Rational square = 0;
-  for (std::size_t i = 0; i < (metric.empty() ? a.size() : metric.size()); ++i) {
-    const std::size_t channel = metric.empty() ? i : metric[i];
-    square += (b[channel] - a[channel]) * (b[channel] - a[channel]);
-  }
-  return pow(sqrt(scalar_of<S>(square)), S(exponent));
-}
 
 /// Keys made exact as they go by.
 class ExactKeys {
@@ -73,7 +61,7 @@ class ExactKeys {
   bool decimal_;
   spline::Keys<Rational> keys_;
   std::vector<bool> missing_;
-  Float<80> time_ = 0;  ///< of the last key, where distances make it
+  Rational time_;  ///< of the last key, where distances make it: exactly that of a float
 };
 
 }  // namespace tcb

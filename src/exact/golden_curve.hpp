@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/exact_keys.hpp"
+#include "exact/scalar.hpp"
 #include "tcb/spline/arc_inverse.hpp"
 #include "tcb/spline/arc_length.hpp"
 

@@ -13,7 +13,7 @@ std::optional<ArcPlaces> arc_places(const SamplingRequest& request, const Extent
   const bool by_end = !request.to && needs_end(request) && grid.step() != 0;
   if (!by_end) return arc;
   const Rational steps = steps_between(arc.from, Rational(*extent.length), arc.step);
-  arc.intervals = static_cast<std::uint64_t>(numerator(steps));
+  arc.intervals = whole_number(numerator(steps));
   return arc;
 }
 

@@ -81,12 +81,7 @@ Spot<S> spot_at_length(const FastRow& row, const ArcPlaces& arc, GoldenCurve<S>&
 
 template <class S>
 S floor_of(const S& value) {
-  if constexpr (spline::has_roots<S>) {
-    return floor(value);
-  } else {
-    const Integer whole = numerator(value) / denominator(value);
-    return Rational(whole) > value ? Rational(whole - 1) : Rational(whole);
-  }
+  return floor(value);
 }
 
 /// A time that is not on the curve, and the time on it that stands for it; as map_to_curve.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "text/large_rational.hpp"
 #include "text/number.hpp"
 
 namespace tcb {
@@ -20,20 +21,21 @@ Integer power_of_ten(int exponent) {
 
 /// value 10^exponent.
 Rational times_ten_to(const Rational& value, int exponent) {
-  return exponent < 0 ? Rational(value / power_of_ten(-exponent)) : Rational(value * power_of_ten(exponent));
+  return exponent < 0 ? Rational(value / rational(power_of_ten(-exponent)))
+                      : Rational(value * rational(power_of_ten(exponent)));
 }
 
 /// The nearest whole number, half to even. Requires: value >= 0.
 Integer nearest_whole(const Rational& value) {
-  const Integer whole = numerator(value) / denominator(value);
-  const Rational rest = value - Rational(whole);
+  const Integer whole = integer(floor(value));
+  const Rational rest = value - floor(value);
   const Rational half(1, 2);
   return rest > half || (rest == half && whole % 2 != 0) ? Integer(whole + 1) : whole;
 }
 
 /// The greatest e with 10^e <= value. Requires: value > 0.
 int floor_log10(const Rational& value) {
-  const auto length = [](const Integer& whole) { return static_cast<int>(whole.str().size()); };
+  const auto length = [](const Rational& whole) { return static_cast<int>(whole_text(whole).size()); };
   const int above = length(numerator(value)) - length(denominator(value));
   return times_ten_to(value, -above) < 1 ? above - 1 : above;
 }
@@ -52,13 +54,13 @@ struct Root {
 };
 
 Root root_of(const Rational& square, unsigned bits) {
-  const Integer product = numerator(square) * denominator(square);  // n/d = n d / d^2
+  const Integer product = integer(numerator(square) * denominator(square));  // n/d = n d / d^2
   const unsigned width = msb(product) + 1;
   const unsigned shift = width < 2 * bits ? bits - width / 2 : 0;
   const Integer shifted = product << 2 * shift;
   Integer rest;
   Integer floor = boost::multiprecision::sqrt(shifted, rest);
-  return {std::move(floor), Integer(denominator(square) << shift), rest == 0};
+  return {std::move(floor), Integer(integer(denominator(square)) << shift), rest == 0};
 }
 
 }  // namespace
@@ -94,10 +96,10 @@ std::string digits_text(const Rational& value, int count) {
 
 /// By continued fractions.
 Rational simplest_between(const Rational& low, const Rational& high) {
-  const Integer whole = numerator(low) / denominator(low);
-  if (Rational(whole) == low) return low;
-  if (Rational(whole) + 1 <= high) return Rational(whole) + 1;
-  return Rational(whole) + 1 / simplest_between(1 / (high - Rational(whole)), 1 / (low - Rational(whole)));
+  const Rational whole = floor(low);
+  if (whole == low) return low;
+  if (whole + 1 <= high) return whole + 1;
+  return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole));
 }
 
 bool Rounding::has_text() const {
@@ -130,8 +132,8 @@ Printed Rounding::exactly(const Value& value) const {
   const bool negative = value.number < 0;
   for (unsigned bits = 128;; bits *= 2) {  // no root that is irrational lies where rounding changes
     const Root root = root_of(abs(value.number), bits);
-    const Rational low(root.floor, root.scale);
-    const Rational high = root.exact ? low : Rational(Integer(root.floor + 1), root.scale);
+    const Rational low = ratio(root.floor, root.scale);
+    const Rational high = root.exact ? low : ratio(root.floor + 1, root.scale);
     if (auto printed = negative ? enclosed(-high, -low) : enclosed(low, high)) return *printed;
   }
 }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "exact/scalar.hpp"
 #include "output/layout.hpp"
+#include "text/rational.hpp"
 
 namespace tcb {
 

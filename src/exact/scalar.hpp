@@ -2,9 +2,11 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cstddef>
 #include <limits>
+#include <span>
 
-#include "text/rational.hpp"
+#include "text/large_rational.hpp"
 
 namespace tcb {
 
@@ -18,7 +20,7 @@ S scalar_of(const Rational& value) {
   if constexpr (std::numeric_limits<S>::is_exact) {
     return value;
   } else {
-    return S(numerator(value)) / S(denominator(value));
+    return S(integer(numerator(value))) / S(integer(denominator(value)));
   }
 }
 
@@ -33,8 +35,20 @@ Rational rational_of(const S& value) {
     const S mantissa = frexp(value, &exponent);
     const Integer whole(ldexp(mantissa, digits));
     exponent -= digits;
-    return exponent < 0 ? Rational(whole, Integer(1) << -exponent) : Rational(Integer(whole << exponent));
+    return exponent < 0 ? ratio(whole, Integer(1) << -exponent) : rational(whole << exponent);
   }
+}
+
+/// |b - a|^exponent over the metric channels (empty: all).
+template <class S>
+S distance(std::span<const Rational> a, std::span<const Rational> b, std::span<const std::size_t> metric,
+           double exponent) {
+  Rational square = 0;
+  for (std::size_t i = 0; i < (metric.empty() ? a.size() : metric.size()); ++i) {
+    const std::size_t channel = metric.empty() ? i : metric[i];
+    square += (b[channel] - a[channel]) * (b[channel] - a[channel]);
+  }
+  return pow(sqrt(scalar_of<S>(square)), S(exponent));
 }
 
 }  // namespace tcb

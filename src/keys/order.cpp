@@ -15,8 +15,6 @@
 namespace tcb {
 namespace {
 
-using Time = spline::Time<double>;
-
 /// Where a key is in its input, for messages about later keys.
 struct KeyLocation {
   spline::Time<double> time;

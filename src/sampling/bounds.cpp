@@ -20,7 +20,7 @@ constexpr std::string_view outside_in_length = "give one within the curve";
 
 std::string text(const Rational& value) {
   const Time time = nearest_time(value);
-  return time.lo == 0 ? fmt::format("{}", time.hi) : (Integer(time.hi) + Integer(time.lo)).str();
+  return time.lo == 0 ? fmt::format("{}", time.hi) : whole_text(Rational(time.hi) + Rational(time.lo));
 }
 
 Bound first_key(const Time& time) { return {"the first key", exact_time(time), outside_in_time}; }

@@ -14,10 +14,8 @@ struct Divided {
 };
 
 Divided divide_exactly(const Rational& t, const Rational& period) {
-  const Rational quotient = t / period;
-  Integer periods = numerator(quotient) / denominator(quotient);  // towards zero
-  if (Rational(periods) > quotient) --periods;
-  return {static_cast<double>(periods), periods % 2 != 0, nearest_time(t - periods * period)};
+  const Rational periods = floor(t / period);
+  return {nearest_double(periods), floor(periods / 2) * 2 != periods, nearest_time(t - periods * period)};
 }
 
 Divided divide(const Time& t, const Time& first, const Time& period) {

@@ -13,13 +13,15 @@ namespace {
 constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
 
 /// Up to which row |first + j increment| stays below 2^53; 0: not even the first.
-std::uint64_t rows_within_doubles(const Integer& first, const Integer& increment) {
-  const Integer room = Integer(whole_from) - 1 - abs(first);
+std::uint64_t rows_within_doubles(const Rational& first, const Rational& increment) {
+  const Rational room = Rational(whole_from) - 1 - abs(first);
   if (room < 0) return 0;
   constexpr std::uint64_t all_rows = std::numeric_limits<std::uint64_t>::max();
-  const Integer rows = increment == 0 ? Integer(all_rows) : Integer(room / increment);
-  return rows > all_rows ? all_rows : static_cast<std::uint64_t>(rows);
+  return increment == 0 ? all_rows : whole_number(floor(room / increment));
 }
+
+/// Of two whole numbers above 0: a times b without the factors that they share.
+Rational least_common_multiple(const Rational& a, const Rational& b) { return a * numerator(b / a); }
 
 /// A rational in twice the precision of a double.
 Time nearest_twice(const Rational& value) {
@@ -31,17 +33,17 @@ Time nearest_twice(const Rational& value) {
 
 Grid::Grid(const Rational& start, const Rational& step)
     : start_(start), step_(step), first_time_(nearest_time(start)), is_single_(step == 0) {
-  denominator_ = lcm(denominator(start), denominator(step));
-  first_ = numerator(start) * (denominator_ / denominator(start));
-  increment_ = numerator(step) * (denominator_ / denominator(step));
   near_start_ = nearest_twice(start);
   near_step_ = nearest_twice(step);
-  if (denominator_ >= Integer(whole_from)) return;
-  double_rows_ = rows_within_doubles(first_, increment_);
+  const Rational common = least_common_multiple(denominator(start), denominator(step));
+  if (common >= Rational(whole_from)) return;
+  const Rational first = start * common;
+  const Rational increment = step * common;
+  double_rows_ = rows_within_doubles(first, increment);
   if (double_rows_ == 0) return;
-  double_first_ = static_cast<double>(first_);
-  double_increment_ = static_cast<double>(increment_);
-  double_denominator_ = static_cast<double>(denominator_);
+  double_first_ = nearest_double(first);
+  double_increment_ = nearest_double(increment);
+  double_denominator_ = nearest_double(common);
 }
 
 template <class D>
@@ -66,7 +68,7 @@ Time Grid::time(std::uint64_t j) const {
     const Time near = near_time(row);
     if (const auto time = rounded_once(near, doubt(near.hi))) return *time;
   }
-  return nearest_time(Rational(first_ + increment_ * j, denominator_));
+  return nearest_time(start_ + step_ * j);
 }
 
 void Grid::set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const {

@@ -55,10 +55,9 @@ class Grid {
   Rational start_, step_;
   Time first_time_;
   bool is_single_;
-  Integer first_, increment_, denominator_;  ///< row j is (first + j increment) / denominator
-  std::uint64_t double_rows_ = 0;            ///< up to this row numerator and denominator are exact doubles,
-  double double_first_{}, double_increment_{}, double_denominator_{};  ///< made of these
-  Time near_start_, near_step_;                                        ///< in twice the precision
+  std::uint64_t double_rows_ = 0;  ///< up to this row, (first + j increment) / denominator is of exact doubles
+  double double_first_{}, double_increment_{}, double_denominator_{};
+  Time near_start_, near_step_;  ///< in twice the precision
 };
 
 }  // namespace tcb

@@ -6,9 +6,9 @@
 namespace tcb {
 
 Run PerSegment::place(const CurveSegment& piece) {
-  require_rows(Rational(Integer(piece.number + 1) * intervals_), max_rows_, !piece.last);
+  require_rows(Rational(piece.number + 1) * intervals_, max_rows_, !piece.last);
   const Rational start = exact_time(piece.start);
-  const Grid grid(start, Rational((exact_time(piece.end) - start) / intervals_));
+  const Grid grid(start, (exact_time(piece.end) - start) / intervals_);
   if (piece.start < piece.end) require_resolution(grid, piece.end);
   return {1, intervals_, true, piece.last};
 }

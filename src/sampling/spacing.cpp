@@ -12,37 +12,30 @@
 namespace tcb {
 namespace {
 
-Integer floor_of(const Rational& value) {
-  const Integer quotient = numerator(value) / denominator(value);  // towards zero
-  return value < 0 && Rational(quotient) != value ? Integer(quotient - 1) : quotient;
-}
-
 /// The whole number of equal steps that a policy takes instead of this many.
-Integer fitted_steps(EndPolicy policy, const Rational& steps) {
-  const Integer below = floor_of(steps);
-  const bool whole = Rational(below) == steps;
-  Integer fitted = below;
+Rational fitted_steps(EndPolicy policy, const Rational& steps) {
+  const Rational below = floor(steps);
+  const bool whole = below == steps;
+  Rational fitted = below;
   if (policy == EndPolicy::fit_down && !whole) fitted = below + 1;
   if (policy == EndPolicy::fit && steps - below >= Rational(1, 2)) fitted = below + 1;
-  return fitted < 1 ? Integer(1) : fitted;
+  return fitted < 1 ? 1 : fitted;
 }
 
 /// A number of rows as a person reads it.
-std::string shown(const Integer& rows) {
-  std::string digits = rows.str();
+std::string shown(const Rational& rows) {
+  std::string digits = whole_text(rows);
   if (digits.size() <= 20) return digits;
   return fmt::format("about {}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
 }
 
 }  // namespace
 
-Rational steps_between(const Rational& from, const Rational& to, const Rational& step) {
-  return Rational((to - from) / step);
-}
+Rational steps_between(const Rational& from, const Rational& to, const Rational& step) { return (to - from) / step; }
 
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
-  const Integer rows = floor_of(steps) + 1;
-  if (rows <= Integer(max_rows)) return;
+  const Rational rows = floor(steps) + 1;
+  if (rows <= max_rows) return;
   throw Error(Exit::usage,
               fmt::format("{} rows{} are asked for; expected {} at most; ask for fewer, or raise --max-rows",
                           shown(rows), at_least ? " or more" : "", max_rows));
@@ -72,14 +65,14 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
     const Rational steps = steps_between(from, *to, request.step);
     require_rows(steps, request.max_rows);
     if (!needs_end(request) || *to <= from) return {Grid(from, request.step), Spacing::unlimited, end};
-    const Integer fitted = fitted_steps(request.end, steps);
-    return {Grid(from, Rational((*to - from) / fitted)), static_cast<std::uint64_t>(fitted) + 1, end};
+    const Rational fitted = fitted_steps(request.end, steps);
+    return {Grid(from, (*to - from) / fitted), whole_number(fitted) + 1, end};
   }
   const bool seam_once = extent.closed && request.mode != Mode::segments && !request.from && !request.to;
   const std::uint64_t intervals = request.mode == Mode::segments || seam_once ? request.count : request.count - 1;
   const std::uint64_t rows = seam_once ? request.count : intervals + 1;
   require_rows(Rational(rows) - 1, request.max_rows);
-  return {Grid(from, intervals == 0 ? Rational(0) : Rational((*to - from) / intervals)), rows, end};
+  return {Grid(from, intervals == 0 ? 0 : (*to - from) / intervals), rows, end};
 }
 
 }  // namespace tcb

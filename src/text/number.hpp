@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "tcb/spline/scalar.hpp"
+#include "text/time.hpp"
 
 namespace tcb {
 
-using Time = spline::Time<double>;
+
 
 /// The double nearest to a decimal number, which must be the whole text: digits with an optional sign,
 /// point and exponent. Nothing for any other text, nor for a number too large for a double.

@@ -1,16 +1,31 @@
-// Exact rationals: parsing, and rounding once.
+// Exact rationals: arithmetic, parsing, and rounding once.
+//
+// Source: D. E. Knuth, TAOCP vol. 2, 4.5.1, for terms that stay small: factors are taken out before multiplying.
 #include "text/rational.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <string>
+
+#include "text/large_rational.hpp"
+#include "text/power_of_ten.hpp"
 
 namespace tcb {
 namespace {
 
+__extension__ using Int128 = __int128;
+using Large = Rational::Large;
+
 constexpr int largest_exponent = 10'000;
 constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+
+Integer integer_of(Int128 value) {
+  return (Integer(static_cast<std::int64_t>(value >> 64)) << 64) + Integer(static_cast<std::uint64_t>(value));
+}
+
+bool are_small(const Rational& a, const Rational& b) { return a.is_small() && b.is_small(); }
 
 bool take_digits(std::string_view& text, std::string& digits) {
   std::size_t count = 0;
@@ -33,9 +48,17 @@ std::optional<int> take_exponent(std::string_view text) {
   return exponent;
 }
 
-Rational scaled_by_ten(const Integer& digits, int exponent) {
+Rational scaled_by_ten(const std::string& digits, int exponent) {
+  constexpr int most = 18;  // digits that 63 bits hold
+  if (digits.size() <= most && std::abs(exponent) <= most) {
+    std::int64_t whole = 0;
+    (void)std::from_chars(digits.data(), digits.data() + digits.size(), whole);
+    const Rational power = whole_power_of_ten(std::abs(exponent));
+    return exponent < 0 ? whole / power : whole * power;
+  }
   const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
-  return exponent < 0 ? Rational(digits, power) : Rational(digits * power);
+  const Integer whole = digits.empty() ? Integer(0) : Integer(digits);
+  return exponent < 0 ? ratio(whole, power) : rational(whole * power);
 }
 
 std::optional<Rational> parse_decimal(std::string_view text) {
@@ -53,8 +76,8 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   const auto exponent = take_exponent(text);
   if (!any || !exponent || digits.size() > largest_exponent) return std::nullopt;
   digits.erase(0, digits.find_first_not_of('0'));  // a leading 0 would mean octal
-  const Rational value = scaled_by_ten(digits.empty() ? Integer(0) : Integer(digits), *exponent - scale);
-  return negative ? Rational(-value) : value;
+  const Rational value = scaled_by_ten(digits, *exponent - scale);
+  return negative ? -value : value;
 }
 
 /// How many bits a positive integer has.
@@ -79,7 +102,6 @@ Integer shifted(const Integer& n, int shift) { return shift > 0 ? Integer(n << s
 
 /// n / d as the nearest double, ties to even. Requires: n > 0, d > 0.
 double nearest_positive(const Integer& n, const Integer& d) {
-  if (n < Integer(whole_from) && d < Integer(whole_from)) return static_cast<double>(n) / static_cast<double>(d);
   // Scale n/d by a power of two so that its whole part has the 53 bits of a double (fewer where the
   // double is subnormal), then round to a whole number.
   constexpr int bits = 53;
@@ -93,17 +115,112 @@ double nearest_positive(const Integer& n, const Integer& d) {
 
 }  // namespace
 
+Rational::Rational(double value) {
+  if (std::abs(value) < 0x1p63 && std::trunc(value) == value) {
+    numerator_ = static_cast<std::int64_t>(value);
+  } else {
+    *this = Rational(Large{Large::Number(value)});
+  }
+}
+
+Rational::Rational(const Large& value) {
+  const Integer above = numerator(value.number);
+  const Integer below = denominator(value.number);
+  if (above >= -largest && above <= largest && below <= largest) {
+    numerator_ = static_cast<std::int64_t>(above);
+    denominator_ = static_cast<std::int64_t>(below);
+  } else {
+    large_ = std::make_shared<const Large>(value);
+  }
+}
+
+Rational::Rational(const Rational& dividend, const Rational& divisor) : Rational(dividend / divisor) {}
+
+Rational Rational::reduced(Int128 numerator, Int128 denominator) {
+  if (numerator < -largest || numerator > largest || denominator > largest) {
+    return ratio(integer_of(numerator), integer_of(denominator));
+  }
+  Rational value(static_cast<std::int64_t>(numerator), InPlace());
+  value.denominator_ = static_cast<std::int64_t>(denominator);
+  return value;
+}
+
+Rational::Large Rational::large() const { return large_ ? *large_ : Large{Large::Number(numerator_) / denominator_}; }
+
+Rational Rational::operator-() const {
+  if (large_) return Rational(Large{-large_->number});
+  return reduced(-Int128{numerator_}, denominator_);
+}
+
+Rational operator+(const Rational& a, const Rational& b) {
+  if (!are_small(a, b)) return Rational(Large{a.large().number + b.large().number});
+  const std::int64_t common = std::gcd(a.denominator_, b.denominator_);
+  const std::int64_t rest = a.denominator_ / common;
+  const Int128 sum = Int128{a.numerator_} * (b.denominator_ / common) + Int128{b.numerator_} * rest;
+  const std::int64_t factor = common == 1 ? 1 : std::gcd(static_cast<std::int64_t>(sum % common), common);
+  return Rational::reduced(sum / factor, Int128{rest} * (b.denominator_ / factor));
+}
+
+Rational operator-(const Rational& a, const Rational& b) { return a + -b; }
+
+Rational operator*(const Rational& a, const Rational& b) {
+  if (!are_small(a, b)) return Rational(Large{a.large().number * b.large().number});
+  const std::int64_t first = std::gcd(a.numerator_, b.denominator_);
+  const std::int64_t second = std::gcd(b.numerator_, a.denominator_);
+  return Rational::reduced(Int128{a.numerator_ / first} * (b.numerator_ / second),
+                           Int128{a.denominator_ / second} * (b.denominator_ / first));
+}
+
+Rational operator/(const Rational& a, const Rational& b) {
+  if (!are_small(a, b)) return Rational(Large{a.large().number / b.large().number});
+  Rational inverse;
+  inverse.numerator_ = b.numerator_ < 0 ? -b.denominator_ : b.denominator_;
+  inverse.denominator_ = b.numerator_ < 0 ? -b.numerator_ : b.numerator_;
+  return a * inverse;
+}
+
+bool operator==(const Rational& a, const Rational& b) {
+  if (are_small(a, b)) return a.numerator_ == b.numerator_ && a.denominator_ == b.denominator_;
+  return !a.is_small() && !b.is_small() && a.large_->number == b.large_->number;
+}
+
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+  if (!are_small(a, b)) return a.large().number.compare(b.large().number) <=> 0;
+  return Int128{a.numerator_} * b.denominator_ <=> Int128{b.numerator_} * a.denominator_;
+}
+
+Rational abs(const Rational& value) { return value < 0 ? -value : value; }
+
+Rational numerator(const Rational& value) {
+  return value.is_small() ? Rational(value.small_numerator()) : rational(Integer(numerator(value.large().number)));
+}
+
+Rational denominator(const Rational& value) {
+  return value.is_small() ? Rational(value.small_denominator()) : rational(Integer(denominator(value.large().number)));
+}
+
+Rational floor(const Rational& value) {
+  const Rational whole = value.is_small()
+                             ? Rational(value.small_numerator() / value.small_denominator())
+                             : rational(integer(numerator(value)) / integer(denominator(value)));  // towards zero
+  return whole > value ? whole - 1 : whole;
+}
+
+std::string whole_text(const Rational& whole) { return integer(whole).str(); }
+
+std::uint64_t whole_number(const Rational& whole) { return static_cast<std::uint64_t>(integer(whole)); }
+
 std::optional<Rational> parse_rational(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return parse_decimal(text);
   const auto above = parse_decimal(text.substr(0, slash));
   const auto below = parse_decimal(text.substr(slash + 1));
   if (!above || !below || *below == 0) return std::nullopt;
-  return Rational(*above / *below);
+  return *above / *below;
 }
 
 Rational exact_time(const Time& time) {
-  if (std::abs(time.hi) >= whole_from) return Rational(Integer(time.hi) + Integer(time.lo));
+  if (std::abs(time.hi) >= whole_from) return Rational(time.hi) + Rational(time.lo);
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), time.hi).ptr;
   return *parse_decimal({text.data(), end});
@@ -111,16 +228,19 @@ Rational exact_time(const Time& time) {
 
 double nearest_double(const Rational& value) {
   if (value == 0) return 0;
-  const double size = nearest_positive(abs(numerator(value)), denominator(value));
+  constexpr std::int64_t exact = std::int64_t{1} << 53;  // up to here doubles are exact, and a division rounds once
+  if (value.is_small() && std::abs(value.small_numerator()) < exact && value.small_denominator() < exact) {
+    return static_cast<double>(value.small_numerator()) / static_cast<double>(value.small_denominator());
+  }
+  const double size = nearest_positive(integer(abs(numerator(value))), integer(denominator(value)));
   return value < 0 ? -size : size;
 }
 
 bool within_doubles(const Rational& value) { return std::isfinite(nearest_double(value)); }
 
 Time nearest_time(const Rational& value) {
-  const Integer size = abs(numerator(value));
-  if (size >> 53 < denominator(value)) return {nearest_double(value)};
-  const Time time = whole_time(nearest_whole(size, denominator(value)));
+  if (abs(value) < std::int64_t{1} << 53) return {nearest_double(value)};
+  const Time time = whole_time(nearest_whole(integer(abs(numerator(value))), integer(denominator(value))));
   return value < 0 ? -time : time;
 }
 

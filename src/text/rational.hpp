@@ -1,20 +1,88 @@
-// Exact rationals: what the text of a step, a rate or a time says, without rounding.
+// Exact rationals: the values of steps, rates and times as they are written, and rounding them once.
+//
+// Numbers whose numerator and denominator fit in 64 bits are held in place; larger ones are shared and never change.
+// Threads: as an int.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
-#include "tcb/spline/scalar.hpp"
+#include "text/time.hpp"
 
 namespace tcb {
 
-using Time = spline::Time<double>;
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
-                                  boost::multiprecision::et_off>;
+class Rational {
+ public:
+  struct Large;  ///< a rational of any size: large_rational.hpp
+
+  Rational() = default;
+  template <std::integral N>
+  Rational(N value)  // NOLINT(google-explicit-constructor): an integer is a rational
+      : Rational(std::in_range<std::int64_t>(value) && std::cmp_greater_equal(value, -largest)
+                     ? Rational(static_cast<std::int64_t>(value), InPlace())
+                     : reduced(value, 1)) {}
+  explicit Rational(double value);  ///< its exact value. Requires: finite
+  explicit Rational(const Large& value);
+
+  /// dividend / divisor. Requires: divisor != 0.
+  Rational(const Rational& dividend, const Rational& divisor);
+
+  Large large() const;
+  bool is_small() const { return large_ == nullptr; }
+
+  /// In lowest terms. Requires: is_small().
+  std::int64_t small_numerator() const { return numerator_; }
+  std::int64_t small_denominator() const { return denominator_; }
+
+  Rational operator-() const;
+  friend Rational operator+(const Rational& a, const Rational& b);
+  friend Rational operator-(const Rational& a, const Rational& b);
+  friend Rational operator*(const Rational& a, const Rational& b);
+  friend Rational operator/(const Rational& a, const Rational& b);  ///< Requires: b != 0
+  Rational& operator+=(const Rational& other) { return *this = *this + other; }
+  Rational& operator-=(const Rational& other) { return *this = *this - other; }
+  Rational& operator*=(const Rational& other) { return *this = *this * other; }
+  Rational& operator/=(const Rational& other) { return *this = *this / other; }
+
+  friend bool operator==(const Rational& a, const Rational& b);
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+
+ private:
+  __extension__ using Int128 = __int128;
+  static constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
+
+  struct InPlace {};
+  Rational(std::int64_t whole, InPlace) : numerator_(whole) {}
+
+  /// From terms without common factors. Requires: denominator > 0.
+  static Rational reduced(Int128 numerator, Int128 denominator);
+
+  std::int64_t numerator_ = 0, denominator_ = 1;  ///< in lowest terms, the denominator positive, both at most `largest`
+  std::shared_ptr<const Large> large_;            ///< the value where it does not fit in these
+};
+
+Rational abs(const Rational& value);
+
+/// The largest whole number up to a value.
+Rational floor(const Rational& value);
+
+/// In lowest terms, as whole numbers; the denominator is positive.
+Rational numerator(const Rational& value);
+Rational denominator(const Rational& value);
+
+/// The digits of a whole number.
+std::string whole_text(const Rational& whole);
+
+/// A whole number as an integer. Requires: 0 <= whole < 2^64.
+std::uint64_t whole_number(const Rational& whole);
 
 /// A decimal such as "-0.25" or "1e-3", or a ratio of two such as "1001/30000"; nothing else.
 /// Exponents beyond 10,000 are refused: no time needs them, and they would fill the memory.
@@ -48,3 +116,10 @@ inline std::optional<Time> rounded_once(const Time& near, double doubt) {
 }
 
 }  // namespace tcb
+
+template <>
+struct std::numeric_limits<tcb::Rational> {
+  static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = true;
+  static constexpr bool is_bounded = false, has_infinity = false, has_quiet_NaN = false;
+  static constexpr int digits = std::numeric_limits<int>::max(), digits10 = digits;
+};

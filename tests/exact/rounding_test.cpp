@@ -48,16 +48,16 @@ TEST(Rounding, a_root_is_rounded_once) {
   EXPECT_EQ(nearest.exactly({Rational(9, 4), true}).cell.hi, 1.5);
   EXPECT_EQ(nearest.exactly({0, true}).cell.hi, 0);
   // The root of (1 + 2^-53)^2 is a tie, which goes to the even one of its neighbours; a little more goes up.
-  const Rational tie = 1 + Rational(1, Integer(1) << 53);
+  const Rational tie = 1 + ratio(1, Integer(1) << 53);
   EXPECT_EQ(nearest.exactly({tie * tie, true}).cell.hi, 1);
-  EXPECT_EQ(nearest.exactly({tie * tie + Rational(1, Integer(1) << 900), true}).cell.hi, 1 + 0x1p-52);
+  EXPECT_EQ(nearest.exactly({tie * tie + ratio(1, Integer(1) << 900), true}).cell.hi, 1 + 0x1p-52);
   const Rounding digits({Kind::digits, 50}, CellKind::real);
   EXPECT_EQ(digits.exactly({2, true}).text, "1.4142135623730950488016887242096980785696718753769");
 }
 
 TEST(Rounding, two_floats_settle_what_they_agree_on) {
   const Rounding nearest({}, CellKind::real);
-  const Rational third(1, 3), tiny(1, Integer(1) << 300), tie = 1 + Rational(1, Integer(1) << 53);
+  const Rational third(1, 3), tiny = ratio(1, Integer(1) << 300), tie = 1 + ratio(1, Integer(1) << 53);
   EXPECT_EQ(nearest.between({third + tiny}, {third})->cell.hi, 1.0 / 3);
   EXPECT_FALSE(nearest.between({tie + tiny}, {tie}).has_value());
   EXPECT_FALSE(nearest.between({tiny}, {0}).has_value());
@@ -71,7 +71,7 @@ TEST(Rounding, two_floats_settle_what_they_agree_on) {
 
 TEST(Rounding, more_digits_than_there_are_is_said) {
   const Rounding fixed({Kind::fixed, 100}, CellKind::real);
-  const Rational huge(Integer(1) << 1000), error = huge / Rational(Integer(1) << 1000);
+  const Rational huge = rational(Integer(1) << 1000), error = huge / rational(Integer(1) << 1000);
   EXPECT_THROW((void)fixed.at_last({huge + error}, {huge}), std::range_error);
 }
 
@@ -82,7 +82,7 @@ TEST(Rounding, the_simplest_number_between_has_the_least_denominator) {
 }
 
 TEST(Rounding, a_time_beyond_2_to_53_is_the_nearest_whole_number) {
-  const Rational time = Rational(Integer("1403715524907143169")) + Rational(1, 3);
+  const Rational time = Rational(1403715524907143169) + Rational(1, 3);
   EXPECT_EQ(Cell(Rounding({}, CellKind::time).exactly({time}).cell).lo, 1);
   EXPECT_EQ(Rounding({Kind::digits, 5}, CellKind::time).exactly({time}).text, "1403715524907143169");
 }

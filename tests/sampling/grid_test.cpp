@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "text/large_rational.hpp"
+
 namespace tcb {
 namespace {
 
 /// The double nearest to numerator / denominator, by way of 120 decimal digits.
 double quotient(const Rational& value) {
-  const Integer scaled = numerator(value) * pow(Integer(10), 120U) / denominator(value);
+  const Integer scaled = integer(numerator(value)) * pow(Integer(10), 120U) / integer(denominator(value));
   const std::string text = scaled.str() + "e-120";
   double result = 0;
   std::from_chars(text.data(), text.data() + text.size(), result);
@@ -36,12 +38,12 @@ TEST(Grid, counts_k_steps_as_k_plus_one_rows) {
 
 TEST(Grid, rounds_once_on_every_path) {
   std::mt19937_64 random(12);
-  const auto draw = [&](int bits) { return Integer(random() >> (64 - bits)) + 1; };
+  const auto draw = [&](int bits) { return Rational(random() >> (64 - bits)) + 1; };
   for (const int bits : {20, 50, 64}) {
     for (int i = 0; i < 2000; ++i) {
       Rational start(draw(bits), draw(bits)), step(draw(bits), draw(bits));
       if (i % 3 == 0) start = -start;
-      if (i % 5 == 0) step /= pow(Integer(10), 40U);
+      if (i % 5 == 0) step /= rational(pow(Integer(10), 40U));
       const Grid grid(start, step);
       const std::uint64_t j = random() % 100'000;
       const Rational exact = start + step * j;
@@ -54,7 +56,7 @@ TEST(Grid, rounds_once_on_every_path) {
 
 TEST(Grid, nanoseconds_since_1970_are_exact) {
   const Grid grid(*parse_rational("1403715524907143168"), *parse_rational("5000000"));
-  EXPECT_EQ(exact_time(grid.time(1997)), Rational(Integer("1403715534892143168")));
+  EXPECT_EQ(exact_time(grid.time(1997)), Rational(1403715534892143168));
   EXPECT_EQ(grid.rows_through(grid.time(1997)), 1998U);
   EXPECT_EQ(grid.rows_before(grid.time(1997)), 1997U);
 }
@@ -76,10 +78,10 @@ TEST(Grid, search_agrees_with_walking) {
 TEST(Grid, search_agrees_with_times_beside_rows) {
   std::mt19937_64 random(14);
   const auto power_of_ten = [&](int most) {
-    return Rational(pow(Integer(10), static_cast<unsigned>(random() % most)));
+    return rational(pow(Integer(10), static_cast<unsigned>(random() % most)));
   };
   for (int i = 0; i < 2000; ++i) {
-    const auto number = [&] { return Rational(Integer(random()) + 1, Integer(random()) + 1); };
+    const auto number = [&] { return Rational(Rational(random()) + 1, Rational(random()) + 1); };
     const Rational start = (i % 2 == 0 ? 1 : -1) * number() * power_of_ten(19);
     const Grid grid(start, number() / power_of_ten(9));
     const std::uint64_t row = random() % 1'000'000;

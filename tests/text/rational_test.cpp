@@ -8,6 +8,8 @@
 #include <random>
 #include <string>
 
+#include "text/large_rational.hpp"
+
 namespace tcb {
 namespace {
 
@@ -52,23 +54,63 @@ TEST(Rational, nearest_time_is_what_the_library_reads) {
 }
 
 TEST(Rational, ties_go_to_the_even_double) {
-  const Rational ulp = Rational(1, Integer(1) << 52);
+  const Rational ulp = ratio(1, Integer(1) << 52);
   EXPECT_EQ(nearest_time(1 + ulp / 2).hi, 1.0);
   EXPECT_EQ(nearest_time(1 + ulp * 3 / 2).hi, 1 + 0x1p-51);
   EXPECT_EQ(nearest_time(-(1 + ulp / 2)).hi, -1.0);
-  EXPECT_EQ(nearest_time(1 + ulp / 2 + Rational(1, Integer(1) << 400)).hi, 1 + 0x1p-52);
+  EXPECT_EQ(nearest_time(1 + ulp / 2 + ratio(1, Integer(1) << 400)).hi, 1 + 0x1p-52);
 }
 
 TEST(Rational, whole_times_beyond_2_to_53_keep_all_digits) {
-  const Time time = nearest_time(Rational(Integer("1403715524907143169")));
-  EXPECT_EQ(exact_time(time), Rational(Integer("1403715524907143169")));
-  EXPECT_EQ(exact_time(nearest_time(Rational(Integer("9007199254740993")))), Rational(Integer("9007199254740993")));
+  const Time time = nearest_time(rational(Integer("1403715524907143169")));
+  EXPECT_EQ(exact_time(time), rational(Integer("1403715524907143169")));
+  EXPECT_EQ(exact_time(nearest_time(rational(Integer("9007199254740993")))), rational(Integer("9007199254740993")));
 }
 
 TEST(Rational, a_double_stands_for_its_shortest_decimal) {
   EXPECT_EQ(exact_time({0.1}), Rational(1, 10));
-  EXPECT_EQ(exact_time({1e22}), Rational(Integer("10000000000000000000000")));
-  EXPECT_EQ(exact_time({-1305031098.6659}), Rational(Integer("-13050310986659"), 10000));
+  EXPECT_EQ(exact_time({1e22}), rational(Integer("10000000000000000000000")));
+  EXPECT_EQ(exact_time({-1305031098.6659}), ratio(Integer("-13050310986659"), 10000));
+}
+
+TEST(Rational, arithmetic_is_that_of_large_rationals) {
+  using Number = Rational::Large::Number;
+  std::mt19937_64 random(15);
+  const auto draw = [&] {
+    const auto whole = [&] {
+      const Rational size = random() >> (random() % 64);
+      return random() % 8 == 0 ? size * random() : random() % 2 == 0 ? size : -size;
+    };
+    const Rational below = whole();
+    return below == 0 ? whole() : Rational(whole(), below);
+  };
+  for (int i = 0; i < 50'000; ++i) {
+    const Rational a = draw(), b = i % 7 == 0 ? a : draw();
+    const Number x = a.large().number, y = b.large().number;
+    ASSERT_EQ((a + b).large().number, x + y);
+    ASSERT_EQ((a - b).large().number, x - y);
+    ASSERT_EQ((a * b).large().number, x * y);
+    ASSERT_TRUE(b == 0 || (a / b).large().number == x / y);
+    ASSERT_EQ(a == b, x == y);
+    ASSERT_EQ(a < b, x < y);
+    ASSERT_EQ(a > b, x > y);
+    ASSERT_EQ((a + b == a), y == 0);
+    ASSERT_EQ(abs(a).large().number, abs(x));
+    const Rational whole = floor(a);
+    ASSERT_TRUE(denominator(whole) == 1 && whole <= a && a < whole + 1);
+  }
+}
+
+TEST(Rational, integers_of_all_sizes_are_taken_exactly) {
+  for (const std::int64_t value : {INT64_MIN, INT64_MIN + 1, std::int64_t{-1}, std::int64_t{0}, INT64_MAX}) {
+    EXPECT_EQ(whole_text(value), std::to_string(value));
+    EXPECT_EQ(whole_text(-Rational(value)), value == 0 ? "0" : Integer(-Integer(value)).str());
+  }
+  EXPECT_EQ(whole_text(UINT64_MAX), std::to_string(UINT64_MAX));
+  EXPECT_EQ(whole_number(UINT64_MAX), UINT64_MAX);
+  EXPECT_EQ(Rational(0x1p-3), Rational(1, 8));
+  EXPECT_EQ(Rational(-0x1p70), -rational(Integer(1) << 70));
+  EXPECT_EQ(Rational(0x1p70) / Rational(0x1p69), 2);
 }
 
 }  // namespace
