@@ -80,7 +80,7 @@ unsigned make_jobs(const std::string& text) {
   const auto jobs = parse_rational(text);
   if (!jobs || *jobs < 1 || denominator(*jobs) != 1 || *jobs > most)
     refuse_value("--jobs", text, fmt::format("a whole number from 1 to {}", most));
-  return static_cast<unsigned>(numerator(*jobs));
+  return static_cast<unsigned>(whole_number(*jobs));
 }
 
 }  // namespace

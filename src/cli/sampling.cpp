@@ -183,7 +183,7 @@ SamplingRequest make_sampling(const TypedOptions& typed) {
     const auto rows = parse_rational(typed.max_rows);
     if (!rows || *rows < 1 || denominator(*rows) != 1 || *rows > INT64_MAX)
       refuse_value("--max-rows", typed.max_rows, "a whole number from 1 to 2^63 - 1");
-    request.max_rows = whole_number(numerator(*rows));
+    request.max_rows = whole_number(*rows);
   }
   return request;
 }
