@@ -1,11 +1,11 @@
-// Derivatives: velocity, acceleration and jerk per unit of time, and the shape of the path: tangent, curvature,
+// Derivatives: velocity, acceleration, jerk per unit of time, and the shape of the curve: tangent, curvature, torsion.
 // torsion.
 //
 //   curvature = |v ^ a| / |v|^3          torsion = det(v, a, j) / |v ^ a|^2
 // with |v ^ a|^2 the sum of the squared 2 x 2 minors, so for any number of channels; in more than three
 // the torsion has no sign and det is the root of the sum of the squared 3 x 3 minors.
 // Source: C. Jordan, "Sur la théorie des courbes dans l'espace à n dimensions", 1874.
-// Undefined quantities are said to be so, and what rounding cannot tell from zero is zero.
+// Undefined quantities are absent, and a value within its rounding error of zero is zero.
 #pragma once
 
 #include <algorithm>
@@ -26,36 +26,66 @@ struct Derivatives {
   S velocity_noise{}, acceleration_noise{};
 };
 
+/// dX/du, d2X/du2, d3X/du3 of one channel at one place.
+template <class S>
+struct LocalDerivatives {
+  S d1, d2, d3;
+};
+template <class S>
+LocalDerivatives<S> local_derivatives(const Cubic<S>& cubic, const LocalParameter<S>& at) {
+  const S x = at.near_start() ? at.u : at.w;
+  const S& first = at.near_start() ? cubic.out : cubic.in;
+  const S& second = at.near_start() ? cubic.c : cubic.e;
+  return {first + x * (S(2) * second + x * (S(3) * cubic.d)), S(2) * second + S(6) * x * cubic.d, S(6) * cubic.d};
+}
+
+/// The derivative of one channel by time, of any order from 1, at a place that is reached after the fraction u of the
+/// duration h: F. Faa di Bruno's formula for X(w(t/h)) with a quadratic w, so that it is 0 beyond the sixth.
+template <class S>
+S time_derivative(std::size_t order, const Cubic<S>& cubic, const LocalParameter<S>& at, const Warp<S>& warp,
+                  const S& u, const S& h) {
+  const auto [d1, d2, d3] = local_derivatives(cubic, at);
+  const S rate = warp.first_derivative(u) / h;
+  const S change = warp.second_derivative(u) / (h * h);
+  switch (order) {
+    case 1: return d1 * rate;
+    case 2: return d2 * rate * rate + d1 * change;
+    case 3: return d3 * rate * rate * rate + S(3) * d2 * rate * change;
+    case 4: return S(6) * d3 * rate * rate * change + S(3) * d2 * change * change;
+    case 5: return S(15) * d3 * rate * change * change;
+    case 6: return S(15) * d3 * change * change * change;
+    default: return S(0);
+  }
+}
+
 /// Sets the derivatives by time at a place that is reached after the fraction u of the duration h.
 template <class S>
-void set_derivatives(Derivatives<S>& motion, std::span<const Cubic<S>> segment, const LocalParameter<S>& at,
+void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, const LocalParameter<S>& at,
                      const Warp<S>& warp, const S& u, const S& h) {
   using std::abs;
   const S rate = warp.first_derivative(u) / h;
-  const S bend = warp.second_derivative(u) / (h * h);
+  const S change = warp.second_derivative(u) / (h * h);
   const S unit(0x1p-50);
-  motion.velocity.clear();
-  motion.acceleration.clear();
-  motion.jerk.clear();
-  motion.velocity_noise = motion.acceleration_noise = S(0);
+  of.velocity.clear();
+  of.acceleration.clear();
+  of.jerk.clear();
+  of.velocity_noise = of.acceleration_noise = S(0);
   const S x = at.near_start() ? at.u : at.w;
   for (const Cubic<S>& cubic : segment) {
     const S& first = at.near_start() ? cubic.out : cubic.in;
     const S& second = at.near_start() ? cubic.c : cubic.e;
-    const S d1 = first + x * (S(2) * second + x * (S(3) * cubic.d));
-    const S d2 = S(2) * second + S(6) * x * cubic.d;
-    const S d3 = S(6) * cubic.d;
-    motion.velocity.push_back(d1 * rate);
-    motion.acceleration.push_back(d2 * rate * rate + d1 * bend);
-    motion.jerk.push_back(d3 * rate * rate * rate + S(3) * d2 * rate * bend);
+    const auto [d1, d2, d3] = local_derivatives(cubic, at);
+    of.velocity.push_back(d1 * rate);
+    of.acceleration.push_back(d2 * rate * rate + d1 * change);
+    of.jerk.push_back(d3 * rate * rate * rate + S(3) * d2 * rate * change);
     const S size1 = abs(first) + abs(x) * (S(2) * abs(second) + S(3) * abs(x * cubic.d));
     const S size2 = S(2) * abs(second) + S(6) * abs(x * cubic.d);
-    motion.velocity_noise += unit * size1 * abs(rate);
-    motion.acceleration_noise += unit * (size2 * rate * rate + size1 * abs(bend));
+    of.velocity_noise += unit * size1 * abs(rate);
+    of.acceleration_noise += unit * (size2 * rate * rate + size1 * abs(change));
   }
 }
 
-/// Looks at some channels of a vector as if they were all.
+/// The metric channels of a vector.
 template <class S>
 class MetricView {
  public:
@@ -82,7 +112,7 @@ S norm(const MetricView<S>& v) {
   return sqrt(square(v));
 }
 
-/// a d - b c, right to its last digits also where the products cancel.
+/// a d - b c, accurate to its last digits also where the products cancel.
 template <class S>
 S minor2(const S& a, const S& b, const S& c, const S& d) {
   using W = working_t<S>;
@@ -139,7 +169,7 @@ S wedge(const MetricView<S>& v, const MetricView<S>& a, const MetricView<S>& j) 
   return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
 }
 
-/// Exponents of the units in which products and squares of a motion neither overflow nor vanish: 0 for most.
+/// Exponents of the units in which products and squares of derivatives neither overflow nor vanish: 0 for most.
 struct Units {
   int v = 0, a = 0, j = 0;
 };
@@ -155,14 +185,14 @@ int unit_of(const MetricView<S>& vector) {
   return abs(exponent) <= harmless ? 0 : exponent;
 }
 
-/// What `in` makes of a motion in such units, and the units. Most motions are taken as they are.
+/// The result of `in` for derivatives in such units, and the units. Most derivatives are used unscaled.
 template <class S, class In>
-auto in_units(const Derivatives<S>& motion, std::span<const std::size_t> metric, In in) {
+auto in_units(const Derivatives<S>& of, std::span<const std::size_t> metric, In in) {
   using std::ldexp;
-  const Units units{unit_of<S>({motion.velocity, metric}), unit_of<S>({motion.acceleration, metric}),
-                    unit_of<S>({motion.jerk, metric})};
-  if (units.v == 0 && units.a == 0 && units.j == 0) return in(motion, units);
-  Derivatives<S> scaled = motion;
+  const Units units{unit_of<S>({of.velocity, metric}), unit_of<S>({of.acceleration, metric}),
+                    unit_of<S>({of.jerk, metric})};
+  if (units.v == 0 && units.a == 0 && units.j == 0) return in(of, units);
+  Derivatives<S> scaled = of;
   for (S& value : scaled.velocity) value = ldexp(value, -units.v);
   for (S& value : scaled.acceleration) value = ldexp(value, -units.a);
   for (S& value : scaled.jerk) value = ldexp(value, -units.j);
@@ -171,7 +201,7 @@ auto in_units(const Derivatives<S>& motion, std::span<const std::size_t> metric,
   return in(scaled, units);
 }
 
-/// What is known of the path's shape at one place, over the metric channels.
+/// The shape of the curve at one place, over the metric channels.
 template <class S>
 struct Shape {
   S speed{};
@@ -179,34 +209,34 @@ struct Shape {
   std::optional<S> curvature;  ///< where there is a tangent
 };
 
-/// |v ^ a|, 0 where rounding cannot tell it from that.
+/// |v ^ a|, 0 where it is within its rounding error of that.
 template <class S>
-S bend_area(const Derivatives<S>& motion, std::span<const std::size_t> metric) {
-  const MetricView<S> v(motion.velocity, metric), a(motion.acceleration, metric);
+S parallelogram(const Derivatives<S>& of, std::span<const std::size_t> metric) {
+  const MetricView<S> v(of.velocity, metric), a(of.acceleration, metric);
   const S area = wedge(v, a);
-  return area > motion.velocity_noise * norm(a) + motion.acceleration_noise * norm(v) ? area : S(0);
+  return area > of.velocity_noise * norm(a) + of.acceleration_noise * norm(v) ? area : S(0);
 }
 
 template <class S>
-Shape<S> shape(const Derivatives<S>& motion, std::span<const std::size_t> metric) {
+Shape<S> shape(const Derivatives<S>& of, std::span<const std::size_t> metric) {
   using std::ldexp;
-  return in_units(motion, metric, [metric](const Derivatives<S>& in, const Units& units) {
+  return in_units(of, metric, [metric](const Derivatives<S>& in, const Units& units) {
     const S speed = norm<S>({in.velocity, metric});
     Shape<S> result{ldexp(speed, units.v), speed > in.velocity_noise, {}};
     if (!result.moves) return result;
-    result.curvature = ldexp(bend_area(in, metric) / speed / speed / speed, units.a - 2 * units.v);
+    result.curvature = ldexp(parallelogram(in, metric) / speed / speed / speed, units.a - 2 * units.v);
     return result;
   });
 }
 
 /// The torsion, where the curvature is not 0.
 template <class S>
-std::optional<S> torsion(const Derivatives<S>& motion, std::span<const std::size_t> metric) {
+std::optional<S> torsion(const Derivatives<S>& of, std::span<const std::size_t> metric) {
   using std::abs, std::ldexp;
-  return in_units(motion, metric, [metric](const Derivatives<S>& in, const Units& units) -> std::optional<S> {
+  return in_units(of, metric, [metric](const Derivatives<S>& in, const Units& units) -> std::optional<S> {
     const MetricView<S> v(in.velocity, metric), a(in.acceleration, metric), j(in.jerk, metric);
     const S speed = norm(v), across = norm(a);
-    const S area = speed > in.velocity_noise ? bend_area(in, metric) : S(0);
+    const S area = speed > in.velocity_noise ? parallelogram(in, metric) : S(0);
     if (area == S(0)) return std::nullopt;
     const S volume = v.size() < 3 ? S(0) : wedge(v, a, j);
     const S noise =

@@ -29,9 +29,10 @@ constexpr Rounded<S> two_sum(const S& a, const S& b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// The upper 26 bits of a double; the other 27 are what is left of it.
+/// The upper 26 bits of a double; the other 27 are the difference.
+inline constexpr std::uint64_t upper_half_mask = 0xFFFF'FFFF'F800'0000;
 constexpr double upper_half(double value) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & 0xFFFF'FFFF'F800'0000);
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & upper_half_mask);
 }
 
 /// a * b and its rounding error (exact to 2^-104 of the product, and while nothing underflows).

@@ -76,6 +76,13 @@ struct CurveRules {
   std::vector<std::size_t> metric;  ///< the channels of speeds and lengths; empty: all
 };
 
+/// The rules of a product, the same end rule for both ends.
+template <class S>
+CurveRules<S> rules_of(Preset preset) {
+  const PresetRow& row = row_of(preset);
+  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}};
+}
+
 /// Successive segments. Shapes: one more time than segments; `channels` cubics a segment; one warp a
 /// segment, or none where no key has ease.
 template <class S>

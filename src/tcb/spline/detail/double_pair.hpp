@@ -1,45 +1,76 @@
-// Pairs: two doubles that go through the same operations side by side, each as if alone.
+// Double pair: two doubles in the same operations side by side; each result is that of one double alone.
 //
-// Most operations take a processor no longer for both than for one. Written with the vector types of GCC and Clang.
+// Most operations take a processor no longer for both than for one. With GCC and Clang the two are a vector, which
+// their optimizers do not make of two doubles; elsewhere, or where TCB_SPLINE_PLAIN_PAIRS is defined, they are two
+// doubles.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "tcb/spline/scalar.hpp"
+
 namespace tcb::spline {
+
+#if defined(__GNUC__) && !defined(TCB_SPLINE_PLAIN_PAIRS)
+using TwoDoubles = double __attribute__((vector_size(2 * sizeof(double))));
+using TwoMasks = std::uint64_t __attribute__((vector_size(2 * sizeof(double))));
+
+/// For each of the two: yes where a < b, else no.
+inline TwoDoubles if_less(TwoDoubles a, TwoDoubles b, TwoDoubles yes, TwoDoubles no) { return a < b ? yes : no; }
+inline TwoDoubles upper_half(TwoDoubles a) { return TwoDoubles(TwoMasks(a) & upper_half_mask); }
+#else
+struct TwoDoubles {
+  double of[2];
+
+  double operator[](std::size_t i) const { return of[i]; }
+  friend TwoDoubles operator-(TwoDoubles a) { return {{-a[0], -a[1]}}; }
+  friend TwoDoubles operator+(TwoDoubles a, TwoDoubles b) { return {{a[0] + b[0], a[1] + b[1]}}; }
+  friend TwoDoubles operator-(TwoDoubles a, TwoDoubles b) { return {{a[0] - b[0], a[1] - b[1]}}; }
+  friend TwoDoubles operator*(TwoDoubles a, TwoDoubles b) { return {{a[0] * b[0], a[1] * b[1]}}; }
+  friend TwoDoubles operator/(TwoDoubles a, TwoDoubles b) { return {{a[0] / b[0], a[1] / b[1]}}; }
+};
+
+inline TwoDoubles if_less(TwoDoubles a, TwoDoubles b, TwoDoubles yes, TwoDoubles no) {
+  return {{a[0] < b[0] ? yes[0] : no[0], a[1] < b[1] ? yes[1] : no[1]}};
+}
+inline TwoDoubles upper_half(TwoDoubles a) { return {{upper_half(a[0]), upper_half(a[1])}}; }
+#endif
 
 class DoublePair {
  public:
   DoublePair() = default;
-  DoublePair(double both) : of_{both, both} {}  // NOLINT(google-explicit-constructor): a number goes with both
+  DoublePair(double both) : of_{both, both} {}  // NOLINT(google-explicit-constructor): a number used for both
   DoublePair(double first, double second) : of_{first, second} {}
 
   double operator[](std::size_t i) const { return of_[i]; }
 
-  friend DoublePair upper_half(const DoublePair& a) { return DoublePair(Vector(Bits(a.of_) & 0xFFFF'FFFF'F800'0000)); }
+  friend DoublePair upper_half(const DoublePair& a) { return DoublePair(spline::upper_half(a.of_)); }
 
   friend DoublePair operator-(const DoublePair& a) { return DoublePair(-a.of_); }
   friend DoublePair operator+(const DoublePair& a, const DoublePair& b) { return DoublePair(a.of_ + b.of_); }
   friend DoublePair operator-(const DoublePair& a, const DoublePair& b) { return DoublePair(a.of_ - b.of_); }
   friend DoublePair operator*(const DoublePair& a, const DoublePair& b) { return DoublePair(a.of_ * b.of_); }
   friend DoublePair operator/(const DoublePair& a, const DoublePair& b) { return DoublePair(a.of_ / b.of_); }
-  friend DoublePair abs(const DoublePair& a) { return DoublePair(a.of_ < Vector{} ? -a.of_ : a.of_); }
+  friend DoublePair abs(const DoublePair& a) { return DoublePair(if_less(a.of_, TwoDoubles{}, -a.of_, a.of_)); }
   friend DoublePair sqrt(const DoublePair& a) { return {std::sqrt(a.of_[0]), std::sqrt(a.of_[1])}; }
-  friend DoublePair min(const DoublePair& a, const DoublePair& b) { return DoublePair(b.of_ < a.of_ ? b.of_ : a.of_); }
-  friend DoublePair max(const DoublePair& a, const DoublePair& b) { return DoublePair(a.of_ < b.of_ ? b.of_ : a.of_); }
+  friend DoublePair min(const DoublePair& a, const DoublePair& b) {
+    return DoublePair(if_less(b.of_, a.of_, b.of_, a.of_));
+  }
+  friend DoublePair max(const DoublePair& a, const DoublePair& b) {
+    return DoublePair(if_less(a.of_, b.of_, b.of_, a.of_));
+  }
 
   /// yes where a > 0, else no.
   friend DoublePair if_positive(const DoublePair& a, const DoublePair& yes, const DoublePair& no) {
-    return DoublePair(a.of_ > Vector{} ? yes.of_ : no.of_);
+    return DoublePair(if_less(TwoDoubles{}, a.of_, yes.of_, no.of_));
   }
 
  private:
-  using Vector = double __attribute__((vector_size(2 * sizeof(double))));
-  using Bits = std::uint64_t __attribute__((vector_size(2 * sizeof(double))));
-  explicit DoublePair(Vector of) : of_(of) {}
+  explicit DoublePair(TwoDoubles of) : of_(of) {}
 
-  Vector of_;
+  TwoDoubles of_;
 };
 
 /// The same of one number.

@@ -1,0 +1,218 @@
+// Build errors: the checks of keys and rules before a curve is built from them, and their messages.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tcb/spline/window.hpp"
+
+namespace tcb::spline {
+
+/// Reasons why no curve can be built; build_error_texts has a row for each, in this order.
+enum class BuildErrorCode : std::uint8_t {
+  no_keys,
+  no_channels,
+  positions_count,
+  tcbs_count,
+  eases_count,
+  time_not_finite,
+  times_not_increasing,
+  duration_overflow,
+  position_not_finite,
+  tcb_not_finite,
+  common_tcb_not_finite,
+  ease_out_of_range,
+  unknown_rule,
+  metric_channel_missing,
+  start_velocity_count,
+  end_velocity_count,
+  start_velocity_not_finite,
+  end_velocity_not_finite,
+  equal_speed_without_roots,
+  closed_too_few_keys,
+  period_missing,
+  period_not_finite,
+  period_too_short,
+  period_contradicted,
+  seam_tcb_differs,
+  curve_overflow,
+  length_overflow
+};
+
+/// The messages. {key} and {channel} are numbers from 0; {expected} and {found} are counts.
+struct BuildErrorText {
+  BuildErrorCode id;
+  std::string_view text;
+};
+inline constexpr std::array build_error_texts{
+    BuildErrorText{BuildErrorCode::no_keys, "there are no keys; expected at least one"},
+    BuildErrorText{BuildErrorCode::no_channels, "the keys have no channels; expected at least one"},
+    BuildErrorText{BuildErrorCode::positions_count,
+                   "positions has {found} numbers; expected {expected}, the number of keys times that of channels"},
+    BuildErrorText{BuildErrorCode::tcbs_count, "tcbs has {found} entries; expected {expected}, one per key, or none"},
+    BuildErrorText{BuildErrorCode::eases_count, "eases has {found} entries; expected {expected}, one per key, or none"},
+    BuildErrorText{BuildErrorCode::time_not_finite, "the time of key {key} is not finite; expected a finite number"},
+    BuildErrorText{BuildErrorCode::times_not_increasing,
+                   "the time of key {key} is not after that of the key before it; expected increasing times"},
+    BuildErrorText{BuildErrorCode::duration_overflow,
+                   "the duration up to key {key} exceeds the range of the scalar; expected times nearer to each other"},
+    BuildErrorText{BuildErrorCode::position_not_finite,
+                   "the position of key {key} in channel {channel} is not finite; expected a finite number"},
+    BuildErrorText{BuildErrorCode::tcb_not_finite,
+                   "tension, continuity or bias of key {key} is not finite; expected finite numbers"},
+    BuildErrorText{BuildErrorCode::common_tcb_not_finite,
+                   "the common tension, continuity or bias is not finite; expected finite numbers"},
+    BuildErrorText{BuildErrorCode::ease_out_of_range,
+                   "an ease of key {key} is outside [0, 1]; expected a number from 0 to 1"},
+    BuildErrorText{BuildErrorCode::unknown_rule,
+                   "a tangent rule or end rule has no row in its table; expected an enumerator"},
+    BuildErrorText{BuildErrorCode::metric_channel_missing,
+                   "the metric has channel {channel}, but the keys have {expected} channels, numbered from 0"},
+    BuildErrorText{BuildErrorCode::start_velocity_count,
+                   "the rule of the start has {found} velocities; expected {expected}, as its rule takes them"},
+    BuildErrorText{BuildErrorCode::end_velocity_count,
+                   "the rule of the end has {found} velocities; expected {expected}, as its rule takes them"},
+    BuildErrorText{BuildErrorCode::start_velocity_not_finite,
+                   "the velocity of the start in channel {channel} is not finite; expected a finite number"},
+    BuildErrorText{BuildErrorCode::end_velocity_not_finite,
+                   "the velocity of the end in channel {channel} is not finite; expected a finite number"},
+    BuildErrorText{BuildErrorCode::equal_speed_without_roots,
+                   "equal speed needs square roots, which the scalar does not have; expected a rule without it"},
+    BuildErrorText{BuildErrorCode::closed_too_few_keys,
+                   "a closed curve has {found} key; expected two keys, without the one that repeats the first"},
+    BuildErrorText{BuildErrorCode::period_missing,
+                   "the period is missing; expected a period, or a last key at the position of the first key"},
+    BuildErrorText{BuildErrorCode::period_not_finite, "the period is not finite; expected a finite number"},
+    BuildErrorText{BuildErrorCode::period_too_short,
+                   "the period ends before key {key}, or at it; expected a longer period"},
+    BuildErrorText{BuildErrorCode::period_contradicted,
+                   "key {key} repeats the first position and so ends the period, but another period is given; expected "
+                   "one of the two"},
+    BuildErrorText{BuildErrorCode::seam_tcb_differs,
+                   "key {key} repeats the first position with another tension, continuity or bias; expected the same"},
+    BuildErrorText{BuildErrorCode::curve_overflow,
+                   "the curve from key {key} on exceeds the range of the scalar in channel {channel}; expected smaller "
+                   "positions, velocities, tension, continuity or bias, or less uneven times"},
+    BuildErrorText{
+        BuildErrorCode::length_overflow,
+        "the length up to the end of the segment from key {key} on exceeds the range of the scalar; expected "
+        "smaller positions"},
+};
+static_assert(is_in_order(build_error_texts));
+
+/// Why no curve can be built: a code, and the values that its text mentions.
+struct BuildError {
+  BuildErrorCode code = BuildErrorCode::no_keys;
+  std::size_t key = 0;      ///< from 0
+  std::size_t channel = 0;  ///< from 0
+  std::size_t expected = 0, found = 0;
+
+  /// The error in words: what is wrong, and what was expected.
+  std::string message() const {
+    std::string text(build_error_texts[static_cast<std::size_t>(code)].text);
+    const auto insert = [&](std::string_view name, std::size_t value) {
+      const std::size_t at = text.find(name);
+      if (at != std::string::npos) text.replace(at, name.size(), std::to_string(value));
+    };
+    insert("{key}", key);
+    insert("{channel}", channel);
+    insert("{expected}", expected);
+    insert("{found}", found);
+    return text;
+  }
+};
+
+/// The number is neither infinite nor NaN.
+template <class T>
+constexpr bool is_finite(const T& value) {
+  return value - value == T(0);
+}
+template <class S>
+bool is_finite(const Tcb<S>& tcb) {
+  return is_finite(tcb.tension) && is_finite(tcb.continuity) && is_finite(tcb.bias);
+}
+
+/// An error of the times and the durations between them.
+template <class S>
+std::optional<BuildError> find_time_error(const std::vector<Time<S>>& times) {
+  for (std::size_t key = 0; key < times.size(); ++key) {
+    if (!is_finite(times[key])) return BuildError{.code = BuildErrorCode::time_not_finite, .key = key};
+    if (key == 0) continue;
+    if (!(times[key] > times[key - 1])) return BuildError{.code = BuildErrorCode::times_not_increasing, .key = key};
+    if (!is_finite(times[key] - times[0])) return BuildError{.code = BuildErrorCode::duration_overflow, .key = key};
+  }
+  return std::nullopt;
+}
+
+/// An error of the keys.
+template <class S>
+std::optional<BuildError> find_key_error(const Keys<S>& keys) {
+  using enum BuildErrorCode;
+  const std::size_t size = keys.size(), channels = keys.channels;
+  if (size == 0) return BuildError{.code = no_keys};
+  if (channels == 0) return BuildError{.code = no_channels};
+  if (keys.positions.size() % channels != 0 || keys.positions.size() / channels != size) {
+    return BuildError{.code = positions_count, .expected = size * channels, .found = keys.positions.size()};
+  }
+  if (!keys.tcbs.empty() && keys.tcbs.size() != size) {
+    return BuildError{.code = tcbs_count, .expected = size, .found = keys.tcbs.size()};
+  }
+  if (!keys.eases.empty() && keys.eases.size() != size) {
+    return BuildError{.code = eases_count, .expected = size, .found = keys.eases.size()};
+  }
+  if (auto error = find_time_error<S>(keys.times)) return error;
+  for (std::size_t i = 0; i < keys.positions.size(); ++i) {
+    if (!is_finite(keys.positions[i])) {
+      return BuildError{.code = position_not_finite, .key = i / channels, .channel = i % channels};
+    }
+  }
+  for (std::size_t key = 0; key < keys.tcbs.size(); ++key) {
+    if (!is_finite(keys.tcbs[key])) return BuildError{.code = tcb_not_finite, .key = key};
+  }
+  if (!is_finite(keys.common_tcb)) return BuildError{.code = common_tcb_not_finite};
+  const auto in_range = [](const S& ease) { return ease >= S(0) && ease <= S(1); };
+  for (std::size_t key = 0; key < keys.eases.size(); ++key) {
+    const bool good = in_range(keys.eases[key].in) && in_range(keys.eases[key].out);
+    if (!good) return BuildError{.code = ease_out_of_range, .key = key};
+  }
+  return std::nullopt;
+}
+
+/// An error of the rule at one end, which is the start or the end.
+template <class S>
+std::optional<BuildError> find_end_error(const EndChoice<S>& choice, std::size_t channels, bool start) {
+  using enum BuildErrorCode;
+  if (static_cast<std::size_t>(choice.rule) >= end_rules<S>.size()) return BuildError{.code = unknown_rule};
+  const std::size_t expected = row_of<S>(choice.rule).takes_velocity ? channels : 0;
+  if (choice.velocity.size() != expected) {
+    const auto code = start ? start_velocity_count : end_velocity_count;
+    return BuildError{.code = code, .expected = expected, .found = choice.velocity.size()};
+  }
+  for (std::size_t i = 0; i < choice.velocity.size(); ++i) {
+    if (is_finite(choice.velocity[i])) continue;
+    return BuildError{.code = start ? start_velocity_not_finite : end_velocity_not_finite, .channel = i};
+  }
+  return std::nullopt;
+}
+
+/// An error of the rules for keys with some channels. A closed curve has no ends.
+template <class S>
+std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, std::size_t channels, bool closed) {
+  using enum BuildErrorCode;
+  if (static_cast<std::size_t>(rules.tangents) >= tangent_rules<S>.size()) return BuildError{.code = unknown_rule};
+  if (rules.equal_speed && !has_roots<S>) return BuildError{.code = equal_speed_without_roots};
+  for (const std::size_t channel : rules.metric) {
+    if (channel >= channels) {
+      return BuildError{.code = metric_channel_missing, .channel = channel, .expected = channels};
+    }
+  }
+  if (closed) return std::nullopt;
+  if (auto error = find_end_error(rules.start, channels, true)) return error;
+  return find_end_error(rules.end, channels, false);
+}
+
+}  // namespace tcb::spline

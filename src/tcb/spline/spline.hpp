@@ -1,0 +1,63 @@
+// The library tcb::spline: Kochanek-Bartels curves by time and by arc length. This header includes all of it.
+//
+// Build with -ffp-contract=off (the CMake target tcb::spline sets it), round to nearest and without -ffast-math: then
+// the results have the same bits with every compiler and machine. A complete program (tests/library runs it):
+//
+//     #include <tcb/spline/spline.hpp>
+//
+//     #include <array>
+//     #include <cstdio>
+//
+//     using namespace tcb::spline;
+//
+//     int main() {
+//       Keys<double> keys;
+//       keys.channels = 2;                                       // x and y
+//       keys.times = {0.0, 1.0, 3.0, 4.0};                       // increasing
+//       keys.positions = {0, 0, 2, 3, 5, -1, 6, 2};              // x and y of each key
+//       keys.tcbs = {{}, {0.5, 0, 0}, {0, -1, 0}, {0, 0, 0.25}};  // tension, continuity, bias of each key
+//
+//       CurveRules<double> rules = rules_of<double>(Preset::gte);
+//       rules.end.rule = EndRule::zero;  // stop at the last key
+//
+//       const auto curve = Curve<double>::build(keys, rules);
+//       if (!curve) {
+//         std::printf("%s\n", curve.error().message().c_str());
+//         return 1;
+//       }
+//       std::array<double, 2> position{}, velocity{};
+//       for (int row = 0; row <= 8; ++row) {
+//         const double t = row * 0.5;
+//         curve->position(t, position);
+//         curve->velocity(t, velocity);
+//         std::printf("t %g: position %.4f %.4f, velocity %.4f %.4f\n", t, position[0], position[1], velocity[0],
+//                     velocity[1]);
+//       }
+//       const double length = curve->length().value;
+//       for (int part = 0; part <= 4; ++part) {
+//         const double t = curve->at_length(length * part / 4, position);
+//         std::printf("length %.4f: t %.4f, position %.4f %.4f\n", length * part / 4, t, position[0], position[1]);
+//       }
+//       const Segment<double> first = curve->segment(0);
+//       std::printf("segment 0 leaves with tangent %.4f %.4f\n", first.cubics[0].out, first.cubics[1].out);
+//
+//       const auto closed = Curve<double>::build_closed(keys, rules, 5.0);  // back at the first key at t = 5
+//       closed->position(4.5, position);
+//       std::printf("closed, t 4.5: position %.4f %.4f\n", position[0], position[1]);
+//
+//       keys.times[2] = 0.5;
+//       std::printf("%s\n", Curve<double>::build(keys).error().message().c_str());
+//     }
+#pragma once
+
+#include "tcb/spline/arc_inverse.hpp"
+#include "tcb/spline/arc_length.hpp"
+#include "tcb/spline/build_error.hpp"
+#include "tcb/spline/curve.hpp"
+#include "tcb/spline/derivatives.hpp"
+#include "tcb/spline/ease.hpp"
+#include "tcb/spline/key.hpp"
+#include "tcb/spline/rules.hpp"
+#include "tcb/spline/scalar.hpp"
+#include "tcb/spline/segment.hpp"
+#include "tcb/spline/window.hpp"
