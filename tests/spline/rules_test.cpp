@@ -39,7 +39,7 @@ struct Row {
   std::array<double, 6> positions;
 };
 
-TEST(Rules, meet_the_tabled_positions) {
+TEST(Rules, give_the_tabled_positions) {
   const std::array<Row, 14> table{{
       {"uniform", "half", {.514507812, 1.3826875, .60546875, .43128125, 1.97575, 1.36921875}},
       {"interval", "one-sided", {.564171875, 1.359125, .640625, .620854167, 2.02616667, 1.4539375}},
@@ -65,7 +65,7 @@ TEST(Rules, meet_the_tabled_positions) {
   }
 }
 
-TEST(Rules, meet_the_tabled_inner_tangents) {
+TEST(Rules, give_the_tabled_inner_tangents) {
   struct Slopes {
     std::string_view rule;
     std::array<double, 3> in, out;
@@ -87,7 +87,7 @@ TEST(Rules, meet_the_tabled_inner_tangents) {
   }
 }
 
-TEST(Rules, equal_speed_meets_the_tabled_positions) {
+TEST(Rules, equal_speed_gives_the_tabled_positions) {
   auto chosen = rules("velocity", "half");
   chosen.equal_speed = true;
   const auto curve = segments<double>({example()}, chosen);
@@ -100,7 +100,7 @@ TEST(Rules, equal_speed_meets_the_tabled_positions) {
   for (const auto& [t, x] : table) EXPECT_NEAR(at(curve, t), x, 5e-12);
 }
 
-TEST(Rules, equal_speed_looks_at_the_metric_channels_and_scales_all) {
+TEST(Rules, equal_speed_measures_the_metric_channels_and_scales_all) {
   Keys<double> keys;
   keys.channels = 2;
   keys.times = {0.0, 1.0, 2.0};
@@ -135,7 +135,7 @@ TEST(Rules, all_tangent_rules_agree_on_equal_steps) {
   }
 }
 
-TEST(Rules, without_continuity_these_have_one_velocity_at_a_key) {
+TEST(Rules, without_continuity_some_rules_have_one_velocity_at_a_key) {
   auto keys = example();
   for (auto& tcb : keys.tcbs) tcb.continuity = 0;
   const Window<double> window{keys};
@@ -178,7 +178,7 @@ TEST(Rules, two_keys_follow_the_formulas_but_for_natural_ends) {
   }
 }
 
-TEST(Rules, natural_ends_have_no_acceleration_at_all) {
+TEST(Rules, natural_ends_have_zero_acceleration) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-100, 100), step(0.01, 3), parameter(-1.5, 1.5);
   for (const auto& rule : tangent_rules<double>) {

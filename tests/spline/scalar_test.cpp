@@ -1,8 +1,9 @@
-// Double-double arithmetic: sums, products and quotients against 128-bit integers.
+// Scalars: sums, products and quotients of double-doubles against 128-bit integers, and powers by square roots.
 #include "tcb/spline/scalar.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace tcb::spline {
@@ -44,6 +45,24 @@ TEST_F(DoubleDoubleTest, products_do_not_overflow_before_the_result_does) {
 TEST_F(DoubleDoubleTest, order_looks_at_both_parts) {
   EXPECT_LT(DoubleDouble(0x1p60, -1), DoubleDouble(0x1p60));
   EXPECT_LT(DoubleDouble(0x1p60), DoubleDouble(0x1p60, 1));
+}
+
+TEST(Power, of_whole_halves_and_quarters) {
+  EXPECT_EQ(power(3, 0).hi, 1);
+  EXPECT_EQ(power(3, 1).hi, 3);
+  EXPECT_EQ(power(3, 2).hi, 9);
+  EXPECT_EQ(power(9, 0.5).hi, 3);
+  EXPECT_EQ(power(16, 0.75).hi, 8);
+  EXPECT_EQ(power(2, 0.5).hi, std::sqrt(2.0));
+}
+
+TEST(Power, of_any_exponent) {
+  for (double exponent = 0.013; exponent < 3; exponent += 0.0371) {
+    for (const double x : {1e-200, 0.7, 1.0, 123.456, 1e200}) {
+      if (std::abs(std::log10(x) * exponent) > 290) continue;
+      EXPECT_NEAR(power(x, exponent).hi / std::pow(x, exponent), 1, 4e-16);
+    }
+  }
 }
 
 }  // namespace

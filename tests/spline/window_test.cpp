@@ -1,4 +1,4 @@
-// Curves: tabled values, the laws of the splines, and windows that do not show.
+// Windows: tabled values, the laws of the splines, and the same segments from windows of any size.
 #include "tcb/spline/window.hpp"
 
 #include <gtest/gtest.h>
@@ -8,52 +8,19 @@
 #include <random>
 #include <vector>
 
+#include "example_keys.hpp"
+
 namespace tcb::spline {
 namespace {
 
-using Key = std::array<double, 5>;  // t, x, tension, continuity, bias
-
-const std::vector<Key> example{
-    {0, 0, .2, -.3, .4}, {1, 2, 0, .5, -.25}, {3, -1, -.5, .25, .5}, {4, 3, .3, -.6, -.2}, {6, 1, .1, .4, .3}};
-
-Keys<double> keys_of(const std::vector<Key>& table) {
-  Keys<double> keys;
-  keys.channels = 1;
-  for (const auto& [t, x, tension, continuity, bias] : table) {
-    keys.times.emplace_back(t);
-    keys.positions.push_back(x);
-    keys.tcbs.push_back({tension, continuity, bias});
-  }
-  return keys;
-}
-
-double at(const Segments<double>& curve, double t, std::size_t channel = 0) {
-  std::size_t i = 0;
-  while (i + 1 < curve.size() && curve.times[i + 1].hi <= t) ++i;
-  return position(curve[i][channel], TimeMap<double>(curve.times[i], curve.times[i + 1])({t}));
-}
-
-Keys<double> random_keys(std::mt19937_64& random, std::size_t count, std::size_t channels) {
-  std::uniform_real_distribution<double> place(-10, 10), step(0.01, 3), parameter(-1.5, 1.5);
-  Keys<double> keys;
-  keys.channels = channels;
-  double t = place(random);
-  for (std::size_t i = 0; i < count; ++i, t += step(random)) {
-    keys.times.emplace_back(t);
-    keys.tcbs.push_back({parameter(random), parameter(random), parameter(random)});
-    for (std::size_t c = 0; c < channels; ++c) keys.positions.push_back(place(random));
-  }
-  return keys;
-}
-
-TEST(Curve, velocity_with_half_ends_meets_the_tabled_values) {
+TEST(Segments, velocity_with_half_ends_has_the_tabled_values) {
   const auto curve = segments<double>({keys_of(example)}, {});
   const std::array<std::array<double, 2>, 6> table{
       {{.25, .44858984375}, {.5, 1.20690625}, {2, .51171875}, {3.5, .673953125}, {5, 2.03175}, {5.5, 1.39021875}}};
   for (const auto& [t, x] : table) EXPECT_NEAR(at(curve, t), x, 1e-15 * 4) << t;
 }
 
-TEST(Curve, interior_tangents_of_velocity_meet_the_tabled_values) {
+TEST(Segments, interior_tangents_of_velocity_has_the_tabled_values) {
   const auto keys = keys_of(example);
   const Window<double> window{keys};
   const CurveRules<double> rules;
@@ -65,7 +32,7 @@ TEST(Curve, interior_tangents_of_velocity_meet_the_tabled_values) {
   }
 }
 
-TEST(Curve, passes_through_every_key_bit_for_bit) {
+TEST(Segments, passes_through_every_key_bit_for_bit) {
   std::mt19937_64 random(1);
   for (int round = 0; round < 200; ++round) {
     const auto keys = random_keys(random, 8, 3);
@@ -76,7 +43,7 @@ TEST(Curve, passes_through_every_key_bit_for_bit) {
   }
 }
 
-TEST(Curve, tension_of_one_stops_at_the_key) {
+TEST(Segments, tension_of_one_stops_at_the_key) {
   auto table = example;
   for (Key& key : table) key[2] = 1;
   const Window<double> window{keys_of(table)};
@@ -88,13 +55,13 @@ TEST(Curve, tension_of_one_stops_at_the_key) {
   }
 }
 
-TEST(Curve, continuity_of_minus_one_makes_straight_segments_at_constant_speed) {
+TEST(Segments, continuity_of_minus_one_makes_straight_segments_at_constant_speed) {
   const auto curve =
       segments<double>({keys_of({{0, 0, 0, -1, 0}, {1, 8, 0, -1, 0}, {3, -8, 0, -1, 0}, {4, 1, 0, -1, 0}})}, {});
   for (double u = 0; u <= 1; u += 0.125) EXPECT_EQ(at(curve, 1 + 2 * u), 8 - 16 * u);
 }
 
-TEST(Curve, reversed_keys_with_opposite_bias_give_the_same_points) {
+TEST(Segments, reversed_keys_with_opposite_bias_give_the_same_points) {
   std::mt19937_64 random(2);
   for (int round = 0; round < 100; ++round) {
     const auto keys = random_keys(random, 6, 2);
@@ -114,7 +81,7 @@ TEST(Curve, reversed_keys_with_opposite_bias_give_the_same_points) {
   }
 }
 
-TEST(Curve, affine_maps_of_the_keys_map_the_points) {
+TEST(Segments, affine_maps_of_the_keys_map_the_points) {
   std::mt19937_64 random(3);
   for (int round = 0; round < 100; ++round) {
     const auto keys = random_keys(random, 6, 1);
@@ -129,7 +96,7 @@ TEST(Curve, affine_maps_of_the_keys_map_the_points) {
   }
 }
 
-TEST(Curve, powers_of_two_scale_every_mantissa_exactly) {
+TEST(Segments, powers_of_two_scale_every_mantissa_exactly) {
   std::mt19937_64 random(4);
   for (int round = 0; round < 100; ++round) {
     const auto keys = random_keys(random, 6, 1);
@@ -145,7 +112,7 @@ TEST(Curve, powers_of_two_scale_every_mantissa_exactly) {
   }
 }
 
-TEST(Curve, a_channel_does_not_see_the_others) {
+TEST(Segments, a_channel_does_not_depend_on_the_others) {
   std::mt19937_64 random(5);
   const auto keys = random_keys(random, 7, 3);
   auto alone = keys;
@@ -158,23 +125,6 @@ TEST(Curve, a_channel_does_not_see_the_others) {
     const double t = keys.times[0].hi + f * (keys.times[6].hi - keys.times[0].hi);
     EXPECT_EQ(at(all, t, 1), at(one, t));
   }
-}
-
-TEST(Curve, two_places_side_by_side_give_the_bits_of_each) {
-  std::mt19937_64 random(18);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int i = 0; i < 10'000; ++i) {
-    const auto x = cubic<double>(uniform(random), uniform(random), uniform(random), uniform(random));
-    const auto place = [&] { return from_start<double>(DoubleDouble(std::abs(uniform(random)))); };
-    const auto a = place(), b = place();
-    if (!can_pair(a, b)) continue;
-    const DoublePair both = positions(x, a, b);
-    ASSERT_EQ(both[0], position(x, a));
-    ASSERT_EQ(both[1], position(x, b));
-  }
-  const LocalParameter<double> start{0, -1}, inside{0.25, -0.75}, late{0.75, -0.25}, end{1, 0};
-  EXPECT_TRUE(can_pair(inside, inside));
-  EXPECT_FALSE(can_pair(inside, late) || can_pair(start, inside) || can_pair(late, end));
 }
 
 TEST(Linker, windows_of_any_size_give_the_same_segments) {
@@ -212,7 +162,7 @@ TEST(Linker, windows_of_any_size_give_the_same_segments) {
   }
 }
 
-TEST(Linker, a_segment_is_known_when_the_key_after_its_end_has_come) {
+TEST(Linker, a_segment_is_complete_with_the_key_after_its_end) {
   const auto keys = keys_of(example);
   Linker<double> linker;
   std::vector<std::size_t> known;

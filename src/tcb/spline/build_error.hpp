@@ -71,7 +71,7 @@ inline constexpr std::array build_error_texts{
     BuildErrorText{BuildErrorCode::unknown_rule,
                    "a tangent rule or end rule has no row in its table; expected an enumerator"},
     BuildErrorText{BuildErrorCode::metric_channel_missing,
-                   "the metric has channel {channel}, but the keys have {expected} channels, numbered from 0"},
+                   "the metric has channel {channel}; expected a number below {expected}, the number of channels"},
     BuildErrorText{BuildErrorCode::start_velocity_count,
                    "the rule of the start has {found} velocities; expected {expected}, as its rule takes them"},
     BuildErrorText{BuildErrorCode::end_velocity_count,

@@ -1,0 +1,196 @@
+// Build errors: a code, values and words for every kind of bad keys and rules, and no undefined behaviour.
+#include "tcb/spline/build_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <string>
+
+#include "example_keys.hpp"
+#include "tcb/spline/curve.hpp"
+
+namespace tcb::spline {
+namespace {
+
+using enum BuildErrorCode;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The error of the example with a change. Fails where there is none.
+template <class F>
+BuildError error_with(F change) {
+  Keys<double> keys = keys_of(example);
+  CurveRules<double> rules;
+  change(keys, rules);
+  const auto result = Curve<double>::build(keys, rules);
+  EXPECT_FALSE(result);
+  return result ? BuildError{} : result.error();
+}
+
+template <class F>
+BuildError closed_error(std::optional<double> period, F change) {
+  Keys<double> keys = keys_of(example);
+  change(keys);
+  const auto end = period ? std::optional<DoubleDouble>(*period) : std::nullopt;
+  const auto result = Curve<double>::build_closed(keys, {}, end);
+  EXPECT_FALSE(result);
+  return result ? BuildError{} : result.error();
+}
+
+TEST(BuildError, counts_must_agree) {
+  const auto none = error_with([](auto& keys, auto&) { keys = {}; });
+  EXPECT_EQ(none.code, no_keys);
+  EXPECT_EQ(none.message(), "there are no keys; expected at least one");
+  EXPECT_EQ(error_with([](auto& keys, auto&) { keys.channels = 0; }).code, no_channels);
+  const auto positions = error_with([](auto& keys, auto&) { keys.channels = 2; });
+  EXPECT_EQ(positions.code, positions_count);
+  EXPECT_EQ(positions.message(), "positions has 5 numbers; expected 10, the number of keys times that of channels");
+  EXPECT_EQ(error_with([](auto& keys, auto&) { keys.channels = std::size_t{1} << 63; }).code, positions_count);
+  EXPECT_EQ(error_with([](auto& keys, auto&) { keys.tcbs.pop_back(); }).code, tcbs_count);
+  EXPECT_EQ(error_with([](auto& keys, auto&) { keys.eases.resize(7); }).code, eases_count);
+}
+
+TEST(BuildError, times_must_be_finite_and_increase) {
+  for (const double bad : {nan, infinite, -infinite}) {
+    const auto error = error_with([&](auto& keys, auto&) { keys.times[2] = bad; });
+    EXPECT_EQ(error.code, time_not_finite);
+    EXPECT_EQ(error.key, 2U);
+  }
+  for (const double bad : {1.0, 0.5, -7.0}) {
+    const auto error = error_with([&](auto& keys, auto&) { keys.times[2] = bad; });
+    EXPECT_EQ(error.code, times_not_increasing);
+    EXPECT_EQ(error.message(), "the time of key 2 is not after that of the key before it; expected increasing times");
+  }
+  const auto error = error_with([](auto& keys, auto&) {
+    keys.times[0] = -1e308;
+    keys.times[4] = 1e308;
+  });
+  EXPECT_EQ(error.code, duration_overflow);
+}
+
+TEST(BuildError, numbers_must_be_finite_and_ease_within_0_and_1) {
+  for (const double bad : {nan, infinite, -infinite}) {
+    const auto position = error_with([&](auto& keys, auto&) { keys.positions[3] = bad; });
+    EXPECT_EQ(position.code, position_not_finite);
+    EXPECT_EQ(position.message(), "the position of key 3 in channel 0 is not finite; expected a finite number");
+    EXPECT_EQ(error_with([&](auto& keys, auto&) { keys.tcbs[1].bias = bad; }).code, tcb_not_finite);
+    EXPECT_EQ(error_with([&](auto& keys, auto&) { keys.common_tcb.tension = bad; }).code, common_tcb_not_finite);
+  }
+  for (const double bad : {nan, -0.1, 1.5, infinite}) {
+    const auto error = error_with([&](auto& keys, auto&) {
+      keys.eases.resize(5);
+      keys.eases[4].in = bad;
+    });
+    EXPECT_EQ(error.code, ease_out_of_range);
+    EXPECT_EQ(error.key, 4U);
+  }
+}
+
+TEST(BuildError, rules_must_fit_the_keys) {
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.tangents = static_cast<TangentRule>(99); }).code, unknown_rule);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end.rule = static_cast<EndRule>(99); }).code, unknown_rule);
+  const auto metric = error_with([](auto&, auto& rules) { rules.metric = {0, 1}; });
+  EXPECT_EQ(metric.code, metric_channel_missing);
+  EXPECT_EQ(metric.message(), "the metric has channel 1; expected a number below 1, the number of channels");
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.start.rule = EndRule::velocity; }).code, start_velocity_count);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end = {EndRule::velocity, {1, 2}}; }).code, end_velocity_count);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end.velocity = {1}; }).code, end_velocity_count);
+  EXPECT_EQ(error_with([](auto&, auto& rules) {
+              rules.start = {EndRule::velocity, {nan}};
+            }).code,
+            start_velocity_not_finite);
+  EXPECT_EQ(error_with([](auto&, auto& rules) {
+              rules.end = {EndRule::velocity, {infinite}};
+            }).code,
+            end_velocity_not_finite);
+}
+
+TEST(BuildError, closed_curves_need_two_keys_and_a_period) {
+  const auto none = [](auto&) {};
+  EXPECT_EQ(closed_error(std::nullopt, none).code, period_missing);
+  for (const double bad : {nan, infinite}) EXPECT_EQ(closed_error(bad, none).code, period_not_finite);
+  for (const double bad : {6.0, 1.0, 0.0, -9.0}) EXPECT_EQ(closed_error(bad, none).code, period_too_short);
+  const auto repeat_first = [](auto& keys) {
+    keys.positions[4] = keys.positions[0];
+    keys.tcbs[4] = keys.tcbs[0];
+  };
+  EXPECT_EQ(closed_error(7.0, repeat_first).code, period_contradicted);
+  const auto differ = closed_error(std::nullopt, [](auto& keys) { keys.positions[4] = keys.positions[0]; });
+  EXPECT_EQ(differ.code, seam_tcb_differs);
+  EXPECT_EQ(differ.key, 4U);
+  EXPECT_EQ(closed_error(9.0, [](auto& keys) { keys = keys_of({{0, 1, 0, 0, 0}}); }).code, closed_too_few_keys);
+  EXPECT_EQ(closed_error(std::nullopt,
+                         [](auto& keys) {
+                           keys = keys_of({{0, 1, 0, 0, 0}, {1, 1, 0, 0, 0}});
+                         })
+                .code,
+            closed_too_few_keys);
+}
+
+TEST(BuildError, an_overflow_is_an_error) {
+  const auto error = error_with([](auto& keys, auto&) {
+    keys.positions[1] = 1e308;
+    keys.positions[2] = -1e308;
+  });
+  EXPECT_EQ(error.code, curve_overflow);
+  const auto length = error_with([](auto& keys, auto&) {
+    keys.channels = 5;
+    keys.times = {0.0, 1.0};
+    keys.positions = {0, 0, 0, 0, 0, 1e308, 1e308, 1e308, 1e308, 1e308};
+    keys.tcbs = {{}, {}};
+  });
+  EXPECT_EQ(length.code, length_overflow);
+}
+
+TEST(BuildError, every_code_has_a_message_without_placeholders) {
+  for (const auto& row : build_error_texts) {
+    const std::string message = BuildError{.code = row.id}.message();
+    EXPECT_EQ(message.find('{'), std::string::npos) << message;
+    EXPECT_NE(message.find("expected"), std::string::npos) << message;
+  }
+}
+
+TEST(BuildError, extreme_keys_give_an_error_or_finite_positions) {
+  std::mt19937_64 random(6);
+  const auto draw = [&] {
+    constexpr std::array special{0.0,     -0.0,  1.0,    -1.0, 1e308,    -1e308,    1e-308, 5e-324,
+                                 -5e-324, 1e150, 1e-150, nan,  infinite, -infinite, 0x1p53, 3.0};
+    return special[random() % (random() % 8 == 0 ? special.size() : special.size() - 3)];
+  };
+  int built = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    Keys<double> keys;
+    keys.channels = 1 + random() % 2;
+    const std::size_t size = random() % 5;
+    double t = draw();
+    for (std::size_t i = 0; i < size; ++i, t += random() % 2 ? 1.0 : std::abs(draw())) {
+      keys.times.emplace_back(t);
+      for (std::size_t c = 0; c < keys.channels; ++c) keys.positions.push_back(draw());
+      if (round % 2 == 0) keys.tcbs.push_back({draw(), draw(), draw()});
+    }
+    CurveRules<double> rules;
+    rules.tangents = static_cast<TangentRule>(random() % tangent_rules<double>.size());
+    rules.start.rule = rules.end.rule = static_cast<EndRule>(random() % (end_rules<double>.size() - 1));
+    rules.equal_speed = random() % 2 == 0;
+    const auto result = random() % 2 == 0 ? Curve<double>::build(keys, rules)
+                                          : Curve<double>::build_closed(keys, rules, DoubleDouble(std::abs(draw())));
+    if (!result) {
+      EXPECT_FALSE(result.error().message().empty());
+      continue;
+    }
+    ++built;
+    for (const double at : {result->start(), result->end(), (result->start() + result->end()) / 2}) {
+      std::array<double, 2> x{};
+      result->position(at, x);
+      EXPECT_TRUE(is_finite(x[0]) && is_finite(x[1]));
+      result->derivative(random() % 5, draw(), x);
+      (void)result->at_length(draw(), x);
+      (void)result->length_to(draw());
+    }
+  }
+  EXPECT_GT(built, 1000);
+}
+
+}  // namespace
+}  // namespace tcb::spline
