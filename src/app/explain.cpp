@@ -58,6 +58,33 @@ std::string samples(const SamplingRequest& request) {
   return "";
 }
 
+/// What was found at the beginning of an input.
+Facts input_facts(const Input& input) {
+  constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "a key a line"};
+  const Format& format = format_of(input.facts.format);
+  Facts facts{{"format", std::string(format.name)}};
+  const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
+  const auto list = [&](std::string_view name, const std::vector<std::string>& values) {
+    if (!values.empty()) add(name, fmt::format("{}", fmt::join(values, ", ")));
+  };
+  if (format.has_header) {
+    const char delimiter = input.facts.delimiter;
+    add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
+    add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
+    add("decimal", std::string(1, input.facts.decimal));
+    add("header", input.named ? "yes" : "no");
+  } else {
+    add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
+  }
+  if (!input.own_curves) list("group", input.groups);
+  if (input.timed) add("time", input.time);
+  list("position", input.channels);
+  for (const Role role : input.facts.roles) add(role_name(role), "in a column");
+  list("carry", input.carried);
+  list("left out", input.ignored);
+  return facts;
+}
+
 /// What is to be done with every curve of an input.
 Facts intentions(const Job& plan, const Input& input) {
   Facts facts;
@@ -158,7 +185,7 @@ std::string explanation(const std::string& path, const Job& plan) {
   const Input input = open_input(path, read_file(path), plan.input);
   Facts facts{{"file", shown_name(path)}}, curve_facts;
   const auto add = [&](const Facts& more) { facts.insert(facts.end(), more.begin(), more.end()); };
-  add(input.facts);
+  add(input_facts(input));
   Curves curves(input, plan.curves, is_live(path));
   std::size_t count = 0;
   Outcome all, last;

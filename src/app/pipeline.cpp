@@ -2,6 +2,7 @@
 #include "app/pipeline.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <memory>
@@ -69,8 +70,8 @@ std::uint64_t resample_file(const std::string& path, const Job& plan, unsigned t
   ProvenanceRecorder& recorder = writer.recorder();
   const Input input = open_input(path, recorder.bytes(shown_name(path), told_bytes(path, report)), options);
   if (!input.timed && !plan.curve.parameter) report.note(path, "no time column; the keys stand at 0, 1, 2, ...");
-  for (const auto& [name, value] : input.facts) {
-    if (name == "left out") report.note(path, fmt::format("columns of text are left out: {}", value));
+  if (!input.ignored.empty()) {
+    report.note(path, fmt::format("columns of text are left out: {}", fmt::join(input.ignored, ", ")));
   }
   Curves curves(input, plan.curves, live);
   std::uint64_t rows = 0;

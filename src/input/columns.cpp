@@ -103,6 +103,14 @@ bool Columns::has(Role role) const {
   return std::ranges::any_of(cells, [&](const Column& column) { return column.role == role; });
 }
 
+std::vector<Role> Columns::shape_roles() const {
+  std::vector<Role> roles;
+  for (const Role role : {Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out}) {
+    if (has(role)) roles.push_back(role);
+  }
+  return roles;
+}
+
 std::vector<RoleRequest> parse_roles(std::string_view text) {
   std::vector<RoleRequest> requests;
   for (const std::string_view part : split(text, ',')) {

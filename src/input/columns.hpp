@@ -37,6 +37,8 @@ struct Columns {
   std::vector<std::string> left_out;  ///< names of the columns that are nothing
 
   bool has(Role role) const;
+  /// Those of tension to ease_out that a column has.
+  std::vector<Role> shape_roles() const;
   std::size_t texts() const { return groups.size() + carried.size(); }  ///< of each key
 };
 

@@ -77,6 +77,19 @@ inline std::optional<std::size_t> number_of_key(const Columns::Column& column) {
   return std::nullopt;
 }
 
+/// The shapes of JSON inputs.
+enum class JsonShape { list, object, curves, lines };
+
+/// What was found at the beginning of an input, besides its columns.
+struct InputFacts {
+  FormatId format = FormatId::csv;
+  JsonShape shape = JsonShape::list;  ///< of JSON
+  char delimiter = ',';               ///< of delimited text; ' ' is any run of blanks and tabs
+  std::string comment;                ///< the prefix of its comment lines; empty: it has none
+  char decimal = '.';                 ///< its decimal mark
+  std::vector<Role> roles;            ///< those of tension to ease_out that have a column
+};
+
 /// An input opened: what its numbers mean, and its keys in blocks.
 struct Input {
   bool named = false;                 ///< it names its columns
@@ -85,14 +98,14 @@ struct Input {
   std::vector<std::string> channels;  ///< names of the position channels
   CurveInfo curve_info;               ///< what stands beside the keys, for all of them
   Source<KeyBlock> keys;
-  std::vector<std::pair<std::string, std::string>> facts = {};  ///< what was found, in words
-  std::vector<std::string> ignored = {};                        ///< names of the columns without a meaning
-  std::vector<std::string> groups = {};                         ///< names of the columns that tell curves apart
-  std::vector<std::string> carried = {};                        ///< names of the columns of labels
-  unsigned threads = 1;                                         ///< that may work on it
-  bool may_break = false;                                       ///< a curve may end before the input does
-  bool may_miss = false;                                        ///< positions may be missing
-  bool own_curves = false;  ///< blocks say where curves begin, and what is beside their keys
+  InputFacts facts = {};
+  std::vector<std::string> ignored = {};  ///< names of the columns without a meaning
+  std::vector<std::string> groups = {};   ///< names of the columns that tell curves apart
+  std::vector<std::string> carried = {};  ///< names of the columns of labels
+  unsigned threads = 1;                   ///< that may work on it
+  bool may_break = false;                 ///< a curve may end before the input does
+  bool may_miss = false;                  ///< positions may be missing
+  bool own_curves = false;                ///< blocks say where curves begin, and what is beside their keys
 };
 
 }  // namespace tcb

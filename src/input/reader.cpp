@@ -76,7 +76,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   const FormatId format = options.format ? *options.format : detect(path, beginning);
   Input input = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
   input.threads = options.threads;
-  input.facts.emplace(input.facts.begin(), "format", format_of(format).name);
+  input.facts.format = format;
   return input;
 }
 

@@ -93,7 +93,10 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
   try {
     const Input input = open_input("f", pieces(text, piece), options);
     std::string found;
-    for (const auto& [name, value] : input.facts) found += fmt::format("{}: {}\n", name, value);
+    found += fmt::format("{} {} {}\n", format_of(input.facts.format).name, input.facts.delimiter, input.named);
+    for (const auto& names : {input.groups, {input.time}, input.channels, input.carried, input.ignored}) {
+      for (const std::string& name : names) found += fmt::format("{}\n", name);
+    }
     ShownKeys shown(lines, input.may_miss);
     const Source<KeyBlock> keys = without_faults(input.keys, false);
     while (const auto block = keys()) shown.add(*block);

@@ -2,7 +2,6 @@
 #include "input/csv/header.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -210,38 +209,6 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
   if (!chosen && !options.samples) require_text(rest[0], head, numeric);
   return head;
-}
-
-std::vector<std::pair<std::string, std::string>> facts(const Columns& columns) {
-  std::vector<std::pair<std::string, std::string>> found;
-  const auto add = [&](const char* what, const std::vector<std::string>& names) {
-    if (!names.empty()) found.emplace_back(what, fmt::format("{}", fmt::join(names, ", ")));
-  };
-  add("group", columns.groups);
-  if (columns.has(Role::time)) found.emplace_back("time", columns.time);
-  add("position", columns.channels);
-  for (const auto& [role, name] :
-       {std::pair{Role::tension, "tension"}, std::pair{Role::continuity, "continuity"}, std::pair{Role::bias, "bias"},
-        std::pair{Role::ease_in, "ease_in"}, std::pair{Role::ease_out, "ease_out"}}) {
-    if (columns.has(role)) found.emplace_back(name, "in a column");
-  }
-  add("carry", columns.carried);
-  add("left out", columns.left_out);
-  return found;
-}
-
-std::vector<std::pair<std::string, std::string>> facts(const DelimitedHead& head) {
-  const char delimiter = head.dialect.delimiter;
-  std::vector<std::pair<std::string, std::string>> found{
-      {"delimiter", delimiter == '\t'  ? "tab"
-                    : delimiter == ' ' ? "blanks"
-                                       : std::string(1, delimiter)},
-      {"comment", head.dialect.comment.empty() ? "none" : head.dialect.comment},
-      {"decimal", std::string(1, head.decimal)},
-      {"header", head.columns.named ? "yes" : "no"}};
-  const auto columns = facts(head.columns);
-  found.insert(found.end(), columns.begin(), columns.end());
-  return found;
 }
 
 }  // namespace tcb

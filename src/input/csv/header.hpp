@@ -21,10 +21,4 @@ struct DelimitedHead {
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
                         std::vector<Chunk>& rest);
 
-/// Delimiter, header and columns in words.
-std::vector<std::pair<std::string, std::string>> facts(const DelimitedHead& head);
-
-/// The columns in words.
-std::vector<std::pair<std::string, std::string>> facts(const Columns& columns);
-
 }  // namespace tcb

@@ -215,7 +215,10 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const Columns& columns = head->columns;
   Input input{columns.named, columns.has(Role::time), columns.time, columns.channels, {}, {}};
   input.keys = ordered_map(std::move(chunks), parse, options.threads);
-  input.facts = facts(*head);
+  input.facts.delimiter = dialect.delimiter;
+  input.facts.comment = dialect.comment;
+  input.facts.decimal = options.decimal;
+  input.facts.roles = columns.shape_roles();
   input.ignored = head->columns.left_out;
   input.groups = columns.groups;
   input.carried = columns.carried;

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "input/csv/header.hpp"
 #include "input/json/key_parser.hpp"
 #include "input/json/members.hpp"
 #include "input/json/settings.hpp"
@@ -155,12 +154,12 @@ Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
   throw Error(Exit::data, "no keys: the input is empty; expected an object for each key; see --help");
 }
 
-const char* shape_name(JsonSplitter::Shape shape) {
+JsonShape shape_of(JsonSplitter::Shape shape) {
   switch (shape) {
-    case JsonSplitter::Shape::list: return "an array of keys";
-    case JsonSplitter::Shape::wrapped: return "an object with keys";
-    case JsonSplitter::Shape::curves: return "an object with curves";
-    default: return "a key a line";
+    case JsonSplitter::Shape::list: return JsonShape::list;
+    case JsonSplitter::Shape::wrapped: return JsonShape::object;
+    case JsonSplitter::Shape::curves: return JsonShape::curves;
+    default: return JsonShape::lines;
   }
 }
 
@@ -173,9 +172,9 @@ void describe(Input& input, const JsonColumns& meaning, JsonSplitter::Shape shap
   input.channels = columns.channels;
   input.groups = columns.groups;
   input.carried = columns.carried;
-  input.facts = facts(columns);
   input.ignored = columns.left_out;
-  input.facts.emplace(input.facts.begin(), "shape", shape_name(shape));
+  input.facts.roles = columns.shape_roles();
+  input.facts.shape = shape_of(shape);
 }
 
 Input open_list(Source<Task> source, JsonSplitter::Shape shape, unsigned threads) {
