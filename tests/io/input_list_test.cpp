@@ -67,7 +67,7 @@ TEST_F(Inputs, a_folder_is_mirrored) {
   EXPECT_EQ(find_inputs(plan).left_alone, 1);
   plan.files = {"./in//"};
   EXPECT_EQ(found(plan).at(1), "./in//a/x.json -> out/a/x.csv");
-  plan.input.format = FormatId::csv;  // every file is one of this format
+  plan.input.format = tcb::FormatId::csv;  // every file is one of this format
   EXPECT_NE(refusal(plan).find("a/x.csv is that of"), std::string::npos);
 }
 
