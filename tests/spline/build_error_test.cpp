@@ -45,7 +45,7 @@ TEST(BuildError, counts_must_agree) {
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.channels = 0; }).code, no_channels);
   const auto positions = error_with([](auto& keys, auto&) { keys.channels = 2; });
   EXPECT_EQ(positions.code, positions_count);
-  EXPECT_EQ(positions.message(), "positions has 5 numbers; expected 10, the number of keys times that of channels");
+  EXPECT_EQ(positions.message(), "positions has 5 numbers; expected 10, one per key and channel");
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.channels = std::size_t{1} << 63; }).code, positions_count);
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.tcbs.pop_back(); }).code, tcbs_count);
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.eases.resize(7); }).code, eases_count);
@@ -93,17 +93,14 @@ TEST(BuildError, rules_must_fit_the_keys) {
   const auto metric = error_with([](auto&, auto& rules) { rules.metric = {0, 1}; });
   EXPECT_EQ(metric.code, metric_channel_missing);
   EXPECT_EQ(metric.message(), "the metric has channel 1; expected a number below 1, the number of channels");
-  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.start.rule = EndRule::velocity; }).code, start_velocity_count);
-  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end = {EndRule::velocity, {1, 2}}; }).code, end_velocity_count);
-  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end.velocity = {1}; }).code, end_velocity_count);
-  EXPECT_EQ(error_with([](auto&, auto& rules) {
-              rules.start = {EndRule::velocity, {nan}};
-            }).code,
-            start_velocity_not_finite);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.start.rule = EndRule::velocity; }).code, velocity_count);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end = {EndRule::velocity, {1, 2}}; }).code, velocity_count);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end.velocity = {1}; }).code, velocity_count);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.start = {EndRule::velocity, {nan}}; }).code, velocity_not_finite);
   EXPECT_EQ(error_with([](auto&, auto& rules) {
               rules.end = {EndRule::velocity, {infinite}};
             }).code,
-            end_velocity_not_finite);
+            velocity_not_finite);
 }
 
 TEST(BuildError, closed_curves_need_two_keys_and_a_period) {

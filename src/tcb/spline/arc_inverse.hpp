@@ -1,13 +1,13 @@
-// The inverse of arc length: where on a segment a given length is reached.
+// Arc-length inverse: the place on a segment at which a given length is reached.
 //
-// On a smooth panel the place z is first guessed, by the polynomial of fifth degree that has the values and the first
-// two derivatives of the inverse at both ends. The length at a guess z0 by the rule, short of the wanted one by m,
-// gives with q = (ds/dz)^2, d = m / sqrt(q) and A, B, C, D = q'/q, q''/(2 q), q'''/(6 q), q''''/(24 q)
+// On a smooth panel the first estimate of the place z is the polynomial of fifth degree that has the values and the
+// first two derivatives of the inverse at both ends. If the length at an estimate z0 is short of the wanted one by m,
+// then with q = (ds/dz)^2, d = m / sqrt(q) and A, B, C, D = q'/q, q''/(2 q), q'''/(6 q), q''''/(24 q)
 //   z = z0 + d + k2 d^2 + k3 d^3 + k4 d^4 + k5 d^5 + O(d^6),
 //   k2 = -A/4, k3 = (A^2 - B)/6, k4 = (A (13 B - 7 A^2) - 6 C)/48,
 //   k5 = (A^2 (35 A^2 - 94 B) + 57 A C + 26 B^2 - 24 D)/240
-// the Taylor series of the inverse. Where d is not small enough for it, more such steps follow, kept between bounds; so
-// do they on a panel that is not smooth, from a guess by a straight line.
+// which is the Taylor series of the inverse. Where d is not small enough, more such steps follow, kept between bounds;
+// the same steps are used on a panel that is not smooth, from a linear estimate.
 // Source: J. F. Traub, "Iterative methods for the solution of equations", 1964, section 5.1.
 #pragma once
 
@@ -28,21 +28,21 @@ class ArcInverse {
  public:
   using W = working_t<S>;
 
-  /// Lengths are counted along the curve, which has the length `start` where the segment begins, and `end` at its end;
-  /// these may have more digits than the length of `arc`. Requires: `arc` outlives it.
+  /// Lengths are those of the curve: `start` at the start of the segment and `end` at its end; these may have more
+  /// digits than the length of `arc`. Requires: `arc` outlives it.
   ArcInverse(const ArcLength<S>& arc, const W& start, const W& end) : arc_(arc), start_(start), total_(end - start) {
     if (arc.speed().unit() != S(0)) scale_ = S(1) / arc.speed().unit();
   }
 
-  /// The first place at which the curve has the length s. Requires: start <= s <= end. Promises: right to some units in
-  /// the last place of the segment's length, and the same whatever was asked for before or with it.
+  /// The first place at which the curve has the length s. Requires: start <= s <= end. Promises: accurate to some units
+  /// in the last place of the segment's length, and independent of the lengths before and with it.
   LocalParameter<S> at(const W& s) {
     LocalParameter<S> place;
     at({&s, 1}, {&place, 1});
     return place;
   }
 
-  /// The places for many lengths, which are found soonest in order. Requires: as many places as lengths.
+  /// The places for many lengths; fastest for increasing lengths. Requires: as many places as lengths.
   void at(std::span<const W> lengths, std::span<LocalParameter<S>> places) {
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const W s = lengths[i] - start_;
@@ -53,7 +53,7 @@ class ArcInverse {
       } else if (arc_.panels().empty()) {
         places[i] = {high_part<S>(s / total_), high_part<S>((s - total_) / total_)};
       } else {
-        look_for(scaled<S>(s, scale_), places[i]);
+        seek(scaled<S>(s, scale_), places[i]);
       }
     }
     find();
@@ -62,33 +62,33 @@ class ArcInverse {
  private:
   static constexpr bool is_double = std::numeric_limits<S>::digits <= 53;
 
-  /// How many places are found side by side, so that what one waits for, another uses.
+  /// The number of places computed side by side, which hides the latency of divisions and roots.
   static constexpr std::size_t several = is_double ? 2 : 1;
 
-  /// A place that is looked for on a smooth panel.
+  /// A place to compute on a smooth panel.
   struct Sought {
     const Panel<S>* panel;
     S into;  ///< the length from the panel's start
     LocalParameter<S>* place;
   };
 
-  /// How far to go from a place for a length that is missing there.
+  /// A step in z from a place towards a length.
   template <class T>
   struct Step {
     T whole;  ///< by the series
     T size;   ///< the square of its first order, against that of the distance over which the speed changes
   };
 
-  /// Sizes of steps after which the series leaves less than a rounding.
+  /// The size of a step after which the error of the series is below rounding.
   inline static const S small = is_double ? S(0x1p-17) : std::numeric_limits<S>::epsilon();
 
-  void look_for(const W& wanted, LocalParameter<S>& place);
+  void seek(const W& wanted, LocalParameter<S>& place);
   void find();
   S settled(const Panel<S>& panel, const S& into, S z) const;
 
-  // Of numbers side by side, or of one.
+  // T is a pair of numbers, or one number.
   template <class T>
-  static T guess(const Quartic<T>& q, const T& length, const T& into);
+  static T estimate(const Quartic<T>& q, const T& length, const T& into);
   template <class T>
   static Step<T> step(const Quartic<T>& q, const T& missing);
   template <class T>
@@ -112,7 +112,7 @@ class ArcInverse {
 };
 
 template <class S>
-void ArcInverse<S>::look_for(const W& wanted, LocalParameter<S>& place) {
+void ArcInverse<S>::seek(const W& wanted, LocalParameter<S>& place) {
   const auto& panels = arc_.panels();
   if (wanted <= panels[panel_].before) panel_ = 0;
   while (panel_ + 1 < panels.size() && wanted > panels[panel_ + 1].before) ++panel_;
@@ -126,7 +126,7 @@ void ArcInverse<S>::look_for(const W& wanted, LocalParameter<S>& place) {
   }
 }
 
-/// Finds what is looked for.
+/// Computes the places that are sought.
 template <class S>
 void ArcInverse<S>::find() {
   const auto put = [&](const Sought& sought, const S& z, const S& size) {
@@ -153,12 +153,12 @@ void ArcInverse<S>::find() {
   count_ = 0;
 }
 
-/// The guess for a length from the panel's start, of the panel's length; both per width.
+/// The first estimate for a length from the panel's start and the panel's length, both per width.
 template <class S>
 template <class T>
-T ArcInverse<S>::guess(const Quartic<T>& q, const T& length, const T& into) {
+T ArcInverse<S>::estimate(const Quartic<T>& q, const T& length, const T& into) {
   using std::sqrt;
-  // As a function of t = into / length it is 2 t - 1 and what is due to the derivatives at the ends.
+  // As a function of t = into / length it is 2 t - 1 plus terms that give the derivatives at the ends.
   const T even = q[0] + q[2] + q[4], odd = q[1] + q[3];
   const T even_slope = 2.0 * q[2] + 4.0 * q[4], odd_slope = q[1] + 3.0 * q[3];
   const T begin = 1.0 / (even - odd), end = 1.0 / (even + odd), square = 0.25 * (length * length);
@@ -166,14 +166,14 @@ T ArcInverse<S>::guess(const Quartic<T>& q, const T& length, const T& into) {
   const T k1 = length * (sqrt(T(even - odd)) * begin) - 2.0;
   const T k2 = square * (even_slope - odd_slope) * (begin * begin);
   const T in = length * (sqrt(T(even + odd)) * end) - 2.0;
-  const T in_bend = square * (even_slope + odd_slope) * (end * end);  // minus half the second derivative at the end
-  const T k3 = -in_bend - 6.0 * k1 - 4.0 * in - 3.0 * k2;
-  const T k4 = 8.0 * k1 + 7.0 * in + 3.0 * k2 + 2.0 * in_bend;
-  const T k5 = -in_bend - k2 - 3.0 * (k1 + in);
+  const T in_second = square * (even_slope + odd_slope) * (end * end);  // minus half the second derivative at the end
+  const T k3 = -in_second - 6.0 * k1 - 4.0 * in - 3.0 * k2;
+  const T k4 = 8.0 * k1 + 7.0 * in + 3.0 * k2 + 2.0 * in_second;
+  const T k5 = -in_second - k2 - 3.0 * (k1 + in);
   return within_panel(T(2.0 * t - 1.0 + t * (k1 + t * (k2 + t * (k3 + t * (k4 + t * k5))))));
 }
 
-/// A step from where the square of the speed has the powers q, for a length that is missing, per width.
+/// A step from a place with the square q of the speed, for a missing length, per width.
 template <class S>
 template <class T>
 typename ArcInverse<S>::template Step<T> ArcInverse<S>::step(const Quartic<T>& q, const T& missing) {
@@ -188,19 +188,19 @@ typename ArcInverse<S>::template Step<T> ArcInverse<S>::step(const Quartic<T>& q
   return {d * (1.0 + d * (k2 + d * (k3 + d * (k4 + d * k5)))), dd * (1.0 + (aa + max(b, T(-b)) + dd * e))};
 }
 
-/// One step from the guess for each place, which is nearly always enough.
+/// One step from the estimate, which is nearly always enough.
 template <class S>
 template <class T>
 typename ArcInverse<S>::template Step<T> ArcInverse<S>::first_step(const Quartic<T>& q, const T& length,
                                                                    const T& into) {
-  const T z = guess(q, length, into);
+  const T z = estimate(q, length, into);
   const T from = if_positive(z, T(1.0), T(-1.0));
   const T reached = if_positive(z, length, T(0.0)) + root_integral<S, part_points<S>>(q, from, z);
   const auto [whole, size] = step(quartic_about(q, z), T(into - reached));
   return {within_panel(T(z + whole)), size};
 }
 
-/// Steps from z that stay between bounds, until they are small.
+/// The place after steps from z, kept between bounds, until they are small.
 template <class S>
 S ArcInverse<S>::settled(const Panel<S>& panel, const S& into, S z) const {
   S low(-1), high(1);

@@ -1,12 +1,12 @@
-// Arc length: how long a segment is, to the last digit, with a bound on the error.
+// Arc length: the length of a segment, accurate to its last digits, with a bound on the error.
 //
-// The speed is the root of a quartic. It is smooth but near the minima of the speed, where it may come to
-// zero (a cusp, or a reversal) or nearly so. Either half of a segment is halved until its panels are smooth. What is
-// not smooth after some halvings is cut at the minima of the speed, and then halved until the rule agrees with itself
-// on both halves so well that further halvings could not matter. A minimum at which the speed is zero does no harm at
-// the end of a panel; one at which it nearly is draws the panels together until what is left cannot matter.
-// Source: P. J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2.
-// No epsilon is absolute: scaling by a power of two changes no digit.
+// The speed is the square root of a quartic. It is smooth except near the minima of the speed, where it may be zero (a
+// cusp, or a reversal) or nearly zero. Each half of a segment is halved until its panels are smooth. A panel that is
+// not smooth after some halvings is cut at the minima of the speed, and then halved until the rule on the panel and the
+// rule on its halves agree so well that further halvings have no effect. A minimum of zero at the end of a panel does
+// not reduce the accuracy; near one of nearly zero, panels get shorter until their lengths have no effect. Source: P.
+// J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2. No epsilon is absolute: scaling by a power
+// of two changes no digit.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Length {
   S error{};
 };
 
-/// The lengths of one segment. It may be set to one segment after another, and keeps its memory.
+/// The lengths of one segment. It can be assigned one segment after another, and reuses its memory.
 template <class S>
 class ArcLength {
  public:
@@ -36,8 +36,8 @@ class ArcLength {
 
   void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric);
 
-  /// The whole segment. Promises: right to some units in the last place, and to within `error` in any case; infinite
-  /// where a number of the segment is.
+  /// The length of the segment. Promises: accurate to some units in the last place, and in any case to within `error`;
+  /// infinite where a number of the segment is infinite.
   const Length<S>& total() const { return total_; }
 
   /// From the start to a place. Promises: as total().
@@ -67,11 +67,11 @@ class ArcLength {
   std::vector<Panel<S>> panels_;
   W sum_;
   S disagreement_{};  ///< of rules with their halves, times the halvings left, over all panels
-  S rough_{};         ///< the length to a digit, where it was needed; else 0
+  S rough_{};         ///< the length to one digit, once it is needed; else 0
   Length<S> total_;
 };
 
-/// The length to a digit or so, by Simpson's rule on either half.
+/// The length to about one digit, by Simpson's rule on each half.
 template <class S>
 S ArcLength<S>::rough_length() const {
   S sum(0);
@@ -92,7 +92,7 @@ void ArcLength<S>::accept(const Panel<S>& panel, const S& disagreement) {
   disagreement_ += disagreement;
 }
 
-/// A panel as it is if it is smooth, else its halves; after some halvings it is cut.
+/// Accepts a smooth panel, else adds its halves; after some halvings it is cut.
 template <class S>
 void ArcLength<S>::add(const Panel<S>& panel, int halvings) {
   if (panel.is_smooth()) return accept(panel);
@@ -100,7 +100,7 @@ void ArcLength<S>::add(const Panel<S>& panel, int halvings) {
   for (const Panel<S>& half : halves(panel)) add(half, halvings - 1);
 }
 
-/// Cuts a panel at the minima of the speed, as far as there are any. An end counts as one where the speed is small.
+/// Cuts a panel at the minima of the speed, if there are any. An end counts as a minimum where the speed is small.
 template <class S>
 void ArcLength<S>::cut(const Panel<S>& panel) {
   if (rough_ == S(0)) rough_ = rough_length();
@@ -116,15 +116,15 @@ void ArcLength<S>::cut(const Panel<S>& panel) {
   refine(make_panel<S>(speed_, {panel.half, from, end}), slow, speed_(panel.half, end) < small, most_halvings);
 }
 
-/// A panel as it is if it is smooth, or if it has a minimum of the speed at an end and the rule agrees with itself on
-/// both halves well enough; else its halves.
+/// Accepts a panel that is smooth, or that has a minimum of the speed at an end and on which the rule agrees with the
+/// sum of its halves; else refines its halves.
 template <class S>
 void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings) {
   using std::abs;
   if (panel.is_smooth()) return accept(panel);
   const auto [left, right] = halves(panel);
   if (slow_begin || slow_end || halvings == 0) {
-    // Beside a speed that is nearly zero, each of the halvings left may add as much.
+    // Near a speed of almost zero, each further halving may change the sum by as much.
     const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel)) * S(halvings + 1);
     if (disagreement <= std::numeric_limits<S>::epsilon() * S(0.25) * rough_ || halvings == 0) {
       accept(left);

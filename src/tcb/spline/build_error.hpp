@@ -28,10 +28,8 @@ enum class BuildErrorCode : std::uint8_t {
   ease_out_of_range,
   unknown_rule,
   metric_channel_missing,
-  start_velocity_count,
-  end_velocity_count,
-  start_velocity_not_finite,
-  end_velocity_not_finite,
+  velocity_count,
+  velocity_not_finite,
   equal_speed_without_roots,
   closed_too_few_keys,
   period_missing,
@@ -48,60 +46,46 @@ struct BuildErrorText {
   BuildErrorCode id;
   std::string_view text;
 };
-inline constexpr std::array build_error_texts{
-    BuildErrorText{BuildErrorCode::no_keys, "there are no keys; expected at least one"},
-    BuildErrorText{BuildErrorCode::no_channels, "the keys have no channels; expected at least one"},
-    BuildErrorText{BuildErrorCode::positions_count,
-                   "positions has {found} numbers; expected {expected}, the number of keys times that of channels"},
-    BuildErrorText{BuildErrorCode::tcbs_count, "tcbs has {found} entries; expected {expected}, one per key, or none"},
-    BuildErrorText{BuildErrorCode::eases_count, "eases has {found} entries; expected {expected}, one per key, or none"},
-    BuildErrorText{BuildErrorCode::time_not_finite, "the time of key {key} is not finite; expected a finite number"},
-    BuildErrorText{BuildErrorCode::times_not_increasing,
-                   "the time of key {key} is not after that of the key before it; expected increasing times"},
-    BuildErrorText{BuildErrorCode::duration_overflow,
-                   "the duration up to key {key} exceeds the range of the scalar; expected times nearer to each other"},
-    BuildErrorText{BuildErrorCode::position_not_finite,
-                   "the position of key {key} in channel {channel} is not finite; expected a finite number"},
-    BuildErrorText{BuildErrorCode::tcb_not_finite,
-                   "tension, continuity or bias of key {key} is not finite; expected finite numbers"},
-    BuildErrorText{BuildErrorCode::common_tcb_not_finite,
-                   "the common tension, continuity or bias is not finite; expected finite numbers"},
-    BuildErrorText{BuildErrorCode::ease_out_of_range,
-                   "an ease of key {key} is outside [0, 1]; expected a number from 0 to 1"},
-    BuildErrorText{BuildErrorCode::unknown_rule,
-                   "a tangent rule or end rule has no row in its table; expected an enumerator"},
-    BuildErrorText{BuildErrorCode::metric_channel_missing,
-                   "the metric has channel {channel}; expected a number below {expected}, the number of channels"},
-    BuildErrorText{BuildErrorCode::start_velocity_count,
-                   "the rule of the start has {found} velocities; expected {expected}, as its rule takes them"},
-    BuildErrorText{BuildErrorCode::end_velocity_count,
-                   "the rule of the end has {found} velocities; expected {expected}, as its rule takes them"},
-    BuildErrorText{BuildErrorCode::start_velocity_not_finite,
-                   "the velocity of the start in channel {channel} is not finite; expected a finite number"},
-    BuildErrorText{BuildErrorCode::end_velocity_not_finite,
-                   "the velocity of the end in channel {channel} is not finite; expected a finite number"},
-    BuildErrorText{BuildErrorCode::equal_speed_without_roots,
-                   "equal speed needs square roots, which the scalar does not have; expected a rule without it"},
-    BuildErrorText{BuildErrorCode::closed_too_few_keys,
-                   "a closed curve has {found} key; expected two keys, without the one that repeats the first"},
-    BuildErrorText{BuildErrorCode::period_missing,
-                   "the period is missing; expected a period, or a last key at the position of the first key"},
-    BuildErrorText{BuildErrorCode::period_not_finite, "the period is not finite; expected a finite number"},
-    BuildErrorText{BuildErrorCode::period_too_short,
-                   "the period ends before key {key}, or at it; expected a longer period"},
-    BuildErrorText{BuildErrorCode::period_contradicted,
-                   "key {key} repeats the first position and so ends the period, but another period is given; expected "
-                   "one of the two"},
-    BuildErrorText{BuildErrorCode::seam_tcb_differs,
-                   "key {key} repeats the first position with another tension, continuity or bias; expected the same"},
-    BuildErrorText{BuildErrorCode::curve_overflow,
-                   "the curve from key {key} on exceeds the range of the scalar in channel {channel}; expected smaller "
-                   "positions, velocities, tension, continuity or bias, or less uneven times"},
-    BuildErrorText{
-        BuildErrorCode::length_overflow,
-        "the length up to the end of the segment from key {key} on exceeds the range of the scalar; expected "
-        "smaller positions"},
-};
+inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
+    {BuildErrorCode::no_keys, "there are no keys; expected at least one"},
+    {BuildErrorCode::no_channels, "the keys have no channels; expected at least one"},
+    {BuildErrorCode::positions_count, "positions has {found} numbers; expected {expected}, one per key and channel"},
+    {BuildErrorCode::tcbs_count, "tcbs has {found} entries; expected {expected}, one per key, or none"},
+    {BuildErrorCode::eases_count, "eases has {found} entries; expected {expected}, one per key, or none"},
+    {BuildErrorCode::time_not_finite, "the time of key {key} is not finite; expected a finite number"},
+    {BuildErrorCode::times_not_increasing,
+     "the time of key {key} is not after that of the key before it; expected increasing times"},
+    {BuildErrorCode::duration_overflow,
+     "the duration up to key {key} exceeds the range of the scalar; expected closer times"},
+    {BuildErrorCode::position_not_finite,
+     "the position of key {key} in channel {channel} is not finite; expected a finite number"},
+    {BuildErrorCode::tcb_not_finite, "tension, continuity or bias of key {key} is not finite; expected finite numbers"},
+    {BuildErrorCode::common_tcb_not_finite,
+     "the common tension, continuity or bias is not finite; expected finite numbers"},
+    {BuildErrorCode::ease_out_of_range, "an ease of key {key} is outside [0, 1]; expected a number from 0 to 1"},
+    {BuildErrorCode::unknown_rule, "a tangent rule or end rule has no row in its table; expected an enumerator"},
+    {BuildErrorCode::metric_channel_missing,
+     "the metric has channel {channel}; expected a number below {expected}, the number of channels"},
+    {BuildErrorCode::velocity_count, "the end rule at key {key} has {found} velocities; expected {expected}"},
+    {BuildErrorCode::velocity_not_finite,
+     "the end velocity at key {key} in channel {channel} is not finite; expected a finite number"},
+    {BuildErrorCode::equal_speed_without_roots,
+     "equal speed needs square roots, which the scalar does not have; expected no equal speed"},
+    {BuildErrorCode::closed_too_few_keys,
+     "a closed curve has {found} key besides a repeated first key; expected at least two"},
+    {BuildErrorCode::period_missing,
+     "the period is missing; expected one, or a last key at the position of the first key"},
+    {BuildErrorCode::period_not_finite, "the period or its end is not finite; expected a finite number"},
+    {BuildErrorCode::period_too_short, "the period ends at key {key} or before it; expected a longer period"},
+    {BuildErrorCode::period_contradicted,
+     "key {key} repeats the first position before or after the end of the period; expected it at the end"},
+    {BuildErrorCode::seam_tcb_differs,
+     "key {key} repeats the first position with other tension, continuity or bias; expected the same"},
+    {BuildErrorCode::curve_overflow,
+     "the segment from key {key} on exceeds the range of the scalar in channel {channel}; expected smaller numbers"},
+    {BuildErrorCode::length_overflow,
+     "the length of the segment from key {key} on exceeds the range of the scalar; expected smaller positions"},
+});
 static_assert(is_in_order(build_error_texts));
 
 /// Why no curve can be built: a code, and the values that its text mentions.
@@ -182,27 +166,24 @@ std::optional<BuildError> find_key_error(const Keys<S>& keys) {
   return std::nullopt;
 }
 
-/// An error of the rule at one end, which is the start or the end.
+/// An error of the end rule at a key.
 template <class S>
-std::optional<BuildError> find_end_error(const EndChoice<S>& choice, std::size_t channels, bool start) {
+std::optional<BuildError> find_end_error(const EndChoice<S>& choice, std::size_t channels, std::size_t key) {
   using enum BuildErrorCode;
   if (static_cast<std::size_t>(choice.rule) >= end_rules<S>.size()) return BuildError{.code = unknown_rule};
-  const std::size_t expected = row_of<S>(choice.rule).takes_velocity ? channels : 0;
-  if (choice.velocity.size() != expected) {
-    const auto code = start ? start_velocity_count : end_velocity_count;
-    return BuildError{.code = code, .expected = expected, .found = choice.velocity.size()};
-  }
-  for (std::size_t i = 0; i < choice.velocity.size(); ++i) {
-    if (is_finite(choice.velocity[i])) continue;
-    return BuildError{.code = start ? start_velocity_not_finite : end_velocity_not_finite, .channel = i};
+  const std::size_t expected = row_of<S>(choice.rule).takes_velocity ? channels : 0, found = choice.velocity.size();
+  if (found != expected) return BuildError{.code = velocity_count, .key = key, .expected = expected, .found = found};
+  for (std::size_t i = 0; i < found; ++i) {
+    if (!is_finite(choice.velocity[i])) return BuildError{.code = velocity_not_finite, .key = key, .channel = i};
   }
   return std::nullopt;
 }
 
-/// An error of the rules for keys with some channels. A closed curve has no ends.
+/// An error of the rules for some keys. A closed curve has no ends.
 template <class S>
-std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, std::size_t channels, bool closed) {
+std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys<S>& keys, bool closed) {
   using enum BuildErrorCode;
+  const std::size_t channels = keys.channels;
   if (static_cast<std::size_t>(rules.tangents) >= tangent_rules<S>.size()) return BuildError{.code = unknown_rule};
   if (rules.equal_speed && !has_roots<S>) return BuildError{.code = equal_speed_without_roots};
   for (const std::size_t channel : rules.metric) {
@@ -211,8 +192,8 @@ std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, std::size_
     }
   }
   if (closed) return std::nullopt;
-  if (auto error = find_end_error(rules.start, channels, true)) return error;
-  return find_end_error(rules.end, channels, false);
+  if (auto error = find_end_error(rules.start, channels, 0)) return error;
+  return find_end_error(rules.end, channels, keys.size() - 1);
 }
 
 }  // namespace tcb::spline

@@ -68,7 +68,7 @@ class Curve {
   /// An open curve. One key makes a constant. Where there is an error in keys or rules, the result has it.
   static BuildResult<S> build(Keys<S> keys, const CurveRules<S>& rules = {}) {
     if (const auto error = find_key_error(keys)) return *error;
-    if (const auto error = find_rule_error(rules, keys.channels, false)) return *error;
+    if (const auto error = find_rule_error(rules, keys, false)) return *error;
     return of_window({std::move(keys)}, rules, false);
   }
 
@@ -170,7 +170,7 @@ template <class S>
 BuildResult<S> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules, const std::optional<Time<S>>& period) {
   using enum BuildErrorCode;
   if (const auto error = find_key_error(keys)) return *error;
-  if (const auto error = find_rule_error(rules, keys.channels, true)) return *error;
+  if (const auto error = find_rule_error(rules, keys, true)) return *error;
   if (period && !is_finite(*period)) return BuildError{.code = period_not_finite};
   const std::size_t last = keys.size() - 1;
   std::optional<Time<S>> end;

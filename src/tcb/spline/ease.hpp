@@ -1,16 +1,16 @@
-// Ease: a warp of the local parameter that starts and stops a segment gently.
+// Ease: a warp of the local parameter that lets a segment start and stop slowly.
 //
 //   s = f + e; if s > 1, both are divided by s; k = 1/(2 - f - e)
 //   warped(u) = (k/f) u^2 for u < f,  k (2u - f) for u < 1 - e,  1 - (k/e)(1 - u)^2 beyond
 // with f the ease_out of the segment's first key and e the ease_in of its last.
-// Source: what 3D Studio, 3ds Max and their kin compute.
+// Source: the behaviour of 3D Studio, 3ds Max and programs compatible with them.
 #pragma once
 
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {
 
-/// The ease of one segment, f + e at most 1; both 0: u is left as it is.
+/// The warp of one segment, with f + e at most 1; the identity where both are 0.
 template <class S>
 class Warp {
  public:
@@ -27,7 +27,7 @@ class Warp {
 
   bool is_identity() const { return f_ == W(0) && e_ == W(0); }
 
-  /// Where the curve is when the fraction u of the segment's duration has passed. `left` is 1 - u.
+  /// The local parameter after the fraction u of the segment's duration. `left` is 1 - u.
   LocalParameter<S> at(const working_t<S>& u, const working_t<S>& left) const {
     if (is_identity()) return u < left ? from_start<S>(u) : from_end<S>(left);
     if (u < f_) return from_start<S>(k_ / f_ * u * u);
@@ -35,7 +35,7 @@ class Warp {
     return from_end<S>(e_ == W(0) ? W(0) : k_ / e_ * left * left);
   }
 
-  /// The fraction of the duration after which the curve is at a place.
+  /// The inverse of at(): the fraction of the duration at a local parameter.
   working_t<S> inverse(const LocalParameter<S>& place) const {
     using std::sqrt;
     const W u = place.near_start() ? W(place.u) : W(1) + W(place.w);
@@ -46,7 +46,7 @@ class Warp {
     return W(1) - sqrt(left * e_ / k_);
   }
 
-  /// The first and second derivative of the warp where the fraction u of the duration has passed.
+  /// The first and second derivative of the warp after the fraction u of the duration.
   S first_derivative(const S& u) const {
     if (is_identity()) return S(1);
     const S f = high_part<S>(f_), e = high_part<S>(e_), k = high_part<S>(k_);
@@ -66,7 +66,7 @@ class Warp {
   W f_{0}, e_{0}, k_{0.5};
 };
 
-/// Where on a segment the curve is at a time: the fraction of its duration that has passed, warped, rounded once.
+/// The map from time to the local parameter of one segment: the elapsed fraction of the duration, warped, rounded once.
 template <class S>
 class TimeMap {
  public:
@@ -96,7 +96,7 @@ class TimeMap {
   Time<S> start_, end_;
   Warp<S> warp_;
   W duration_;
-  bool plain_;  ///< not warped
+  bool plain_;  ///< the warp is the identity
 };
 
 }  // namespace tcb::spline

@@ -1,4 +1,4 @@
-// Keys: what a curve is made from.
+// Keys: times, positions, tension, continuity, bias and ease of successive keys.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Tcb {
   friend bool operator==(const Tcb&, const Tcb&) = default;
 };
 
-/// How gently the curve arrives at a key and leaves it, each in [0, 1]; see ease.hpp.
+/// How slowly the curve arrives at a key and leaves it, each in [0, 1]; 0 has no effect. See ease.hpp.
 template <class S>
 struct Ease {
   S in{};

@@ -162,12 +162,12 @@ struct TangentRuleRow {
 
 /// Every tangent rule by name; the first is the default.
 /// Source: D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", equations 10 and 11, for velocity, and
-///   its older version, equations 3 and 4, for kb1984; for the others, what the products named compute.
+///   its older version, equations 3 and 4, for kb1984; for the others, the behaviour of the products named.
 template <class S>
 inline constexpr std::array tangent_rules{
     TangentRuleRow<S>{TangentRule::velocity, "velocity", "h0/2 (c D0/h0 + d D1/h1)", "h1/2 (a D0/h0 + b D1/h1)",
                       "GTE since 2022-08, FBX, MotionBuilder",
-                      "for new work: velocities of both sides are averaged, so uneven times do not jerk",
+                      "for new work: velocities of both sides are averaged, so that uneven times cause no jump",
                       velocity_weights<working_t<S>>},
     TangentRuleRow<S>{
         TangentRule::uniform, "uniform", "Uin", "Uout", "the encyclopaedia article, Noskowicz, OGRE, WorldEdit, s&box",
@@ -175,7 +175,7 @@ inline constexpr std::array tangent_rules{
         uniform_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::interval, "interval", "Uin 2 h0/(h0+h1)", "Uout 2 h1/(h0+h1)",
                       "VTK, LightWave, Wild Magic and GTE until 2022-01, Gamebryo, id Tech 4",
-                      "to match these; the direction ignores the times, the speed does not",
+                      "to match these; the direction does not depend on the times, the speed does",
                       interval_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::interval_c, "interval-c", "Uin (f + |C|(1-f)), f = 2 h0/(h0+h1)",
                       "Uout (g + |C|(1-g)), g = 2 h1/(h0+h1)", "3D Studio, 3ds Max, lib3ds, NeL, CryEngine",
@@ -186,7 +186,7 @@ inline constexpr std::array tangent_rules{
                       finite_difference_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::kb1984, "kb1984", "Uin 2 h1/(h0+h1)", "Uout 2 h0/(h0+h1)",
                       "the paper of 1984, and the older note on it, as printed",
-                      "to reproduce the paper; its multipliers stand the other way round from interval",
+                      "to reproduce the paper; its multipliers are those of interval with h0 and h1 exchanged",
                       kb1984_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::synfig, "synfig", "Uin 1.5 h0/(h0/2+h1)", "Uout 1.5 h1/(h1/2+h0)", "Synfig",
                       "to match Synfig", synfig_weights<working_t<S>>},
@@ -277,17 +277,17 @@ struct EndRuleRow {
 };
 
 /// Every end rule by name; the first is the default.
-/// Source: what the products named compute.
+/// Source: the behaviour of the products named.
 template <class S>
 inline constexpr std::array end_rules{
     EndRuleRow<S>{EndRule::half, "half", "b D/2", "c D/2", "GTE since 2022-08, OGRE, WorldEdit",
-                  "the default: as if the end position came once more", false, half_weights<working_t<S>>},
+                  "the default: as if the end position were repeated", false, half_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::one_sided, "one-sided", "b D", "c D", "Wild Magic, LightWave SDK, FBX",
-                  "as if the end position came once more at the same time", false, one_sided_weights<working_t<S>>},
+                  "as if the end position were repeated at the same time", false, one_sided_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::mirror, "mirror", "(a+b) D/2", "(c+d) D/2", "Gamebryo, id Tech 4, lib3ds 2",
                   "as if the neighbour were reflected at the end: C and B cancel", false, mirror_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::chord, "chord", "D", "D", "lib3ds 1, Synfig",
-                  "straight for the neighbour, whatever T, C and B say", false, chord_weights<working_t<S>>},
+                  "straight to the neighbour; T, C and B have no effect", false, chord_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::zero, "zero", "0", "0", "VTK's default", "to start and stop at rest", false,
                   zero_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::natural, "natural", "1.5 D - 0.5 m", "1.5 D - 0.5 m",

@@ -1,4 +1,4 @@
-// The arithmetic of the core: a scalar type, and a working type with twice its precision.
+// Scalars: double-double arithmetic, the working type of a scalar, and powers by square roots.
 //
 // Source: T. J. Dekker, "A floating-point technique for extending the available precision",
 //   Numer. Math. 18 (1971), doi:10.1007/BF01397083; D. E. Knuth, TAOCP vol. 2, 4.2.2.
@@ -46,8 +46,8 @@ constexpr Rounded<D> two_product(const D& a, const D& b) {
   return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-/// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: some 106 bits. D is double, or doubles side by side.
-/// Promises: + and - are right to 2^-100 of the larger operand, * and / to 2^-100 of the result, or better.
+/// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: some 106 bits. D is double, or a pair of doubles.
+/// Promises: + and - are accurate to 2^-100 of the larger operand, * and / to 2^-100 of the result.
 template <class D>
 struct DoubleDoubleOf {
   D hi{0};
@@ -78,15 +78,15 @@ struct DoubleDoubleOf {
   friend constexpr DoubleDoubleOf operator/(const DoubleDoubleOf& a, const DoubleDoubleOf& b) {
     const D quotient = a.hi / b.hi;
     const auto product = two_product(quotient, b.hi);
-    const D rest = ((a.hi - product.value) - product.error) + (a.lo - quotient * b.lo);  // the first - is exact
-    return normalized(quotient, rest / b.hi);
+    const D remainder = ((a.hi - product.value) - product.error) + (a.lo - quotient * b.lo);  // the first - is exact
+    return normalized(quotient, remainder / b.hi);
   }
   friend constexpr bool operator==(const DoubleDoubleOf&, const DoubleDoubleOf&) = default;
   friend constexpr auto operator<=>(const DoubleDoubleOf& a, const DoubleDoubleOf& b) {
     return a.hi == b.hi ? a.lo <=> b.lo : a.hi <=> b.hi;
   }
 
-  /// high + low as one. Requires: |high| >= |low|, or high a multiple of low's last bit.
+  /// high + low as a double-double. Requires: |high| >= |low|, or high a multiple of low's last bit.
   static constexpr DoubleDoubleOf normalized(D high, D low) {
     const D sum = high + low;
     return {sum, low - (sum - high)};
@@ -102,17 +102,17 @@ constexpr W halved(const W& value) {
 }
 constexpr DoubleDouble halved(const DoubleDouble& value) { return {0.5 * value.hi, 0.5 * value.lo}; }
 
-/// The square root of a DoubleDouble, right to 2^-100. Requires: value >= 0.
+/// The square root, accurate to 2^-100. Requires: value >= 0.
 inline DoubleDouble sqrt(const DoubleDouble& value) {
   if (value.hi == 0) return {};
   const double root = std::sqrt(value.hi);
-  const DoubleDouble rest = value - DoubleDouble(root) * DoubleDouble(root);
-  return DoubleDouble::normalized(root, rest.hi / (2 * root));
+  const DoubleDouble remainder = value - DoubleDouble(root) * DoubleDouble(root);
+  return DoubleDouble::normalized(root, remainder.hi / (2 * root));
 }
 
 /// x^exponent. With exponent = n + 0.b1 b2 b3... in binary, x^0.b1b2b3... is the nested root
-/// sqrt(x^b1 sqrt(x^b2 sqrt(x^b3 ...))), worked out from inside.
-/// Requires: x > 0, 0 <= exponent <= 16. Promises: right to some 2^-95.
+/// sqrt(x^b1 sqrt(x^b2 sqrt(x^b3 ...))), computed from inside.
+/// Requires: x > 0, 0 <= exponent <= 16. Promises: accurate to about 2^-95.
 inline DoubleDouble power(const DoubleDouble& x, double exponent) {
   constexpr int fraction_bits = 62;  // the bits left out change the exponent by less than 2^-62
   DoubleDouble whole_part(1);
@@ -126,7 +126,7 @@ inline DoubleDouble power(const DoubleDouble& x, double exponent) {
   return whole_part * root;
 }
 
-/// The type in which tangents and local parameters are worked out before they are rounded to S.
+/// The type in which tangents and local parameters are computed before they are rounded to S.
 template <class S>
 struct Working {
   using type = S;
@@ -138,7 +138,7 @@ struct Working<double> {
 template <class S>
 using working_t = typename Working<S>::type;
 
-/// The scalar has square roots. Exact rationals have none, and nothing that needs them is asked of them.
+/// The scalar has square roots. Exact rationals have none; code that needs roots is not compiled for them.
 template <class S>
 inline constexpr bool has_roots = !std::numeric_limits<S>::is_exact;
 
@@ -198,7 +198,7 @@ constexpr working_t<S> scaled(const working_t<S>& value, const S& power_of_two) 
   }
 }
 
-/// The largest power of two up to a number, but 2^-1000 at least, so that its reciprocal is a double, too.
+/// The largest power of two that is at most a number, but at least 2^-1000, so that its reciprocal is a double.
 /// Requires: value > 0, finite.
 template <class S>
 S power_of_two_below(const S& value) {
@@ -213,7 +213,7 @@ inline double power_of_two_below(double value) {
   return power > 0x1p-1000 ? power : 0x1p-1000;
 }
 
-/// What high_part() rounded away, itself rounded to the scalar.
+/// The part of a working value that high_part() leaves out, rounded to the scalar.
 template <class S>
 constexpr S low_part(const working_t<S>& value) {
   if constexpr (std::is_same_v<S, double>) {

@@ -1,10 +1,10 @@
-// Segments: the cubic between two keys, one channel at a time, and its derivatives.
+// Segments: the cubic of one channel between two keys, its positions, parts and derivatives.
 //
 //   X(u) = P0 + u (out + u (c + u d))          c = 3 D - 2 out - in,   D = P1 - P0
 //        = P1 + w (in  + w (e + w d))          e = out + 2 in - 3 D,   w = u - 1
 //   d = out + in - 2 D
-// The same cubic twice, expanded about either end; the nearer one is used, so |u| or |w| is at most
-// 1/2 and both keys are met bit for bit.
+// This is the same cubic, expanded about each end; the expansion about the nearer end is used, so that |u| or |w| is at
+// most 1/2 and the positions of both keys are exact.
 // Source: the Hermite form of D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", section 2.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace tcb::spline {
 
-/// A place on a segment: u from its start, and w = u - 1 from its end, each rounded once.
+/// The local parameter: u from the start of a segment, and w = u - 1 from its end, each rounded once.
 template <class S>
 struct LocalParameter {
   S u{};
@@ -24,7 +24,7 @@ struct LocalParameter {
   bool near_start() const { return u <= S(0.5); }
 };
 
-/// The place at a fraction, or with a fraction left.
+/// The local parameter u, or 1 - left.
 template <class S>
 LocalParameter<S> from_start(const working_t<S>& u) {
   return {high_part<S>(u), high_part<S>(u + S(-1))};
@@ -37,13 +37,13 @@ LocalParameter<S> from_end(const working_t<S>& left) {
 /// One channel of a segment.
 template <class S>
 struct Cubic {
-  S p0, out, c, c_low;  ///< about the start; c_low is what rounding took from c
+  S p0, out, c, c_low;  ///< about the start; c_low is the low part of c
   S p1, in, e, e_low;   ///< about the end
   S d;
 };
 
-/// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is 0 where it is no more than what
-/// rounding leaves of numbers that cancel, so that a natural end has no acceleration, and a straight segment no bend.
+/// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is 0 where it is within the
+/// rounding error of its terms, so that a natural end has no acceleration and a straight segment no curvature.
 template <class S>
 Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
   using W = working_t<S>;
@@ -56,11 +56,11 @@ Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_
     const S size = high_part<S>(value);
     return size < residue && -size < residue ? W(0) : value;
   };
-  const W out_bend = out - chord;
-  const W in_bend = in - chord;
-  const W d = cleared(out_bend + in_bend);
-  const W c = cleared(-(out_bend + d));
-  const W e = cleared(in_bend + d);
+  const W out_excess = out - chord;
+  const W in_excess = in - chord;
+  const W d = cleared(out_excess + in_excess);
+  const W c = cleared(-(out_excess + d));
+  const W e = cleared(in_excess + d);
   return {p0,
           high_part<S>(out),
           high_part<S>(c),
@@ -89,12 +89,12 @@ S position(const Cubic<S>& x, const LocalParameter<S>& at) {
                          : compensated_cubic(x.p1, x.in, x.e, x.e_low, x.d, at.w);
 }
 
-/// Two places have the same end of the segment nearer, and neither is an end.
+/// Two places can be evaluated as a pair: they are nearer to the same end, and neither is an end.
 inline bool can_pair(const LocalParameter<double>& a, const LocalParameter<double>& b) {
   return a.near_start() == b.near_start() && a.u != 0 && b.u != 0 && a.w != 0 && b.w != 0;
 }
 
-/// The same at two places. Requires: can_pair().
+/// X at two places. Requires: can_pair().
 inline DoublePair positions(const Cubic<double>& x, const LocalParameter<double>& a, const LocalParameter<double>& b) {
   const bool start = a.near_start();
   return compensated_cubic<DoublePair>(start ? x.p0 : x.p1, start ? x.out : x.in, start ? x.c : x.e,

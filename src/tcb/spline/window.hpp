@@ -1,7 +1,7 @@
-// Windows: successive keys with the keys beside them, their tangents and their segments.
+// Windows: successive keys with one key of context on either side, their tangents and their segments.
 //
-// Segment i is known once the key after its end is known: its end tangent needs both neighbours. A window is therefore
-// some keys with one key of context on either side, unless the curve starts or ends there.
+// Segment i is complete with the key after its end: its end tangent needs both neighbours. A window is therefore some
+// keys with one key of context on either side, unless the curve starts or ends there.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace tcb::spline {
 
-/// Successive keys of one curve, with the key before and the key after those whose segments are wanted.
+/// Successive keys of one curve, with the key before and the key after those of the segments.
 template <class S>
 struct Window {
   Keys<S> keys;
@@ -32,7 +32,7 @@ struct Window {
   bool has_segments() const { return keys.size() > (starts ? 1U : 2U) + (ends ? 0U : 1U); }
 };
 
-/// Cuts a stream of keys into windows. It keeps three keys, whatever the length of the curve.
+/// Cuts a stream of keys into windows. It keeps three keys, for a curve of any length.
 template <class S>
 class Linker {
  public:
@@ -153,12 +153,12 @@ class Tangents {
     const auto weights = row_of<S>(choice.rule)
                              .weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(keys_.tcb(key).tension),
                                        keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
-    auto& wanted = at_start ? outgoing_ : incoming_;
+    auto& tangents = at_start ? outgoing_ : incoming_;
     const auto& others = at_start ? incoming_ : outgoing_;
     for (std::size_t i = 0; i < keys_.channels; ++i) {
       W tangent = weights.chord * chord(first, i) + weights.other * others[inner * keys_.channels + i];
       if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
-      wanted[key * keys_.channels + i] = tangent;
+      tangents[key * keys_.channels + i] = tangent;
     }
   }
 

@@ -1,8 +1,8 @@
-// Panels: segment_blocks of a segment short enough for one quadrature rule.
+// Panels: parts of a segment, each short enough for one quadrature rule.
 //
-// With a panel mapped to z in [-1, 1], the square of the speed is a quartic q(z). Where q has no zero in a disc that
-// is wide enough, the panel is smooth: the rule is right to the last digit, and q may be taken by its coefficients,
-// whatever the number of channels, for nothing cancels.
+// With a panel mapped to z in [-1, 1], the square of the speed is a quartic q(z). Where q has no zero in a disc that is
+// wide enough, the panel is smooth: the rule is accurate to the last digit, and q can be evaluated by its coefficients
+// for any number of channels, because nothing cancels.
 // Source: L. N. Trefethen, "Is Gauss quadrature better than Clenshaw-Curtis?", doi:10.1137/060659831, theorem 4.5;
 //   for the disc, G. Dandelin's and C. Graeffe's squaring of roots (V. Y. Pan, doi:10.1137/S0036144595288554, 4).
 #pragma once
@@ -19,21 +19,21 @@
 
 namespace tcb::spline {
 
-/// Part of a half of a segment: its places are middle + width z.
+/// A part of one half of a segment: the places middle + width z.
 template <class S>
 struct Panel {
   std::size_t half;
   S middle, width;
   Quartic<S> square;         ///< of the speed, by the powers of z
-  std::size_t points;        ///< of the rule that is right on it and on any part of it; 0: it is not smooth
+  std::size_t points;        ///< of the rule that is accurate on it and on any part of it; 0: it is not smooth
   S length{};                ///< in units of Speed::unit(), as all lengths here
   working_t<S> before = {};  ///< the length up to its start
 
   bool is_smooth() const { return points != 0; }
 };
 
-/// The rules that panels are integrated by. What is not smooth takes the one with more points. Scalars with more digits
-/// have more, so that the panels need not be much shorter.
+/// The points of the two rules that integrate panels. Panels that are not smooth take the rule with more points.
+/// Scalars with more digits have rules with more points, so that the panels need not be much shorter.
 template <class S>
 inline constexpr std::size_t most_points = std::numeric_limits<S>::digits <= 64
                                                ? 16
@@ -41,12 +41,12 @@ inline constexpr std::size_t most_points = std::numeric_limits<S>::digits <= 64
 template <class S>
 inline constexpr std::size_t few_points = most_points<S> / 2;
 
-/// The points that are enough from an end of a panel to places on its side of the middle. A disc of radius R about the
-/// panel's middle holds one of radius 2 R - 1 about the middle of such a part, in terms of the part's width.
+/// The points that suffice from an end of a panel to places on its side of the middle. A disc of radius R about the
+/// panel's middle contains one of radius 2 R - 1 about the middle of such a part, in units of the part's width.
 template <class S>
 inline constexpr std::size_t part_points = std::numeric_limits<S>::digits <= 53 ? 12 : most_points<S>;
 
-/// How often zeros are squared: the more often, the sharper the bound on the least one.
+/// The number of times that zeros are squared; more give a sharper bound on the smallest zero.
 inline constexpr int squarings = 3;
 
 /// The radius in which q must be free of zeros for a rule with N points (a power of two), to the power of 2^squarings.
@@ -67,8 +67,8 @@ const S& smooth_radius_power() {
   return power;
 }
 
-/// What the terms of q after the first come to within a radius, as parts of the first, once each zero is squared so
-/// often: where that is below 1, there is no zero within the radius.
+/// A bound on the terms of q after the first within a radius, relative to the first, after each zero has been squared
+/// `squarings` times: where it is below 1, there is no zero within the radius.
 template <class T>
 class OtherTerms {
  public:
@@ -86,7 +86,7 @@ class OtherTerms {
     }
   }
 
-  /// `r`: the radius, to the power of 2^squarings. No number where q(0) is 0.
+  /// `r`: the radius, to the power of 2^squarings. NaN where q(0) is 0.
   T within(const T& r) const {
     using std::abs;
     return r * (abs(a1_) + r * (abs(a2_) + r * (abs(a3_) + r * abs(a4_))));
@@ -106,8 +106,8 @@ struct Bounds {
   S width() const { return (end - begin) * S(0.5); }
 };
 
-/// The points that a panel's rule needs, by OtherTerms within the radius that either rule asks for. Promises: never too
-/// few, and seldom more than the zeros ask for within 1.2 times the radius.
+/// The points that a panel's rule needs, by OtherTerms within the radius that each rule requires. Promises: never too
+/// few, and seldom more than zeros within 1.2 times the radius require.
 template <class S>
 std::size_t points_needed(const S& for_most, const S& for_few) {
   return for_few < S(1) ? few_points<S> : for_most < S(1) ? most_points<S> : 0;
@@ -143,7 +143,7 @@ std::array<Panel<S>, 2> make_panels(const Speed<S>& speed, const Bounds<S>& a, c
   }
 }
 
-/// The quartic q about z, by the powers of a step from there.
+/// The quartic q about z, in powers of a step from z.
 template <class T>
 Quartic<T> quartic_about(const Quartic<T>& q, const T& z) {
   return {q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * q[4]))),
@@ -151,14 +151,14 @@ Quartic<T> quartic_about(const Quartic<T>& q, const T& z) {
           q[3] + z * (4.0 * q[4]), q[4]};
 }
 
-/// The square of the speed about a place on a panel, by the powers of a step in z.
+/// The square of the speed about a place on a panel, in powers of a step in z.
 template <class S>
 Quartic<S> square_near(const Panel<S>& panel, const Speed<S>& speed, const S& z) {
   if (panel.is_smooth()) return quartic_about(panel.square, z);
   return speed.square_about(panel.half, panel.middle + panel.width * z, panel.width);
 }
 
-/// The sum of the terms, in pairs, so that rounding stays small.
+/// The sum of the terms, added in pairs to keep the rounding error small.
 template <class T, std::size_t N>
 T sum_in_pairs(std::array<T, N>& terms) {
   for (std::size_t count = N; count > 1;) {

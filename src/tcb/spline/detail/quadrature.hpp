@@ -1,9 +1,8 @@
-// Gauss-Legendre quadrature: nodes and weights worked out for the scalar at hand.
+// Gauss-Legendre quadrature: nodes and weights, computed for any scalar.
 //
 // Source: G. H. Golub, J. H. Welsch, "Calculation of Gauss quadrature rules", doi:10.1090/S0025-5718-69-99647-1.
-// Differs: the roots of P_n are found by bisection between those of P_(n-1), which interlace with them,
-//   then Newton steps, the last ones with all digits, so that no trigonometric function is needed and any scalar
-//   will do.
+// Differs: the roots of P_n are found by bisection between those of P_(n-1), which interlace with them, then by Newton
+//   steps, the last ones in full precision, so that no trigonometric function is needed.
 #pragma once
 
 #include <array>
@@ -47,7 +46,7 @@ constexpr W legendre_slope(std::size_t n, const W& x) {
   return W(static_cast<double>(n)) * (x * value - before) / (x * x - W(1));
 }
 
-/// The one root of P_n in (low, high), to most of a double's digits.
+/// The only root of P_n in (low, high), to most of a double's digits.
 constexpr double legendre_root(std::size_t n, double low, double high) {
   const bool rising = legendre(n, high).value > 0;
   double middle = (low + high) / 2;
@@ -59,7 +58,7 @@ constexpr double legendre_root(std::size_t n, double low, double high) {
   return middle;
 }
 
-/// By as few steps with all digits as can be, from a root with a double's.
+/// A root in full precision, by the fewest Newton steps from a root in double precision.
 template <class W>
 constexpr W polished_root(std::size_t n, W root) {
   for (int right = 48; right < std::numeric_limits<W>::digits; right *= 2) {
@@ -86,7 +85,7 @@ constexpr GaussRule<S, N> make_gauss_rule() {
   return rule;
 }
 
-/// The rule, made once.
+/// The rule, computed once.
 template <class S, std::size_t N>
 const GaussRule<S, N>& gauss_rule() {
   static const GaussRule<S, N> rule = make_gauss_rule<S, N>();

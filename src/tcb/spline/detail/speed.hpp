@@ -1,8 +1,8 @@
-// Speed: how fast a segment is run through, per u, over the metric channels.
+// Speed: the length of dX/du over the metric channels, its square and its minima.
 //
-// Each derivative is a quadratic, written about the nearer end of the segment, as in segment.hpp: in
-// half 0 it is one in v = u, for v in [0, 1/2]; in half 1 in v = u - 1, for v in [-1/2, 0].
-// Speeds are in units of a power of two, so that squares neither overflow nor vanish.
+// Each channel's derivative is a quadratic, expanded about the nearer end of the segment, as in segment.hpp: in half 0
+// it is one in v = u, for v in [0, 1/2]; in half 1 in v = u - 1, for v in [-1/2, 0]. Units: a power of two, so that
+// squares neither overflow nor vanish.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Quadratic {
 template <class T>
 using Quartic = std::array<T, 5>;
 
-/// Adds the square of x at middle + width z, by the powers of z.
+/// Adds the square of x at middle + width z, in powers of z.
 template <class T>
 void add_square(Quartic<T>& sum, const Quadratic<T>& x, const T& middle, const T& width) {
   const T a = x(middle);
@@ -49,7 +49,7 @@ class Speed {
   Speed() = default;
   Speed(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) { assign(segment, metric); }
 
-  /// Looks at another segment. `metric` lists the channels that count; empty: all.
+  /// Assigns another segment. `metric` lists the channels of the speed; empty: all.
   void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) {
     const std::size_t size = metric.empty() ? segment.size() : metric.size();
     for (auto& half : channels_) half.resize(size);
@@ -61,13 +61,13 @@ class Speed {
     rescale();
   }
 
-  /// No number of the segment is beyond the scalar's range.
+  /// No coefficient of the segment is infinite or NaN.
   bool is_finite() const { return finite_; }
 
-  /// The unit of all speeds and lengths, a power of two; 0 where nothing moves at all. Requires: is_finite().
+  /// The unit of all speeds and lengths, a power of two; 0 where the segment is constant. Requires: is_finite().
   const S& unit() const { return unit_; }
 
-  /// The speed is the same everywhere.
+  /// The speed is constant.
   bool is_constant() const {
     return std::ranges::all_of(channels_[0], [](const auto& x) { return x.k1 == S(0) && x.k2 == S(0); });
   }
@@ -94,7 +94,7 @@ class Speed {
     return sums;
   }
 
-  /// The square of the speed at middle + width z, by the powers of z.
+  /// The square of the speed at middle + width z, in powers of z.
   Quartic<S> square_about(std::size_t half, const S& middle, const S& width) const {
     Quartic<S> sum{};
     for (const auto& x : channels_[half]) add_square(sum, x, middle, width);
@@ -114,7 +114,7 @@ class Speed {
     return sum;
   }
 
-  /// speed * d speed/dv, which has the sign of the acceleration along the path, and its derivative.
+  /// speed * d speed/dv, which has the sign of the derivative of the speed.
   S growth(std::size_t half, const S& v) const {
     S sum(0);
     for (const auto& x : channels_[half]) sum += x(v) * x.slope(v);
@@ -140,7 +140,7 @@ class Speed {
     for (const auto& half : channels_) {
       for (const auto& [k0, k1, k2] : half) {
         largest = std::max({largest, S(abs(k0)), S(abs(k1)), S(abs(k2))});
-        nothing += S(0) * k0 + S(0) * k1 + S(0) * k2;  // which is no number where one of them is infinite
+        nothing += S(0) * k0 + S(0) * k1 + S(0) * k2;  // NaN where one of them is infinite
       }
     }
     unit_ = S(0);
