@@ -128,10 +128,46 @@ enum class ErrorCode {
   position_repeats,     ///< line of the key before
   parameter_step_lost,  ///< step, time
   // sampling
+  before_first_key,
+  after_last_key,
+  before_curve_start,
+  beyond_curve_length,
+  step_too_small,
+  too_many_rows,
+  too_many_rows_or_more,
+  end_before_start,
+  samples_beyond_doubles,
+  tolerance_too_small,
   // curve
+  unknown_rule,
+  velocity_missing,
+  unexpected_rule_value,
+  velocity_not_a_number,
+  velocity_of_other_size,
+  too_many_end_rules,
+  exponent_out_of_range,
+  period_not_positive,
+  period_beyond_doubles,
+  period_of_open_curve,
+  ends_of_closed_curve,
+  unknown_metric_channel,
+  repeated_metric_channel,
+  ease_with_missing_cells,
+  tangents_beyond_doubles,
+  length_beyond_doubles,
+  channel_without_numbers,
+  closing_key_differs,
+  closing_key_against_period,
+  period_too_short,
+  too_few_closed_keys,
+  no_period,
+  row_beyond_doubles,
   // exact
+  decimal_too_long,
+  row_needs_more_digits,
   // output
   // app
+  parameter_with_times,
   // compare
   // cli
 };

@@ -112,7 +112,7 @@ std::vector<Text> prose(const SourceFile& file) {
   return all;
 }
 
-/// A name in the words it is made of: CurvePlan and curve_plan are "curve plan".
+/// A name in the words it is made of: CurveSpec and curve_spec are "curve spec".
 std::string in_words(const std::string& name) {
   std::string words;
   for (const char byte : name) {

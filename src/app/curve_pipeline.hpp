@@ -1,4 +1,4 @@
-// The path of one curve, from its keys to its placed samples: which steps it needs, and in which order.
+// The pipeline of one curve: which stages its keys go through to become placed samples, and in which order.
 #pragma once
 
 #include <memory>
@@ -7,33 +7,45 @@
 #include <utility>
 #include <vector>
 
-#include "curve/curve_plan.hpp"
+#include "app/job.hpp"
 #include "curve/index.hpp"
 #include "curve/rows.hpp"
-#include "exact/options.hpp"
+#include "curve/settings.hpp"
 #include "input/input.hpp"
 #include "keys/key_store.hpp"
-#include "sampling/at_places.hpp"
 #include "sampling/request.hpp"
-#include "sampling/spacing.hpp"
+#include "sampling/sampler.hpp"
 
 namespace tcb {
 
 class ExactKeys;
 
-/// What was found and decided, in words.
-using Facts = std::vector<std::pair<std::string, std::string>>;
-
-/// The samples of a curve in batches, and who knows where each of them is.
-struct Placed {
-  Source<SampleBlock> batches;
-  std::shared_ptr<const Locator> locator;  ///< of the rows
-  std::shared_ptr<const Sampler> sampler;  ///< the same, where the samples are placed as the curve goes by
-  Facts facts;
-  Evaluate evaluate = {};
+/// How a curve is made.
+struct RuleFacts {
+  CurveSpec spec;
+  bool timed = false;  ///< the keys have times; otherwise the parameter makes them
 };
 
-/// A curve kept whole, to be looked up anywhere.
+/// The extent of a curve and its samples, as far as they were known before the first row.
+struct PlacementFacts {
+  std::optional<Time> first, last;  ///< times of the first and the last key
+  std::optional<double> length;
+  std::optional<Time> step;  ///< of time or of arc length
+};
+
+/// The samples of a curve in blocks, and how they are located and evaluated.
+struct PlacedCurve {
+  Source<SampleBlock> batches;
+  std::shared_ptr<const Locator> locator;  ///< of the rows
+  std::shared_ptr<const Sampler> sampler;  ///< the same, where the samples are placed segment after segment
+  PlacementFacts facts;
+  Evaluate evaluate = {};
+
+  /// How far the end of the range is from the last row, once all blocks were taken; nothing where it is a row.
+  std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
+};
+
+/// A curve with random access.
 struct IndexedCurve {
   std::shared_ptr<const CurveIndex> curve;
   Extent extent;
@@ -47,34 +59,34 @@ class CurvePipeline {
                 const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
 
   /// Throws: Error (data) for keys that make no curve.
-  Placed place(Source<KeyBlock> blocks) const;
+  PlacedCurve place(Source<KeyBlock> blocks) const;
 
   /// The whole curve, for samples that are placed by whoever asks. Throws: Error (data) for keys that make no curve.
   IndexedCurve whole(Source<KeyBlock> blocks) const;
 
-  /// The rules of the curve in words.
-  Facts rules() const;
+  RuleFacts facts() const { return {spec_, timed_}; }
 
  private:
   bool is_single() const;
   bool needs_lengths() const;
-  Source<KeyBlock> prepared(Source<KeyBlock> blocks) const;
-  Extent extent(KeyStore& kept) const;
-  LinkedKeys linked(const KeyStore& kept, const Extent& extent) const;
   /// The exponent of the distances that make the times; 0: none do.
-  double made_by() const { return timed_ ? 0 : curve_.parameter.value_or(0); }
-  Source<SegmentBlock> segment_blocks(LinkedKeys keys, bool measured, bool sparse) const;
-  Placed place_streamed(LinkedKeys keys, const Extent& extent, std::optional<Lengths> lengths = {},
-                        bool sparse = false) const;
-  Placed place_kept(KeyStore kept, bool anywhere, const ExactKeys& exact) const;
-  Evaluate golden_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
-                       const std::shared_ptr<const Locator>& locator) const;
-  Placed place_anywhere(LinkedKeys keys, const Extent& extent, bool sparse) const;
+  double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
+
+  Source<KeyBlock> prepared(Source<KeyBlock> blocks) const;
+  Source<KeyBlock> recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const;
+  Extent extent(KeyStore& keys) const;
+  Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
+  PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent) const;
+  PlacedCurve place_stored(KeyStore keys, bool random_access, const ExactKeys& exact) const;
+  PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
+  PlacedCurve place_anywhere(const Source<SegmentBlock>& segments, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;
+  std::vector<Time> places(const CurveIndex& curve, const Extent& extent) const;
+  Evaluate exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
+                      const std::shared_ptr<const Locator>& locator) const;
 
   const SamplingRequest& request_;
-  CurveSettings settings_;
-  CurvePlan curve_;
+  CurveSpec spec_;
   std::vector<std::size_t> fields_;
   std::optional<GoldenOptions> golden_;
   bool timed_;

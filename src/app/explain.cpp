@@ -134,19 +134,19 @@ Outcome outcome(const CurvePipeline& pipeline, const CurveKeys& curve) {
     if (block) span->add(*block);
     return block;
   };
-  const Placed placed = pipeline.place(counted);
-  Outcome result{placed.facts, 0, 0};
+  const PlacedCurve placed = pipeline.place(counted);
+  Outcome result{in_words(placed.facts), 0, 0};
   while (const auto batch = placed.batches()) {
     for (const auto& part : batch->parts) result.rows += part.last - part.first;
   }
   while (counted()) {
   }
   result.keys = span->keys;
-  if (placed.facts.empty() && !span->ends.empty()) {
+  if (!placed.facts.first && !span->ends.empty()) {
     result.facts.emplace_back("curve",
                               fmt::format("from {} to {}", time_text(span->ends[0]), time_text(span->ends[1])));
   }
-  if (const std::string text = left_out(placed); !text.empty()) result.facts.emplace_back("note", text);
+  if (const std::string text = remainder_in_words(placed); !text.empty()) result.facts.emplace_back("note", text);
   return result;
 }
 
@@ -174,11 +174,38 @@ std::string in_short(const Outcome& outcome) {
 
 }  // namespace
 
-std::string left_out(const Placed& placed) {
-  const auto rest = placed.sampler == nullptr ? std::nullopt : placed.sampler->left_out();
-  if (!rest) return "";
+Facts in_words(const RuleFacts& facts) {
+  const spline::CurveRules<double>& rules = facts.spec.rules;
+  const auto end = [](const spline::EndChoice<double>& choice) { return name_of(choice.rule); };
+  Facts words{{"tangents", std::string(name_of(rules.tangents))}};
+  if (facts.spec.closed) {
+    words.emplace_back("closed", "yes");
+  } else {
+    words.emplace_back("ends", fmt::format("{}, {}", end(rules.start), end(rules.end)));
+  }
+  if (rules.equal_speed) words.emplace_back("equal speed", "yes");
+  if (!facts.timed) {
+    words.emplace_back("times",
+                       fmt::format("none; made with --parameter {}", facts.spec.parameter_name.value_or("uniform")));
+  }
+  return words;
+}
+
+Facts in_words(const PlacementFacts& facts) {
+  Facts words;
+  if (facts.first && facts.last) {
+    words.emplace_back("curve", fmt::format("from {} to {}", time_text(*facts.first), time_text(*facts.last)));
+  }
+  if (facts.length) words.emplace_back("length", fmt::format("{}", *facts.length));
+  if (facts.step) words.emplace_back("step", time_text(*facts.step));
+  return words;
+}
+
+std::string remainder_in_words(const PlacedCurve& placed) {
+  const auto remainder = placed.remainder();
+  if (!remainder) return "";
   return fmt::format("the end lies {} behind the last row and is left out; --end keep or --end fit includes it",
-                     shown(*rest));
+                     shown(*remainder));
 }
 
 std::string explanation(const std::string& path, const Job& plan) {
@@ -191,7 +218,7 @@ std::string explanation(const std::string& path, const Job& plan) {
   Outcome all, last;
   for (std::optional<CurveKeys> curve; (curve = curves.next()); ++count) {
     const CurvePipeline pipeline(plan.sampling, plan.curve, plan.fields, plan.golden, input, *curve->curve_info);
-    if (count == 0) add(pipeline.rules());
+    if (count == 0) add(in_words(pipeline.facts()));
     if (count == 0) add(intentions(plan, input));
     last = outcome(pipeline, *curve);
     all.keys += last.keys;

@@ -12,7 +12,11 @@ namespace tcb {
 /// Throws: Error as resample() does.
 std::string explanation(const std::string& path, const Job& plan);
 
-/// How far the end lies behind the last row, and what to do about it; empty where it does not.
-std::string left_out(const Placed& placed);
+/// The facts of a curve in words: names and values.
+Facts in_words(const RuleFacts& facts);
+Facts in_words(const PlacementFacts& facts);
+
+/// How far the end is from the last row, and the remedy; empty where it is a row.
+std::string remainder_in_words(const PlacedCurve& placed);
 
 }  // namespace tcb

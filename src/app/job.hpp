@@ -7,13 +7,13 @@
 #include <thread>
 #include <vector>
 
-#include "curve/settings.hpp"
-#include "exact/options.hpp"
+#include "input/curve_settings.hpp"
 #include "input/input.hpp"
 #include "io/formats.hpp"
 #include "keys/curves.hpp"
 #include "output/provenance_recorder.hpp"
 #include "sampling/request.hpp"
+#include "text/notation.hpp"
 
 namespace tcb {
 
@@ -38,6 +38,12 @@ struct Comparison {
   std::string file;                      ///< of the samples; "-" is standard input
   bool identify = false;                 ///< rank the rules that could have made them; otherwise check them
   std::vector<Tolerance> abs, rel, ulp;  ///< a number is admitted by any of the three
+};
+
+/// Rows of correctly rounded numbers.
+struct GoldenOptions {
+  bool decimal = false;    ///< a number of the input is the decimal as written, not the double nearest to it
+  Notation notation = {};  ///< in which the numbers are rounded
 };
 
 /// What is said on standard error besides errors.

@@ -17,6 +17,7 @@
 #include "input/reader.hpp"
 #include "io/input_list.hpp"
 #include "output/writer.hpp"
+#include "text/number.hpp"
 
 namespace tcb {
 namespace {
@@ -39,7 +40,7 @@ Source<SampleBlock> counted(Source<SampleBlock> batches, std::uint64_t& rows, Re
 }
 
 /// The rows of a curve as text.
-Source<std::string> printed(const Placed& placed, const Job& plan, const Writer& writer,
+Source<std::string> printed(const PlacedCurve& placed, const Job& plan, const Writer& writer,
                             const std::shared_ptr<Labels>& labels, unsigned threads) {
   if (plan.golden) threads = 1;  // the rows share what was worked out for those before
   if (labels == nullptr) {
@@ -53,10 +54,10 @@ Source<std::string> printed(const Placed& placed, const Job& plan, const Writer&
   return ordered_map(Labels::joined(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
 }
 
-/// The rules of a curve in words, with the preset that they go out from.
-Facts rules(const CurvePipeline& pipeline, const Job& plan, const CurveInfo& curve_info) {
-  Facts facts{{"preset", plan.curve.preset.value_or(curve_info.settings.preset.value_or("gte"))}};
-  const Facts more = pipeline.rules();
+/// The rules of a curve in words, with the preset that they are based on.
+Facts rules(const CurvePipeline& pipeline) {
+  Facts facts{{"preset", std::string(name_of(pipeline.facts().spec.preset))}};
+  const Facts more = in_words(pipeline.facts());
   facts.insert(facts.end(), more.begin(), more.end());
   return facts;
 }
@@ -79,20 +80,19 @@ std::uint64_t resample_file(const std::string& path, const Job& plan, unsigned t
   for (std::shared_ptr<const CurveInfo> known; std::optional<CurveKeys> curve = curves.next();) {
     if (curve->curve_info != known)
       pipeline.emplace(plan.sampling, plan.curve, plan.fields, plan.golden, input, *curve->curve_info);
-    if (known == nullptr) writer.begin(input, live, rules(*pipeline, plan, *curve->curve_info));
+    if (known == nullptr) writer.begin(input, live, rules(*pipeline));
     known = curve->curve_info;
     writer.begin_curve(curve->group);
     const std::size_t grouping = input.own_curves ? 0 : input.groups.size();  // texts of a key that are no labels
     const auto labels = input.carried.empty() ? nullptr : std::make_shared<Labels>(grouping);
     const auto keys = recorder.keys(curve->keys);
-    Placed placed = pipeline->place(labels == nullptr ? keys : Labels::heard(labels, keys));
+    PlacedCurve placed = pipeline->place(labels == nullptr ? keys : Labels::heard(labels, keys));
     placed.batches = recorder.rows(counted(std::move(placed.batches), rows, report));
     writer.write(printed(placed, plan, writer, labels, input.threads));
     recorder.end_curve();
-    if (const std::string text = left_out(placed); !text.empty()) report.note(path, text);
-    for (const auto& [name, value] : placed.facts) {
-      if (name == "step" && plan.sampling.end != EndPolicy::drop)
-        report.note(path, fmt::format("the step is {}", value));
+    if (const std::string text = remainder_in_words(placed); !text.empty()) report.note(path, text);
+    if (placed.facts.step && plan.sampling.end != EndPolicy::drop) {
+      report.note(path, fmt::format("the step is {}", time_text(*placed.facts.step)));
     }
   }
   recorder.end_input();

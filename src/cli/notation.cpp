@@ -8,7 +8,6 @@
 
 #include "curve/fields.hpp"
 #include "error.hpp"
-#include "exact/golden_rows.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -74,7 +73,7 @@ void set_golden(Job& plan, const TypedOptions& typed) {
   }
   if (!typed.golden) return;
   for (const std::size_t field : plan.fields) {
-    if (has_field(fields()[field].name)) continue;
+    if (fields()[field].is_exact) continue;
     throw Error(Exit::usage, fmt::format("--golden: {} is about the error of s, which then is only rounded; take the "
                                          "field out",
                                          fields()[field].name));

@@ -1,6 +1,7 @@
 // How numbers are printed: the options that say it, and which of them have a meaning together.
 #pragma once
 
+#include "text/notation.hpp"
 #include "cli/options.hpp"
 
 namespace tcb {

@@ -12,7 +12,7 @@
 #include "cli/input.hpp"
 #include "cli/notation.hpp"
 #include "cli/sampling.hpp"
-#include "curve/curve_plan.hpp"
+#include "curve/settings.hpp"
 #include "curve/fields.hpp"
 #include "error.hpp"
 #include "text/number.hpp"
@@ -41,7 +41,7 @@ std::vector<std::size_t> make_fields(const std::string& text) {
 }
 
 /// Whether lengths or speeds are asked for anywhere.
-bool needs_metric(const Job& plan, const CurvePlan& curve) {
+bool needs_metric(const Job& plan, const CurveSpec& curve) {
   const auto over_metric = [](std::size_t field) {
     return fields()[field].needs_lengths || fields()[field].over_metric;
   };
@@ -51,7 +51,7 @@ bool needs_metric(const Job& plan, const CurvePlan& curve) {
 
 /// The names are known, and no option about the curve is without effect.
 void check_curve(Job& plan) {
-  const CurvePlan curve = make_curve(plan.curve);
+  const CurveSpec curve = make_spec(plan.curve);
   plan.input.timeless = plan.curve.parameter.has_value();
   if (plan.curve.metric && !plan.comparison && !needs_metric(plan, curve)) {
     throw Error(Exit::usage, "--metric has no effect where no length or speed is asked for; take it out");

@@ -57,10 +57,84 @@ constexpr std::array all_words{
           "the distance makes a step of {0}, which is lost when it is added to the time {1}; expected times that "
           "doubles distinguish; give --parameter a smaller exponent"},
     // sampling
+    Words{ErrorCode::before_first_key,
+          "{subject} {0} lies before the first key, at {1}; give one within the curve, or --extrapolate"},
+    Words{ErrorCode::after_last_key,
+          "{subject} {0} lies beyond the last key, at {1}; give one within the curve, or --extrapolate"},
+    Words{ErrorCode::before_curve_start, "{subject} {0} lies before the start, at {1}; give one within the curve"},
+    Words{ErrorCode::beyond_curve_length,
+          "{subject} {0} lies beyond the curve's length, at {1}; give one within the curve"},
+    Words{ErrorCode::step_too_small,
+          "the step {0} is too small: near {1} two rows would get the same number; give a larger step"},
+    Words{ErrorCode::too_many_rows, "{0} rows are asked for; expected {1} at most; ask for fewer, or raise --max-rows"},
+    Words{ErrorCode::too_many_rows_or_more,
+          "{0} rows or more are asked for; expected {1} at most; ask for fewer, or raise --max-rows"},
+    Words{ErrorCode::end_before_start,
+          "{subject} {0} is before {1}, where samples begin unless --from is given; expected it after; give a "
+          "later one, or --from"},
+    Words{ErrorCode::samples_beyond_doubles,
+          "the samples lie farther apart than doubles reach; expected less than 1.8e308 from the first to the "
+          "last; scale the keys down"},
+    Words{ErrorCode::tolerance_too_small, "{subject} {0} is too small: two rows would be the same; give a larger one"},
     // curve
+    Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{2}"},
+    Words{ErrorCode::velocity_missing, "{subject} {0}: expected a number for each channel, as in velocity=1:0"},
+    Words{ErrorCode::unexpected_rule_value, "{subject} {0}: expected no value for this rule; take it out"},
+    Words{ErrorCode::velocity_not_a_number, "{subject} {0}: \"{1}\" is not a number; expected velocity=V:V…"},
+    Words{ErrorCode::velocity_of_other_size,
+          "{subject}: a velocity of {0} numbers; expected {1}, one for each of {2}; correct it"},
+    Words{ErrorCode::too_many_end_rules,
+          "{subject} {0}: {1} rules; expected one, or one for the start and one for the end"},
+    Words{ErrorCode::exponent_out_of_range, "{subject} {0}: expected an exponent from 0 to 16"},
+    Words{ErrorCode::period_not_positive, "{subject} \"{0}\": expected a decimal or a ratio above 0, such as 7.5"},
+    Words{ErrorCode::period_beyond_doubles,
+          "{subject} \"{0}\": expected at most 1.7976931348623157e308 in size, as doubles are"},
+    Words{ErrorCode::period_of_open_curve,
+          "{subject}: false, but a period makes the curve closed; take one of them out"},
+    Words{ErrorCode::ends_of_closed_curve,
+          "{subject} has no effect on a closed curve, which has no ends; take one of them out"},
+    Words{ErrorCode::unknown_metric_channel,
+          "{subject}: no channel \"{0}\"; expected some of {1}, or numbers from 1{2}"},
+    Words{ErrorCode::repeated_metric_channel, "{subject}: channel \"{0}\" twice; expected each once; take one out"},
+    Words{ErrorCode::ease_with_missing_cells,
+          "ease_in and ease_out warp all channels of a segment, and some are missing where --missing skip-cell "
+          "left cells out; expected numbers in all; fill them in, or give --no-ease"},
+    Words{ErrorCode::tangents_beyond_doubles,
+          "the curve from time {0} to {1} has tangents beyond the range of doubles; expected less than 1.8e308 "
+          "in size; scale the keys down"},
+    Words{ErrorCode::length_beyond_doubles,
+          "up to time {0} the curve is longer than doubles reach; expected less than 1.8e308; scale the keys "
+          "down"},
+    Words{ErrorCode::channel_without_numbers,
+          "{0}: no key has a number; expected one at least; fill one in, or leave the column out with --columns"},
+    Words{ErrorCode::closing_key_differs,
+          "this key closes the curve at the position of line {0}, but with another tension, continuity or bias;"
+          " expected the same; correct one of the two"},
+    Words{ErrorCode::closing_key_against_period,
+          "this key repeats the position of line {0} and so ends the period, but {subject} says another; take "
+          "one of them out"},
+    Words{ErrorCode::period_too_short,
+          "{subject}: the curve is closed before its last key, at time {0}; expected a longer period; correct "
+          "it"},
+    Words{ErrorCode::too_few_closed_keys, "a closed curve needs two distinct keys at least; add keys"},
+    Words{ErrorCode::no_period,
+          "nothing says when the closed curve is back at its first key; expected --period, or a last row that "
+          "repeats the first position; give one"},
+    Words{ErrorCode::row_beyond_doubles,
+          "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; "
+          "scale the keys down"},
     // exact
+    Words{ErrorCode::decimal_too_long,
+          "a decimal of more digits than --exact-input takes; expected 10,000 at most; shorten it, or take "
+          "--exact-input out"},
+    Words{ErrorCode::row_needs_more_digits,
+          "the row at time {0} has a number that cannot be worked out to so many digits; expected fewer; give a"
+          " smaller number to --digits or --fixed"},
     // output
     // app
+    Words{ErrorCode::parameter_with_times,
+          "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "
+          "other columns with --columns"},
     // compare
     // cli
 };

@@ -7,7 +7,7 @@
 
 #include "compare/pairs.hpp"
 #include "compare/sides.hpp"
-#include "curve/curve_plan.hpp"
+#include "curve/settings.hpp"
 #include "error.hpp"
 #include "stream/stream.hpp"
 
@@ -38,7 +38,7 @@ void leave_positions(ComparisonInputs& sides) {
 
 bool is_closed(const KeptCurves& kept, const Job& plan) {
   return std::ranges::any_of(kept.curves, [&](const KeptCurve& curve) {
-    return make_curve(over(plan.curve, curve.curve_info->settings)).closed;
+    return make_spec(merged(plan.curve, curve.curve_info->settings)).closed;
   });
 }
 

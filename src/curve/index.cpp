@@ -1,4 +1,4 @@
-// Looking a curve up anywhere: it is kept whole, and rows may come in any order, also outside it.
+// Random access to a curve: its segments by number, time or arc length, and rows in any order, also outside it.
 #include "curve/index.hpp"
 
 #include <algorithm>
@@ -10,16 +10,16 @@ namespace {
 
 using spline::DoubleDouble;
 
-/// Rows in batches, where `find` gives the number of a row's piece.
-Source<SampleBlock> batches(std::shared_ptr<const CurveIndex> curve, std::uint64_t rows,
-                            std::function<std::uint64_t(std::uint64_t)> find) {
+/// Rows in blocks, where `find` gives the number of a row's segment.
+Source<SampleBlock> blocks(std::shared_ptr<const CurveIndex> curve, std::uint64_t rows,
+                           std::function<std::uint64_t(std::uint64_t)> find) {
   return [curve = std::move(curve), rows, find = std::move(find),
           row = std::uint64_t{0}]() mutable -> std::optional<SampleBlock> {
     if (row == rows) return std::nullopt;
-    SampleBlock batch{curve, {}, row == 0};
+    SampleBlock block{curve, {}, row == 0};
     const std::uint64_t end = row + std::min(SampleBlock::most_rows, rows - row);
-    for (; row < end; ++row) batch.parts.push_back({curve->piece(find(row)), row, row + 1});
-    return batch;
+    for (; row < end; ++row) block.parts.push_back({curve->segment(find(row)), row, row + 1});
+    return block;
   };
 }
 
@@ -30,7 +30,7 @@ std::vector<Time> with_keys(const std::vector<Time>& times, const CurveIndex& cu
   std::vector<Time> merged;
   std::size_t next = 0;
   for (std::uint64_t i = 0; i <= curve.size(); ++i) {
-    const Time key = i < curve.size() ? curve.piece(i).start : curve.piece(i - 1).end;
+    const Time key = i < curve.size() ? curve.segment(i).start : curve.segment(i - 1).end;
     if (key < from - near || key > to + near) continue;
     for (; next < times.size() && times[next] < key - near; ++next) merged.push_back(times[next]);
     while (next < times.size() && times[next] <= key + near) ++next;
@@ -40,9 +40,9 @@ std::vector<Time> with_keys(const std::vector<Time>& times, const CurveIndex& cu
   return merged;
 }
 
-CurveIndex::CurveIndex(const Source<SegmentBlock>& segment_blocks, std::vector<std::size_t> metric)
+CurveIndex::CurveIndex(const Source<SegmentBlock>& segments, std::vector<std::size_t> metric)
     : first_numbers_{0}, s_{DoubleDouble()}, s_error_{0}, metric_(std::move(metric)) {
-  while (std::optional<SegmentBlock> block = segment_blocks()) {
+  while (std::optional<SegmentBlock> block = segments()) {
     const std::size_t size = block->segments.size();
     if (size == 0) continue;
     for (std::size_t i = 0; i < size; ++i) {
@@ -50,20 +50,20 @@ CurveIndex::CurveIndex(const Source<SegmentBlock>& segment_blocks, std::vector<s
       s_.push_back(block->lengths.empty() ? DoubleDouble() : s_.back() + DoubleDouble(block->lengths[i].value));
     }
     first_numbers_.push_back(first_numbers_.back() + size);
-    stretches_.push_back(std::move(*block));
+    blocks_.push_back(std::move(*block));
   }
-  const CurveSegment first = piece(0);
-  const CurveSegment last = piece(size() - 1);
+  const CurveSegment first = segment(0);
+  const CurveSegment last = segment(size() - 1);
   for (std::size_t i = 0; i < first.cubics.size(); ++i) cycle_.push_back(last.cubics[i].p1 - first.cubics[i].p0);
 }
 
-CurveSegment CurveIndex::piece(std::uint64_t number) const {
+CurveSegment CurveIndex::segment(std::uint64_t number) const {
   const auto after = std::ranges::upper_bound(first_numbers_, number);
   const auto index = static_cast<std::size_t>(after - first_numbers_.begin() - 1);
-  const spline::Segments<double>& segments = stretches_[index].segments;
+  const spline::Segments<double>& segments = blocks_[index].segments;
   const std::size_t i = number - first_numbers_[index];
   const bool last = number + 1 == size();
-  const bool closes = last && stretches_.back().closes;
+  const bool closes = last && blocks_.back().closes;
   return {segments.times[i],
           segments.times[i + 1],
           s_[number],
@@ -79,16 +79,8 @@ CurveSegment CurveIndex::piece(std::uint64_t number) const {
 }
 
 std::uint64_t CurveIndex::find_time(const Time& t, bool left) const {
-  std::uint64_t low = 0, high = size() - 1;
-  while (low < high) {  // the first piece that ends behind t, or there if that is wanted
-    const std::uint64_t middle = low + (high - low) / 2;
-    const Time end = piece(middle).end;
-    if (left ? end >= t : end > t)
-      high = middle;
-    else
-      low = middle + 1;
-  }
-  return low;
+  return segment_at_time(
+      size(), [this](std::uint64_t number) { return segment(number).end; }, t, left);
 }
 
 std::uint64_t CurveIndex::find_length(const Time& s, bool left) const {
@@ -102,15 +94,15 @@ std::uint64_t CurveIndex::find_length(const Time& s, bool left) const {
 Source<SampleBlock> look_up(const std::shared_ptr<const CurveIndex>& curve,
                             const std::shared_ptr<const AnywhereInTime>& rows, bool left) {
   const std::uint64_t size = rows->size();
-  return batches(curve, size,
-                 [curve, rows, left](std::uint64_t row) { return curve->find_time(rows->on_curve(row), left); });
+  return blocks(curve, size,
+                [curve, rows, left](std::uint64_t row) { return curve->find_time(rows->on_curve(row), left); });
 }
 
 Source<SampleBlock> look_up(const std::shared_ptr<const CurveIndex>& curve,
                             const std::shared_ptr<const AnywhereInLength>& rows, bool left) {
   const std::uint64_t size = rows->size();
-  return batches(curve, size,
-                 [curve, rows, left](std::uint64_t row) { return curve->find_length(rows->on_curve(row), left); });
+  return blocks(curve, size,
+                [curve, rows, left](std::uint64_t row) { return curve->find_length(rows->on_curve(row), left); });
 }
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// From pieces of the curve to rows: which samples lie on each, and the cells of their rows.
+// From segments of the curve to rows: which samples lie on each, and the cells of their rows.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "curve/build.hpp"
 #include "curve/fields.hpp"
-#include "curve/segment_blocks.hpp"
-#include "output/layout.hpp"
 #include "sampling/sampler.hpp"
 #include "stream/stream.hpp"
 
 namespace tcb {
 
-/// Samples on some pieces, few enough to be worked out at once.
+/// Samples on some segments, few enough to be evaluated at once.
 struct SampleBlock {
   struct Part {
-    CurveSegment piece;
+    CurveSegment segment;
     std::uint64_t first, last;  ///< rows from first to before last
   };
-  std::shared_ptr<const void> owner;  ///< keeps what the pieces look into
+  std::shared_ptr<const void> owner;  ///< owns what the segments refer to
   std::vector<Part> parts;
   bool first = false;  ///< no row came before these
 
@@ -30,22 +29,23 @@ struct SampleBlock {
   std::uint64_t rows() const;
 };
 
-/// The samples of a curve in order, in batches; nothing is held back.
-Source<SampleBlock> place(Source<SegmentBlock> segment_blocks, std::shared_ptr<Sampler> sampler,
+/// The samples of a curve in order, in blocks, each as soon as its segments are known.
+Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
                           std::vector<std::size_t> metric);
 
 /// The cells of some rows, row after row.
 struct Table {
   std::vector<Cell> cells;
-  std::vector<std::string> texts = {};  ///< of the cells, where they say more than these; else none, or empty ones
+  std::vector<std::string> texts =
+      {};  ///< of the cells, where they have more digits than these; else none, or empty ones
 };
 
-/// The rows of a batch with the chosen fields.
-using Evaluate = std::function<Table(const SampleBlock& batch, std::span<const std::size_t> chosen)>;
+/// The rows of a block with the chosen fields.
+using Evaluate = std::function<Table(const SampleBlock& block, std::span<const std::size_t> chosen)>;
 
-/// The cells of a batch, row after row. A pure function. Throws: Error (data) for a number beyond
+/// The cells of a block, row after row. A pure function. Throws: Error (data) for a number beyond
 /// the range of doubles.
-std::vector<Cell> evaluate(const SampleBlock& batch, const Locator& locator, std::span<const std::size_t> chosen);
+std::vector<Cell> evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen);
 
 /// The rows that evaluate() makes.
 Evaluate fast_rows(std::shared_ptr<const Locator> locator);

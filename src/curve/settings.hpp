@@ -1,42 +1,38 @@
-// What is said about a curve, by name: on the command line, or beside the keys in JSON.
+// The meaning of curve settings: rules by index, texts as numbers, and the facts that describe them.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "input/curve_settings.hpp"
+#include "sampling/extrapolation.hpp"
+#include "tcb/spline/window.hpp"
+#include "text/rational.hpp"
 
 namespace tcb {
 
-struct CurveSettings {
-  std::optional<std::string> preset;
-  std::optional<std::string> tangents;
-  std::optional<std::string> ends;  ///< RULE[,RULE]
-  std::optional<bool> closed;
-  std::optional<std::string> period;     ///< a decimal or a ratio; implies closed
-  std::optional<std::string> parameter;  ///< where keys carry no times: uniform, chordal, centripetal, or an exponent
-  std::optional<std::string> extrapolate;
-  std::optional<std::string> metric;  ///< names or numbers of channels, apart by commas
-  bool equal_speed = false;
-  bool no_ease = false;
+/// Which curve the keys make.
+struct CurveSpec {
+  spline::Preset preset = spline::Preset::gte;
+  spline::CurveRules<double> rules;
+  bool closed = false;
+  std::optional<Rational> period;                  ///< of a closed curve, where it is given
+  std::optional<double> parameter;                 ///< exponent of the distances that make times
+  std::optional<std::string> parameter_name = {};  ///< as it was given
+  Extrapolation extrapolation = Extrapolation::error;
+  bool ease = true;  ///< ease columns are used, where there are any
 };
 
-/// These settings, and where they are silent those beside the keys. A preset silences all rules beside the keys.
-inline CurveSettings over(CurveSettings settings, const CurveSettings& curve_info) {
-  const auto fill = [](auto& wanted, const auto& other) {
-    if (!wanted) wanted = other;
-  };
-  const bool closed_given = settings.closed.has_value() || settings.period.has_value();
-  if (!settings.preset) {
-    settings.preset = curve_info.preset;
-    fill(settings.tangents, curve_info.tangents);
-    fill(settings.ends, curve_info.ends);
-  }
-  if (!closed_given) {
-    settings.closed = curve_info.closed;
-    settings.period = curve_info.period;
-  } else if (settings.closed.value_or(true)) {
-    fill(settings.period, curve_info.period);
-  }
-  return settings;
-}
+/// The settings of the command line with those of the input where the command line has none. A preset of the command
+/// line replaces all rules of the input.
+CurveSettings merged(CurveSettings settings, const CurveSettings& of_input);
+
+/// Throws: Error (usage), about its option, for an unknown name, or for settings that contradict each other.
+CurveSpec make_spec(const CurveSettings& settings);
+
+/// The same for keys with these channels: with the metric. Throws: Error (usage), about its option, also for a metric
+/// channel that is not there, or a velocity with another number of channels.
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels);
 
 }  // namespace tcb

@@ -1,7 +1,5 @@
-// Keys as exact numbers: what a golden curve is made from.
+// Keys as exact numbers, and the curves that they make.
 #include "exact/exact_keys.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +17,13 @@ class Numbers {
   Numbers(const KeyBlock& block, std::size_t key, bool decimal)
       : block_(block), key_(key), per_key_(block.decimals.size() / block.lines.size()), decimal_(decimal) {}
 
-  /// The number that stands in this place among the key's decimals. Requires: not missing.
-  Rational operator()(std::size_t place, const Time& nearest) const {
-    const std::string_view text = place < per_key_ ? block_.decimals[key_ * per_key_ + place] : std::string_view();
+  /// The number at this index among the key's decimals. Requires: not missing.
+  Rational operator()(std::size_t index, const Time& nearest) const {
+    const std::string_view text = index < per_key_ ? block_.decimals[key_ * per_key_ + index] : std::string_view();
     if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
     if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
     if (const auto number = parse_rational(text)) return *number;
-    throw Error(Exit::data, TextPosition{"", block_.lines[key_], 0},
-                "a decimal of more digits than --exact-input takes; expected 10,000 at most; shorten it, or take "
-                "--exact-input out");
+    throw Error(Exit::data, ErrorCode::decimal_too_long).at({"", block_.lines[key_], 0});
   }
 
  private:
@@ -45,7 +41,18 @@ spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& n
 Rational later(const Rational& time, std::span<const Rational> from, std::span<const Rational> to,
                std::span<const std::size_t> metric, double exponent) {
   using S = Float<80>;
-  return rational_of(S(scalar_of<S>(time) + distance<S>(from, to, metric, exponent)));
+  return rational_of(S(scalar_of<S>(time) + parameter_step<S, Rational>(from, to, exponent, metric)));
+}
+
+/// Last key - first key in a channel of an open curve, among the keys that have a position there.
+Rational cycle(const ExactCurve& exact, std::size_t channel) {
+  const auto is_missing = [&](std::size_t key) {
+    return !exact.missing.empty() && exact.missing[key * exact.keys.channels + channel];
+  };
+  std::size_t first = 0, last = exact.keys.size() - 1;
+  while (is_missing(first)) ++first;
+  while (is_missing(last)) --last;
+  return exact.keys.position(last)[channel] - exact.keys.position(first)[channel];
 }
 
 }  // namespace
@@ -61,6 +68,23 @@ spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules
     return exact;
   };
   return {rules.tangents, end(rules.start), end(rules.end), rules.equal_speed, rules.metric};
+}
+
+ChannelFacts channel_facts(const ExactCurve& exact) {
+  const std::size_t channels = exact.keys.channels;
+  ChannelFacts facts{0, std::vector<bool>(channels, true), std::vector<bool>(channels, true),
+                     std::vector<Rational>(channels, 0)};
+  for (std::size_t i = 0; i < exact.keys.positions.size(); ++i) {
+    const std::size_t channel = i % channels;
+    const Rational distance = abs(exact.keys.positions[i] - exact.keys.positions[channel]);
+    if (facts.extent < distance) facts.extent = distance;
+    if (distance != 0) facts.constant[channel] = false;
+    if (exact.keys.positions[i] != 0) facts.zero[channel] = false;
+  }
+  const bool has_velocities = !exact.rules.start.velocity.empty() || !exact.rules.end.velocity.empty();
+  if (has_velocities) facts.constant = facts.zero = std::vector<bool>(channels, false);  // the ends move the curve
+  for (std::size_t i = 0; i < channels && !exact.closed; ++i) facts.cycle[i] = cycle(exact, i);
+  return facts;
 }
 
 void ExactKeys::add(const KeyBlock& block) {

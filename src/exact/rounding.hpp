@@ -4,7 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "output/layout.hpp"
+#include "curve/fields.hpp"
+#include "text/notation.hpp"
 #include "text/rational.hpp"
 
 namespace tcb {

@@ -1,11 +1,10 @@
-// The scalars of golden rows: exact rationals, and floats of more and more digits.
+// Exact scalars: rationals, and floats of more and more digits; what the templates of the curve need of them.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cstddef>
 #include <limits>
-#include <span>
 
+#include "keys/parameterize.hpp"
 #include "text/large_rational.hpp"
 
 namespace tcb {
@@ -39,16 +38,17 @@ Rational rational_of(const S& value) {
   }
 }
 
-/// |b - a|^exponent over the metric channels (empty: all).
-template <class S>
-S distance(std::span<const Rational> a, std::span<const Rational> b, std::span<const std::size_t> metric,
-           double exponent) {
-  Rational square = 0;
-  for (std::size_t i = 0; i < (metric.empty() ? a.size() : metric.size()); ++i) {
-    const std::size_t channel = metric.empty() ? i : metric[i];
-    square += (b[channel] - a[channel]) * (b[channel] - a[channel]);
+/// The power of a distance between exact positions: the square of the distance is exact.
+template <unsigned digits>
+struct DistancePower<Float<digits>> {
+  explicit DistancePower(const Rational&) {}
+  void add_square(const Rational& a, const Rational& b) { sum_ += (b - a) * (b - a); }
+  Float<digits> power(double exponent) const {
+    return pow(sqrt(scalar_of<Float<digits>>(sum_)), Float<digits>(exponent));
   }
-  return pow(sqrt(scalar_of<S>(square)), S(exponent));
-}
+
+ private:
+  Rational sum_ = 0;
+};
 
 }  // namespace tcb

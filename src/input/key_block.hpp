@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "curve/settings.hpp"
 #include "error.hpp"
+#include "input/curve_settings.hpp"
 #include "input/texts.hpp"
 #include "tcb/spline/key.hpp"
 

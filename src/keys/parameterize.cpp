@@ -1,7 +1,6 @@
 // Parameterize and check: times for keys without any, from the distances between them; ease and number of keys.
 #include "keys/parameterize.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -46,7 +45,7 @@ class Parameterizer {
 
  private:
   void advance(std::span<const double> position, std::uint64_t line) {
-    const double step = parameter_step(before_, position, exponent_, metric_);
+    const double step = parameter_step<double, double>(before_, position, exponent_, metric_);
     if (step == 0) throw error_in_line(line, ErrorCode::position_repeats, {line_});
     const double earlier = time_.hi;
     time_ = time_ + DoubleDouble(step);
@@ -62,26 +61,19 @@ class Parameterizer {
 
 }  // namespace
 
-double parameter_step(std::span<const double> a, std::span<const double> b, double exponent,
-                      std::span<const std::size_t> metric) {
-  if (exponent == 0) return 1;
-  const std::size_t channels = metric.empty() ? a.size() : metric.size();
-  double largest = 0;
-  for (std::size_t i = 0; i < channels; ++i) {
-    const std::size_t channel = metric.empty() ? i : metric[i];
-    largest = std::max(largest, std::abs(b[channel] - a[channel]));
-  }
-  if (largest == 0) return 0;
-  int unit = 0;
-  (void)std::frexp(largest, &unit);
-  --unit;  // 2^unit is a double even where the next power of two is none
-  DoubleDouble sum;
-  for (std::size_t i = 0; i < channels; ++i) {
-    const std::size_t channel = metric.empty() ? i : metric[i];
-    const DoubleDouble step = DoubleDouble(std::ldexp(b[channel], -unit)) - DoubleDouble(std::ldexp(a[channel], -unit));
-    sum = sum + step * step;
-  }
-  return (spline::power(spline::sqrt(sum), exponent) * spline::power(DoubleDouble(std::ldexp(1.0, unit)), exponent)).hi;
+DistancePower<double>::DistancePower(double largest) {
+  (void)std::frexp(largest, &unit_);
+  --unit_;  // 2^unit is a double even where the next power of two is none
+}
+
+void DistancePower<double>::add_square(double a, double b) {
+  const DoubleDouble step = DoubleDouble(std::ldexp(b, -unit_)) - DoubleDouble(std::ldexp(a, -unit_));
+  sum_ = sum_ + step * step;
+}
+
+double DistancePower<double>::power(double exponent) const {
+  const DoubleDouble unit(std::ldexp(1.0, unit_));
+  return (spline::power(spline::sqrt(sum_), exponent) * spline::power(unit, exponent)).hi;
 }
 
 Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric) {

@@ -40,11 +40,11 @@ Source<LabelledBlock> Labels::joined(const std::shared_ptr<Labels>& labels, Sour
         if (!batch) return std::nullopt;
         LabelledBlock labelled{std::move(*batch), {}};
         for (const SampleBlock::Part& part : labelled.batch.parts) {
-          if (forget) labels->forget_before(part.piece.number);
+          if (forget) labels->forget_before(part.segment.number);
           // A single key is a segment without duration, and has no key at its end.
-          const bool rests = part.piece.start == part.piece.end;
-          labelled.ends.emplace_back(row_end(labels->of(part.piece.number)),
-                                     row_end(labels->of(rests ? part.piece.number : part.piece.end_key)));
+          const bool rests = part.segment.start == part.segment.end;
+          labelled.ends.emplace_back(row_end(labels->of(part.segment.number)),
+                                     row_end(labels->of(rests ? part.segment.number : part.segment.end_key)));
         }
         return labelled;
       };
@@ -86,8 +86,8 @@ std::string print_labelled(
     const std::size_t width = table.cells.size() / (part.last - part.first);
     for (std::size_t row = 0; row < table.cells.size(); row += width) {
       const Cell& key = table.cells[row + width - 1];
-      const bool at_end = !is_empty(key) && key.hi == static_cast<double>(part.piece.end_key) &&
-                          key.hi != static_cast<double>(part.piece.number);
+      const bool at_end = !is_empty(key) && key.hi == static_cast<double>(part.segment.end_key) &&
+                          key.hi != static_cast<double>(part.segment.number);
       print(out, {columns(table.cells, row, width - 1), columns(table.texts, row, width - 1)},
             at_end ? labelled.ends[i].second : labelled.ends[i].first, first);
       first = false;

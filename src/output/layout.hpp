@@ -2,30 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tcb/spline/scalar.hpp"
+#include "curve/fields.hpp"
 #include "text/notation.hpp"
 
 namespace tcb {
-
-/// What a column of the output holds, which decides how it is written.
-enum class CellKind { time, real, whole };
-
-struct OutputColumn {
-  std::string name;
-  CellKind kind = CellKind::real;
-};
-
-/// A number ready to be written. A time beyond 2^53 needs both parts.
-using Cell = spline::DoubleDouble;
-
-/// Stands for a number that is not defined.
-inline constexpr Cell empty_cell{0, std::numeric_limits<double>::quiet_NaN()};
-inline bool is_empty(const Cell& cell) { return cell.lo != cell.lo; }
 
 /// The texts around the cells of a table; `before` has one entry a column.
 struct Layout {

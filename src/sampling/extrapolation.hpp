@@ -1,10 +1,11 @@
-// Extrapolation: which place on the curve stands for a time before its first key or after its last.
+// Extrapolation: from a time before the first key or after the last to a time on the curve, at any scalar.
 #pragma once
 
 #include <array>
 #include <string_view>
 
-#include "text/rational.hpp"
+#include "tcb/spline/scalar.hpp"
+#include "text/time.hpp"
 
 namespace tcb {
 
@@ -16,7 +17,7 @@ struct NamedExtrapolation {
   std::string_view meaning;
 };
 
-/// Every way by name; the first is the default.
+/// Every extrapolation by name; the first is the default.
 inline constexpr std::array extrapolations{
     NamedExtrapolation{"error", Extrapolation::error, "times outside the curve are refused"},
     NamedExtrapolation{"hold", Extrapolation::hold, "the curve rests at its end keys"},
@@ -26,16 +27,50 @@ inline constexpr std::array extrapolations{
     NamedExtrapolation{"oscillate", Extrapolation::oscillate, "it runs back and forth"},
 };
 
-/// How a time outside the curve relates to one inside.
-struct Outside {
-  Time t;                 ///< the time on the curve that stands for it
-  double cycles = 0;      ///< for offset: how often last key - first key is to be added
-  Time beyond = 0.0;      ///< for linear: how far it lies outside, negative before the first key
-  bool holds = false;     ///< nothing moves here
-  bool backward = false;  ///< time runs backward here
+/// The relation of a time outside the curve to one inside.
+template <class S>
+struct OutsideOf {
+  spline::Time<S> t;                            ///< the time on the curve
+  S cycles = S(0);                              ///< for offset: how often last key - first key is added
+  spline::Time<S> beyond = spline::Time<S>(0);  ///< for linear: time after the last key, negative before the first
+  bool holds = false;                           ///< all derivatives are 0
+  bool backward = false;                        ///< time on the curve decreases
+};
+using Outside = OutsideOf<double>;
+
+/// A time after the first key as whole periods and a rest in [0, period).
+template <class S>
+struct WholePeriods {
+  S periods;
+  bool odd;
+  spline::Time<S> rest;
 };
 
+template <class S>
+WholePeriods<S> divide_by_period(const spline::Time<S>& t, const spline::Time<S>& first,
+                                 const spline::Time<S>& period) {
+  const S passed = t - first;
+  const S periods = floor(S(passed / period));
+  return {periods, floor(S(periods / S(2))) * S(2) != periods, passed - periods * period};
+}
+
+/// For doubles: by double-double arithmetic where it is certain, else by exact rationals.
+template <>
+WholePeriods<double> divide_by_period<double>(const Time& t, const Time& first, const Time& period);
+
 /// Requires: first < last; kind is not error, or t lies on the curve.
-Outside map_to_curve(Extrapolation kind, const Time& first, const Time& last, const Time& t);
+template <class S>
+OutsideOf<S> map_to_curve(Extrapolation kind, const spline::Time<S>& first, const spline::Time<S>& last,
+                          const spline::Time<S>& t) {
+  using T = spline::Time<S>;
+  if (t >= first && t <= last) return {t};
+  const T& end = t < first ? first : last;
+  if (kind == Extrapolation::hold || first == last) return {end, S(0), T(0), true};
+  if (kind == Extrapolation::linear) return {end, S(0), t - end};
+  const auto [periods, odd, rest] = divide_by_period<S>(t, first, last - first);
+  if (kind == Extrapolation::repeat) return {first + rest};
+  if (kind == Extrapolation::offset) return {first + rest, periods};
+  return {odd ? T(last - rest) : T(first + rest), S(0), T(0), false, odd};
+}
 
 }  // namespace tcb

@@ -1,5 +1,7 @@
-// The exact grid: where twice the precision leaves no doubt of the rounding, it is enough; else integers decide.
+// Grids of rows: where double-double arithmetic leaves no doubt of the rounding, it decides; else integers do.
 #include "sampling/grid.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,18 +25,39 @@ std::uint64_t rows_within_doubles(const Rational& first, const Rational& increme
 /// Of two whole numbers above 0: a times b without the factors that they share.
 Rational least_common_multiple(const Rational& a, const Rational& b) { return a * numerator(b / a); }
 
-/// A rational in twice the precision of a double.
-Time nearest_twice(const Rational& value) {
+/// A rational as a double-double.
+Time nearest_double_double(const Rational& value) {
   const double high = nearest_double(value);
   return {high, nearest_double(value - Rational(high))};
+}
+
+/// The whole number of equal steps that a policy takes instead of this many.
+Rational fitted_steps(EndPolicy policy, const Rational& steps) {
+  const Rational below = floor(steps);
+  const bool whole = below == steps;
+  Rational fitted = below;
+  if (policy == EndPolicy::fit_down && !whole) fitted = below + 1;
+  if (policy == EndPolicy::fit && steps - below >= Rational(1, 2)) fitted = below + 1;
+  return fitted < 1 ? 1 : fitted;
+}
+
+/// A number of rows for people: beyond 20 digits, three of them.
+std::string shown(const Rational& rows) {
+  std::string digits = whole_text(rows);
+  if (digits.size() <= 20) return digits;
+  return fmt::format("{}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
+}
+
+[[noreturn]] void refuse(Option option, const Rational& value, const Bound& bound) {
+  throw Error(Exit::usage, bound.code, {text(value), text(bound.value)}).about(option);
 }
 
 }  // namespace
 
 Grid::Grid(const Rational& start, const Rational& step)
     : start_(start), step_(step), first_time_(nearest_time(start)), is_single_(step == 0) {
-  near_start_ = nearest_twice(start);
-  near_step_ = nearest_twice(step);
+  near_start_ = nearest_double_double(start);
+  near_step_ = nearest_double_double(step);
   const Rational common = least_common_multiple(denominator(start), denominator(step));
   if (common >= Rational(whole_from)) return;
   const Rational first = start * common;
@@ -126,6 +149,67 @@ bool Grid::resolves(const Time& t) const {
   const double largest = std::max(std::abs(t.hi), std::abs(near_start_.hi));
   if (near_step_.hi > largest * 0x1p-51) return true;
   return time(1) > time(0) && nearest_time(exact_time(t) + step_) > t;
+}
+
+Rational steps_between(const Rational& from, const Rational& to, const Rational& step) { return (to - from) / step; }
+
+void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
+  const Rational rows = floor(steps) + 1;
+  if (rows <= max_rows) return;
+  throw Error(Exit::usage, at_least ? ErrorCode::too_many_rows_or_more : ErrorCode::too_many_rows,
+              {shown(rows), max_rows});
+}
+
+Spacing spacing(const SamplingRequest& request, const Extent& extent) {
+  const bool arc = by_length(request.mode);
+  const Rational from = request.from.value_or(arc ? Rational(0) : exact_time(extent.first));
+  std::optional<Rational> to = request.to;
+  if (to && *to < from) {  // a start that was given is before it
+    throw Error(Exit::usage, ErrorCode::end_before_start, {text(*to), text(from)}).about(Option::to);
+  }
+  if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
+  if (!to && !arc && extent.last) to = exact_time(*extent.last);
+  if (to && !std::isfinite(nearest_double(*to - from))) {
+    throw Error(Exit::data, ErrorCode::samples_beyond_doubles);
+  }
+  const auto end = to ? std::optional(nearest_time(*to)) : std::nullopt;
+
+  if (request.mode == Mode::step || request.mode == Mode::arc_step) {
+    if (!to) return {Grid(from, request.step), Spacing::unlimited, end};
+    const Rational steps = steps_between(from, *to, request.step);
+    require_rows(steps, request.max_rows);
+    if (!needs_end(request) || *to <= from) return {Grid(from, request.step), Spacing::unlimited, end};
+    const Rational fitted = fitted_steps(request.end, steps);
+    return {Grid(from, (*to - from) / fitted), whole_number(fitted) + 1, end};
+  }
+  const bool seam_once = extent.closed && request.mode != Mode::segments && !request.from && !request.to;
+  const std::uint64_t intervals = request.mode == Mode::segments || seam_once ? request.count : request.count - 1;
+  const std::uint64_t rows = seam_once ? request.count : intervals + 1;
+  require_rows(Rational(rows) - 1, request.max_rows);
+  return {Grid(from, intervals == 0 ? 0 : (*to - from) / intervals), rows, end};
+}
+
+std::string text(const Rational& value) {
+  const Time time = nearest_time(value);
+  return time.lo == 0 ? fmt::format("{}", time.hi) : whole_text(Rational(time.hi) + Rational(time.lo));
+}
+
+Bound first_key(const Time& time) { return {ErrorCode::before_first_key, exact_time(time)}; }
+Bound last_key(const Time& time) { return {ErrorCode::after_last_key, exact_time(time)}; }
+Bound curve_start() { return {ErrorCode::before_curve_start, 0}; }
+Bound curve_length(double length) { return {ErrorCode::beyond_curve_length, exact_time({length})}; }
+
+void require_not_before(Option option, const Rational& value, const Bound& bound) {
+  if (value < bound.value) refuse(option, value, bound);
+}
+
+void require_not_after(Option option, const Rational& value, const Bound& bound) {
+  if (value > bound.value) refuse(option, value, bound);
+}
+
+void require_resolution(const Grid& grid, const Time& end) {
+  if (grid.resolves(end)) return;
+  throw Error(Exit::usage, ErrorCode::step_too_small, {text(grid.step()), text(exact_time(end))});
 }
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// What samples are asked for, as exact numbers; and the tables of the ways to ask.
+// Requests for samples, as exact numbers; modes and end policies.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace tcb {
 
 enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance };
 
-/// What becomes of the end where the steps do not meet it.
+/// Where the last rows are if the steps do not meet the end.
 enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
 
 struct NamedEndPolicy {
@@ -40,7 +40,7 @@ struct SamplingRequest {
   std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
   EndPolicy end = EndPolicy::drop;   ///< step, arc_step
   bool keys = false;                 ///< every key is a row too
-  bool from_left = true;             ///< a row at a key is looked at from the segment before, not the one after
+  bool from_left = true;             ///< a row at a key is on the segment before it, not on the one after
   std::uint64_t max_rows = 1'000'000'000;
 };
 
@@ -49,7 +49,7 @@ constexpr bool by_length(Mode mode) {
   return mode == Mode::arc_step || mode == Mode::arc_count || mode == Mode::arc_at;
 }
 
-/// Rows come in an order of their own, or depend on more than the piece at hand: the curve has to be kept.
+/// Rows come in any order, or depend on more than one segment: the curve needs random access.
 constexpr bool needs_curve(Mode mode) { return mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance; }
 
 /// The curve's last key, or its length, must be known before the first row.

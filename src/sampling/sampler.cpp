@@ -1,11 +1,235 @@
-// From a request and what is known of the curve to the sampler that answers it.
+// Samplers: on a grid of times or of arc lengths, and at equal intervals within every segment.
 #include "sampling/sampler.hpp"
 
-#include "sampling/by_length.hpp"
-#include "sampling/by_time.hpp"
-#include "sampling/per_segment.hpp"
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "tcb/spline/arc_inverse.hpp"
 
 namespace tcb {
+namespace {
+
+/// Samples on a grid of times or of arc lengths: what the two have in common.
+class OnGrid : public Sampler {
+ public:
+  OnGrid(const SamplingRequest& request, Spacing spacing);
+
+  Run place(const CurveSegment& segment) override;
+  bool done() const override { return done_; }
+  std::optional<Rational> remainder() const override { return remainder_; }
+
+ protected:
+  /// A range of the coordinate of the grid.
+  struct Range {
+    Time start, end;
+  };
+
+  /// The segment's range of the coordinate, and the ends of the curve.
+  virtual Range range(const CurveSegment& segment) const = 0;
+  virtual Bound lower(const Range& range) const = 0;
+  virtual Bound upper(const Range& range) const = 0;
+
+  /// Replaces `coordinates` with those of some rows on this segment.
+  void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                       std::vector<Time>& coordinates) const;
+
+ private:
+  void require_bounds(const CurveSegment& segment, const Range& on) const;
+  std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
+  void add_keys(Run& run, const Range& on, const Time& stop, bool final) const;
+  void finish(const Run& run, const Time& stop);
+
+  Spacing spacing_;
+  EndPolicy policy_;
+  bool keys_, from_left_;
+  std::uint64_t max_rows_;
+  bool cut_;   ///< the request says where to end
+  Time near_;  ///< a row this near to a key is that key
+  std::uint64_t next_ = 0;
+  bool done_ = false;
+  std::optional<Rational> remainder_;
+};
+
+/// Samples on a grid of times.
+class ByTime : public OnGrid {
+ public:
+  using OnGrid::OnGrid;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ protected:
+  Range range(const CurveSegment& segment) const override { return {segment.start, segment.end}; }
+  Bound lower(const Range& range) const override { return first_key(range.start); }
+  Bound upper(const Range& range) const override { return last_key(range.end); }
+};
+
+/// Samples on a grid of arc lengths: each at the smallest time at which the curve has that length.
+class ByLength : public OnGrid {
+ public:
+  using OnGrid::OnGrid;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ protected:
+  Range range(const CurveSegment& segment) const override { return {{segment.s_start.hi}, {segment.s_end.hi}}; }
+  Bound lower(const Range&) const override { return curve_start(); }
+  Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
+};
+
+/// Samples at equal intervals within every segment: the inbetweens of the paper.
+class PerSegment : public Sampler {
+ public:
+  explicit PerSegment(const SamplingRequest& request) : intervals_(request.count), max_rows_(request.max_rows) {}
+
+  Run place(const CurveSegment& segment) override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+  bool done() const override { return false; }
+
+ private:
+  std::uint64_t intervals_;
+  std::uint64_t max_rows_;
+};
+
+OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
+    : spacing_(std::move(spacing)),
+      policy_(request.end),
+      keys_(request.keys),
+      from_left_(request.from_left),
+      max_rows_(request.max_rows),
+      cut_(request.to.has_value()),
+      near_(nearest_time(spacing_.grid.step()) * Time(1e-9)) {}
+
+void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
+  const Rational& from = spacing_.grid.start();
+  if (segment.number == 0) require_not_before(Option::from, from, lower(on));
+  if (!segment.last) return;
+  require_not_after(Option::from, from, upper(on));
+  if (cut_) require_not_after(Option::to, exact_time(*spacing_.end), upper(on));
+}
+
+/// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
+/// last, if nothing lies between its ends, or if rows are looked at from the left.
+std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
+  const Grid& grid = spacing_.grid;
+  const bool with_end = final || from_left_ || on.start == on.end;
+  if (grid.is_single()) {
+    const bool here = with_end ? grid.first() <= stop : grid.first() < stop;
+    return here ? spacing_.rows : 0;
+  }
+  if (stop < grid.first()) return 0;
+  if (spacing_.rows == Spacing::unlimited) {
+    if (grid.rough_rows(stop) > static_cast<double>(max_rows_) * 0.99) {
+      require_rows(steps_between(grid.start(), exact_time(stop), grid.step()), max_rows_, !final);
+    }
+    require_resolution(grid, stop);
+  } else if (segment.last) {
+    require_resolution(grid, stop);
+  }
+  return std::min(spacing_.rows, with_end ? grid.rows_through(stop) : grid.rows_before(stop));
+}
+
+/// Every key in the range becomes a row, and no other row is left near it.
+void OnGrid::add_keys(Run& run, const Range& on, const Time& stop, bool final) const {
+  const Grid& grid = spacing_.grid;
+  const auto is_near = [&](std::uint64_t row, const Time& key) {
+    const Time distance = grid.time(row) - key;
+    return distance <= near_ && -distance <= near_;
+  };
+  run.key = on.start >= grid.first() - near_ && on.start <= stop;
+  if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
+  if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
+  if (final && on.end <= stop + near_) run.end = true;
+}
+
+/// Notes the remainder of the steps, and keeps the end where that is wanted.
+void OnGrid::finish(const Run& run, const Time& stop) {
+  if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
+  const Time last = spacing_.grid.time(next_ - 1);
+  if (last < stop) remainder_ = exact_time(stop) - exact_time(last);
+}
+
+Run OnGrid::place(const CurveSegment& segment) {
+  const Range on = range(segment);
+  require_bounds(segment, on);
+  const bool ends_here = cut_ && *spacing_.end <= on.end;
+  const Time stop = ends_here ? *spacing_.end : on.end;
+  const bool final = segment.last || ends_here;
+  Run run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
+  next_ = run.last;
+  if (keys_) add_keys(run, on, stop, final);
+  if (final) {
+    finish(run, stop);
+    run.end = run.end || (policy_ == EndPolicy::keep && remainder_);
+    if (run.end) remainder_.reset();
+  }
+  done_ = ends_here || (next_ == spacing_.rows && !keys_);
+  return run;
+}
+
+void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                             std::vector<Time>& coordinates) const {
+  if (first < Row::at_key) return spacing_.grid.set_times(first, last, coordinates);
+  const Range on = range(segment);
+  const Time end = cut_ ? std::min(*spacing_.end, on.end) : on.end;
+  coordinates.assign(1, first == Row::at_key ? on.start : end);
+}
+
+void ByTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
+  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  set_coordinates(segment, first, last, located.coordinates);
+  located.samples.resize(located.coordinates.size());
+  for (std::size_t i = 0; i < located.samples.size(); ++i) {
+    Sample& sample = located.samples[i];
+    sample.t = located.coordinates[i];
+    sample.at = locate(sample.t);
+    sample.s.reset();
+  }
+}
+
+/// The sample at an arc length. A length that is printed as that of a key is the key's.
+Sample sample_at_length(const CurveSegment& segment, const Time& duration, const Time& s,
+                        const spline::LocalParameter<double>& at) {
+  if (s <= Time(segment.s_start.hi) || at.u == 0) return {segment.start, {0, -1}, s.hi};
+  if (s >= Time(segment.s_end.hi) || at.w == 0) return {segment.end, {1, 0}, s.hi};
+  return {time_at(segment, duration, at), at, s.hi};
+}
+
+void ByLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
+  set_coordinates(segment, first, last, located.coordinates);
+  locate_lengths(segment, located);
+}
+
+Run PerSegment::place(const CurveSegment& segment) {
+  require_rows(Rational(segment.number + 1) * intervals_, max_rows_, !segment.last);
+  const Rational start = exact_time(segment.start);
+  const Grid grid(start, (exact_time(segment.end) - start) / intervals_);
+  if (segment.start < segment.end) require_resolution(grid, segment.end);
+  return {1, intervals_, true, segment.last};
+}
+
+void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
+  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  const Rational start = exact_time(segment.start);
+  const Rational step = (exact_time(segment.end) - start) / intervals_;
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
+    if (row == Row::at_key) return {segment.start, {0, -1}};
+    if (row == Row::at_end) return {segment.end, {1, 0}};
+    const Time t = nearest_time(start + step * row);
+    return {t, locate(t)};
+  });
+}
+
+}  // namespace
+
+void locate_lengths(const CurveSegment& segment, Located& located) {
+  located.arc.assign(segment.cubics, segment.metric);
+  located.places.resize(located.coordinates.size());
+  spline::ArcInverse<double>(located.arc, segment.s_start, segment.s_end).at(located.coordinates, located.places);
+  const Time duration = segment.end - segment.start;
+  located.samples.clear();
+  for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
+    located.samples.push_back(sample_at_length(segment, duration, located.coordinates[i], located.places[i]));
+  }
+}
 
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {
   if (request.mode == Mode::per_segment) return std::make_unique<PerSegment>(request);

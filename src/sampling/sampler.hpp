@@ -1,46 +1,33 @@
-// A sampler says which samples lie on a piece of the curve, and where exactly.
+// Samplers: which samples lie on a segment of the curve, and where exactly.
 //
-// It sees the pieces once, in order; locating a sample on its piece is then a pure function, so that
-// samples can be worked out anywhere, in any order.
-// To add a sampler: a file beside this one, and a line in make_sampler.
+// A sampler gets the segments once, in order. Locating a sample on its segment is then a pure function, so samples can
+// be evaluated in any order, on any thread.
+// To add a sampler: a class in sampler.cpp, and a line in make_sampler.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "sampling/extrapolation.hpp"
-#include "sampling/spacing.hpp"
+#include "sampling/grid.hpp"
+#include "sampling/segment.hpp"
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/ease.hpp"
 
 namespace tcb {
 
-/// A segment with its place in the curve. Lengths are 0 where nobody asked for them.
-struct CurveSegment {
-  Time start, end;                                ///< times of its two keys
-  spline::DoubleDouble s_start, s_end;            ///< arc lengths of its two keys, from the curve's first
-  std::span<const spline::Cubic<double>> cubics;  ///< one a channel
-  std::span<const std::size_t> metric;            ///< the channels that lengths are over; empty: all
-  bool last = false;                              ///< the curve ends here
-  spline::Warp<double> warp = {};                 ///< of its local parameter
-  std::span<const double> cycle = {};             ///< last key - first key, where that is wanted; one a channel
-  std::uint64_t number = 0;                       ///< of the segment, from 0
-  double s_error = 0;                             ///< bound on the error of s_end
-  std::uint64_t end_key = number + 1;             ///< of the key at its end, 0 where a closed curve is back
-};
-
-/// Rows on a piece, by their numbers. Besides those of the grid there are rows at the piece's first key and
-/// at the end of the range.
+/// Rows on a segment, by their numbers. Besides those of the grid there are rows at the segment's first key and at the
+/// end of the range.
 struct Row {
   static constexpr std::uint64_t at_key = std::numeric_limits<std::uint64_t>::max() - 1;
   static constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// The rows on a piece in order: its key if wanted, those from first to before last, the end if wanted.
+/// The rows on a segment in order: its key if wanted, those from first to before last, the end if wanted.
 struct Run {
   std::uint64_t first = 0;
   std::uint64_t last = 0;
@@ -48,23 +35,16 @@ struct Run {
   bool end = false;
 };
 
-/// Where a sample is: its time, its place on the segment, and its arc length where that was asked for.
-struct Sample {
-  Time t;
-  spline::LocalParameter<double> at;
-  std::optional<double> s = std::nullopt;
-};
-
-/// Samples that were located, and the memory that locating needs.
+/// Located samples, and the memory that locating needs.
 struct Located {
   std::vector<Sample> samples;
-  std::vector<Outside> outside = {};   ///< how their times relate to those on the curve; none where all must be on it
-  std::vector<Time> coordinates = {};  ///< the times or arc lengths at which they are to be
+  std::vector<Outside> outside = {};   ///< one a sample, or none where all samples must be on the curve
+  std::vector<Time> coordinates = {};  ///< the times or arc lengths of the samples
   std::vector<spline::LocalParameter<double>> places = {};
   spline::ArcLength<double> arc = {};
 };
 
-/// Says where exactly a sample is on the piece that it lies on.
+/// Locates samples on the segment on which they lie.
 class Locator {
  public:
   Locator() = default;
@@ -72,9 +52,9 @@ class Locator {
   Locator& operator=(const Locator&) = delete;
   virtual ~Locator() = default;
 
-  /// Puts the samples from first to before last in the place of those located before. Requires: they lie on this
-  /// piece. Threads: any number at once, each with memory of its own.
-  virtual void locate(const CurveSegment& piece, std::uint64_t first, std::uint64_t last, Located& located) const = 0;
+  /// Replaces the samples in `located` with those from first to before last. Requires: they lie on this segment.
+  /// Threads: any number at once, each with memory of its own.
+  virtual void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const = 0;
 
  protected:
   /// Samples that are located one by one.
@@ -85,20 +65,80 @@ class Locator {
   }
 };
 
-/// Places samples while the curve goes by.
+/// Places samples segment after segment.
 class Sampler : public Locator {
  public:
-  /// The rows on the next piece. Throws: Error if the request leaves the curve or asks too much.
-  virtual Run place(const CurveSegment& piece) = 0;
+  /// The rows on the next segment. Throws: Error if the request leaves the curve or asks too much.
+  virtual Run place(const CurveSegment& segment) = 0;
 
-  /// No later piece can hold a sample: reading may stop.
+  /// No later segment can have a sample: reading may stop.
   virtual bool done() const = 0;
 
-  /// How far the end of the range lies behind the last row, once all pieces were placed.
-  virtual std::optional<Rational> left_out() const { return std::nullopt; }
+  /// How far the end of the range is from the last row, once all segments were placed; nothing where it is a row.
+  virtual std::optional<Rational> remainder() const { return std::nullopt; }
 };
 
 /// Requires: not needs_curve(mode). Throws: Error where the request does not fit the curve.
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent);
+
+/// Locates the samples at the arc lengths in located.coordinates, which lie on the segment. Promises: their times are
+/// rounded once; a length that is printed as that of a key is the key's.
+void locate_lengths(const CurveSegment& segment, Located& located);
+
+/// Samples at places in any order: rows 0 to size - 1, each at the place that a function gives. A curve with random
+/// access is needed to find their segments.
+class AnywhereLocator : public Locator {
+ public:
+  using Place = std::function<Time(std::uint64_t)>;
+
+  AnywhereLocator(Place place, std::uint64_t size) : place_(std::move(place)), size_(size) {}
+
+  std::uint64_t size() const { return size_; }
+  Time place(std::uint64_t row) const { return place_(row); }
+
+  /// The time on the curve, or the arc length, of a row. Throws: Error (usage) outside the curve.
+  virtual Time on_curve(std::uint64_t row) const = 0;
+
+ private:
+  Place place_;
+  std::uint64_t size_;
+};
+
+/// Places are times, which may be outside the curve.
+class AnywhereInTime : public AnywhereLocator {
+ public:
+  AnywhereInTime(Place place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last)
+      : AnywhereLocator(std::move(place), size), kind_(kind), first_(first), last_(last) {}
+
+  Time on_curve(std::uint64_t row) const override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ private:
+  Extrapolation kind_;
+  Time first_, last_;
+};
+
+/// Places are arc lengths.
+class AnywhereInLength : public AnywhereLocator {
+ public:
+  AnywhereInLength(Place place, std::uint64_t size, double length)
+      : AnywhereLocator(std::move(place), size), length_(length) {}
+
+  Time on_curve(std::uint64_t row) const override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ private:
+  double length_;
+};
+
+/// The segments of a whole curve by number, each as often as it is asked for.
+struct CurveSegments {
+  std::function<CurveSegment(std::uint64_t)> segment;
+  std::uint64_t count = 0;
+};
+
+/// The times of the fewest rows whose polyline stays within the tolerance of the curve, from its first key to its last;
+/// see tolerance.cpp. Corners are rows. Throws: Error (usage) for more than max_rows rows.
+std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows);
 
 }  // namespace tcb

@@ -1,7 +1,9 @@
-// The fewest rows whose polyline stays near the curve.
-#include "sampling/tolerance.hpp"
-
-#include <fmt/format.h>
+// Tolerance: the fewest rows whose polyline stays near the curve.
+//
+// From each row the next one is taken as far along as the chord between them keeps every point of the curve
+// within the tolerance. The points within D of a chord form a convex set, so a part of the curve lies in it
+// if its Bezier control points do; parts that are not decided so are halved. That is a bound, not a sample.
+// With a single metric channel the polyline is its graph over time, and the distance is taken at equal times.
 
 #include <algorithm>
 #include <array>
@@ -9,7 +11,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "sampling/by_length.hpp"
+#include "sampling/sampler.hpp"
 
 namespace tcb {
 namespace {
@@ -18,18 +20,18 @@ using Position = std::vector<double>;
 
 /// A point of the curve.
 struct Vertex {
-  std::uint64_t piece = 0;
+  std::uint64_t segment = 0;
   double u = 0;
   Time t;
   Position x;
 };
 
-std::size_t metric_size(const CurveSegment& piece) {
-  return piece.metric.empty() ? piece.cubics.size() : piece.metric.size();
+std::size_t metric_size(const CurveSegment& segment) {
+  return segment.metric.empty() ? segment.cubics.size() : segment.metric.size();
 }
 
-const spline::Cubic<double>& metric_cubic(const CurveSegment& piece, std::size_t i) {
-  return piece.cubics[piece.metric.empty() ? i : piece.metric[i]];
+const spline::Cubic<double>& metric_cubic(const CurveSegment& segment, std::size_t i) {
+  return segment.cubics[segment.metric.empty() ? i : segment.metric[i]];
 }
 
 /// The chord between two points of the curve, and whether other points are near it.
@@ -67,17 +69,17 @@ class Chord {
   double length2_ = 0;
 };
 
-/// Looks for the next row, and the next, along a curve.
+/// Finds row after row along a curve.
 class Walker {
  public:
-  Walker(const CurveSegments& pieces, double tolerance) : pieces_(pieces), tolerance_(tolerance) {}
+  Walker(const CurveSegments& segments, double tolerance) : segments_(segments), tolerance_(tolerance) {}
 
   Vertex start() const { return at(0, 0); }
 
   /// The farthest place that a chord from here may reach.
   Vertex next(const Vertex& from) {
     const std::uint64_t corner = next_corner(from);
-    std::uint64_t good = from.piece, step = 1;  // the keys that end the pieces before `good` can be reached
+    std::uint64_t good = from.segment, step = 1;  // the keys that end the segments before `good` can be reached
     while (good < corner && reaches(from, key(std::min(good + step, corner)))) {
       good = std::min(good + step, corner);
       step *= 2;
@@ -89,32 +91,31 @@ class Walker {
     return within(from, good);
   }
 
-  bool is_end(const Vertex& place) const { return place.piece + 1 == pieces_.count && place.u == 1; }
+  bool is_end(const Vertex& place) const { return place.segment + 1 == segments_.count && place.u == 1; }
 
  private:
   Vertex at(std::uint64_t number, double u) const {
-    const CurveSegment piece = pieces_.piece(number);
-    Vertex place{number, u, u == 0 ? piece.start : u == 1 ? piece.end : time_of(piece, u), {}};
-    for (std::size_t i = 0; i < metric_size(piece); ++i) {
-      place.x.push_back(spline::position(metric_cubic(piece, i), {u, u - 1}));
+    const CurveSegment segment = segments_.segment(number);
+    Vertex place{number, u, u == 0 ? segment.start : u == 1 ? segment.end : time_of(segment, u), {}};
+    for (std::size_t i = 0; i < metric_size(segment); ++i) {
+      place.x.push_back(spline::position(metric_cubic(segment, i), {u, u - 1}));
     }
     return place;
   }
 
-  /// The key with this number, as the end of the piece before it.
+  /// The key with this number, as the end of the segment before it.
   Vertex key(std::uint64_t number) const { return at(number - 1, 1); }
 
-  /// The farthest place on a piece, whose own end is out of reach.
+  /// The farthest place on a segment, whose own end is out of reach.
   Vertex within(const Vertex& from, std::uint64_t number) const {
-    double low = number == from.piece ? from.u : 0;
+    double low = number == from.segment ? from.u : 0;
     double high = 1;
     for (int halving = 0; halving < 48; ++halving) {
       const double middle = (low + high) / 2;
       (reaches(from, at(number, middle)) ? low : high) = middle;
     }
-    if (number == from.piece && low == from.u) {
-      throw Error(Exit::usage, fmt::format("--tolerance {} is too small: two rows would be the same; give a larger one",
-                                           tolerance_));
+    if (number == from.segment && low == from.u) {
+      throw Error(Exit::usage, ErrorCode::tolerance_too_small, {tolerance_}).about(Option::tolerance);
     }
     return low == 0 && number > 0 ? key(number) : at(number, low);
   }
@@ -122,68 +123,68 @@ class Walker {
   /// The chord between the two places is near the curve between them.
   bool reaches(const Vertex& from, const Vertex& to) const {
     const Chord chord(from, to, tolerance_);
-    for (std::uint64_t number = from.piece; number <= to.piece; ++number) {
-      const double low = number == from.piece ? from.u : 0;
-      const double high = number == to.piece ? to.u : 1;
-      const CurveSegment piece = pieces_.piece(number);
-      // With ease, the bound on a graph tightens slowly; what is not known by then counts as too far.
-      const int depth = piece.warp.is_identity() ? 40 : 16;
-      if (low < high && !is_near(chord, piece, low, high, depth)) return false;
+    for (std::uint64_t number = from.segment; number <= to.segment; ++number) {
+      const double low = number == from.segment ? from.u : 0;
+      const double high = number == to.segment ? to.u : 1;
+      const CurveSegment segment = segments_.segment(number);
+      // With ease, the bound on a graph tightens slowly; what is not decided by then counts as too far.
+      const int depth = segment.warp.is_identity() ? 40 : 16;
+      if (low < high && !is_near(chord, segment, low, high, depth)) return false;
     }
     return true;
   }
 
-  /// The piece between two local parameters is near the chord, so its control points are, or those of its halves.
-  bool is_near(const Chord& chord, const CurveSegment& piece, double low, double high, int depth) const {
+  /// The segment between two local parameters is near the chord, so its control points are, or those of its halves.
+  bool is_near(const Chord& chord, const CurveSegment& segment, double low, double high, int depth) const {
     const Local at_low{low, low - 1};
     const Local at_high{high, high - 1};
     const double third = (high - low) / 3;
-    const std::size_t size = metric_size(piece);
+    const std::size_t size = metric_size(segment);
     std::array<Position, 4> points;
     for (auto& point : points) point.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
-      const auto& x = metric_cubic(piece, i);
+      const auto& x = metric_cubic(segment, i);
       points[0][i] = spline::position(x, at_low);
       points[3][i] = spline::position(x, at_high);
       points[1][i] = points[0][i] + third * spline::first_derivative(x, at_low);
       points[2][i] = points[3][i] - third * spline::first_derivative(x, at_high);
     }
-    const Time t0 = time_of(piece, low);
-    const Time t3 = time_of(piece, high);
+    const Time t0 = time_of(segment, low);
+    const Time t3 = time_of(segment, high);
     if (!chord.is_near(points[0], t0, t0) || !chord.is_near(points[3], t3, t3)) return false;
-    if (control_points_are_near(chord, piece, points, t0, t3)) return true;
+    if (control_points_are_near(chord, segment, points, t0, t3)) return true;
     if (depth == 0) return false;
     const double middle = (low + high) / 2;
-    return is_near(chord, piece, low, middle, depth - 1) && is_near(chord, piece, middle, high, depth - 1);
+    return is_near(chord, segment, low, middle, depth - 1) && is_near(chord, segment, middle, high, depth - 1);
   }
 
-  /// Without ease, time is linear along the piece, and control point k stands at a time of its own.
-  static bool control_points_are_near(const Chord& chord, const CurveSegment& piece,
+  /// Without ease, time is linear along the segment, and control point k has a time of its own.
+  static bool control_points_are_near(const Chord& chord, const CurveSegment& segment,
                                       const std::array<Position, 4>& points, const Time& t0, const Time& t3) {
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Time t = t0 + (t3 - t0) * Time(static_cast<double>(k)) / Time(3);
-      const bool own_time = piece.warp.is_identity();
+      const bool own_time = segment.warp.is_identity();
       if (!chord.is_near(points[k], own_time ? t : t0, own_time ? t : t3)) return false;
     }
     return true;
   }
 
-  static Time time_of(const CurveSegment& piece, double u) {
-    return piece.start + piece.warp.inverse({u, u - 1}) * (piece.end - piece.start);
+  static Time time_of(const CurveSegment& segment, double u) {
+    return segment.start + segment.warp.inverse({u, u - 1}) * (segment.end - segment.start);
   }
 
-  /// The number of the first key behind a place where the curve turns, or of the last one.
+  /// The number of the first key after a place where the curve has a corner, or of the last one.
   std::uint64_t next_corner(const Vertex& from) {
-    if (corner_ > from.piece + (from.u == 1 ? 1 : 0)) return corner_;
-    corner_ = from.piece + (from.u == 1 ? 2 : 1);
-    while (corner_ < pieces_.count && !is_corner(corner_)) ++corner_;
+    if (corner_ > from.segment + (from.u == 1 ? 1 : 0)) return corner_;
+    corner_ = from.segment + (from.u == 1 ? 2 : 1);
+    while (corner_ < segments_.count && !is_corner(corner_)) ++corner_;
     return corner_;
   }
 
   /// The directions before and after a key differ, or it has none.
   bool is_corner(std::uint64_t number) const {
-    const CurveSegment before = pieces_.piece(number - 1);
-    const CurveSegment after = pieces_.piece(number);
+    const CurveSegment before = segments_.segment(number - 1);
+    const CurveSegment after = segments_.segment(number);
     const bool graph = metric_size(before) == 1;
     const double h0 = graph ? (before.end - before.start).hi : 1;
     const double h1 = graph ? (after.end - after.start).hi : 1;
@@ -202,15 +203,15 @@ class Walker {
 
   using Local = spline::LocalParameter<double>;
 
-  const CurveSegments& pieces_;
+  const CurveSegments& segments_;
   double tolerance_;
   std::uint64_t corner_ = 0;  ///< the last one found
 };
 
 }  // namespace
 
-std::vector<Time> times_within_tolerance(const CurveSegments& pieces, double tolerance, std::uint64_t max_rows) {
-  Walker walker(pieces, tolerance);
+std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows) {
+  Walker walker(segments, tolerance);
   std::vector<Time> times;
   Vertex place = walker.start();
   times.push_back(place.t);

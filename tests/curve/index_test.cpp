@@ -1,4 +1,4 @@
-// A curve kept whole: the piece for any time or length, from either side.
+// Random access to a curve: the segment for any time or length, from either side.
 #include "curve/index.hpp"
 
 #include <gtest/gtest.h>
@@ -9,24 +9,24 @@
 namespace tcb {
 namespace {
 
-/// Straight pieces between keys at t = 0, 1, 2, 4 with a hold from 1 to 2, in segment_blocks of one piece.
+/// Straight segments between keys at t = 0, 1, 2, 4 with a hold from 1 to 2, in blocks of one segment.
 CurveIndex curve() {
   const std::vector<double> times{0, 1, 2, 4}, positions{0, 3, 3, 7};
   return CurveIndex(
       [=, next = std::size_t{0}]() mutable -> std::optional<SegmentBlock> {
         if (next == 3) return std::nullopt;
         const double h = positions[next + 1] - positions[next];
-        SegmentBlock stretch;
-        stretch.segments = {
+        SegmentBlock block;
+        block.segments = {
             1, {times[next], times[next + 1]}, {spline::cubic<double>(positions[next], positions[next + 1], h, h)}, {}};
-        stretch.lengths = {{h, 0}};
-        stretch.last = ++next == 3;
-        return stretch;
+        block.lengths = {{h, 0}};
+        block.last = ++next == 3;
+        return block;
       },
       {});
 }
 
-TEST(CurveIndex, finds_the_piece_for_a_time) {
+TEST(CurveIndex, finds_the_segment_for_a_time) {
   const CurveIndex whole = curve();
   EXPECT_EQ(whole.size(), 3U);
   for (const bool left : {true, false}) {
@@ -38,7 +38,7 @@ TEST(CurveIndex, finds_the_piece_for_a_time) {
   }
 }
 
-TEST(CurveIndex, finds_the_first_piece_that_reaches_a_length) {
+TEST(CurveIndex, finds_the_first_segment_that_reaches_a_length) {
   const CurveIndex whole = curve();
   EXPECT_EQ(whole.length(), 7);
   EXPECT_EQ(whole.find_length(0.0, true), 0U);
@@ -49,15 +49,15 @@ TEST(CurveIndex, finds_the_first_piece_that_reaches_a_length) {
   EXPECT_EQ(whole.find_length(7.0, false), 2U);
 }
 
-TEST(CurveIndex, pieces_know_their_place) {
+TEST(CurveIndex, segments_have_their_place_on_the_curve) {
   const CurveIndex whole = curve();
-  const auto piece = whole.piece(2);
-  EXPECT_EQ(piece.start.hi, 2);
-  EXPECT_EQ(piece.s_start.hi, 3);
-  EXPECT_EQ(piece.s_end.hi, 7);
-  EXPECT_TRUE(piece.last);
-  EXPECT_EQ(piece.end_key, 3U);
-  EXPECT_EQ(piece.cycle[0], 7);
+  const auto segment = whole.segment(2);
+  EXPECT_EQ(segment.start.hi, 2);
+  EXPECT_EQ(segment.s_start.hi, 3);
+  EXPECT_EQ(segment.s_end.hi, 7);
+  EXPECT_TRUE(segment.last);
+  EXPECT_EQ(segment.end_key, 3U);
+  EXPECT_EQ(segment.cycle[0], 7);
 }
 
 }  // namespace

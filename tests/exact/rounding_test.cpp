@@ -11,8 +11,7 @@
 #include <stdexcept>
 
 #include "curve/fields.hpp"
-#include "exact/golden_rows.hpp"
-#include "exact/point.hpp"
+#include "exact/scalar.hpp"
 
 namespace tcb {
 namespace {
@@ -87,11 +86,8 @@ TEST(Rounding, a_time_beyond_2_to_53_is_the_nearest_whole_number) {
   EXPECT_EQ(Rounding({Kind::digits, 5}, CellKind::time).exactly({time}).text, "1403715524907143169");
 }
 
-TEST(Quantities, every_field_but_the_bound_on_an_error_has_a_golden_value) {
-  for (const Field& field : fields()) EXPECT_EQ(has_field(field.name), field.name != "arc_error") << field.name;
-  for (const auto& quantity : quantities<Rational>) {
-    EXPECT_EQ(std::ranges::count(fields(), quantity.name, &Field::name), 1) << quantity.name;
-  }
+TEST(FieldTable, every_field_but_the_bound_on_an_error_has_an_exact_value) {
+  for (const Field& field : fields()) EXPECT_EQ(field.is_exact, field.name != "arc_error") << field.name;
 }
 
 }  // namespace

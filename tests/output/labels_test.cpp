@@ -52,7 +52,7 @@ TEST(Labels, a_closed_curve_comes_back_to_the_first) {
   while (keys()) {
   }
   SampleBlock round = batch_on({0, 1, 2, 3});
-  round.parts.back().piece.end_key = 0;
+  round.parts.back().segment.end_key = 0;
   const auto joined = Labels::joined(
       labels, [left = std::optional(round)]() mutable { return std::exchange(left, std::nullopt); },
       [](std::span<const std::string_view> texts) { return std::string(texts[0]); }, true);

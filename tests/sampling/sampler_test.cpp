@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/remedies.hpp"
 #include "error.hpp"
 
 namespace tcb {
@@ -15,7 +16,7 @@ namespace {
 /// The times and places of all samples on the line x = t through keys at the given times.
 struct Sampled {
   std::vector<double> times, positions;
-  double left_out = 0;
+  double remainder = 0;
 };
 
 Sampled sample(const SamplingRequest& request, const std::vector<double>& keys, bool closed = false) {
@@ -27,21 +28,21 @@ Sampled sample(const SamplingRequest& request, const std::vector<double>& keys, 
   for (std::size_t i = 0; i + 1 < keys.size() && !sampler->done(); ++i) {
     const double h = keys[i + 1] - keys[i];
     const std::array cubics{spline::cubic<double>(keys[i], keys[i + 1], h, h)};
-    const CurveSegment piece{
+    const CurveSegment segment{
         keys[i], keys[i + 1], keys[i] - keys[0], keys[i + 1] - keys[0], cubics, {}, i + 2 == keys.size(), {}, {}, i};
     const auto add = [&](std::uint64_t row) {
       Located located;
-      sampler->locate(piece, row, row + 1, located);
+      sampler->locate(segment, row, row + 1, located);
       const Sample& at = located.samples.front();
       result.times.push_back(at.t.hi);
       result.positions.push_back(spline::position(cubics[0], at.at));
     };
-    const Run run = sampler->place(piece);
+    const Run run = sampler->place(segment);
     if (run.key) add(Row::at_key);
     for (std::uint64_t j = run.first; j < run.last; ++j) add(j);
     if (run.end) add(Row::at_end);
   }
-  if (sampler->left_out()) result.left_out = nearest_time(*sampler->left_out()).hi;
+  if (sampler->remainder()) result.remainder = nearest_time(*sampler->remainder()).hi;
   return result;
 }
 
@@ -58,7 +59,7 @@ std::string refusal(const SamplingRequest& asked, const std::vector<double>& key
     sample(asked, keys);
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
-    return error.what();
+    return error_message(error);
   }
   return "nothing";
 }
@@ -114,7 +115,7 @@ TEST(Sampler, end_policies_do_what_their_names_say) {
       const auto result = sample(asked, {0, 2.5, 7});
       ASSERT_EQ(result.positions.size(), expected.size());
       for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_DOUBLE_EQ(result.positions[i], expected[i]);
-      EXPECT_EQ(result.left_out, policy == EndPolicy::drop ? 1 : 0);
+      EXPECT_EQ(result.remainder, policy == EndPolicy::drop ? 1 : 0);
     }
   }
 }
@@ -162,7 +163,7 @@ TEST(Sampler, rows_at_keys_are_on_the_side_that_is_asked_for) {
 TEST(Sampler, counts_the_rows_that_it_refuses) {
   SamplingRequest asked = request(Mode::step, "1e-300");
   EXPECT_EQ(refusal(asked, {1, 5}),
-            "about 4.00e300 rows are asked for; expected 1000000000 at most; ask for fewer, or raise --max-rows");
+            "4.00e300 rows are asked for; expected 1000000000 at most; ask for fewer, or raise --max-rows");
   asked = request(Mode::count, "", 12);
   asked.max_rows = 11;
   EXPECT_EQ(refusal(asked, {1, 5}), "12 rows are asked for; expected 11 at most; ask for fewer, or raise --max-rows");

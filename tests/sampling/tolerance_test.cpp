@@ -1,6 +1,4 @@
 // Tolerance: the polyline stays as near as promised, corners are rows, and there are no more rows than needed.
-#include "sampling/tolerance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "sampling/sampler.hpp"
 #include "tcb/spline/window.hpp"
 
 namespace tcb {
@@ -19,7 +18,7 @@ class Curve {
  public:
   Curve(const spline::Keys<double>& keys) : curve_(spline::segments<double>({keys}, {})) {}
 
-  CurveSegments pieces() const {
+  CurveSegments segments() const {
     return {[this](std::uint64_t i) {
               return CurveSegment{curve_.times[i], curve_.times[i + 1], {}, {}, curve_[i], {}, i + 1 == curve_.size()};
             },
@@ -70,7 +69,7 @@ TEST(Tolerance, no_point_of_the_curve_is_farther_from_the_polyline) {
     const auto keys = random_keys(random, round % 2 == 0 ? 2 : 3);
     const Curve curve(keys);
     const double tolerance = std::pow(10, -1 - round % 3);
-    const auto rows = times_within_tolerance(curve.pieces(), tolerance, 1'000'000);
+    const auto rows = times_within_tolerance(curve.segments(), tolerance, 1'000'000);
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
       const auto a = curve.at(rows[i].hi), b = curve.at(rows[i + 1].hi);
       for (double f = 0; f <= 1; f += 1.0 / 64) {
@@ -85,7 +84,7 @@ TEST(Tolerance, a_single_channel_is_a_graph_over_time) {
   for (int round = 0; round < 40; ++round) {
     const auto keys = random_keys(random, 1);
     const Curve curve(keys);
-    const auto rows = times_within_tolerance(curve.pieces(), 0.01, 1'000'000);
+    const auto rows = times_within_tolerance(curve.segments(), 0.01, 1'000'000);
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
       const double a = curve.at(rows[i].hi)[0], b = curve.at(rows[i + 1].hi)[0];
       for (double f = 0; f <= 1; f += 1.0 / 64) {
@@ -100,7 +99,7 @@ TEST(Tolerance, corners_are_rows) {
   std::mt19937_64 random(23);
   for (int round = 0; round < 20; ++round) {
     const auto keys = random_keys(random, 2);
-    const auto rows = times_within_tolerance(Curve(keys).pieces(), 100, 1'000'000);
+    const auto rows = times_within_tolerance(Curve(keys).segments(), 100, 1'000'000);
     EXPECT_EQ(rows, (std::vector<Time>{keys.times[0], keys.times[2], keys.times[4], keys.times[5]}));
   }
 }
@@ -115,15 +114,15 @@ TEST(Tolerance, an_s_whose_middle_lies_on_the_chord_is_not_taken_for_straight) {
   rules.start = {velocity, {1, 3}};
   rules.end = {velocity, {1, 3}};
   const auto s = spline::segments<double>({keys}, rules);
-  const CurveSegments pieces{[&](std::uint64_t) { return CurveSegment{0.0, 1.0, {}, {}, s[0], {}, true}; }, 1};
-  EXPECT_GE(times_within_tolerance(pieces, 0.1, 100).size(), 4U);
-  EXPECT_EQ(times_within_tolerance(pieces, 1, 100).size(), 2U);
+  const CurveSegments segments{[&](std::uint64_t) { return CurveSegment{0.0, 1.0, {}, {}, s[0], {}, true}; }, 1};
+  EXPECT_GE(times_within_tolerance(segments, 0.1, 100).size(), 4U);
+  EXPECT_EQ(times_within_tolerance(segments, 1, 100).size(), 2U);
 }
 
 TEST(Tolerance, asks_for_as_many_rows_as_allowed_at_most) {
   std::mt19937_64 random(24);
   const auto keys = random_keys(random, 2);
-  EXPECT_THROW(times_within_tolerance(Curve(keys).pieces(), 1e-6, 10), Error);
+  EXPECT_THROW(times_within_tolerance(Curve(keys).segments(), 1e-6, 10), Error);
 }
 
 }  // namespace

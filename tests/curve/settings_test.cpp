@@ -1,10 +1,11 @@
 // The settings of a curve: what names and texts become, and what is refused.
-#include "curve/curve_plan.hpp"
+#include "curve/settings.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "cli/remedies.hpp"
 #include "error.hpp"
 
 namespace tcb {
@@ -18,33 +19,33 @@ CurveSettings ends(std::string text) {
 
 std::string refusal(const CurveSettings& settings, const std::vector<std::string>& channels = {"x", "y"}) {
   try {
-    (void)fitted(make_curve(settings), settings, channels);
+    (void)make_spec(settings, channels);
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
-    return error.what();
+    return error_message(error);
   }
   return "nothing";
 }
 
-TEST(CurvePlan, a_preset_sets_both_rules_and_each_may_be_set_over) {
+TEST(MakeSpec, a_preset_sets_both_rules_and_each_may_be_set_over) {
   CurveSettings settings;
   settings.preset = "vtk";
-  EXPECT_EQ(name_of(make_curve(settings).rules.tangents), "interval");
-  EXPECT_EQ(name_of(make_curve(settings).rules.start.rule), "zero");
+  EXPECT_EQ(name_of(make_spec(settings).rules.tangents), "interval");
+  EXPECT_EQ(name_of(make_spec(settings).rules.start.rule), "zero");
   settings.ends = "chord,cry";
-  EXPECT_EQ(name_of(make_curve(settings).rules.start.rule), "chord");
-  EXPECT_EQ(name_of(make_curve(settings).rules.end.rule), "cry");
+  EXPECT_EQ(name_of(make_spec(settings).rules.start.rule), "chord");
+  EXPECT_EQ(name_of(make_spec(settings).rules.end.rule), "cry");
 }
 
-TEST(CurvePlan, velocities_have_a_number_for_each_channel) {
-  const auto rules = make_curve(ends("velocity=1:-2,velocity=3,4")).rules;
+TEST(MakeSpec, velocities_have_a_number_for_each_channel) {
+  const auto rules = make_spec(ends("velocity=1:-2,velocity=3,4")).rules;
   EXPECT_EQ(rules.start.velocity, (std::vector<double>{1, -2}));
   EXPECT_EQ(rules.end.velocity, (std::vector<double>{3, 4}));
   EXPECT_EQ(refusal(ends("velocity=1,zero")),
             "--ends: a velocity of 1 numbers; expected 2, one for each of x, y; correct it");
 }
 
-TEST(CurvePlan, unknown_names_are_refused_with_the_nearest) {
+TEST(MakeSpec, unknown_names_are_refused_with_the_nearest) {
   CurveSettings settings;
   settings.preset = "gtee";
   EXPECT_TRUE(refusal(settings).ends_with("; did you mean gte?")) << refusal(settings);
@@ -54,7 +55,7 @@ TEST(CurvePlan, unknown_names_are_refused_with_the_nearest) {
   EXPECT_EQ(refusal(settings), "--metric: no channel \"z\"; expected some of x, y, or numbers from 1");
 }
 
-TEST(CurvePlan, contradictions_are_refused) {
+TEST(MakeSpec, contradictions_are_refused) {
   CurveSettings settings = ends("zero");
   settings.closed = true;
   EXPECT_EQ(refusal(settings), "--ends has no effect on a closed curve, which has no ends; take one of them out");
@@ -66,23 +67,23 @@ TEST(CurvePlan, contradictions_are_refused) {
   EXPECT_EQ(refusal(settings), "--period \"-1\": expected a decimal or a ratio above 0, such as 7.5");
 }
 
-TEST(CurveSettings, the_command_line_goes_over_what_stands_beside_the_keys) {
-  CurveSettings beside;
-  beside.preset = "vtk";
-  beside.tangents = "uniform";
-  beside.closed = true;
-  beside.period = "3";
+TEST(Merged, settings_of_the_command_line_replace_those_of_the_input) {
+  CurveSettings of_input;
+  of_input.preset = "vtk";
+  of_input.tangents = "uniform";
+  of_input.closed = true;
+  of_input.period = "3";
   CurveSettings typed;
-  EXPECT_EQ(over(typed, beside).tangents, "uniform");
-  EXPECT_EQ(over(typed, beside).period, "3");
+  EXPECT_EQ(merged(typed, of_input).tangents, "uniform");
+  EXPECT_EQ(merged(typed, of_input).period, "3");
   typed.tangents = "kb1984";
-  EXPECT_EQ(over(typed, beside).tangents, "kb1984");
-  EXPECT_EQ(over(typed, beside).preset, "vtk");
+  EXPECT_EQ(merged(typed, of_input).tangents, "kb1984");
+  EXPECT_EQ(merged(typed, of_input).preset, "vtk");
   typed = {};
   typed.preset = "gte";
-  EXPECT_EQ(over(typed, beside).tangents, std::nullopt) << "a preset sets all rules";
+  EXPECT_EQ(merged(typed, of_input).tangents, std::nullopt) << "a preset sets all rules";
   typed.closed = false;
-  EXPECT_EQ(over(typed, beside).period, std::nullopt);
+  EXPECT_EQ(merged(typed, of_input).period, std::nullopt);
 }
 
 }  // namespace

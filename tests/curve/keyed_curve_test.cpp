@@ -1,12 +1,13 @@
-// Sparse channels: each runs as if it were alone, rests outside its keys, and leaves the others as they are.
-#include "curve/sparse.hpp"
+// Curves by their keys: sparse channels run as if they were alone, at any scalar; periodic extension.
+#include "curve/keyed_curve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "curve/closed.hpp"
+#include "curve/build.hpp"
+#include "exact/scalar.hpp"
 #include "keys.hpp"
 
 namespace tcb {
@@ -56,8 +57,15 @@ double at(const spline::Segments<double>& segments, double t, std::size_t channe
   return spline::position(segments[i][channel], {u, u - 1});
 }
 
-spline::Segments<double> joined(const Keys& all) {
-  return sparse_stretches({once(all), {}}, {}, false, {"x", "y"})()->segments;
+Source<KeyBlock> blocks_of(const Keys& all) {
+  return [left = std::optional(KeyBlock{all, std::vector<std::uint64_t>(all.size(), 1)})]() mutable {
+    return std::exchange(left, std::nullopt);
+  };
+}
+
+spline::Segments<double> joined(const Keys& all, std::optional<Time> end = {}) {
+  const KeyStore store(blocks_of(all));
+  return sparse_segment_blocks(store, end, {}, false, {"x", "y"})()->segments;
 }
 
 /// All segments of a curve, which come in segment_blocks.
@@ -121,16 +129,12 @@ TEST(Sparse, a_channel_without_any_number_is_refused) {
             "--columns");
 }
 
-TEST(Sparse, on_a_closed_curve_a_channel_goes_round_through_its_own_keys) {
+TEST(Sparse, on_a_closed_curve_a_channel_is_extended_by_its_own_keys) {
   const Keys all = keys({{0, 1, none}, {1, 3, 2}, {2, 0, none}, {4, 2, 5}, {5, 1.5, 3}});
-  const auto source = [](const Keys& of) {
-    return [left = std::optional(KeyBlock{of, std::vector<std::uint64_t>(of.size(), 1)})]() mutable {
-      return std::exchange(left, std::nullopt);
-    };
-  };
-  const KeyStore kept(source(all)), own(source(alone(all, 1)));
-  const auto together = sparse_stretches(going_round(kept, {7.0}), {}, false, {"x", "y"})()->segments;
-  const auto segments = all_of(segment_blocks(going_round(own, {8.0}), {}, false));  // from time 1, so it is back at 8
+  const KeyStore own(blocks_of(alone(all, 1)));
+  const auto together = joined(all, Time(7.0));
+  // The channel's own curve is from time 1 to 8.
+  const auto segments = all_of(segment_blocks(periodic_extension(own, {8.0}), {}, false));
   for (double t = 0; t < 7; t += 0.125) {
     EXPECT_NEAR(at(together, t, 1), at(segments, t < 1 ? t + 7 : t, 0), 1e-14) << t;
   }
@@ -138,10 +142,44 @@ TEST(Sparse, on_a_closed_curve_a_channel_goes_round_through_its_own_keys) {
 
 TEST(Sparse, lengths_are_measured_where_they_are_wanted) {
   const Keys all = keys({{0, 0, 0}, {1, 3, none}, {2, 3, 0}});
-  const auto stretch = sparse_stretches({once(all), {}}, {}, true, {"x", "y"})();
-  ASSERT_EQ(stretch->lengths.size(), 2U);
-  EXPECT_GE(stretch->lengths[0].value, 3);
-  EXPECT_TRUE(stretch->last);
+  const KeyStore store(blocks_of(all));
+  const auto block = sparse_segment_blocks(store, {}, {}, true, {"x", "y"})();
+  ASSERT_EQ(block->lengths.size(), 2U);
+  EXPECT_GE(block->lengths[0].value, 3);
+  EXPECT_TRUE(block->last);
+}
+
+TEST(KeyedCurve, any_range_of_segments_is_that_of_the_whole) {
+  const Keys all = keys({{0, 1, 5}, {1, 3, none}, {2, none, none}, {4, -2, 7}, {5, 0, none}, {8, 6, -3}});
+  std::vector<bool> missing;
+  for (const double position : all.positions) missing.push_back(std::isnan(position));
+  for (const auto& end : {std::optional<Time>(), std::optional<Time>(9.5)}) {
+    const KeyedCurve<double> curve(all, missing, {}, end);
+    const auto whole = curve.segments(0, curve.size());
+    for (std::size_t first = 0; first < curve.size(); ++first) {
+      for (std::size_t to = first + 1; to <= curve.size(); ++to) {
+        const auto part = curve.segments(first, to);
+        for (std::size_t i = 0; i < part.size() * 2; ++i) {
+          EXPECT_EQ(part[i / 2][i % 2].p0, whole[first + i / 2][i % 2].p0);
+          EXPECT_EQ(part[i / 2][i % 2].out, whole[first + i / 2][i % 2].out);
+          EXPECT_EQ(part[i / 2][i % 2].d, whole[first + i / 2][i % 2].d);
+        }
+      }
+    }
+  }
+}
+
+TEST(KeyedCurve, extension_repeats_keys_every_period_at_every_scalar) {
+  const auto time = [](std::ptrdiff_t number) {
+    const auto key = [](std::size_t i) {
+      return spline::Keys<Rational>{1, {Rational(static_cast<int>(i))}, {0}, {}, {}, {}};
+    };
+    return extended_key<Rational>(key, 3, Rational(10), number).times[0];
+  };
+  EXPECT_EQ(time(2), 2);
+  EXPECT_EQ(time(3), 10);
+  EXPECT_EQ(time(-1), -8);
+  EXPECT_EQ(time(-4), -18);
 }
 
 }  // namespace

@@ -1,0 +1,216 @@
+// From keys to segments with their lengths: open, closed and sparse curves.
+#include "curve/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "curve/keyed_curve.hpp"
+#include "error.hpp"
+#include "keys/parameterize.hpp"
+#include "text/number.hpp"
+
+namespace tcb {
+namespace {
+
+using spline::DoubleDouble;
+
+/// Sets the lengths of the segments.
+void measure(SegmentBlock& block, const Rules& rules) {
+  spline::ArcLength<double> arc;
+  block.lengths.reserve(block.segments.size());
+  for (std::size_t i = 0; i < block.segments.size(); ++i) {
+    arc.assign(block.segments[i], rules.metric);
+    if (!std::isfinite(arc.total().value)) {
+      throw Error(Exit::data, ErrorCode::tangents_beyond_doubles,
+                  {time_text(block.segments.times[i]), time_text(block.segments.times[i + 1])});
+    }
+    block.lengths.push_back(arc.total());
+  }
+}
+
+SegmentBlock block_of(const spline::Window<double>& window, const Rules& rules, bool measured) {
+  SegmentBlock block{{}, {}, window.last, window.last && !window.ends};
+  if (!window.has_segments() && !window.is_single_key()) return block;
+  block.segments = spline::segments(window, rules);
+  if (measured) measure(block, rules);
+  return block;
+}
+
+/// The same keys in blocks of keys_at_once.
+Source<Keys> in_small_blocks(Source<Keys> keys) {
+  return [keys = std::move(keys), block = Keys(), next = std::size_t{0}]() mutable -> std::optional<Keys> {
+    if (next == block.size()) {
+      std::optional<Keys> more = keys();
+      if (!more || more->size() <= keys_at_once) return more;
+      block = std::move(*more);
+      next = 0;
+    }
+    const std::size_t first = next;
+    next = std::min(first + keys_at_once, block.size());
+    Keys part;
+    spline::append(part, block, first, next);
+    return part;
+  };
+}
+
+/// Windows of an open curve, as they become known.
+Source<spline::Window<double>> open_windows(Source<Keys> keys) {
+  return [keys = std::move(keys), linker = spline::Linker<double>(),
+          ended = false]() mutable -> std::optional<spline::Window<double>> {
+    if (ended) return std::nullopt;
+    std::optional<Keys> block = keys();
+    ended = !block;
+    return linker.link(block.value_or(Keys{}), ended);
+  };
+}
+
+/// Windows of a closed curve, whose keys are all known, so the last block is, too.
+Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
+  return [keys = std::move(keys), linker = spline::Linker<double>(std::move(context)), block = std::optional<Keys>(),
+          started = false]() mutable -> std::optional<spline::Window<double>> {
+    if (!std::exchange(started, true)) block = keys();
+    if (!block) return std::nullopt;
+    std::optional<Keys> next = keys();
+    const Keys current = *std::exchange(block, std::move(next));
+    return linker.link(current, !block);
+  };
+}
+
+bool same_position(const Keys& a, const Keys& b) { return std::ranges::equal(a.position(0), b.position(0)); }
+
+/// The end that the period gives. Requires: a period.
+Time end_by_period(const Keys& first, const Keys& last, const Rational& period) {
+  const Time end = nearest_time(exact_time(first.times[0]) + period);
+  if (end > last.times[0]) return end;
+  throw Error(Exit::data, ErrorCode::period_too_short, {time_text(last.times[0])}).about(Option::period);
+}
+
+/// The time of a last key that repeats the first one. Throws: Error (data) where they differ in anything else.
+Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, const std::optional<Time>& end) {
+  const TextPosition position{"", keys.last_line(), 0};
+  if (last.tcb(0) != first.tcb(0)) {
+    throw Error(Exit::data, ErrorCode::closing_key_differs, {keys.first_line()}).at(position);
+  }
+  if (end && *end != last.times[0]) {
+    throw Error(Exit::data, ErrorCode::closing_key_against_period, {keys.first_line()})
+        .about(Option::period)
+        .at(position);
+  }
+  return last.times[0];
+}
+
+/// All keys of a store as one block, and which of their positions are missing.
+std::pair<Keys, std::vector<bool>> with_missing(const KeyStore& store) {
+  std::pair<Keys, std::vector<bool>> result;
+  const Source<Keys> source = store.source();
+  while (const std::optional<Keys> block = source()) spline::append(result.first, *block, 0, block->size());
+  for (const double position : result.first.positions) result.second.push_back(std::isnan(position));
+  return result;
+}
+
+void require_positions(const Keys& keys, const std::vector<bool>& missing, const std::vector<std::string>& channels) {
+  for (std::size_t i = 0; i < keys.channels; ++i) {
+    bool any = false;
+    for (std::size_t key = 0; key < keys.size() && !any; ++key) any = !missing[key * keys.channels + i];
+    if (!any) throw Error(Exit::data, ErrorCode::channel_without_numbers, {channels[i]});
+  }
+}
+
+}  // namespace
+
+Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
+  const Keys first = keys.key(0);
+  Keys last = keys.key(keys.size() - 1);
+  std::optional<Time> end;
+  if (spec.period) end = end_by_period(first, first, *spec.period);
+  if (keys.size() > 1 && same_position(first, last)) {
+    end = end_by_last_key(first, last, keys, end);
+    keys.drop_last();
+    if (keys.size() > 0) last = keys.key(keys.size() - 1);
+  } else if (end) {
+    end = end_by_period(first, last, *spec.period);
+  } else if (!timed) {
+    const double step = parameter_step<double, double>(last.position(0), first.position(0), spec.parameter.value_or(0),
+                                                       spec.rules.metric);
+    end = Time((last.times[0] + Time(step)).hi);
+  }
+  if (keys.size() < 2) throw Error(Exit::data, ErrorCode::too_few_closed_keys);
+  if (!end) throw Error(Exit::data, ErrorCode::no_period);
+  return *end;
+}
+
+LinkedKeys periodic_extension(const KeyStore& keys, const Time& end) {
+  const auto size = static_cast<std::ptrdiff_t>(keys.size());
+  const Time period = end - keys.key(0).times[0];
+  const auto extended = [&](std::ptrdiff_t number) {
+    return extended_key<double>([&](std::size_t own) { return keys.key(own); }, size, period, number);
+  };
+  Keys next = extended(size);
+  next.times[0] = end;
+  spline::append(next, extended(size + 1), 0, 1);
+  auto source = [kept = keys.source(), next = std::optional<Keys>(std::move(next))]() mutable {
+    std::optional<Keys> block = kept();
+    return block ? block : std::exchange(next, std::nullopt);
+  };
+  return {std::move(source), extended(-1)};
+}
+
+Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads) {
+  keys.keys = in_small_blocks(std::move(keys.keys));
+  auto windows = keys.context ? closed_windows(std::move(keys.keys), std::move(*keys.context))
+                              : open_windows(std::move(keys.keys));
+  const auto link = [rules, measured](const spline::Window<double>& window) {
+    return block_of(window, rules, measured);
+  };
+  return ordered_map(std::move(windows), link, threads);
+}
+
+Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
+                                           bool measured, const std::vector<std::string>& channels) {
+  auto [all, missing] = with_missing(keys);
+  require_positions(all, missing, channels);
+  const KeyedCurve<double> curve(std::move(all), missing, rules, end);
+  SegmentBlock block{curve.segments(0, curve.size()), {}, true, curve.is_closed()};
+  if (measured) measure(block, rules);
+  return [block = std::optional(std::move(block))]() mutable { return std::exchange(block, std::nullopt); };
+}
+
+void require_length(const DoubleDouble& length, const Time& end) {
+  if (std::isfinite(length.hi)) return;
+  throw Error(Exit::data, ErrorCode::length_beyond_doubles, {time_text(end)});
+}
+
+Lengths all_lengths(const Source<SegmentBlock>& measured) {
+  Lengths lengths;
+  DoubleDouble sum;
+  while (const std::optional<SegmentBlock> block = measured()) {
+    for (std::size_t i = 0; i < block->lengths.size(); ++i) {
+      lengths.push_back(block->lengths[i]);
+      sum = sum + DoubleDouble(lengths.back().value);
+      require_length(sum, block->segments.times[i + 1]);
+    }
+  }
+  return lengths;
+}
+
+double total_length(const Lengths& lengths) {
+  DoubleDouble sum;
+  for (const auto& length : lengths) sum = sum + DoubleDouble(length.value);
+  return sum.hi;
+}
+
+Source<SegmentBlock> with_lengths(Source<SegmentBlock> segments, Lengths lengths) {
+  return [segments = std::move(segments), lengths = std::move(lengths),
+          next = std::ptrdiff_t{0}]() mutable -> std::optional<SegmentBlock> {
+    std::optional<SegmentBlock> block = segments();
+    if (!block) return std::nullopt;
+    const auto begin = lengths.begin() + next;
+    next += static_cast<std::ptrdiff_t>(block->segments.size());
+    block->lengths.assign(begin, lengths.begin() + next);
+    return block;
+  };
+}
+
+}  // namespace tcb

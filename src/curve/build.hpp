@@ -1,0 +1,63 @@
+// From keys to segments with their lengths: open, closed and sparse curves.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "curve/settings.hpp"
+#include "keys/key_store.hpp"
+#include "stream/stream.hpp"
+#include "tcb/spline/arc_length.hpp"
+#include "tcb/spline/window.hpp"
+#include "text/time.hpp"
+
+namespace tcb {
+
+using Rules = spline::CurveRules<double>;
+
+/// Successive segments with their lengths.
+struct SegmentBlock {
+  spline::Segments<double> segments;
+  std::vector<spline::Length<double>> lengths;  ///< one a segment, or none where the curve is not measured
+  bool last = false;                            ///< the curve ends here
+  bool closes = false;                          ///< and is back at its first key
+};
+
+/// Keys in the order in which they are linked to segments.
+struct LinkedKeys {
+  Source<Keys> keys;
+  std::optional<Keys> context;  ///< of a closed curve: the key before the first
+};
+
+/// The time at which a closed curve is back at its first key. A last key that repeats the first one's position is
+/// dropped: it only gives that time. `timed`: the input has times.
+/// Throws: Error (data) where nothing gives that time, where the repeated key has another tension, continuity or bias,
+/// or where there are fewer than two distinct keys.
+Time close(KeyStore& keys, const CurveSpec& spec, bool timed);
+
+/// The keys of a closed curve, followed by the first two one period later, with the last one a period earlier as
+/// context.
+LinkedKeys periodic_extension(const KeyStore& keys, const Time& end);
+
+/// The segments between the keys, each as soon as the key after its end is known.
+Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
+
+/// The segments of a curve where keys lack positions: in such a channel the curve runs through the keys that have one.
+/// `end`: of a closed curve. Throws: Error (data) for a channel without any position.
+Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
+                                           bool measured, const std::vector<std::string>& channels);
+
+/// Throws: Error (data) where the length of the curve up to a time is beyond the range of doubles.
+void require_length(const spline::DoubleDouble& length, const Time& end);
+
+/// The lengths of all segments in order.
+using Lengths = std::deque<spline::Length<double>>;  // it grows without a copy
+Lengths all_lengths(const Source<SegmentBlock>& measured);
+double total_length(const Lengths& lengths);
+
+/// Segments that were not measured, with the lengths that are known of them.
+Source<SegmentBlock> with_lengths(Source<SegmentBlock> segments, Lengths lengths);
+
+}  // namespace tcb

@@ -1,0 +1,165 @@
+// The meaning of curve settings: rules by index, texts as numbers.
+#include "curve/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "error.hpp"
+#include "tcb/spline/rules.hpp"
+#include "text/number.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+using spline::EndChoice;
+
+[[noreturn]] void refuse(Option option, ErrorCode code, std::vector<ErrorValue> values = {}) {
+  throw Error(Exit::usage, code, std::move(values)).about(option);
+}
+
+/// The row with this name.
+template <class Table>
+const typename Table::value_type& named(Option option, const Table& table, std::string_view name) {
+  const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
+  if (found != table.end()) return *found;
+  std::vector<std::string_view> known;
+  std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
+  refuse(option, ErrorCode::unknown_rule,
+         {std::string(name), std::vector<std::string>(known.begin(), known.end()), did_you_mean(name, known)});
+}
+
+/// One rule: a name, or name=V:V:… for one that takes a velocity.
+EndChoice<double> end_choice(std::string_view text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const auto& row = named(Option::ends, spline::end_rules<double>, text.substr(0, equals));
+  EndChoice<double> choice{row.id, {}};
+  const bool takes_velocity = row.takes_velocity;
+  if (takes_velocity != (equals < text.size())) {
+    refuse(Option::ends, takes_velocity ? ErrorCode::velocity_missing : ErrorCode::unexpected_rule_value,
+           {std::string(text)});
+  }
+  if (!takes_velocity) return choice;
+  for (const std::string_view part : split(text.substr(equals + 1), ':')) {
+    const auto value = parse_number(part);
+    if (!value) refuse(Option::ends, ErrorCode::velocity_not_a_number, {std::string(text), std::string(part)});
+    choice.velocity.push_back(*value);
+  }
+  return choice;
+}
+
+/// RULE or RULE,RULE. A comma before a number separates channels, like a colon.
+void set_ends(spline::CurveRules<double>& rules, const std::string& text) {
+  std::vector<std::string> ends;
+  for (const std::string_view part : split(text, ',')) {
+    if (!ends.empty() && parse_number(part)) {
+      ends.back() += ':';
+      ends.back() += part;
+    } else {
+      ends.emplace_back(part);
+    }
+  }
+  if (ends.size() > 2) refuse(Option::ends, ErrorCode::too_many_end_rules, {text, std::uint64_t{ends.size()}});
+  rules.start = end_choice(ends.front());
+  rules.end = end_choice(ends.back());
+}
+
+double parse_exponent(const std::string& text) {
+  struct Named {
+    std::string_view name;
+    double exponent;
+  };
+  constexpr std::array exponents{Named{"uniform", 0}, Named{"chordal", 1}, Named{"centripetal", 0.5}};
+  if (const auto value = parse_number(text); value && *value >= 0 && *value <= 16) return *value;
+  const bool is_number = !text.empty() && (text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
+  if (is_number) refuse(Option::parameter, ErrorCode::exponent_out_of_range, {text});
+  return named(Option::parameter, exponents, text).exponent;
+}
+
+Rational parse_period(const std::string& text) {
+  const auto period = parse_rational(text);
+  if (!period || *period <= 0) refuse(Option::period, ErrorCode::period_not_positive, {text});
+  if (!within_doubles(*period)) refuse(Option::period, ErrorCode::period_beyond_doubles, {text});
+  return *period;
+}
+
+std::size_t find_channel(const std::string& name, const std::vector<std::string>& channels) {
+  const auto found = std::ranges::find(channels, name);
+  if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error == std::errc() && end == name.data() + name.size() && number >= 1 && number <= channels.size()) {
+    return number - 1;
+  }
+  const std::vector<std::string_view> known(channels.begin(), channels.end());
+  refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels, did_you_mean(name, known)});
+}
+
+}  // namespace
+
+CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
+  const auto fill = [](auto& wanted, const auto& other) {
+    if (!wanted) wanted = other;
+  };
+  const bool closed_given = settings.closed.has_value() || settings.period.has_value();
+  if (!settings.preset) {
+    settings.preset = of_input.preset;
+    fill(settings.tangents, of_input.tangents);
+    fill(settings.ends, of_input.ends);
+  }
+  if (!closed_given) {
+    settings.closed = of_input.closed;
+    settings.period = of_input.period;
+  } else if (settings.closed.value_or(true)) {
+    fill(settings.period, of_input.period);
+  }
+  return settings;
+}
+
+CurveSpec make_spec(const CurveSettings& settings) {
+  CurveSpec spec;
+  const auto& preset = named(Option::preset, spline::presets, settings.preset.value_or("gte"));
+  spec.preset = preset.id;
+  spec.rules.tangents = preset.tangents;
+  if (settings.tangents) {
+    spec.rules.tangents = named(Option::tangents, spline::tangent_rules<double>, *settings.tangents).id;
+  }
+  if (settings.period && !settings.closed.value_or(true)) refuse(Option::closed, ErrorCode::period_of_open_curve);
+  spec.closed = settings.period || settings.closed.value_or(false);
+  if (settings.ends && spec.closed) refuse(Option::ends, ErrorCode::ends_of_closed_curve);
+  set_ends(spec.rules, settings.ends.value_or(std::string(name_of(preset.ends))));
+  spec.rules.equal_speed = settings.equal_speed;
+  if (settings.period) spec.period = parse_period(*settings.period);
+  if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
+  spec.parameter_name = settings.parameter;
+  if (settings.extrapolate) {
+    spec.extrapolation = named(Option::extrapolate, extrapolations, *settings.extrapolate).kind;
+  }
+  spec.ease = !settings.no_ease;
+  return spec;
+}
+
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels) {
+  CurveSpec spec = make_spec(settings);
+  const auto metric = settings.metric ? split(*settings.metric, ',') : std::vector<std::string_view>{};
+  for (const std::string_view part : metric) {
+    const std::string name(part);
+    const std::size_t channel = find_channel(name, channels);
+    if (std::ranges::count(spec.rules.metric, channel) > 0) {
+      refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
+    }
+    spec.rules.metric.push_back(channel);
+  }
+  for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
+    if (end->velocity.empty() || end->velocity.size() == channels.size()) continue;
+    refuse(Option::ends, ErrorCode::velocity_of_other_size,
+           {std::uint64_t{end->velocity.size()}, std::uint64_t{channels.size()}, channels});
+  }
+  return spec;
+}
+
+}  // namespace tcb

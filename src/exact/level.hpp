@@ -1,0 +1,208 @@
+// A precision level: a curve at one exact scalar, and the numbers of its rows.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "curve/fields.hpp"
+#include "curve/index.hpp"
+#include "exact/exact_keys.hpp"
+#include "exact/rounding.hpp"
+#include "sampling/sampler.hpp"
+#include "tcb/spline/arc_inverse.hpp"
+
+namespace tcb {
+
+/// Collects the numbers of a point at an exact scalar.
+template <class S>
+class CellWriter {
+ public:
+  CellWriter(std::vector<Value>& row, const ChannelFacts& facts) : row_(row), facts_(facts) {}
+
+  void add(const S& value) { row_.push_back({rational_of(value)}); }
+  void add(const Quantity<S>& value) {
+    row_.push_back({rational_of(value.value), value.root, !value.defined, value.doubtful});
+  }
+  /// One of a channel's numbers: a position, or with `moves` a derivative. Where a float comes out as zero, which need
+  /// not be certain, it may be what is left of large numbers.
+  void add_of_channel(const S& value, std::size_t channel, bool moves) {
+    const bool certain = moves ? facts_.constant[channel] : facts_.zero[channel];
+    row_.push_back({rational_of(value), false, false, spline::has_roots<S> && value == S(0) && !certain});
+  }
+
+ private:
+  std::vector<Value>& row_;
+  const ChannelFacts& facts_;
+};
+
+/// A row as the fast path places it.
+struct FastRow {
+  const CurveSegment& segment;
+  const Sample& sample;
+  std::uint64_t number;
+};
+
+/// The exact arc lengths of rows.
+struct ArcLengths {
+  std::vector<Rational> places;  ///< one a row, or none; then row j is at
+  Rational from, step;           ///< from + j step, or
+  std::uint64_t intervals = 0;   ///< if this is not 0, the step is such a part of the range to the curve's end
+  std::optional<Rational> to;    ///< the end of the range, where it is not the curve's
+};
+
+/// What the rows of a curve have in common at all levels.
+struct RowsOfCurve {
+  ExactCurve exact;
+  ChannelFacts facts;
+  std::optional<ArcLengths> arc;
+  bool left;
+};
+
+/// The curve at one scalar, and the numbers of its rows.
+template <class S>
+class Level {
+ public:
+  explicit Level(const RowsOfCurve& rows)
+      : rows_(rows), curve_(curve_at<S>(rows.exact)), point_(PathShape<S>(scalar_of<S>(rows.facts.extent))) {
+    for (const Rational& cycle : rows.facts.cycle) cycle_.push_back(scalar_of<S>(cycle));
+  }
+
+  std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) {
+    measured_ = rows_.arc || std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
+    outside_.reset();
+    if constexpr (spline::has_roots<S>) {
+      if (rows_.arc) place_by_length(row);
+    }
+    if (!rows_.arc) place_by_time(row);
+    point_.set(segment_, known_arc());
+    point_.set(sample_, outside_ ? &*outside_ : nullptr);
+    std::vector<Value> result;
+    for (const std::size_t field : chosen) {
+      field_table<S>[field].write(point_, CellWriter<S>(result, rows_.facts));
+    }
+    return result;
+  }
+
+ private:
+  using Segment = CurveSegmentOf<S>;
+
+  /// A segment that was computed, with its lengths where they were asked for.
+  struct Known {
+    spline::Segments<S> segments;
+    std::optional<spline::ArcLength<S>> arc;
+  };
+
+  Known& known(std::size_t number) {
+    constexpr std::size_t most_kept = 64;
+    if (const auto found = known_.find(number); found != known_.end()) return found->second;
+    if (known_.size() == most_kept) known_.clear();
+    return known_.emplace(number, Known{curve_->segments(number, number + 1), {}}).first->second;
+  }
+
+  const spline::ArcLength<S>& arc(std::size_t number) {
+    Known& one = known(number);
+    if (!one.arc) one.arc.emplace(one.segments[0], rows_.exact.rules.metric);
+    return *one.arc;
+  }
+
+  /// The lengths of the sample's segment, where they are asked for.
+  const spline::ArcLength<S>* known_arc() {
+    if constexpr (spline::has_roots<S>) {
+      const bool at_key = sample_.at.u == S(0) || sample_.at.w == S(0);
+      return measured_ && !at_key ? &arc(segment_.number) : nullptr;
+    } else {
+      return nullptr;
+    }
+  }
+
+  /// The length from the curve's first key to the one with this number; without keeping the segments before it.
+  const S& length_to(std::size_t key) {
+    if (lengths_.empty()) lengths_.push_back(S(0));
+    for (std::size_t i = lengths_.size(); i <= key; ++i) {
+      const spline::Segments<S> one = curve_->segments(i - 1, i);
+      lengths_.push_back(lengths_.back() + spline::ArcLength<S>(one[0], rows_.exact.rules.metric).total().value);
+    }
+    return lengths_[key];
+  }
+
+  Segment segment(std::size_t number) {
+    const spline::Segments<S>& one = known(number).segments;
+    const bool last = number + 1 == curve_->size();
+    Segment segment{one.times[0], one.times[1], S(0),   S(0),   one[0], rows_.exact.rules.metric,
+                    last,         one.warp(0),  cycle_, number, 0,      last && curve_->is_closed() ? 0 : number + 1};
+    if constexpr (spline::has_roots<S>) {
+      if (measured_) segment.s_start = length_to(number);
+      if (measured_) segment.s_end = length_to(number + 1);
+    }
+    return segment;
+  }
+
+  S arc_length(std::uint64_t row) {
+    const ArcLengths& arc = *rows_.arc;
+    if (row == Row::at_end) return arc.to ? scalar_of<S>(*arc.to) : length_to(curve_->size());
+    if (!arc.places.empty()) return scalar_of<S>(arc.places[row]);
+    if (arc.intervals == 0) return scalar_of<S>(arc.from + arc.step * row);
+    const S from = scalar_of<S>(arc.from);
+    return from + (length_to(curve_->size()) - from) * S(row) / S(arc.intervals);
+  }
+
+  /// The end of the segment where the fast path has a row at a key; next to one, rounding decides: a length that is
+  /// printed as that of a key is the key's.
+  std::optional<bool> end_by_length(const FastRow& row, const S& s) const {
+    if (row.number == Row::at_key) return false;
+    const auto printed = [](const S& length) { return nearest_double(rational_of(length)); };
+    const double shown = printed(s);
+    if (shown <= printed(segment_.s_start)) return false;
+    if (shown >= printed(segment_.s_end)) return true;
+    return std::nullopt;
+  }
+
+  void place_by_length(const FastRow& row) {
+    segment_ = segment(row.segment.number);
+    const S s = row.number == Row::at_key ? segment_.s_start : arc_length(row.number);
+    if (const auto end = end_by_length(row, s)) {
+      sample_ = sample_at_key(segment_, *end);
+      sample_.s = *end ? segment_.s_end : segment_.s_start;
+      return;
+    }
+    spline::ArcInverse<S> inverse(arc(segment_.number), segment_.s_start, segment_.s_end);
+    const auto at = inverse.at(s);
+    sample_ = {time_at(segment_, S(segment_.end - segment_.start), at), at, s};
+  }
+
+  void place_by_time(const FastRow& row) {
+    const Time& shown = row.sample.t;
+    const S t = scalar_of<S>(exact_number(shown, rows_.exact.decimal));
+    segment_ = segment(row.segment.number);
+    if (shown == row.segment.start || shown == row.segment.end) {
+      sample_ = sample_at_key(segment_, shown != row.segment.start);
+    } else if (shown > row.segment.start && shown < row.segment.end) {
+      sample_ = {t, spline::TimeMap<S>(segment_.start, segment_.end, segment_.warp)(t)};
+    } else {
+      const std::vector<S>& times = curve_->times();
+      outside_ = map_to_curve<S>(rows_.exact.extrapolation, times.front(), times.back(), t);
+      const auto end_time = [&](std::uint64_t number) { return times[number + 1]; };
+      segment_ = segment(segment_at_time(curve_->size(), end_time, outside_->t, rows_.left));
+      sample_ = {t, spline::TimeMap<S>(segment_.start, segment_.end, segment_.warp)(outside_->t)};
+    }
+    sample_.t = t;
+  }
+
+  const RowsOfCurve& rows_;
+  std::unique_ptr<const KeyedCurve<S>> curve_;
+  std::map<std::size_t, Known> known_;
+  std::vector<S> lengths_;
+  std::vector<S> cycle_;
+  bool measured_ = false;
+  Segment segment_;
+  SampleOf<S> sample_;
+  std::optional<OutsideOf<S>> outside_;
+  Point<S> point_;
+};
+
+}  // namespace tcb

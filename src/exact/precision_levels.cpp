@@ -1,0 +1,131 @@
+// Precision levels: every number of a row as exact arithmetic gives it, rounded once.
+#include "exact/precision_levels.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "error.hpp"
+#include "exact/level.hpp"
+#include "text/number.hpp"
+
+namespace tcb {
+
+namespace {
+
+/// Those of the rows of a request; nothing where it places them by time.
+std::optional<ArcLengths> arc_lengths(const SamplingRequest& request, const Extent& extent) {
+  if (!by_length(request.mode)) return std::nullopt;
+  ArcLengths arc{request.places, 0, 0, 0, request.to};
+  if (request.mode == Mode::arc_at) return arc;
+  const Grid grid = spacing(request, extent).grid;
+  arc.from = grid.start();
+  arc.step = grid.step();
+  const bool by_end = !request.to && needs_end(request) && grid.step() != 0;
+  if (!by_end) return arc;
+  const Rational steps = steps_between(arc.from, Rational(*extent.length), arc.step);
+  arc.intervals = whole_number(numerator(steps));
+  return arc;
+}
+
+/// The levels of floats, each with twice the digits of the one before.
+template <class S>
+using LevelOf = std::unique_ptr<Level<S>>;
+using Levels = std::tuple<LevelOf<Float<40>>, LevelOf<Float<80>>, LevelOf<Float<160>>, LevelOf<Float<320>>>;
+
+}  // namespace
+
+class ExactRows::Evaluation {
+ public:
+  Evaluation(ExactCurve curve, std::optional<ArcLengths> arc, bool left, const Notation& notation)
+      : rows_{std::move(curve), {}, std::move(arc), left}, notation_(notation) {
+    rows_.facts = channel_facts(rows_.exact);
+  }
+
+  void add_row(const FastRow& row, std::span<const std::size_t> chosen, Table& table) {
+    std::vector<Column> columns;
+    for (const std::size_t index : chosen) {
+      const Field& field = fields()[index];
+      const bool rational = rows_.exact.is_rational() && !rows_.arc && field.is_rational;
+      columns.insert(columns.end(), field.per_channel ? rows_.exact.keys.channels : 1, {field.kind, rational});
+    }
+    std::vector<Printed> cells;
+    try {
+      cells = cells_from<1>(row, chosen, columns, values(std::get<0>(levels_), row, chosen));
+    } catch (const std::range_error&) {
+      throw Error(Exit::data, ErrorCode::row_needs_more_digits, {time_text(row.sample.t)});
+    }
+    for (Printed& printed : cells) {
+      if (!is_empty(printed.cell) && !std::isfinite(printed.cell.hi)) refuse_overflow(row.sample);
+      table.cells.push_back(printed.cell);
+      if (has_texts()) table.texts.push_back(std::move(printed.text));
+    }
+  }
+
+ private:
+  /// A column of the row at hand; where it is rational, or the root of a rational, it can be computed as that.
+  struct Column {
+    CellKind kind;
+    bool rational;
+  };
+
+  bool has_texts() const {
+    using enum Notation::Kind;
+    return notation_.kind == digits || notation_.kind == fixed;
+  }
+
+  template <class S>
+  std::vector<Value> values(LevelOf<S>& level, const FastRow& row, std::span<const std::size_t> chosen) {
+    if (level == nullptr) level = std::make_unique<Level<S>>(rows_);
+    return level->values(row, chosen);
+  }
+
+  /// The cells of a row by floats of a level and of the one below it; what they leave in doubt, by rationals, or by the
+  /// levels above.
+  template <std::size_t level>
+  std::vector<Printed> cells_from(const FastRow& row, std::span<const std::size_t> chosen,
+                                  std::span<const Column> columns, const std::vector<Value>& rough) {
+    constexpr bool last = level + 1 == std::tuple_size_v<Levels>;
+    const std::vector<Value> fine = values(std::get<level>(levels_), row, chosen);
+    std::vector<Value> exact;
+    std::vector<Printed> cells;
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      const Rounding rounding(notation_, columns[i].kind);
+      auto cell = rounding.between(rough[i], fine[i]);
+      if (!cell && columns[i].rational) {
+        if (exact.empty()) exact = values(rational_, row, chosen);
+        cell = rounding.exactly(exact[i]);
+      } else if (!cell) {
+        if constexpr (!last) return cells_from<level + 1>(row, chosen, columns, fine);
+        cell = rounding.at_last(rough[i], fine[i]);
+      }
+      cells.push_back(std::move(*cell));
+    }
+    return cells;
+  }
+
+  RowsOfCurve rows_;
+  Notation notation_;
+  LevelOf<Rational> rational_;
+  Levels levels_;
+};
+
+ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation)
+    : evaluation_(
+          std::make_unique<Evaluation>(std::move(curve), arc_lengths(request, extent), request.from_left, notation)) {}
+ExactRows::~ExactRows() = default;
+
+Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {
+  Table table;
+  Located located;
+  for (const auto& [segment, first, last] : block.parts) {
+    locator.locate(segment, first, last, located);
+    for (std::size_t i = 0; i < located.samples.size(); ++i) {
+      evaluation_->add_row({segment, located.samples[i], first + i}, chosen, table);
+    }
+  }
+  return table;
+}
+
+}  // namespace tcb

@@ -1,0 +1,35 @@
+// Precision levels: every number of a row as exact arithmetic gives it, rounded once.
+//
+// The fast rows decide which rows there are, and on which segment each of them lies. A number is computed in floats of
+// more and more digits, until the values of two levels leave no choice of the rounding. Where the first two levels
+// leave one, and the number is rational or the root of a rational, it is computed as that.
+// Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
+//   doi:10.1145/114697.116813.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "curve/rows.hpp"
+#include "exact/exact_keys.hpp"
+#include "text/notation.hpp"
+
+namespace tcb {
+
+/// The correctly rounded rows of one curve.
+class ExactRows {
+ public:
+  /// For the rows of a request that are placed on a curve of this extent.
+  ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation);
+  ~ExactRows();
+
+  /// The cells of a block, row after row, as tcb::evaluate gives them. Threads: one.
+  /// Throws: Error (data) for a number beyond the range of doubles, or one that needs more digits than there are.
+  Table evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen);
+
+ private:
+  class Evaluation;
+  std::unique_ptr<Evaluation> evaluation_;
+};
+
+}  // namespace tcb
