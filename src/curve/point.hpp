@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "sampling/segment.hpp"
@@ -87,16 +88,12 @@ template <class S>
 S Point<S>::u() const {
   const auto& at = sample_->at;
   if (at_start() || at_end()) return at.u;
-  const auto by_place = [&] { return spline::high_part<S>(segment_->warp.inverse(at)); };
-  if constexpr (std::is_same_v<S, double>) {
-    return by_place();
-  } else {
-    if constexpr (spline::has_roots<S>) {
-      if (sample_->s) return by_place();
-    }
-    const S& t = outside_ == nullptr ? sample_->t : outside_->t;  // exact, while a warp's inverse has a root
-    return (t - segment_->start) / (segment_->end - segment_->start);
+  if constexpr (spline::has_roots<S>) {
+    if (std::is_same_v<S, double> || sample_->s) return spline::high_part<S>(segment_->warp.inverse(at));
   }
+  // The inverse of a warp has roots, so exact scalars prefer the time, from which the place was computed.
+  const spline::Time<S>& t = outside_ == nullptr ? sample_->t : outside_->t;
+  return spline::high_part<S>((t - segment_->start) / (segment_->end - segment_->start));
 }
 
 template <class S>
