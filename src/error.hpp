@@ -166,6 +166,14 @@ enum class ErrorCode {
   decimal_too_long,
   row_needs_more_digits,
   // output
+  text_in_binary_format,        ///< column, format
+  several_curves_in_one_table,  ///< format
+  time_beyond_doubles,          ///< time
+  other_columns,                ///< columns, columns of the files before
+  other_checksum,               ///< checksum, the expected one, the earlier output
+  made_from_fewer_inputs,       ///< the earlier output, number of its inputs
+  made_from_more_inputs,        ///< as made_from_fewer_inputs
+  no_provenance,
   // app
   parameter_with_times,
   // compare

@@ -11,7 +11,7 @@
 #include "input/input.hpp"
 #include "io/formats.hpp"
 #include "keys/curves.hpp"
-#include "output/provenance_recorder.hpp"
+#include "output/provenance.hpp"
 #include "sampling/request.hpp"
 #include "text/notation.hpp"
 

@@ -22,6 +22,10 @@
 namespace tcb {
 namespace {
 
+WriterOptions writer_options(const Job& plan) {
+  return {plan.output_format, plan.output_header, plan.notation, plan.fields, plan.meta};
+}
+
 /// The bytes of a file, which are told as they come.
 Source<std::string> told_bytes(const std::string& path, Report& report) {
   return mapped(read_file(path), [&report](std::string bytes) {
@@ -51,7 +55,7 @@ Source<std::string> printed(const PlacedCurve& placed, const Job& plan, const Wr
   }
   const auto row_end = [&writer](std::span<const std::string_view> texts) { return writer.row_end(texts); };
   const auto print = [&writer, &placed](const LabelledBlock& batch) { return writer.print(batch, placed.evaluate); };
-  return ordered_map(Labels::joined(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
+  return ordered_map(Labels::attach(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
 }
 
 /// The rules of a curve in words, with the preset that they are based on.
@@ -69,7 +73,7 @@ std::uint64_t resample_file(const std::string& path, const Job& plan, unsigned t
   InputOptions options = plan.input;
   options.threads = live && !plan.jobs ? 1 : threads;  // more would have rows wait for those behind them
   ProvenanceRecorder& recorder = writer.recorder();
-  const Input input = open_input(path, recorder.bytes(shown_name(path), told_bytes(path, report)), options);
+  const Input input = open_input(path, recorder.observe_bytes(shown_name(path), told_bytes(path, report)), options);
   if (!input.timed && !plan.curve.parameter) report.note(path, "no time column; the keys stand at 0, 1, 2, ...");
   if (!input.ignored.empty()) {
     report.note(path, fmt::format("columns of text are left out: {}", fmt::join(input.ignored, ", ")));
@@ -85,9 +89,9 @@ std::uint64_t resample_file(const std::string& path, const Job& plan, unsigned t
     writer.begin_curve(curve->group);
     const std::size_t grouping = input.own_curves ? 0 : input.groups.size();  // texts of a key that are no labels
     const auto labels = input.carried.empty() ? nullptr : std::make_shared<Labels>(grouping);
-    const auto keys = recorder.keys(curve->keys);
-    PlacedCurve placed = pipeline->place(labels == nullptr ? keys : Labels::heard(labels, keys));
-    placed.batches = recorder.rows(counted(std::move(placed.batches), rows, report));
+    const auto keys = recorder.observe_keys(curve->keys);
+    PlacedCurve placed = pipeline->place(labels == nullptr ? keys : Labels::observe(labels, keys));
+    placed.batches = recorder.observe_rows(counted(std::move(placed.batches), rows, report));
     writer.write(printed(placed, plan, writer, labels, input.threads));
     recorder.end_curve();
     if (const std::string text = remainder_in_words(placed); !text.empty()) report.note(path, text);
@@ -121,10 +125,11 @@ void explain(const Inputs& inputs, const Job& plan) {
 /// An output for each file.
 Exit resample_each(const Inputs& inputs, const Job& plan, unsigned threads, Report& report) {
   make_folder(*plan.output_folder);
+  const WriterOptions options = writer_options(plan);
   const auto convert = [&](const InputFile& file, unsigned inner_threads) {
     const std::string path = output_path(file, plan);
     if (file.inside > 0) make_folder(folder_of(path));
-    Writer writer(plan, path);
+    Writer writer(options, path);
     const std::uint64_t rows = resample_file(file.path, plan, inner_threads, report, writer);
     writer.commit();
     return rows;
@@ -141,7 +146,8 @@ Exit resample_each(const Inputs& inputs, const Job& plan, unsigned threads, Repo
 
 /// One output for all files.
 void resample_together(const Inputs& inputs, const Job& plan, unsigned threads, Report& report) {
-  Writer writer(plan, plan.output);
+  const WriterOptions options = writer_options(plan);
+  Writer writer(options, plan.output);
   for (const InputFile& file : inputs.files) {
     in_file(shown_name(file.path), [&] { resample_file(file.path, plan, threads, report, writer); });
     report.add_file(file.size);

@@ -131,6 +131,24 @@ constexpr std::array all_words{
           "the row at time {0} has a number that cannot be worked out to so many digits; expected fewer; give a"
           " smaller number to --digits or --fixed"},
     // output
+    Words{ErrorCode::text_in_binary_format,
+          "column \"{0}\" holds texts, and {1} holds numbers only; expected a format with texts, such as csv; choose "
+          "another one, or take the column out"},
+    Words{ErrorCode::several_curves_in_one_table,
+          "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, such as "
+          "csv"},
+    Words{ErrorCode::time_beyond_doubles,
+          "time {0} has more digits than a double; expected less than 2^53, or a format of text; choose one, such as "
+          "csv"},
+    Words{ErrorCode::other_columns,
+          "its rows have the columns {0}; expected {1}, as in the files before; give --output-dir to write an output "
+          "for each file"},
+    Words{ErrorCode::other_checksum,
+          "its SHA-256 is {0}; expected {1}, that of the keys that {2} was made from; give that file"},
+    Words{ErrorCode::made_from_fewer_inputs, "{0} was made from fewer files of keys, {1}; give as many"},
+    Words{ErrorCode::made_from_more_inputs, "{0} was made from more files of keys, {1}; give as many"},
+    Words{ErrorCode::no_provenance,
+          "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
     // app
     Words{ErrorCode::parameter_with_times,
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "

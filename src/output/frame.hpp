@@ -1,4 +1,4 @@
-// Frames: the rows of several curves in one output, with what tells them apart and the labels that they carry.
+// Frames: the texts around the rows of several curves in one output, with their groups and labels.
 #pragma once
 
 #include <span>
@@ -6,13 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "io/formats.hpp"
+#include "output/formats.hpp"
 #include "output/layout.hpp"
-#include "output/output_format.hpp"
 
 namespace tcb {
 
-/// The columns of an output: texts that tell curves apart, numbers, and labels.
+/// The columns of an output: texts that identify curves, numbers, and labels.
 struct OutputColumns {
   std::vector<std::string> groups;
   std::vector<OutputColumn> numbers;
@@ -22,48 +21,52 @@ struct OutputColumns {
   std::vector<std::string> names() const;
 };
 
-/// Everything around the numbers of the rows. Curves that a text tells apart have it in each row, or in JSON in an
-/// object around their rows; where none does, a line without a row sets them apart: blank, or null in JSON.
+/// What a frame depends on besides the columns.
+struct FrameOptions {
+  FormatId format = FormatId::csv;
+  bool header = true;
+  Notation notation = {};
+  bool has_member = false;  ///< in JSON: the output is an object, with another member after the rows
+};
+
+/// Everything around the numbers of the rows. The group of a curve is in cells of each of its rows, or in JSON in an
+/// object around its rows. Curves of the same group are divided by a line without a row: empty, or null in JSON.
 class Frame {
  public:
   Frame() = default;
-  /// Throws: Error (data) for texts in a format that holds numbers only.
-  Frame(const Format& format, const OutputColumns& columns, bool header, const Notation& notation = {});
+  /// Throws: Error (data) for texts in a format of numbers only.
+  Frame(const OutputColumns& columns, const FrameOptions& options);
 
-  /// Each curve is an object with its rows.
-  bool is_nested() const { return nested_; }
-
-  /// What stands before all rows.
+  /// The text before all rows.
   const std::string& head() const { return head_; }
 
-  /// What takes its place once all rows are written, which have so many bytes; empty: nothing does.
+  /// The text to write over the head once all rows are written, which have so many bytes; empty: none.
   std::string counted_head(std::uint64_t bytes) const;
 
-  /// What stands before the next curve's rows; its texts are in layout() from here on. `apart`: nothing else tells it
-  /// from the curve before. Throws: Error (data) where the format has nothing to tell it apart.
-  std::string begin(std::span<const std::string> group, bool apart);
+  /// The text before the next curve's rows. `divided`: the curve before has the same group.
+  /// Throws: Error (data) where the format cannot divide curves.
+  std::string begin(std::span<const std::string> group, bool divided);
 
-  /// The layout of rows of the curve at hand, but for their labels.
+  /// The layout of rows of the current curve, without their labels.
   const Layout& layout() const { return rows_; }
 
-  /// What ends a row with these labels, each a text as in texts.hpp.
+  /// The text after a row with these labels, each a text as in texts.hpp.
   std::string row_end(std::span<const std::string_view> labels) const;
 
-  /// No row of the list at hand was written, so that nothing goes between it and the next one.
+  /// Whether the current list has no row yet.
   bool is_first() const { return !any_rows_; }
   void set_written() { any_rows_ = true; }
 
-  /// What stands behind all rows.
-  std::string tail();
+  /// The text after all rows. `member`: the other member, where there is one.
+  std::string tail(std::string_view member = {}) const;
 
  private:
-  std::string end_curve() const;
+  std::string end_curve() const { return (any_rows_ ? rows_.tail : rows_.no_rows) + "}"; }
 
-  const Format* format_ = nullptr;
-  const OutputFormat* written_ = nullptr;
-  bool nested_ = false;
-  Layout all_;   ///< with the texts of all columns in front of their cells
-  Layout rows_;  ///< as append_rows takes it
+  FrameOptions options_;
+  bool nested_ = false;  ///< each curve is an object with its rows
+  Layout all_;           ///< with the texts of all columns before their cells
+  Layout rows_;          ///< as append_rows takes it
   std::size_t groups_ = 0, numbers_ = 0;
   std::string head_;
   bool any_curves_ = false, any_rows_ = false;

@@ -1,4 +1,4 @@
-// How rows look as text: a layout is a value, and one loop prints them all.
+// Layouts: the texts around cells and rows as a value, and the one loop that prints all of them.
 #include "output/layout.hpp"
 
 #include <fmt/format.h>
@@ -26,17 +26,14 @@ char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& not
     return write_cell(out, kind, cell);
   }
   if (!notation.is_text() && cell.lo != 0) {
-    throw Error(Exit::data,
-                fmt::format("time {} has more digits than a double; expected less than 2^53, or a format of "
-                            "text; choose one, such as csv",
-                            time_text(cell)));
+    throw Error(Exit::data, ErrorCode::time_beyond_doubles, {time_text(cell)});
   }
   return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
 }
 
 char* write_text(char* out, std::string_view text) {
   if (text.size() != 1) return std::copy(text.begin(), text.end(), out);
-  *out = text.front();  // as a rule it is a delimiter
+  *out = text.front();  // mostly a delimiter
   return out + 1;
 }
 
@@ -85,7 +82,7 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
                  const std::vector<Cell>& cells, bool first) {
   const std::size_t begin = out.size();
   const bool shortest = layout.notation.kind == Notation::Kind::shortest;
-  std::vector<std::pair<std::string_view, CellKind>> row;  // what stands before each cell, and its kind
+  std::vector<std::pair<std::string_view, CellKind>> row;  // the text before each cell, and its kind
   for (std::size_t i = 0; i < columns.size(); ++i) row.emplace_back(layout.before[i], columns[i].kind);
   out.resize(begin + cells.size() / columns.size() * longest_row(layout) + spare_room);
   char* at = out.data() + begin;
@@ -128,16 +125,16 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter
   }
   if (header) layout.head += '\n';
   layout.row_end = "\n";
-  if (delimiter == ' ') layout.empty = "NA";  // nothing between blanks would be no cell
+  if (delimiter == ' ') layout.empty = "NA";  // an empty text between blanks would be no cell
   return layout;
 }
 
 Layout json_layout(const std::vector<OutputColumn>& columns) {
-  return {"[\n", members(columns), "}", "null", ",\n", "\n]\n", "]\n"};
+  return {"[\n", members(columns), "}", "null", ",\n", "\n]", "]", "\n"};
 }
 
 Layout jsonl_layout(const std::vector<OutputColumn>& columns) {
-  return {"", members(columns), "}\n", "null", "", "", ""};
+  return {"", members(columns), "}\n", "null", "", "", "", ""};
 }
 
 }  // namespace tcb

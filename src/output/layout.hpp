@@ -1,7 +1,6 @@
-// How rows look as text: a layout is a value, and one loop prints them all.
+// Layouts: the texts around cells and rows as a value, and the one loop that prints all of them.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,12 +18,13 @@ struct Layout {
   std::string empty;  ///< for a number that is not defined
   std::string between_rows;
   std::string tail;
-  std::string no_rows;     ///< instead of `tail` where not one row was written
+  std::string no_rows;     ///< instead of `tail` where there is no row
+  std::string end;         ///< of the whole output, after its last list of rows
   Notation notation = {};  ///< of numbers that may have a fraction
 };
 
 /// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each.
-/// `first` says that no row came before these.
+/// `first`: there is no row before these.
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first);
 
@@ -38,7 +38,7 @@ std::string delimited_text(std::string_view text, char delimiter);
 /// A text as a JSON string.
 std::string json_text(std::string_view text);
 
-/// Rows of cells with a delimiter between, and the names on top where wanted.
+/// Rows of cells with a delimiter between, below the names where there is a header.
 Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header);
 
 /// An array of objects, one a line.

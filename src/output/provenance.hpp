@@ -1,37 +1,76 @@
-// Provenance: what an output says of how it was made, as comment lines or as a JSON object.
+// Provenance: how an output was made, in comment lines or in a JSON object, written and read; its recorder.
 //
-// What is known before the first row stands before all rows, what is known after the last one behind them: the
-// SHA-256 and the counts. In JSON, and in JSON Lines as a line, all of it stands behind the rows.
+// Comment lines have what is known before the first row above the rows, and the checksums and counts below them.
+// JSON has all of it after the rows; JSON Lines has it in the last line.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "curve/rows.hpp"
+#include "input/key_block.hpp"
+#include "io/formats.hpp"
 #include "stream/stream.hpp"
 
 namespace tcb {
 
-/// Names with what is said of them.
+/// Names and values in words.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
 struct Provenance {
   std::string program;                                      ///< with its version
   Facts rules;                                              ///< of the curve, in words
-  std::vector<std::string> options;                         ///< as typed, each as one word
+  std::vector<std::string> options;                         ///< as given, each as one word
   std::vector<std::pair<std::string, std::string>> inputs;  ///< names, and SHA-256 in hexadecimal digits
   std::uint64_t curves = 0, keys = 0, rows = 0;
 };
 
-/// Comment lines before all rows, and behind them.
-std::string meta_head(const Provenance& meta);
-std::string meta_tail(const Provenance& meta);
+/// The text of an output before its rows, and the one after them. In formats whose outputs nest, the text after the
+/// rows is a member of the object that has them.
+std::string text_before_rows(const Provenance& provenance, FormatId format);
+std::string text_after_rows(const Provenance& provenance, FormatId format);
 
-/// A JSON object.
-std::string meta_object(const Provenance& meta);
-
-/// What an output says of its program, its options and its inputs. Throws: Error (data) where it says nothing.
+/// Program, options and inputs of an earlier output. Throws: Error (data) where it has no provenance.
 Provenance read_meta(const Source<std::string>& bytes);
+
+/// The provenance that is asked for.
+struct ProvenanceRequest {
+  Provenance meta;     ///< program and options
+  Provenance earlier;  ///< that of the output that is made again, if one is
+  std::string from;    ///< the name of that output
+};
+
+/// Observes an input's bytes, keys and rows, and reads each to its end, so that the counts and checksums are complete.
+/// Without a request it does nothing. It outlives the sources that it returns.
+class ProvenanceRecorder {
+ public:
+  explicit ProvenanceRecorder(const std::optional<ProvenanceRequest>& request);
+
+  /// The bytes of the next input. Throws: Error, before any byte passes, for an input that is not the one of the
+  /// earlier output, or one too many.
+  Source<std::string> observe_bytes(const std::string& name, Source<std::string> bytes);
+  /// The keys of the next curve.
+  Source<KeyBlock> observe_keys(Source<KeyBlock> keys);
+  Source<SampleBlock> observe_rows(Source<SampleBlock> rows);
+  void set_rules(Facts rules);
+
+  /// The current curve, or input, has no more rows.
+  void end_curve();
+  void end_input();
+
+  /// The two texts, or empty ones without a request.
+  std::string before_rows(FormatId format) const;
+  /// Throws: Error (usage) where there were fewer inputs than the earlier output has.
+  std::string after_rows(FormatId format) const;
+
+ private:
+  struct Tally;
+  const std::optional<ProvenanceRequest>& request_;
+  std::shared_ptr<Tally> tally_;
+};
 
 }  // namespace tcb

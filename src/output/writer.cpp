@@ -1,8 +1,5 @@
-// The writer of one output: what stands around the rows of files and curves, and the rows themselves.
+// The writer: one output with the texts around the rows of files and curves, and the rows themselves.
 #include "output/writer.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -11,16 +8,16 @@
 namespace tcb {
 
 void Writer::begin(const Input& input, bool live, Facts rules) {
-  OutputColumns columns{input.groups, output_columns(plan_.fields, input), input.carried};
+  OutputColumns columns{input.groups, output_columns(options_.fields, input), input.carried};
   if (columns_.numbers.empty()) {
+    const Format& format = format_of(options_.format);
     columns_ = std::move(columns);
-    const Format& format = format_of(plan_.output_format);
-    frame_ = Frame(format, columns_, plan_.output_header.value_or(input.named), plan_.notation);
-    output_.write(recorder_.head(format, std::move(rules), frame_.head(), frame_.is_nested()));
+    frame_ = Frame(columns_, {format.id, options_.header.value_or(input.named), options_.notation,
+                              format.nests && options_.provenance.has_value()});
+    recorder_.set_rules(std::move(rules));
+    output_.write(recorder_.before_rows(format.id) + frame_.head());
   } else if (columns.names() != columns_.names()) {
-    throw Error(Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give "
-                                        "--output-dir to write an output for each file",
-                                        fmt::join(columns.names(), ", "), fmt::join(columns_.names(), ", ")));
+    throw Error(Exit::data, ErrorCode::other_columns, {columns.names(), columns_.names()});
   }
   output_.set_live(live);
 }
@@ -37,13 +34,13 @@ std::string Writer::print(const Table& table, bool first) const {
   return text;
 }
 
-std::string Writer::print(const LabelledBlock& batch, const Evaluate& evaluate) const {
-  return print_labelled(batch, evaluate, plan_.fields,
-                        [this, layout = frame_.layout()](std::string& out, const Table& row, const std::string& row_end,
-                                                         bool first) mutable {
-                          layout.row_end = row_end;
-                          append_rows(out, layout, columns_.numbers, row.cells, row.texts, first && frame_.is_first());
-                        });
+std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) const {
+  const auto print_row = [this, layout = frame_.layout()](std::string& out, const Table& row,
+                                                          const std::string& row_end, bool first) mutable {
+    layout.row_end = row_end;
+    append_rows(out, layout, columns_.numbers, row.cells, row.texts, first && frame_.is_first());
+  };
+  return print_labelled(block, evaluate, options_.fields, print_row);
 }
 
 void Writer::write(const Source<std::string>& rows) {
@@ -57,7 +54,9 @@ void Writer::write(const Source<std::string>& rows) {
 }
 
 void Writer::commit() {
-  output_.write(recorder_.tail(frame_.tail()));
+  const std::string provenance = recorder_.after_rows(options_.format);
+  const bool is_member = format_of(options_.format).nests;
+  output_.write(is_member ? frame_.tail(provenance) : frame_.tail() + provenance);
   if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
   output_.commit();
 }

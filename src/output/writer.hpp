@@ -1,4 +1,4 @@
-// The writer of one output: what stands around the rows of files and curves, and the rows themselves.
+// The writer: one output with the texts around the rows of files and curves, and the rows themselves.
 #pragma once
 
 #include <optional>
@@ -7,46 +7,58 @@
 #include <string_view>
 #include <vector>
 
-#include "app/job.hpp"
+#include "input/input.hpp"
 #include "io/file.hpp"
 #include "output/frame.hpp"
 #include "output/labels.hpp"
-#include "output/provenance_recorder.hpp"
+#include "output/provenance.hpp"
 
 namespace tcb {
 
-/// One output, which takes the rows of one file or of several.
+/// What an output looks like.
+struct WriterOptions {
+  FormatId format = FormatId::csv;
+  std::optional<bool> header;       ///< nothing: as the input has one
+  Notation notation;                ///< of numbers that may have a fraction
+  std::vector<std::size_t> fields;  ///< indices into fields()
+  std::optional<ProvenanceRequest> provenance;
+};
+
+/// One output of the rows of one file or of several.
 class Writer {
  public:
-  Writer(const Job& plan, std::string path)
-      : plan_(plan), output_(std::move(path), format_of(plan.output_format).is_binary), recorder_(plan.meta) {}
+  /// The options outlive the writer.
+  Writer(const WriterOptions& options, std::string path)
+      : options_(options),
+        output_(std::move(path), format_of(options.format).is_binary),
+        recorder_(options.provenance) {}
 
-  /// What the output's provenance says is told to it.
+  /// The recorder of the output's provenance, to be attached to the sources of its rows.
   ProvenanceRecorder& recorder() { return recorder_; }
 
-  /// The next file's rows follow, the first of them on a curve with these rules. Throws: Error (data) where they have
+  /// Begins the rows of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
   /// other columns than the rows before.
   void begin(const Input& input, bool live, Facts rules);
 
-  /// The rows of the next curve of the file follow.
+  /// Begins the rows of the next curve of the file.
   void begin_curve(const std::vector<std::string>& group);
 
-  /// The text of some rows. A pure function but for the layout, which begin_curve() has set.
+  /// The text of some rows. A pure function until the next begin_curve().
   std::string print(const Table& table, bool first) const;
 
-  /// The same for rows that end in labels.
-  std::string print(const LabelledBlock& batch, const Evaluate& evaluate) const;
+  /// The same for rows with labels.
+  std::string print(const LabelledBlock& block, const Evaluate& evaluate) const;
 
   std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }
 
-  /// Writes the rows of a curve as they come.
+  /// Writes the rows of a curve.
   void write(const Source<std::string>& rows);
 
-  /// All rows are written. Throws: Error (usage) if the output cannot be completed.
+  /// Ends the output. Throws: Error (usage) if it cannot be completed.
   void commit();
 
  private:
-  const Job& plan_;
+  const WriterOptions& options_;
   Output output_;
   OutputColumns columns_;
   Frame frame_;

@@ -18,7 +18,7 @@ const std::vector<Cell> two_rows{Cell(0), Cell(0.1), Cell(3), {9007199254740992.
 std::string output(const Layout& layout, const std::vector<OutputColumn>& of, const std::vector<Cell>& cells) {
   std::string text = layout.head;
   append_rows(text, layout, of, cells, true);
-  return text + (cells.empty() ? layout.no_rows : layout.tail);
+  return text + (cells.empty() ? layout.no_rows : layout.tail) + layout.end;
 }
 
 TEST(Layout, delimited_rows) {
@@ -35,7 +35,7 @@ TEST(Layout, json_rows) {
             "{\"t\":0,\"x\":0.1,\"n\":3}\n{\"t\":9007199254740993,\"x\":-1e+300,\"n\":4}\n");
 }
 
-TEST(Layout, without_rows_the_output_is_whole_all_the_same) {
+TEST(Layout, an_output_without_rows_is_complete) {
   EXPECT_EQ(output(delimited_layout(columns, ',', true), columns, {}), "t,x,n\n");
   EXPECT_EQ(output(jsonl_layout(columns), columns, {}), "");
   EXPECT_TRUE(nlohmann::json::parse(output(json_layout(columns), columns, {})).empty());
@@ -51,7 +51,7 @@ TEST(Layout, rows_in_several_calls_are_the_rows_in_one) {
   }
 }
 
-TEST(Layout, names_are_quoted_where_they_must_be_and_only_there) {
+TEST(Layout, names_are_quoted_only_where_it_is_necessary) {
   const auto head = [](const std::string& name, char delimiter) {
     return delimited_layout({{name}}, delimiter, true).head;
   };

@@ -1,4 +1,4 @@
-// Provenance: written as lines and as JSON, and read from both, whatever is around it.
+// Provenance: written in comment lines and in JSON, and read from both.
 #include "output/provenance.hpp"
 
 #include <gmock/gmock.h>
@@ -33,28 +33,30 @@ void expect_example(const Provenance& meta) {
   EXPECT_THAT(meta.inputs, ElementsAre(Pair("k.csv", "0a")));
 }
 
-TEST(Provenance, stands_around_rows_as_comments) {
-  EXPECT_EQ(meta_head(example()),
+TEST(Provenance, is_in_comments_around_the_rows) {
+  EXPECT_EQ(text_before_rows(example(), FormatId::csv),
             "# tcbsample 1.2.3\n# tangents: uniform\n# option: --step=1/24\n# option: "
             "--columns=position=\"a\\b\":# c\n#\n");
-  EXPECT_EQ(meta_tail(example()), "# input: k.csv\n# sha256: 0a\n# curves: 1\n# keys: 5\n# rows: 25\n");
+  EXPECT_EQ(text_after_rows(example(), FormatId::csv),
+            "# input: k.csv\n# sha256: 0a\n# curves: 1\n# keys: 5\n# rows: 25\n");
 }
 
 TEST(Provenance, is_read_back_from_lines) {
-  expect_example(read(meta_head(example()) + "t,x\n0,1\n" + meta_tail(example())));
-  std::string carriage = meta_head(example()) + meta_tail(example());
+  expect_example(
+      read(text_before_rows(example(), FormatId::csv) + "t,x\n0,1\n" + text_after_rows(example(), FormatId::csv)));
+  std::string carriage = text_before_rows(example(), FormatId::csv) + text_after_rows(example(), FormatId::csv);
   for (std::size_t at = 0; (at = carriage.find('\n', at)) != std::string::npos; at += 2) carriage.insert(at, "\r");
   expect_example(read(carriage));
 }
 
 TEST(Provenance, is_read_back_from_json_of_every_shape) {
-  const std::string object = "\"meta\":" + meta_object(example());
+  const std::string object = text_after_rows(example(), FormatId::json);
   expect_example(read("{\"rows\":[{\"meta\":{\"program\":\"no\"}}],\n" + object + "}\n"));
   expect_example(read("{" + object + ",\"curves\":[{\"id\":1,\"rows\":[]}]}"));
-  expect_example(read("{\"t\":0,\"x\":1}\n{\"t\":1,\"x\":1}\n{" + object + "}\n"));
+  expect_example(read("{\"t\":0,\"x\":1}\n{\"t\":1,\"x\":1}\n" + text_after_rows(example(), FormatId::jsonl)));
 }
 
-TEST(Provenance, is_missed_where_there_is_none) {
+TEST(Provenance, is_an_error_where_there_is_none) {
   for (const char* text : {"", "t,x\n0,1\n", "# t x\n0 1\n", "[{\"t\":0}]", "{\"t\":0}\n{\"t\":1}\n", "{\"meta\":3}",
                            "{\"meta\":{\"options\":3,\"inputs\":[4]}}", "{\"me"}) {
     EXPECT_THROW(read(text), Error) << text;
