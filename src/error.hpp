@@ -175,6 +175,8 @@ enum class ErrorCode {
   made_from_more_inputs,        ///< as made_from_fewer_inputs
   no_provenance,
   // app
+  out_of_memory,
+  unexpected,  ///< the message of a standard exception
   parameter_with_times,
   // compare
   // cli

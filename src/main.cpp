@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   try {
     const tcb::Invocation request = tcb::parse(argc, argv);
     if (request.plan.comparison) return static_cast<int>(tcb::compare(request.plan));
-    if (!request.text) return static_cast<int>(tcb::resample(request.plan));
+    if (!request.text) return static_cast<int>(tcb::resample(request.plan, {tcb::error_text, tcb::note_text}));
     print(*request.text);
     return static_cast<int>(tcb::Exit::done);
   } catch (const tcb::Error& error) {

@@ -1,10 +1,9 @@
-// SampleBlock: many files, each to an output of its own, on all threads, and none in another's way.
-#include "app/batch.hpp"
-
+// Batches: many files, each to an output of its own, on all threads; one that fails does not stop the others.
 #include <atomic>
+#include <new>
 #include <optional>
 
-#include "error.hpp"
+#include "app/pipeline.hpp"
 #include "stream/stream.hpp"
 
 namespace tcb {
@@ -13,32 +12,32 @@ namespace {
 /// From this size on a file is worth all threads; smaller ones share them.
 constexpr std::uintmax_t large_file = 4UL * 1024 * 1024;
 
-/// What became of a file.
-struct Outcome {
+/// The result of a file.
+struct FileOutcome {
   std::uintmax_t size = 0;
   std::uint64_t rows = 0;
   std::optional<Error> error = {};
   bool begun = true;
 };
 
-Outcome outcome_of(const InputFile& file, unsigned threads, const Convert& convert) {
+FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& convert) {
   try {
     return {file.size, convert(file, threads), {}};
   } catch (const Error& error) {
     return {file.size, 0, error.in(file.path)};
   } catch (const std::bad_alloc&) {
-    return {file.size, 0, Error(Exit::usage, TextPosition{file.path}, "out of memory")};
+    return {file.size, 0, Error(Exit::usage, ErrorCode::out_of_memory).in(file.path)};
   } catch (const std::exception& error) {
-    return {file.size, 0, Error(Exit::usage, TextPosition{file.path}, error.what())};
+    return {file.size, 0, Error(Exit::usage, ErrorCode::unexpected, {error.what()}).in(file.path)};
   }
 }
 
 }  // namespace
 
-Summary convert_all(const Inputs& inputs, const Job& plan, unsigned threads, Report& report, const Convert& convert) {
+Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Report& report, const Convert& convert) {
   Summary summary;
-  summary.left_alone = inputs.left_alone;
-  // No file from here on is begun: those before one that failed are, whichever thread found it first.
+  summary.ignored = inputs.left_alone;
+  // No file from here on is begun. Those before a file that failed are, whichever thread was first.
   std::atomic<const InputFile*> stop = inputs.files.data() + inputs.files.size();
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
     for (; next != inputs.files.end() && next->is_current; ++next) {
@@ -51,15 +50,15 @@ Summary convert_all(const Inputs& inputs, const Job& plan, unsigned threads, Rep
     return file;
   };
   const auto work = [&](const InputFile* file) {
-    if (file >= stop) return Outcome{.begun = false};
-    Outcome outcome = outcome_of(*file, file->size >= large_file ? threads : 1, convert);
-    if (!outcome.error || !plan.batch.fail_fast) return outcome;
+    if (file >= stop) return FileOutcome{.begun = false};
+    FileOutcome outcome = outcome_of(*file, file->size >= large_file ? threads : 1, convert);
+    if (!outcome.error || !fail_fast) return outcome;
     for (const InputFile* first = stop; file < first && !stop.compare_exchange_weak(first, file);) {
     }
     return outcome;
   };
-  const Source<Outcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);
-  while (const std::optional<Outcome> outcome = outcomes()) {
+  const Source<FileOutcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);
+  while (const std::optional<FileOutcome> outcome = outcomes()) {
     if (!outcome->begun) continue;
     report.add_file(outcome->size);
     summary.rows += outcome->rows;

@@ -35,7 +35,7 @@ struct PlacementFacts {
 
 /// The samples of a curve in blocks, and how they are located and evaluated.
 struct PlacedCurve {
-  Source<SampleBlock> batches;
+  Source<SampleBlock> blocks;
   std::shared_ptr<const Locator> locator;  ///< of the rows
   std::shared_ptr<const Sampler> sampler;  ///< the same, where the samples are placed segment after segment
   PlacementFacts facts;
@@ -54,14 +54,14 @@ struct IndexedCurve {
 
 class CurvePipeline {
  public:
-  /// Throws: Error where the settings, given and beside the keys, do not fit the input.
+  /// Throws: Error where the settings of the job and of the input do not fit each other, or the input.
   CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, std::vector<std::size_t> fields,
                 const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
 
   /// Throws: Error (data) for keys that make no curve.
   PlacedCurve place(Source<KeyBlock> blocks) const;
 
-  /// The whole curve, for samples that are placed by whoever asks. Throws: Error (data) for keys that make no curve.
+  /// The curve with random access. Throws: Error (data) for keys that make no curve.
   IndexedCurve whole(Source<KeyBlock> blocks) const;
 
   RuleFacts facts() const { return {spec_, timed_}; }

@@ -1,6 +1,4 @@
-// What was found in a file and would be done with it, a line each.
-#include "app/explain.hpp"
-
+// Explanation: what was detected in a file and will be done with it, a line each.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "app/curve_pipeline.hpp"
+#include "app/pipeline.hpp"
 #include "curve/fields.hpp"
 #include "input/reader.hpp"
 #include "input/texts.hpp"
@@ -18,7 +18,7 @@
 namespace tcb {
 namespace {
 
-constexpr std::size_t most_curves = 100;  ///< that are listed one by one
+constexpr std::size_t most_curves = 100;  ///< that have a line of their own
 
 std::string shown(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
 
@@ -28,20 +28,7 @@ std::string_view name_of(const std::array<Row, size>& names, Value Row::*member,
   return std::ranges::find(names, value, member)->name;
 }
 
-/// How many keys a curve has, and its times where they come with the keys.
-struct Span {
-  std::size_t keys = 0;
-  std::vector<spline::Time<double>> ends;
-
-  void add(const KeyBlock& block) {
-    keys += block.lines.size();
-    if (block.keys.times.empty()) return;
-    if (ends.empty()) ends.assign(2, block.keys.times.front());
-    ends[1] = block.keys.times.back();
-  }
-};
-
-/// Which samples are asked for.
+/// The requested samples.
 std::string samples(const SamplingRequest& request) {
   const std::string_view of = by_length(request.mode) ? "arc length" : "time";
   switch (request.mode) {
@@ -58,7 +45,7 @@ std::string samples(const SamplingRequest& request) {
   return "";
 }
 
-/// What was found at the beginning of an input.
+/// What was detected at the beginning of an input.
 Facts input_facts(const Input& input) {
   constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "a key a line"};
   const Format& format = format_of(input.facts.format);
@@ -85,24 +72,24 @@ Facts input_facts(const Input& input) {
   return facts;
 }
 
-/// What is to be done with every curve of an input.
-Facts intentions(const Job& plan, const Input& input) {
+/// What will be done with every curve of an input.
+Facts intentions(const Job& job, const Input& input) {
   Facts facts;
   const auto add = [&](const char* name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  add("missing", std::string(name_of(missing_names, &MissingName::way, plan.input.missing)));
-  if (input.timed) add("duplicates", std::string(name_of(duplicates_names, &DuplicatesName::value, plan.curves.duplicates)));
-  if (plan.curves.sort) add("sort", "by time");
-  const spline::Tcb<double>& tcb = plan.input.tcb;
+  add("missing", std::string(name_of(missing_names, &MissingName::way, job.input.missing)));
+  if (input.timed) add("duplicates", std::string(name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates)));
+  if (job.curves.sort) add("sort", "by time");
+  const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
-  add("metric", plan.curve.metric.value_or("all channels"));
-  add("samples", samples(plan.sampling));
-  if (plan.sampling.from) add("from", shown(*plan.sampling.from));
-  if (plan.sampling.to) add("to", shown(*plan.sampling.to));
+  add("metric", job.curve.metric.value_or("all channels"));
+  add("samples", samples(job.sampling));
+  if (job.sampling.from) add("from", shown(*job.sampling.from));
+  if (job.sampling.to) add("to", shown(*job.sampling.to));
   std::vector<std::string_view> names;
-  for (const std::size_t field : plan.fields) names.push_back(fields()[field].name);
+  for (const std::size_t field : job.fields) names.push_back(fields()[field].name);
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
-  const Format& output = format_of(plan.output_format);
-  const bool header = output.has_header && plan.output_header.value_or(input.named);
+  const Format& output = format_of(job.output_format);
+  const bool header = output.has_header && job.output_header.value_or(input.named);
   add("output", fmt::format("{}{}", output.name,
                             !output.has_header ? ""
                             : header           ? " with a header"
@@ -110,7 +97,7 @@ Facts intentions(const Job& plan, const Input& input) {
   return facts;
 }
 
-/// What tells a curve apart, as in "id=a".
+/// The group of a curve, as in "curve id=a", or its number.
 std::string title(const Input& input, const CurveKeys& curve, std::size_t number) {
   if (input.groups.empty()) return fmt::format("curve {}", number);
   std::string text = "curve";
@@ -120,43 +107,53 @@ std::string title(const Input& input, const CurveKeys& curve, std::size_t number
   return text;
 }
 
-/// What one curve comes to.
-struct Outcome {
-  Facts facts;
+/// Counts and facts of one curve.
+struct CurveOutcome {
   std::size_t keys = 0;
   std::uint64_t rows = 0;
+  std::optional<Time> first, last;  ///< times of the keys, where they are known
+  PlacementFacts facts;
+  std::optional<Rational> remainder;
+
+  void add(const KeyBlock& block) {
+    keys += block.size();
+    if (block.keys.times.empty()) return;
+    if (!first) first = block.keys.times.front();
+    last = block.keys.times.back();
+  }
 };
 
-Outcome outcome(const CurvePipeline& pipeline, const CurveKeys& curve) {
-  const auto span = std::make_shared<Span>();
-  const Source<KeyBlock> counted = [span, keys = curve.keys] {
-    std::optional<KeyBlock> block = keys();
-    if (block) span->add(*block);
+/// Places the samples of a curve, and reads its keys to the end.
+CurveOutcome outcome_of(const CurvePipeline& pipeline, const CurveKeys& curve) {
+  CurveOutcome outcome;
+  const Source<KeyBlock> observed = mapped(curve.keys, [&outcome](KeyBlock block) {
+    outcome.add(block);
     return block;
-  };
-  const PlacedCurve placed = pipeline.place(counted);
-  Outcome result{in_words(placed.facts), 0, 0};
-  while (const auto batch = placed.batches()) {
-    for (const auto& part : batch->parts) result.rows += part.last - part.first;
+  });
+  const PlacedCurve placed = pipeline.place(observed);
+  while (const auto block = placed.blocks()) outcome.rows += block->rows();
+  while (observed()) {
   }
-  while (counted()) {
-  }
-  result.keys = span->keys;
-  if (!placed.facts.first && !span->ends.empty()) {
-    result.facts.emplace_back("curve",
-                              fmt::format("from {} to {}", time_text(span->ends[0]), time_text(span->ends[1])));
-  }
-  if (const std::string text = remainder_in_words(placed); !text.empty()) result.facts.emplace_back("note", text);
-  return result;
+  outcome.facts = placed.facts;
+  outcome.remainder = placed.remainder();
+  if (placed.facts.first) outcome.first = placed.facts.first;
+  if (placed.facts.last) outcome.last = placed.facts.last;
+  return outcome;
 }
 
-/// One curve in many lines.
-Facts in_full(const Outcome& outcome) {
-  Facts facts{{"keys", fmt::format("{}", outcome.keys)}};
-  facts.insert(facts.end(), outcome.facts.begin(), outcome.facts.end());
-  const auto note = std::ranges::find(facts, "note", &Facts::value_type::first);
-  facts.emplace(note, "rows", fmt::format("{}", outcome.rows));
-  return facts;
+std::string range_text(const CurveOutcome& outcome) {
+  return fmt::format("from {} to {}", time_text(*outcome.first), time_text(*outcome.last));
+}
+
+/// A curve in several lines.
+Facts lines_of(const CurveOutcome& outcome, const Wording& wording) {
+  Facts lines{{"keys", fmt::format("{}", outcome.keys)}};
+  if (outcome.first) lines.emplace_back("curve", range_text(outcome));
+  if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
+  if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
+  lines.emplace_back("rows", fmt::format("{}", outcome.rows));
+  if (outcome.remainder) lines.emplace_back("note", wording.note(remainder_note(*outcome.remainder)));
+  return lines;
 }
 
 std::string counted(std::uint64_t count, const char* what) {
@@ -164,79 +161,91 @@ std::string counted(std::uint64_t count, const char* what) {
 }
 
 /// One of several curves in a line.
-std::string in_short(const Outcome& outcome) {
+std::string line_of(const CurveOutcome& outcome) {
   std::string text = counted(outcome.keys, "key");
-  for (const auto& [name, value] : outcome.facts) {
-    if (name != "note") text += fmt::format(", {}{}", name == "curve" ? "" : name + " ", value);
-  }
+  if (outcome.first) text += ", " + range_text(outcome);
+  if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
+  if (outcome.facts.step) text += ", step " + time_text(*outcome.facts.step);
   return text + ", " + counted(outcome.rows, "row");
 }
 
+/// Counts of all curves of an input, and a line for each of the first ones.
+class Explainer {
+ public:
+  Explainer(const Input& input, const Job& job, const Wording& wording)
+      : input_(input), job_(job), wording_(wording) {}
+
+  void add(const CurveKeys& curve) {
+    const CurvePipeline pipeline(job_.sampling, job_.curve, job_.fields, job_.golden, input_, *curve.curve_info);
+    if (count_ == 0) {
+      append(intended_, rules_in_words(pipeline.facts(), wording_));
+      append(intended_, intentions(job_, input_));
+    }
+    last_ = outcome_of(pipeline, curve);
+    keys_ += last_.keys;
+    rows_ += last_.rows;
+    if (count_ < most_curves) curves_.emplace_back(title(input_, curve, count_), line_of(last_));
+    ++count_;
+  }
+
+  Facts lines() const {
+    Facts lines = intended_;
+    if (count_ == 1 && input_.groups.empty()) {
+      append(lines, lines_of(last_, wording_));
+      return lines;
+    }
+    lines.emplace_back("curves", fmt::format("{}", count_));
+    append(lines, curves_);
+    if (count_ > most_curves) lines.emplace_back("curves not shown", fmt::format("{}", count_ - most_curves));
+    lines.emplace_back("keys", fmt::format("{}", keys_));
+    lines.emplace_back("rows", fmt::format("{}", rows_));
+    return lines;
+  }
+
+ private:
+  static void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+  const Input& input_;
+  const Job& job_;
+  const Wording wording_;
+  Facts intended_, curves_;
+  CurveOutcome last_;
+  std::size_t count_ = 0, keys_ = 0;
+  std::uint64_t rows_ = 0;
+};
+
 }  // namespace
 
-Facts in_words(const RuleFacts& facts) {
+Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
   const spline::CurveRules<double>& rules = facts.spec.rules;
-  const auto end = [](const spline::EndChoice<double>& choice) { return name_of(choice.rule); };
   Facts words{{"tangents", std::string(name_of(rules.tangents))}};
   if (facts.spec.closed) {
     words.emplace_back("closed", "yes");
   } else {
-    words.emplace_back("ends", fmt::format("{}, {}", end(rules.start), end(rules.end)));
+    words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
   }
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
   if (!facts.timed) {
     words.emplace_back("times",
-                       fmt::format("none; made with --parameter {}", facts.spec.parameter_name.value_or("uniform")));
+                       wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
   }
   return words;
 }
 
-Facts in_words(const PlacementFacts& facts) {
-  Facts words;
-  if (facts.first && facts.last) {
-    words.emplace_back("curve", fmt::format("from {} to {}", time_text(*facts.first), time_text(*facts.last)));
-  }
-  if (facts.length) words.emplace_back("length", fmt::format("{}", *facts.length));
-  if (facts.step) words.emplace_back("step", time_text(*facts.step));
-  return words;
-}
+Note remainder_note(const Rational& remainder) { return {NoteCode::remainder, {nearest_time(remainder).hi}}; }
 
-std::string remainder_in_words(const PlacedCurve& placed) {
-  const auto remainder = placed.remainder();
-  if (!remainder) return "";
-  return fmt::format("the end lies {} behind the last row and is left out; --end keep or --end fit includes it",
-                     shown(*remainder));
-}
-
-std::string explanation(const std::string& path, const Job& plan) {
-  const Input input = open_input(path, read_file(path), plan.input);
-  Facts facts{{"file", shown_name(path)}}, curve_facts;
-  const auto add = [&](const Facts& more) { facts.insert(facts.end(), more.begin(), more.end()); };
-  add(input_facts(input));
-  Curves curves(input, plan.curves, is_live(path));
-  std::size_t count = 0;
-  Outcome all, last;
-  for (std::optional<CurveKeys> curve; (curve = curves.next()); ++count) {
-    const CurvePipeline pipeline(plan.sampling, plan.curve, plan.fields, plan.golden, input, *curve->curve_info);
-    if (count == 0) add(in_words(pipeline.facts()));
-    if (count == 0) add(intentions(plan, input));
-    last = outcome(pipeline, *curve);
-    all.keys += last.keys;
-    all.rows += last.rows;
-    if (count < most_curves) curve_facts.emplace_back(title(input, *curve, count), in_short(last));
-  }
-  if (count == 1 && input.groups.empty()) {
-    add(in_full(last));
-  } else {
-    facts.emplace_back("curves", fmt::format("{}", count));
-    add(curve_facts);
-    if (count > most_curves) facts.emplace_back("curves not shown", fmt::format("{}", count - most_curves));
-    facts.emplace_back("keys", fmt::format("{}", all.keys));
-    facts.emplace_back("rows", fmt::format("{}", all.rows));
-  }
-  if (curves.skipped() > 0) facts.emplace_back("rows left out", fmt::format("{}", curves.skipped()));
-  std::string out;
-  for (const auto& [name, value] : facts) out += fmt::format("{}: {}\n", name, value);
+std::string explanation(const std::string& path, const Job& job, const Wording& wording) {
+  const Input input = open_input(path, read_file(path), job.input);
+  Curves curves(input, job.curves, is_live(path));
+  Explainer explainer(input, job, wording);
+  while (const std::optional<CurveKeys> curve = curves.next()) explainer.add(*curve);
+  std::string out = fmt::format("file: {}\n", shown_name(path));
+  const auto print = [&out](const Facts& lines) {
+    for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);
+  };
+  print(input_facts(input));
+  print(explainer.lines());
+  if (curves.skipped() > 0) out += fmt::format("rows left out: {}\n", curves.skipped());
   return out;
 }
 

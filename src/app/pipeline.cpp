@@ -1,177 +1,206 @@
-// The whole path, from the bytes of keys to the bytes of samples.
+// The pipeline: the stages from the bytes of keys to the bytes of samples, in the order of the flow.
 #include "app/pipeline.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
-#include "app/batch.hpp"
-#include "app/curve_pipeline.hpp"
-#include "app/explain.hpp"
-#include "app/progress.hpp"
-#include "curve/rows.hpp"
-#include "error.hpp"
 #include "input/reader.hpp"
-#include "io/input_list.hpp"
+#include "io/file.hpp"
 #include "output/writer.hpp"
 #include "text/number.hpp"
 
 namespace tcb {
 namespace {
 
-WriterOptions writer_options(const Job& plan) {
-  return {plan.output_format, plan.output_header, plan.notation, plan.fields, plan.meta};
+WriterOptions writer_options(const Job& job) {
+  return {job.output_format, job.output_header, job.notation, job.fields, job.meta};
 }
 
-/// The bytes of a file, which are told as they come.
-Source<std::string> told_bytes(const std::string& path, Report& report) {
-  return mapped(read_file(path), [&report](std::string bytes) {
-    report.add_read(bytes.size());
-    return bytes;
-  });
+InputOptions input_options(const Job& job, unsigned threads, bool live) {
+  InputOptions options = job.input;
+  options.threads = live && !job.jobs ? 1 : threads;  // with more, a row would wait for keys after it
+  return options;
 }
 
-/// The same batches; their rows are counted and told.
-Source<SampleBlock> counted(Source<SampleBlock> batches, std::uint64_t& rows, Report& report) {
-  return mapped(std::move(batches), [&rows, &report](SampleBlock batch) {
-    rows += batch.rows();
-    report.add_rows(batch.rows());
-    return batch;
-  });
-}
-
-/// The rows of a curve as text.
-Source<std::string> printed(const PlacedCurve& placed, const Job& plan, const Writer& writer,
-                            const std::shared_ptr<Labels>& labels, unsigned threads) {
-  if (plan.golden) threads = 1;  // the rows share what was worked out for those before
-  if (labels == nullptr) {
-    const auto print = [&plan, &writer, &placed](const SampleBlock& batch) {
-      return writer.print(placed.evaluate(batch, plan.fields), batch.first);
-    };
-    return ordered_map(placed.batches, print, threads);
-  }
-  const auto row_end = [&writer](std::span<const std::string_view> texts) { return writer.row_end(texts); };
-  const auto print = [&writer, &placed](const LabelledBlock& batch) { return writer.print(batch, placed.evaluate); };
-  return ordered_map(Labels::attach(labels, placed.batches, row_end, placed.sampler != nullptr), print, threads);
-}
-
-/// The rules of a curve in words, with the preset that they are based on.
-Facts rules(const CurvePipeline& pipeline) {
+/// The rules of a curve in words, after the preset that they are based on.
+Facts rules(const CurvePipeline& pipeline, const Wording& wording) {
   Facts facts{{"preset", std::string(name_of(pipeline.facts().spec.preset))}};
-  const Facts more = in_words(pipeline.facts());
+  const Facts more = rules_in_words(pipeline.facts(), wording);
   facts.insert(facts.end(), more.begin(), more.end());
   return facts;
 }
 
-/// Bytes to bytes, for one file; answers how many rows it has.
-std::uint64_t resample_file(const std::string& path, const Job& plan, unsigned threads, Report& report,
-                            Writer& writer) {
-  const bool live = is_live(path);
-  InputOptions options = plan.input;
-  options.threads = live && !plan.jobs ? 1 : threads;  // more would have rows wait for those behind them
-  ProvenanceRecorder& recorder = writer.recorder();
-  const Input input = open_input(path, recorder.observe_bytes(shown_name(path), told_bytes(path, report)), options);
-  if (!input.timed && !plan.curve.parameter) report.note(path, "no time column; the keys stand at 0, 1, 2, ...");
-  if (!input.ignored.empty()) {
-    report.note(path, fmt::format("columns of text are left out: {}", fmt::join(input.ignored, ", ")));
+/// One file on its way into an output.
+class FileRun {
+ public:
+  FileRun(const std::string& path, const Job& job, const Wording& wording, Report& report, Writer& writer)
+      : path_(path), live_(is_live(path)), job_(job), wording_(wording), report_(report), writer_(writer) {}
+
+  /// The stages of the flow, with their observers. Returns the number of rows.
+  std::uint64_t run(unsigned threads) {
+    ProvenanceRecorder& provenance = writer_.recorder();
+    const auto bytes = provenance.observe_bytes(shown_name(path_), report_.observe_bytes(read_file(path_)));
+    const Input input = open_input(path_, bytes, input_options(job_, threads, live_));  // split, parse
+    note_input(input);
+    Curves curves(input, job_.curves, live_);  // order, group, split into curves
+    while (std::optional<CurveKeys> curve = curves.next()) {
+      begin(input, *curve);
+      const auto labels = labels_of(input);
+      Source<KeyBlock> keys = provenance.observe_keys(curve->keys);
+      if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
+      PlacedCurve placed = pipeline_->place(std::move(keys));  // segments, measure, place
+      placed.blocks = provenance.observe_rows(report_.observe_rows(std::move(placed.blocks), rows_));
+      writer_.write(printed(placed, labels, input.threads));  // evaluate, print
+      provenance.end_curve();
+      note_curve(placed);
+    }
+    provenance.end_input();
+    if (curves.skipped() > 0) report_.note(path_, {NoteCode::skipped_rows, {curves.skipped()}});
+    return rows_;
   }
-  Curves curves(input, plan.curves, live);
-  std::uint64_t rows = 0;
-  std::optional<CurvePipeline> pipeline;
-  for (std::shared_ptr<const CurveInfo> known; std::optional<CurveKeys> curve = curves.next();) {
-    if (curve->curve_info != known)
-      pipeline.emplace(plan.sampling, plan.curve, plan.fields, plan.golden, input, *curve->curve_info);
-    if (known == nullptr) writer.begin(input, live, rules(*pipeline));
-    known = curve->curve_info;
-    writer.begin_curve(curve->group);
-    const std::size_t grouping = input.own_curves ? 0 : input.groups.size();  // texts of a key that are no labels
-    const auto labels = input.carried.empty() ? nullptr : std::make_shared<Labels>(grouping);
-    const auto keys = recorder.observe_keys(curve->keys);
-    PlacedCurve placed = pipeline->place(labels == nullptr ? keys : Labels::observe(labels, keys));
-    placed.batches = recorder.observe_rows(counted(std::move(placed.batches), rows, report));
-    writer.write(printed(placed, plan, writer, labels, input.threads));
-    recorder.end_curve();
-    if (const std::string text = remainder_in_words(placed); !text.empty()) report.note(path, text);
-    if (placed.facts.step && plan.sampling.end != EndPolicy::drop) {
-      report.note(path, fmt::format("the step is {}", time_text(*placed.facts.step)));
+
+ private:
+  /// Begins the output of the next curve. Curves with the same information share their rules.
+  void begin(const Input& input, const CurveKeys& curve) {
+    if (curve.curve_info != curve_info_) {
+      pipeline_.emplace(job_.sampling, job_.curve, job_.fields, job_.golden, input, *curve.curve_info);
+    }
+    if (curve_info_ == nullptr) writer_.begin(input, live_, rules(*pipeline_, wording_));
+    curve_info_ = curve.curve_info;
+    writer_.begin_curve(curve.group);
+  }
+
+  /// For the labels of a curve, which are the texts of its keys after those of groups; null where there are none.
+  static std::shared_ptr<Labels> labels_of(const Input& input) {
+    if (input.carried.empty()) return nullptr;
+    return std::make_shared<Labels>(input.own_curves ? 0 : input.groups.size());
+  }
+
+  /// The rows of a curve as text.
+  Source<std::string> printed(const PlacedCurve& placed, const std::shared_ptr<Labels>& labels,
+                              unsigned threads) const {
+    if (job_.golden) threads = 1;  // exact rows share results of those before
+    if (labels == nullptr) {
+      const auto print = [this, &placed](const SampleBlock& block) {
+        return writer_.print(placed.evaluate(block, job_.fields), block.first);
+      };
+      return ordered_map(placed.blocks, print, threads);
+    }
+    const auto row_end = [this](std::span<const std::string_view> texts) { return writer_.row_end(texts); };
+    const auto print = [this, &placed](const LabelledBlock& block) { return writer_.print(block, placed.evaluate); };
+    return ordered_map(Labels::attach(labels, placed.blocks, row_end, placed.sampler != nullptr), print, threads);
+  }
+
+  void note_input(const Input& input) {
+    if (!input.timed && !job_.curve.parameter) report_.note(path_, {NoteCode::no_time_column});
+    if (!input.ignored.empty()) report_.note(path_, {NoteCode::ignored_columns, {input.ignored}});
+  }
+
+  void note_curve(const PlacedCurve& placed) {
+    if (const auto remainder = placed.remainder()) report_.note(path_, remainder_note(*remainder));
+    if (placed.facts.step && job_.sampling.end != EndPolicy::drop) {
+      report_.note(path_, {NoteCode::step, {time_text(*placed.facts.step)}});
     }
   }
-  recorder.end_input();
-  if (curves.skipped() > 0) report.note(path, fmt::format("rows left out for missing numbers: {}", curves.skipped()));
-  return rows;
-}
 
-/// An output made again by another version may have other digits.
-void warn_of_other_maker(const Job& plan) {
-  if (!plan.meta || plan.meta->from.empty() || plan.meta->earlier.program == plan.meta->meta.program) return;
-  if (plan.verbosity.quiet) return;
-  (void)std::fputs(fmt::format("{}: warning: made by {}; this is {}, whose digits may differ\n", plan.meta->from,
-                               plan.meta->earlier.program, plan.meta->meta.program)
-                       .c_str(),
-                   stderr);
-}
+  const std::string& path_;
+  const bool live_;
+  const Job& job_;
+  const Wording& wording_;
+  Report& report_;
+  Writer& writer_;
+  std::shared_ptr<const CurveInfo> curve_info_;  ///< of the curve before
+  std::optional<CurvePipeline> pipeline_;
+  std::uint64_t rows_ = 0;
+};
 
-void explain(const Inputs& inputs, const Job& plan) {
-  Output output("-");
-  for (const InputFile& file : inputs.files) {
-    in_file(shown_name(file.path), [&] { output.write(explanation(file.path, plan)); });
+/// The files of a job, and what all of them share.
+class JobRun {
+ public:
+  JobRun(const Job& job, const Wording& wording)
+      : job_(job),
+        wording_(wording),
+        options_(writer_options(job)),
+        threads_(job.threads()),
+        limit_(threads_),
+        inputs_(find_inputs(job)),
+        report_(job.verbosity, wording) {}
+
+  void explain() const {
+    Output output("-");
+    for (const InputFile& file : inputs_.files) {
+      in_file(shown_name(file.path), [&] { output.write(explanation(file.path, job_, wording_)); });
+    }
+    output.commit();
   }
-  output.commit();
-}
 
-/// An output for each file.
-Exit resample_each(const Inputs& inputs, const Job& plan, unsigned threads, Report& report) {
-  make_folder(*plan.output_folder);
-  const WriterOptions options = writer_options(plan);
-  const auto convert = [&](const InputFile& file, unsigned inner_threads) {
-    const std::string path = output_path(file, plan);
-    if (file.inside > 0) make_folder(folder_of(path));
-    Writer writer(options, path);
-    const std::uint64_t rows = resample_file(file.path, plan, inner_threads, report, writer);
-    writer.commit();
-    return rows;
-  };
-  const InputFile& first = inputs.files.front();
-  if (inputs.files.size() + inputs.left_alone == 1 && !first.is_current) {  // its errors are the program's
-    in_file(shown_name(first.path), [&] { convert(first, threads); });
+  Exit resample() {
+    warn_of_other_program();
+    std::uintmax_t bytes = 0;
+    for (const InputFile& file : inputs_.files) bytes += file.size;
+    report_.expect(inputs_.files.size(), bytes);
+    if (job_.output_folder) return resample_each();
+    resample_together();
     return Exit::done;
   }
-  const Summary summary = convert_all(inputs, plan, threads, report, convert);
-  report.summary(summary);
-  return summary.failed == 0 ? Exit::done : Exit::data;
-}
 
-/// One output for all files.
-void resample_together(const Inputs& inputs, const Job& plan, unsigned threads, Report& report) {
-  const WriterOptions options = writer_options(plan);
-  Writer writer(options, plan.output);
-  for (const InputFile& file : inputs.files) {
-    in_file(shown_name(file.path), [&] { resample_file(file.path, plan, threads, report, writer); });
-    report.add_file(file.size);
+ private:
+  /// An output for each file.
+  Exit resample_each() {
+    make_folder(*job_.output_folder);
+    const auto convert = [this](const InputFile& file, unsigned threads) {
+      const std::string path = output_path(file, job_);
+      if (file.inside > 0) make_folder(folder_of(path));
+      Writer writer(options_, path);
+      const std::uint64_t rows = FileRun(file.path, job_, wording_, report_, writer).run(threads);
+      writer.commit();
+      return rows;
+    };
+    const InputFile& first = inputs_.files.front();
+    if (inputs_.files.size() + inputs_.left_alone == 1 && !first.is_current) {  // its errors are the program's
+      in_file(shown_name(first.path), [&] { convert(first, threads_); });
+      return Exit::done;
+    }
+    const Summary summary = convert_all(inputs_, job_.batch.fail_fast, threads_, report_, convert);
+    report_.summary(summary);
+    return summary.failed == 0 ? Exit::done : Exit::data;
   }
-  writer.commit();
-}
+
+  /// One output for all files.
+  void resample_together() {
+    Writer writer(options_, job_.output);
+    for (const InputFile& file : inputs_.files) {
+      in_file(shown_name(file.path), [&] { FileRun(file.path, job_, wording_, report_, writer).run(threads_); });
+      report_.add_file(file.size);
+    }
+    writer.commit();
+  }
+
+  /// The digits of an output that another version makes again may differ.
+  void warn_of_other_program() {
+    if (!job_.meta || job_.meta->from.empty()) return;
+    const std::string &earlier = job_.meta->earlier.program, &current = job_.meta->meta.program;
+    if (earlier != current) report_.warning(job_.meta->from, {NoteCode::other_program, {earlier, current}});
+  }
+
+  const Job& job_;
+  const Wording& wording_;
+  const WriterOptions options_;
+  const unsigned threads_;
+  const ThreadLimit limit_;
+  const Inputs inputs_;
+  Report report_;
+};
 
 }  // namespace
 
-Exit resample(const Job& plan) {
-  const unsigned threads = plan.threads();
-  const ThreadLimit limit(threads);
-  const Inputs inputs = find_inputs(plan);
-  if (plan.explain) {
-    explain(inputs, plan);
-    return Exit::done;
-  }
-  warn_of_other_maker(plan);
-  Report report(plan.verbosity);
-  std::uintmax_t bytes = 0;
-  for (const InputFile& file : inputs.files) bytes += file.size;
-  report.expect(inputs.files.size(), bytes);
-  if (plan.output_folder) return resample_each(inputs, plan, threads, report);
-  resample_together(inputs, plan, threads, report);
+Exit resample(const Job& job, const Wording& wording) {
+  JobRun run(job, wording);
+  if (!job.explain) return run.resample();
+  run.explain();
   return Exit::done;
 }
 

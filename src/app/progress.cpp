@@ -1,6 +1,5 @@
-// What people are told on standard error while the work goes on: notes, errors, and how far it is.
+// Progress: what is reported on standard error during the work: notes, errors, how far it is, and a summary.
 #include "app/progress.hpp"
-#include "cli/remedies.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -10,6 +9,7 @@
 #include <array>
 #include <cstdio>
 #include <string_view>
+#include <utility>
 
 #include "io/file.hpp"
 
@@ -64,15 +64,34 @@ std::string progress_text(std::uint64_t files, std::uint64_t all_files, std::uin
 
 Report::~Report() { clear(); }
 
-void Report::note(const std::string& path, const std::string& text) {
-  if (verbosity_.notes) say(fmt::format("{}: note: {}", shown_name(path), text));
+void Report::note(const std::string& path, const Note& note) {
+  if (verbosity_.notes) print(fmt::format("{}: note: {}", shown_name(path), wording_.note(note)));
 }
 
-void Report::error(const Error& error) { say(error_text(error)); }
+void Report::warning(const std::string& path, const Note& note) {
+  if (!verbosity_.quiet) print(fmt::format("{}: warning: {}", path, wording_.note(note)));
+}
+
+void Report::error(const Error& error) { print(wording_.error(error)); }
 
 void Report::expect(std::uint64_t files, std::uintmax_t bytes) {
   all_files_ = files;
   all_bytes_ = bytes;
+}
+
+Source<std::string> Report::observe_bytes(Source<std::string> bytes) {
+  return mapped(std::move(bytes), [this](std::string part) {
+    add_read(part.size());
+    return part;
+  });
+}
+
+Source<SampleBlock> Report::observe_rows(Source<SampleBlock> samples, std::uint64_t& rows) {
+  return mapped(std::move(samples), [this, &rows](SampleBlock block) {
+    rows += block.rows();
+    add_rows(block.rows());
+    return block;
+  });
 }
 
 void Report::add_read(std::size_t bytes) {
@@ -98,23 +117,23 @@ void Report::add_file(std::uintmax_t bytes) {
 }
 
 void Report::summary(const Summary& summary) {
-  const bool all_done = summary.skipped + summary.failed + summary.left_alone == 0;
+  const bool all_done = summary.skipped + summary.failed + summary.ignored == 0;
   if (verbosity_.quiet || (all_done && !verbosity_.notes)) return;
   const std::chrono::duration<double> passed = Clock::now() - start_;
   std::string text = fmt::format("tcbsample: {} done, {} skipped, {} failed, {} rows, {:.1f} seconds", summary.done,
                                  summary.skipped, summary.failed, summary.rows, passed.count());
-  if (summary.left_alone > 0) text += fmt::format("; {} other files left alone", summary.left_alone);
-  say(text);
+  if (summary.ignored > 0) text += fmt::format("; {} other files left alone", summary.ignored);
+  print(text);
 }
 
-/// A line of its own.
-void Report::say(const std::string& line) {
+/// Prints a line, and removes the progress before.
+void Report::print(const std::string& line) {
   const std::lock_guard lock(mutex_);
   clear();
   (void)std::fputs((line + "\n").c_str(), stderr);
 }
 
-/// Writes the progress over what stands on the line, if it is time.
+/// Prints the progress over the one before, ten times a second.
 void Report::show() {
   const Clock::time_point now = Clock::now();
   if (now < next_) return;

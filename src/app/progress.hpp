@@ -1,63 +1,93 @@
-// What people are told on standard error while the work goes on: notes, errors, and how far it is.
+// Progress: what is reported on standard error during the work: notes, errors, how far it is, and a summary.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "app/job.hpp"
+#include "curve/rows.hpp"
 #include "error.hpp"
+#include "stream/stream.hpp"
 
 namespace tcb {
 
-/// What became of the files of a batch.
+/// Something about an input or its curves that a user may not expect, with values as errors have them.
+enum class NoteCode {
+  no_time_column,
+  ignored_columns,     ///< names
+  remainder,           ///< distance of the end from the last row
+  step,                ///< the step, as text
+  skipped_rows,        ///< number
+  made_times,          ///< the value of --parameter
+  other_program,       ///< the program of the earlier output, this program
+};
+
+struct Note {
+  NoteCode code;
+  std::vector<ErrorValue> values = {};
+};
+
+/// The functions that turn errors and notes into words.
+struct Wording {
+  std::string (*error)(const Error& error);
+  std::string (*note)(const Note& note);
+};
+
+/// Counts of the files of a batch.
 struct Summary {
   std::uint64_t done = 0, skipped = 0, failed = 0;
-  std::uint64_t left_alone = 0;  ///< in folders, as no format's
+  std::uint64_t ignored = 0;  ///< files in folders with the ending of no format
   std::uint64_t rows = 0;
 };
 
-/// Threads: any number at once.
+/// Writes on standard error. Threads: any number at once.
 class Report {
  public:
-  explicit Report(const Verbosity& verbosity) : verbosity_(verbosity) {}
+  Report(const Verbosity& verbosity, const Wording& wording) : verbosity_(verbosity), wording_(wording) {}
   Report(const Report&) = delete;
   Report& operator=(const Report&) = delete;
-  /// Takes the progress off the terminal.
+  /// Removes the progress from the terminal.
   ~Report();
 
-  void note(const std::string& path, const std::string& text);
+  void note(const std::string& path, const Note& note);
+  void warning(const std::string& path, const Note& note);
   void error(const Error& error);
 
-  /// All that there is to do; 0 bytes: nobody can tell.
+  /// The amount of work; 0 bytes: unknown.
   void expect(std::uint64_t files, std::uintmax_t bytes);
 
-  /// What has been done of it. A file that has ended was read as a whole, or nobody will read the rest.
-  void add_read(std::size_t bytes);
-  void add_rows(std::uint64_t rows);
+  /// The same bytes, or samples, which count as done. `rows` is increased by the number of samples.
+  Source<std::string> observe_bytes(Source<std::string> bytes);
+  Source<SampleBlock> observe_rows(Source<SampleBlock> samples, std::uint64_t& rows);
+  /// A file has ended: all of its bytes are done, whether they were read or not.
   void add_file(std::uintmax_t bytes);
 
-  /// What became of all; where all is well, people at a terminal are told.
+  /// The counts of all files; where all of them are done, only with notes.
   void summary(const Summary& summary);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void say(const std::string& line);
+  void add_read(std::size_t bytes);
+  void add_rows(std::uint64_t rows);
+  void print(const std::string& line);
   void show();
   void clear();
 
   const Verbosity verbosity_;
+  const Wording wording_;
   std::mutex mutex_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
   std::uint64_t files_ = 0, all_files_ = 0, rows_ = 0;
   std::uintmax_t read_ = 0, ended_ = 0, all_bytes_ = 0;
-  std::size_t width_ = 0;  ///< of what stands on the terminal's last line
+  std::size_t width_ = 0;  ///< of the progress on the terminal's last line
 };
 
-/// How far the work is, in a line: "41 %, 12 of 30 files, 1.2 of 2.9 GB, 1,234 rows, 85 MB/s, 0:20 left".
+/// The progress in a line: "41 %, 12 of 30 files, 1.2 of 2.9 GB, 1,234 rows, 85 MB/s, 0:20 left".
 std::string progress_text(std::uint64_t files, std::uint64_t all_files, std::uintmax_t bytes, std::uintmax_t all_bytes,
                           std::uint64_t rows, double seconds);
 

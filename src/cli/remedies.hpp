@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/progress.hpp"
 #include "error.hpp"
 
 namespace tcb {
@@ -15,5 +16,8 @@ std::string error_message(const Error& error);
 
 /// The long name of an option, with its dashes.
 std::string_view option_name(Option option);
+
+/// A note as a sentence.
+std::string note_text(const Note& note);
 
 }  // namespace tcb
