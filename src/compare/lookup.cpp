@@ -71,7 +71,7 @@ void for_each_row(const Places& places, const MatchedColumns& columns, const Ind
                   unsigned threads, const std::function<void(std::size_t, std::span<const Cell>)>& hear) {
   Found found = find(places, columns.by_length, whole, from_left);
   const auto cells_of = [&](const SampleBlock& batch) { return evaluate(batch, *found.locator, columns.fields); };
-  const auto cells = ordered_map(std::move(found.blocks), cells_of, threads);
+  const auto cells = ordered_map(std::move(found.batches), cells_of, threads);
   std::size_t next = 0;
   while (const std::optional<std::vector<Cell>> batch = cells()) {
     const std::size_t width = batch->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
