@@ -1,13 +1,14 @@
-// Numbers as text, written straight into a caller's buffer.
+// Printing numbers: shortest, rounded, whole and hexadecimal.
 #include "text/print_number.hpp"
 
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 
-#include "text/decimal.hpp"
-#include "text/digits.hpp"
-#include "text/sixteen_digits.hpp"
+#include "text/shortest_decimal.hpp"
 
 namespace tcb {
 namespace {
@@ -15,6 +16,18 @@ namespace {
 constexpr int longest_fixed = 311;  ///< of a double without decimals, with its sign and point
 
 constexpr double two_to_63 = 9223372036854775808.0;
+
+template <class Word>
+Word load(const char* text) {
+  Word bytes;
+  std::memcpy(&bytes, text, sizeof bytes);
+  return bytes;
+}
+
+template <class Word>
+void store(char* out, Word bytes) {
+  std::memcpy(out, &bytes, sizeof bytes);
+}
 
 /// Seventeen digits with the point after the first of them.
 struct Digits {
@@ -29,8 +42,8 @@ struct Digits {
   }
 };
 
-/// Requires: 16 or 17 digits.
-Digits digits_of(const SplitDecimal& decimal) {
+/// Requires: 16 or 17 digits. Inlined, so that they stay in registers.
+[[gnu::always_inline]] inline Digits digits_of(const SplitDecimal& decimal) {
   const bool missing = decimal.tens < 1'000'000'000'000'000;
   const SixteenDigits sixteen(choose(missing, decimal.tens * 10 + decimal.last, decimal.tens));
   const std::uint64_t last = choose(missing, 0, decimal.last);
@@ -92,13 +105,13 @@ char* write_sign(double value, char* out) {
   return out + (std::signbit(value) ? 1 : 0);
 }
 
-/// By the standard library, which knows all digits of a double.
+/// By the standard library, which writes all digits of a double.
 char* write_exactly(double value, std::chars_format notation, int precision, char* out) {
   return std::to_chars(out, out + longest_fixed + precision, value, notation, precision).ptr;
 }
 
-/// Numbers from 100000 up that are whole, below 0.001, or not finite, and those whose shortest decimal takes care.
-/// Requires: not 0; no sign. It is kept out of write_shortest, which is shorter without.
+/// Numbers from 100000 up that are whole, below 0.001, or not finite, and those for which shortest_if_easy() fails.
+/// Requires: not 0; no sign. Not inlined, so that write_shortest stays small.
 [[gnu::noinline]] char* write_unusual(double size, char* out) {
   if (!std::isfinite(size)) return std::to_chars(out, out + number_room, size).ptr;
   const auto decimal = shortest_if_easy(size);
@@ -116,6 +129,12 @@ char* write_bytes(double value, char* out) {
   auto bits = std::bit_cast<std::uint64_t>(value);
   for (int i = 0; i < 8; ++i, bits >>= 8) *out++ = static_cast<char>(bits & 0xFFU);
   return out;
+}
+
+template <class Value>
+void append(std::string& out, char* (*write)(Value, char*), const std::type_identity_t<Value>& value) {
+  std::array<char, number_room> text;
+  out.append(text.data(), write(value, text.data()));
 }
 
 }  // namespace
@@ -202,14 +221,14 @@ char* write_number(double value, const Notation& notation, char* out) {
   return write_shortest(value, out);
 }
 
-char* write_time(const spline::Time<double>& time, const Notation& notation, char* out) {
+char* write_time(const Time& time, const Notation& notation, char* out) {
   constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
   const bool plain =
       notation.kind == Notation::Kind::shortest || (notation.is_text() && std::abs(time.hi) >= whole_from);
   return plain ? write_time(time, out) : write_number(time.hi, notation, out);
 }
 
-char* write_time(const spline::Time<double>& time, char* out) {
+char* write_time(const Time& time, char* out) {
   if (!(time.hi >= -two_to_63 && time.hi <= two_to_63)) return write_shortest(time.hi, out);
   if (time.hi == two_to_63) {
     return write_whole((std::uint64_t{1} << 63) + static_cast<std::uint64_t>(static_cast<std::int64_t>(time.lo)), out);
@@ -220,6 +239,18 @@ char* write_time(const spline::Time<double>& time, char* out) {
   *out = '-';
   const auto bits = static_cast<std::uint64_t>(whole);
   return whole < 0 ? write_whole(-bits, out + 1) : write_whole(bits, out);
+}
+
+void append_number(std::string& out, double value) { append(out, write_shortest, value); }
+
+void append_time(std::string& out, const Time& time) { append(out, write_time, time); }
+
+void append_whole(std::string& out, std::uint64_t value) { append(out, write_whole, value); }
+
+std::string time_text(const Time& time) {
+  std::string out;
+  append_time(out, time);
+  return out;
 }
 
 }  // namespace tcb

@@ -1,18 +1,40 @@
-// Numbers as text, written straight into a caller's buffer.
+// Printing numbers: their notations, and their texts written straight into the caller's buffer.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
-#include "tcb/spline/scalar.hpp"
-#include "text/notation.hpp"
+#include "text/time.hpp"
 
 namespace tcb {
+
+/// How a number of the output is written.
+struct Notation {
+  enum class Kind {
+    shortest,  ///< the shortest text that reads back as the same double
+    digits,    ///< so many significant digits, as printf's %.*g
+    fixed,     ///< so many decimals, as printf's %.*f
+    hex,       ///< C's hexadecimal, as printf's %a
+    bytes,     ///< no text: the eight bytes of the double, the lowest first
+  };
+  Kind kind = Kind::shortest;
+  int count = 0;
+
+  /// Times that are whole numbers beyond 2^53 stay whole numbers, with all their digits.
+  bool is_text() const { return kind != Kind::bytes; }
+};
+
+/// So many digits tell every double from all others.
+inline constexpr int digits_of_double = 17;
+
+/// So many digits or decimals can be asked for.
+inline constexpr int most_digits = 100;
 
 /// The length of the longest text below but for the last two.
 inline constexpr std::size_t longest_number = 24;
 
-/// Bytes behind the longest text that may be written, too.
+/// Bytes after the longest text that may be written, too.
 inline constexpr std::size_t spare_room = 16;
 
 /// Room for both.
@@ -21,13 +43,13 @@ inline constexpr std::size_t number_room = longest_number + spare_room;
 /// The length of the longest number in a notation.
 std::size_t longest_number_in(const Notation& notation);
 
-/// Each function writes at out, where it needs number_room bytes, and answers the end of the text.
+/// Each function writes at out, where it needs number_room bytes, and returns the end of the text.
 
 /// The shortest text that reads back as the same double, as std::to_chars writes it.
 char* write_shortest(double value, char* out);
 
 /// A time: whole numbers below 2^63 with all their digits, others as write_shortest.
-char* write_time(const spline::Time<double>& time, char* out);
+char* write_time(const Time& time, char* out);
 
 char* write_whole(std::uint64_t value, char* out);
 
@@ -47,6 +69,13 @@ char* write_hex(double value, char* out);
 char* write_number(double value, const Notation& notation, char* out);
 
 /// A time in a notation. In text, a whole number from 2^53 up has all its digits.
-char* write_time(const spline::Time<double>& time, const Notation& notation, char* out);
+char* write_time(const Time& time, const Notation& notation, char* out);
+
+/// The same texts appended to a string.
+
+void append_number(std::string& out, double value);    ///< as write_shortest
+void append_time(std::string& out, const Time& time);  ///< as write_time
+void append_whole(std::string& out, std::uint64_t value);
+std::string time_text(const Time& time);
 
 }  // namespace tcb

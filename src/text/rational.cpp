@@ -10,7 +10,7 @@
 #include <string>
 
 #include "text/large_rational.hpp"
-#include "text/power_of_ten.hpp"
+#include "text/shortest_decimal.hpp"
 
 namespace tcb {
 namespace {

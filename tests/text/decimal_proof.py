@@ -1,6 +1,6 @@
-# Search for doubles and decimals that 128 bits of a power of ten cannot distinguish: there are none.
+# Search for doubles that 128 bits of a power of ten cannot distinguish: there are none.
 #
-# The product X = x g of src/text/decimal.hpp, without its lowest 64 bits, approximates Y = x 10^p 2^k >= X - x. The
+# The product X = x g of src/text/shortest_decimal.hpp, without its lowest 64 bits, approximates Y = x 10^p 2^k >= X - x. The
 # result is wrong only if X mod M < 2^64 for M the weight of the last bit that matters, and Y is not a multiple of M.
 # If g is exact to 64 bits (0 <= p <= 27) nothing is lost, and if |p| <= 18 Y is a fraction with a small denominator,
 # which keeps it farther away than that; all other p are searched, by the algorithm of Euclid.
@@ -75,15 +75,6 @@ def rounded():
                 yield from misleading(p, 1, 0, 2 ** (126 - unit), 2**53, 2**53)
 
 
-def nearest():
-    """No decimal of 64 bits may seem to be a double, or half between two: 54 bits."""
-    for p in range(-342, 309):
-        for bits in range(1, 65):
-            if not -20 <= p <= 27:
-                found = misleading(p, 1, 0, 2 ** (bits + 73), 2**bits, 2**bits - 1)
-                yield from (x for x in found if x >= 2 ** (bits - 1))
-
-
-for search in shortest, rounded, nearest:
+for search in shortest, rounded:
     assert list(search()) == [], search.__doc__
     print(search.__name__, "is proved")

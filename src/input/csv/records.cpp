@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
-#include "text/digits.hpp"
 #include "text/text_position.hpp"
 
 namespace tcb {
@@ -15,11 +15,16 @@ namespace {
 
 bool is_blank(char c) { return Dialect::is_blank(c); }
 
+/// Marks the first of eight bytes that is zero by its upper bit, and none before it; marks after it may be wrong.
+/// Source: H. S. Warren, Hacker's Delight, ch. 6.
+std::uint64_t zero_bytes(std::uint64_t bytes) { return (bytes - 0x0101010101010101) & ~bytes & 0x8080808080808080; }
+
 /// The first of three characters, or the end.
 const char* find_one(const char* at, const char* end, char a, char b, char c) {
   const auto eight = [](char each) { return std::uint64_t{0x0101010101010101} * static_cast<unsigned char>(each); };
   for (; end - at >= 8; at += 8) {
-    const auto bytes = load<std::uint64_t>(at);
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, at, sizeof bytes);
     const std::uint64_t found =
         zero_bytes(bytes ^ eight(a)) | zero_bytes(bytes ^ eight(b)) | zero_bytes(bytes ^ eight(c));
     if (found != 0) return at + std::countr_zero(found) / 8;

@@ -1,5 +1,5 @@
 // Numbers: every double and every whole time comes back from its text, and other text is refused.
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 #include <random>
 
 #include "text/doubles.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {
@@ -303,7 +304,7 @@ TEST(Numbers, zeros_in_front_and_at_the_end_do_not_count) {
   }
 }
 
-TEST(Numbers, no_character_beyond_the_text_is_looked_at) {
+TEST(Numbers, no_character_beyond_the_text_is_read) {
   for (const char* number : {"1", "0.5", "12345678", "1.2345678", "0.1234567890123456789", "1e5", "12.5e-10"}) {
     const std::string_view text(number);
     for (std::size_t size = 1; size <= text.size(); ++size) {
