@@ -1,7 +1,7 @@
 # Search for doubles that 128 bits of a power of ten cannot distinguish: there are none.
 #
-# The product X = x g of src/text/shortest_decimal.hpp, without its lowest 64 bits, approximates Y = x 10^p 2^k >= X - x. The
-# result is wrong only if X mod M < 2^64 for M the weight of the last bit that matters, and Y is not a multiple of M.
+# The product X = x g of src/text/shortest_decimal.hpp, without its lowest 64 bits, approximates Y = x 10^p 2^k >= X - x.
+# The result is wrong only if X mod M < 2^64 for M the weight of the last bit that matters, and Y is not a multiple of M.
 # If g is exact to 64 bits (0 <= p <= 27) nothing is lost, and if |p| <= 18 Y is a fraction with a small denominator,
 # which keeps it farther away than that; all other p are searched, by the algorithm of Euclid.
 import math
