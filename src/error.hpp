@@ -178,7 +178,25 @@ enum class ErrorCode {
   out_of_memory,
   unexpected,  ///< the message of a standard exception
   parameter_with_times,
-  // compare
+  // compare: errors
+  nothing_to_compare,         ///< columns of the samples, columns that could be compared
+  repeated_column,            ///< name
+  samples_without_places,     ///< columns of the samples, name of the time column
+  unnamed_sample_columns,     ///< number of columns, number of expected ones, their names
+  fields_without_places,      ///< about Option::fields
+  tolerance_of_other_column,  ///< column, columns that are compared; about the option of the tolerance
+  no_position_column,         ///< channels of the keys
+  no_samples_on_curve,        ///< with the problems that are the reasons
+  no_sample_numbers,
+  // compare: problems, which a report lists
+  missing_columns,     ///< names
+  unknown_columns,     ///< names
+  curve_without_rows,  ///< group, as NAME=VALUE
+  rows_without_keys,   ///< group, line of the first row
+  curve_counts,        ///< of the rows, of the keys, of both
+  times_off_curve,     ///< number of rows, line of the first one, its time, the nearest time of the curve
+  lengths_off_curve,   ///< the same of arc lengths
+  rows_without_place,  ///< number of rows, line of the first one
   // cli
 };
 

@@ -7,7 +7,7 @@
 #include "cli/options.hpp"
 #include "cli/reference.hpp"
 #include "cli/remedies.hpp"
-#include "compare/compare.hpp"
+#include "compare/report.hpp"
 #include "error.hpp"
 #include "io/file.hpp"
 #include "io/unfinished.hpp"
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   tcb::end_when_interrupted();
   try {
     const tcb::Invocation request = tcb::parse(argc, argv);
-    if (request.plan.comparison) return static_cast<int>(tcb::compare(request.plan));
+    if (request.plan.comparison) return static_cast<int>(tcb::compare(request.plan, tcb::error_message));
     if (!request.text) return static_cast<int>(tcb::resample(request.plan, {tcb::error_text, tcb::note_text}));
     print(*request.text);
     return static_cast<int>(tcb::Exit::done);

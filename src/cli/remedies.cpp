@@ -155,7 +155,37 @@ constexpr std::array all_words{
     Words{ErrorCode::parameter_with_times,
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "
           "other columns with --columns"},
-    // compare
+    // compare: errors
+    Words{ErrorCode::nothing_to_compare,
+          "nothing to compare: the columns are {0}; expected some of {1}; rename the columns"},
+    Words{ErrorCode::repeated_column, "two columns are called \"{0}\"; expected different names; rename one"},
+    Words{ErrorCode::samples_without_places,
+          "no column of times or arc lengths: the columns are {0}; expected {1}, or s for arc lengths; add one, or "
+          "rename "
+          "it"},
+    Words{ErrorCode::unnamed_sample_columns,
+          "{0} columns without names; expected {1}: {2}; name them in a first row, or list their fields with --fields"},
+    Words{ErrorCode::fields_without_places,
+          "{subject} has neither time nor s, the places of the samples; expected one of them; add it in the order of "
+          "the columns"},
+    Words{ErrorCode::tolerance_of_other_column,
+          "{subject}: no column \"{0}\" is compared; expected some of {1}; correct it"},
+    Words{ErrorCode::no_position_column, "no column of positions; expected at least one of {0}; rename it, or add one"},
+    Words{ErrorCode::no_samples_on_curve,
+          "no row is on the curve of the keys; expected at least one; give samples of the same curve"},
+    Words{ErrorCode::no_sample_numbers, "no row has a number to compare; expected at least one; give other samples"},
+    // compare: problems
+    Words{ErrorCode::missing_columns, "columns missing: {0}"},
+    Words{ErrorCode::unknown_columns, "columns of no field: {0}; give the fields to compare with --fields"},
+    Words{ErrorCode::curve_without_rows, "curve {0} has no rows"},
+    Words{ErrorCode::rows_without_keys, "curve {0} has no keys; its rows are in line {1} and below"},
+    Words{ErrorCode::curve_counts, "number of curves: {0} in the rows, {1} in the keys, {2} compared"},
+    Words{ErrorCode::times_off_curve,
+          "rows outside the curve: {0}; the first, in line {1}, has time {2}; the nearest time of the curve is {3}"},
+    Words{ErrorCode::lengths_off_curve,
+          "rows outside the curve: {0}; the first, in line {1}, has arc length {2}; the nearest one of the curve is "
+          "{3}"},
+    Words{ErrorCode::rows_without_place, "rows without a time or arc length: {0}; the first is in line {1}"},
     // cli
 };
 

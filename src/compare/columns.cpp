@@ -1,12 +1,8 @@
-// MatchedColumns: which column of someone's samples is which number of a row of ours.
-#include "compare/columns.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+// Columns: which column of the samples is which cell of a row of the curve.
 #include <algorithm>
 #include <numeric>
 
+#include "compare/inputs.hpp"
 #include "curve/fields.hpp"
 #include "error.hpp"
 
@@ -30,19 +26,14 @@ std::optional<std::size_t> find(const Names& names, const std::string& name) {
 
 bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(chosen, field) > 0; }
 
-[[noreturn]] void refuse(const SampleTable& table, const Names& known) {
-  throw Error(Exit::data, fmt::format("nothing to compare: its columns are {}; expected some of {}; rename them",
-                                      fmt::join(table.columns, ", "), fmt::join(known, ", ")));
-}
-
-/// Matches columns that have names.
+/// Matches columns by name.
 class Matcher {
  public:
   Matcher(const SampleTable& table, const Input& keys, const Fields& given)
       : table_(table), keys_(keys), given_(given) {}
 
   MatchedColumns match() {
-    require_once();
+    require_distinct_names();
     find_places();
     Fields candidates = given_;
     if (given_.empty()) {
@@ -52,16 +43,17 @@ class Matcher {
     for (const std::size_t field : candidates) {
       if (field != field_of("time") && !(result_.by_length && field == field_of("s"))) match_field(field);
     }
-    if (result_.compared.empty()) refuse(table_, names_of(candidates, keys_));
-    sort_out_the_rest();
+    if (result_.compared.empty()) {
+      throw Error(Exit::data, ErrorCode::nothing_to_compare, {table_.columns, names_of(candidates, keys_)});
+    }
+    classify_other_columns();
     return std::move(result_);
   }
 
  private:
-  void require_once() const {
+  void require_distinct_names() const {
     for (const std::string& name : table_.columns) {
-      if (std::ranges::count(table_.columns, name) == 1) continue;
-      throw Error(Exit::data, fmt::format("two columns are called \"{}\"; expected different names; rename one", name));
+      if (std::ranges::count(table_.columns, name) > 1) throw Error(Exit::data, ErrorCode::repeated_column, {name});
     }
   }
 
@@ -72,9 +64,11 @@ class Matcher {
     result_.by_length = s && (wants_s || !table_.timed);
     if (result_.by_length) result_.place = s;
     if (table_.timed || result_.by_length) return;
-    throw Error(Exit::data, fmt::format("its columns are {}; expected {}, or s for arc lengths, which say where the "
-                                        "samples are; add one, or rename it",
-                                        fmt::join(table_.columns, ", "), keys_.time));
+    throw Error(Exit::data, ErrorCode::samples_without_places, {table_.columns, keys_.time});
+  }
+
+  bool is_compared(std::size_t column) const {
+    return std::ranges::count(result_.compared, column, &MatchedColumn::given) > 0;
   }
 
   void match_field(std::size_t field) {
@@ -83,35 +77,29 @@ class Matcher {
     const std::size_t before = result_.compared.size();
     Names missing;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto theirs = find(table_.columns, names[i]);
-      const bool taken = theirs && std::ranges::any_of(result_.compared, [&](const MatchedColumn& other) {
-                           return other.theirs == *theirs;
-                         });
-      if (theirs && !taken)
-        result_.compared.push_back({names[i], *theirs, first + i});
+      const auto given = find(table_.columns, names[i]);
+      if (given && !is_compared(*given))
+        result_.compared.push_back({names[i], *given, first + i});
       else
         missing.push_back(names[i]);
     }
     const bool found = result_.compared.size() > before;
     if (found) result_.fields.push_back(field);
     if (missing.empty() || (given_.empty() && !found)) return;
-    result_.problems.push_back(fmt::format("columns missing: {}", fmt::join(missing, ", ")));
+    result_.problems.push_back({Exit::data, ErrorCode::missing_columns, {missing}});
   }
 
-  /// MatchedColumns of theirs without one of ours.
-  void sort_out_the_rest() {
+  /// The columns of the samples that match none of the curve are ignored where the fields are given.
+  void classify_other_columns() {
     Names unknown;
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-      const bool known = i == result_.place || std::ranges::count(result_.compared, i, &MatchedColumn::theirs) > 0;
-      if (!known) unknown.push_back(table_.columns[i]);
+      if (i != result_.place && !is_compared(i)) unknown.push_back(table_.columns[i]);
     }
-    result_.ignored = table_.left_out;
-    if (!given_.empty()) {
+    result_.ignored = table_.ignored;
+    if (!given_.empty())
       result_.ignored.insert(result_.ignored.end(), unknown.begin(), unknown.end());
-    } else if (!unknown.empty()) {
-      result_.problems.push_back(fmt::format(
-          "columns of no field: {}; --fields says which fields alone are to be compared", fmt::join(unknown, ", ")));
-    }
+    else if (!unknown.empty())
+      result_.problems.push_back({Exit::data, ErrorCode::unknown_columns, {unknown}});
   }
 
   const SampleTable& table_;
@@ -127,9 +115,7 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
   MatchedColumns result{chosen, {}, {}, false, {}, {}};
   const std::size_t skipped = table.timed ? 1 : 0;
   if (names.size() != table.columns.size() + skipped) {
-    throw Error(Exit::data, fmt::format("{} columns without names; expected {}: {}; name them in a first row, or say "
-                                        "with --fields what they are",
-                                        table.columns.size() + skipped, names.size(), fmt::join(names, ", ")));
+    throw Error(Exit::data, ErrorCode::unnamed_sample_columns, {table.columns.size() + skipped, names.size(), names});
   }
   const bool has_time = has(chosen, field_of("time"));
   const std::string place = has_time ? keys.time : "s";
@@ -141,9 +127,7 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
   }
   result.by_length = !has_time;
   if (table.timed || result.place) return result;
-  throw Error(Exit::usage,
-              "--fields names neither time nor s, which say where the samples are; expected one of them; "
-              "add it where its column is");
+  throw Error(Exit::usage, ErrorCode::fields_without_places).about(Option::fields);
 }
 
 }  // namespace

@@ -1,19 +1,26 @@
-// Reports: what a comparison came to, as text and as JSON.
+// Reports of comparisons as text and as JSON, and the comparison of two files from reading to report.
 #pragma once
 
 #include <string>
 
 #include "compare/check.hpp"
-#include "compare/identify.hpp"
+#include "compare/ranking.hpp"
 
 namespace tcb {
 
-/// For people, a line for each thing that is to be said.
-std::string text(const Check& check);
-std::string text(const Identified& identified);
+/// What turns problems into words.
+using ErrorWords = std::string (*)(const Error&);
+
+/// Lines for people.
+std::string text(const Check& check, ErrorWords words);
+std::string text(const Identification& identification, ErrorWords words);
 
 /// A JSON object.
-std::string json(const Check& check);
-std::string json(const Identified& identified);
+std::string json(const Check& check, ErrorWords words);
+std::string json(const Identification& identification, ErrorWords words);
+
+/// Compares and writes the report. Returns Exit::data where the samples do not agree with the curve.
+/// Requires: job.comparison. Throws: Error, naming the file.
+Exit compare(const Job& job, ErrorWords words);
 
 }  // namespace tcb

@@ -1,11 +1,13 @@
-// Conventions: orders and signs of tension, continuity and bias, and how conventions are asked for.
-#include "compare/convention.hpp"
-
+// Conventions: orders and signs of tension, continuity and bias, and the settings of conventions.
 #include <gmock/gmock.h>
+
+#include "compare/ranking.hpp"
 
 namespace tcb {
 namespace {
 
+using spline::EndRule;
+using spline::TangentRule;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -48,17 +50,31 @@ TEST(Conventions, are_all_rules_but_a_given_velocity) {
   EXPECT_EQ(conventions(1, true).size(), 2U * 7) << "a closed curve has no ends";
 }
 
-TEST(Conventions, are_asked_for_by_name) {
-  const Convention vtk{2, 4, 4, false, 0};
-  EXPECT_EQ(name_of(vtk, false), "tangents interval, ends zero");
+TEST(Conventions, the_most_usual_come_first) {
+  const auto all = conventions(2, false);
+  EXPECT_EQ(presets_of(all.front(), false).at(0), "gte");
+  EXPECT_EQ(all.back().order, 1U);
+  EXPECT_TRUE(all.back().equal_speed);
+}
+
+TEST(Conventions, have_settings_and_presets) {
+  const Convention vtk{TangentRule::interval, EndRule::zero, EndRule::zero, false, 0};
   EXPECT_THAT(presets_of(vtk, false), ElementsAre("vtk"));
-  EXPECT_THAT(presets_of({2, 4, 4, true, 0}, false), IsEmpty()) << "no preset makes speeds equal";
+  Convention equal_speed = vtk;
+  equal_speed.equal_speed = true;
+  EXPECT_THAT(presets_of(equal_speed, false), IsEmpty()) << "no preset makes speeds equal";
   const CurveSettings settings = settings_of(vtk, {}, false);
   EXPECT_EQ(settings.tangents, "interval");
   EXPECT_EQ(settings.ends, "zero");
   EXPECT_FALSE(settings_of(vtk, {}, true).ends);
-  EXPECT_EQ(name_of({2, 4, 0, false, 0}, false), "tangents interval, ends zero,half");
-  EXPECT_EQ(with_mixed_ends(vtk).size(), 9U * 8);
+}
+
+TEST(Conventions, may_have_different_rules_at_the_ends) {
+  const Convention mixed{TangentRule::interval, EndRule::zero, EndRule::half, false, 0};
+  EXPECT_EQ(ends_of(mixed), "zero,half");
+  EXPECT_THAT(presets_of(mixed, false), IsEmpty());
+  EXPECT_THAT(presets_of(mixed, true), testing::Contains("vtk")) << "a closed curve has no ends";
+  EXPECT_EQ(with_mixed_ends(mixed).size(), 9U * 8);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-// Conventions: in how many ways programs make a curve of the same keys.
-#include "compare/convention.hpp"
+// Conventions: the ways in which programs make a curve of the same keys, and their names as rules and presets.
 
 #include <algorithm>
 #include <set>
 
+#include "compare/ranking.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {
@@ -27,7 +27,7 @@ std::set<Triple> triples(const KeptCurves& kept) {
   return found;
 }
 
-/// All orders and signs, the plain one first and those with fewer signs before others.
+/// All orders and signs, by the number of negative signs; the plain one is the first.
 std::vector<TcbOrder> all_orders() {
   std::vector<TcbOrder> orders;
   for (const unsigned signs : {0U, 1U, 2U, 4U, 3U, 5U, 6U, 7U}) {
@@ -102,7 +102,6 @@ std::vector<Convention> with_mixed_ends(const Convention& convention) {
   return all;
 }
 
-/// RULE or RULE,RULE.
 std::string ends_of(const Convention& convention) {
   const std::string start(name_of(convention.start)), end(name_of(convention.end));
   return start == end ? start : start + "," + end;
@@ -113,12 +112,6 @@ CurveSettings settings_of(const Convention& convention, CurveSettings others, bo
   if (!closed) others.ends = ends_of(convention);
   others.equal_speed = convention.equal_speed;
   return others;
-}
-
-std::string name_of(const Convention& convention, bool closed) {
-  std::string text = "tangents " + std::string(name_of(convention.tangents));
-  if (!closed) text += ", ends " + ends_of(convention);
-  return text + (convention.equal_speed ? ", equal speed" : "");
 }
 
 std::vector<std::string> presets_of(const Convention& convention, bool closed) {

@@ -1,0 +1,100 @@
+// Inputs of a comparison: curves with their keys in memory, given samples, and the columns that match fields.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/job.hpp"
+#include "error.hpp"
+#include "input/input.hpp"
+
+namespace tcb {
+
+/// A curve whose keys can be read more than once.
+struct KeptCurve {
+  std::vector<std::string> group;
+  std::shared_ptr<const CurveInfo> curve_info;
+  std::vector<KeyBlock> blocks;
+
+  /// The curve has to outlive the source.
+  Source<KeyBlock> keys() const;
+  std::size_t key_count() const;
+};
+
+struct KeptCurves {
+  Input input;
+  std::vector<KeptCurve> curves;
+};
+
+/// The curves of the one input of a job. Throws: Error.
+KeptCurves keep(const Job& job);
+
+/// Given rows of one curve. Shapes: numbers has a number a column, row after row; a missing one is NaN.
+struct SampleRows {
+  std::vector<std::string> group;  ///< texts as in texts.hpp
+  std::vector<spline::Time<double>> times;
+  std::vector<double> numbers;
+  std::vector<std::uint64_t> lines;
+
+  std::size_t size() const { return lines.size(); }
+};
+
+/// A file of samples.
+struct SampleTable {
+  bool named = false;                ///< its columns have names
+  bool timed = false;                ///< it has times
+  std::string time;                  ///< name of their column
+  std::vector<std::string> columns;  ///< names of all other columns of numbers
+  std::vector<std::string> ignored;  ///< names of the columns of text
+  std::vector<SampleRows> curves;
+};
+
+/// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;
+/// the decimal mark is a comma where cells are separated by semicolons or tabs and no number has a point. `timeless`:
+/// the first column of a file without names is not the time. Throws: Error.
+SampleTable read_samples(const std::string& path, const Input& keys, bool timeless, unsigned threads);
+
+/// A column of the samples that is also one of the curve's rows.
+struct MatchedColumn {
+  std::string name;
+  std::size_t given;     ///< index into SampleTable::columns
+  std::size_t computed;  ///< index into the cells of a row with the chosen fields
+};
+
+struct MatchedColumns {
+  std::vector<std::size_t> fields;  ///< indices into fields(), whose cells make a row of the curve
+  std::vector<MatchedColumn> compared;
+  std::optional<std::size_t> place;  ///< index into SampleTable::columns: the places of the samples, if not the times
+  bool by_length = false;            ///< the places are arc lengths
+  std::vector<std::string> ignored;  ///< names of the columns that are not compared, on purpose
+  std::vector<Error> problems;       ///< of columns that are missing or unknown
+};
+
+/// Index into fields(). Requires: the name of a field.
+std::size_t field_of(std::string_view name);
+
+/// Matches columns with the given fields, or where none are given, with all fields whose columns the table names. A
+/// table without names has the columns of the given fields, or else the time and the positions.
+/// Throws: Error (data) where nothing can be compared.
+MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given);
+
+/// Both files of a comparison.
+struct ComparisonInputs {
+  KeptCurves kept;
+  SampleTable table;
+  MatchedColumns columns;
+  std::string keys, file;  ///< names of the files of keys and of samples for messages
+  unsigned threads = 1;
+
+  /// The column that holds the places of the samples.
+  std::string place_name() const { return columns.by_length ? "s" : kept.input.time; }
+};
+
+/// Reads both files and matches the columns; `fields` as for match_columns. Throws: Error, naming the file.
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& fields);
+
+}  // namespace tcb

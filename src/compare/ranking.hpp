@@ -1,0 +1,138 @@
+// Ranking: the conventions of programs, how precise given numbers are, and which conventions fit them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/check.hpp"
+#include "compare/inputs.hpp"
+#include "compare/match.hpp"
+#include "curve/settings.hpp"
+#include "tcb/spline/rules.hpp"
+
+namespace tcb {
+
+// conventions.cpp
+
+/// How a program takes tension, continuity and bias from the three numbers of a key: which of them, and its sign.
+struct TcbOrder {
+  std::array<std::size_t, 3> source{0, 1, 2};
+  std::array<bool, 3> negative{};
+
+  bool is_plain() const { return source == std::array<std::size_t, 3>{0, 1, 2} && negative == std::array<bool, 3>{}; }
+  spline::Tcb<double> of(const spline::Tcb<double>& tcb) const;
+  std::string name() const;  ///< such as "T,-B,C"
+};
+
+/// Orders that are equivalent for all keys count once, under the first of them.
+struct TcbOrders {
+  TcbOrder order;
+  std::vector<std::string> same;  ///< names of the others
+};
+
+/// Number of all orders and signs.
+inline constexpr std::size_t all_tcb_orders = 48;
+
+/// The orders that are different for these keys, the plain one first.
+std::vector<TcbOrders> distinct_orders(const KeptCurves& kept);
+
+/// A way to make a curve of keys.
+struct Convention {
+  spline::TangentRule tangents = spline::TangentRule::velocity;
+  spline::EndRule start = spline::EndRule::half, end = spline::EndRule::half;
+  bool equal_speed = false;
+  std::size_t order = 0;  ///< index into the distinct orders
+};
+
+/// All conventions with the same rule for both ends, the most usual first; closed curves have no ends.
+std::vector<Convention> conventions(std::size_t orders, bool closed);
+
+/// The same convention with all pairs of different rules for the two ends.
+std::vector<Convention> with_mixed_ends(const Convention& convention);
+
+/// The settings of a convention. Requires: `others` have no rules.
+CurveSettings settings_of(const Convention& convention, CurveSettings others, bool closed);
+
+/// RULE or RULE,RULE.
+std::string ends_of(const Convention& convention);
+
+/// Names of the presets that are this convention.
+std::vector<std::string> presets_of(const Convention& convention, bool closed);
+
+// precision.cpp
+
+/// Why a number may differ from the exact one, from the finest to the coarsest.
+enum class Precision : std::uint8_t { rounding, printed_digits, single };
+inline constexpr std::size_t precisions = 3;
+
+/// How far a number may be off for each precision; 0 where that cannot be the reason.
+using Allowance = std::array<double, precisions>;
+
+/// Allowances for the numbers of one column. Rounding: 2^-40 of the largest number of the column or of the keys,
+/// `size`. Printed digits: a unit in the last place that the column shows, in decimals or in significant digits.
+/// Single: 2^-20 of the largest, where no number has more than nine digits or all are single precision.
+std::vector<Allowance> allowances(std::span<const double> column, double size);
+
+/// Given rows of a curve, and how precise their numbers are.
+struct GivenSamples {
+  const KeptCurve* curve;
+  SampleRows rows;
+  std::vector<std::uint64_t> numbers;  ///< of these rows, from 1
+  std::vector<Allowance> allowances;   ///< of each compared column, row after row
+};
+
+std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonInputs& inputs);
+
+std::uint64_t count_rows(const std::vector<GivenSamples>& samples);
+
+/// An evenly spread subset of all rows; where there are many keys, of the rows on the first keys.
+struct Subset {
+  std::vector<GivenSamples> samples;
+  std::vector<KeptCurve> curves;  ///< the first keys of the curves that were cut
+  bool all = false;               ///< it has all rows
+};
+
+/// At most 1,000 rows, on 256 keys where the curve is open and has times, so that its beginning is a curve too.
+Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, bool open);
+
+// ranking.cpp
+
+/// A convention, and how well it agrees with the samples.
+struct Candidate {
+  Convention convention;
+  double largest = 0;                       ///< error of a position
+  std::array<double, precisions> excess{};  ///< the largest error in allowances of each precision
+  std::uint64_t rows_off = 0;               ///< rows with an error beyond all allowances
+  std::optional<Difference> first, worst;   ///< of the first of these rows; the largest of all
+};
+
+/// The candidates by agreement: those that fit and are equivalent here, the most usual first; then those that are off
+/// in a quarter of the rows at most, by the number of these rows; then the others; each by the largest error.
+struct Ranking {
+  std::vector<Candidate> candidates;
+  std::size_t fitting = 0;
+  std::optional<Precision> precision;  ///< the finest with which any fits
+};
+Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool closed);
+
+struct Identification : ComparisonSummary {
+  bool closed = false;
+  std::uint64_t rows = 0;              ///< number of rows compared
+  std::vector<TcbOrders> orders = {};  ///< the orders that are different for these keys
+  std::uint64_t conventions = 0;       ///< number of conventions compared
+  Ranking ranking = {};
+
+  bool fits() const { return ranking.precision.has_value(); }
+};
+
+/// Compares the positions with those of every convention. Where rows or keys are many, a subset of 1,000 rows and 256
+/// keys selects the 64 best conventions and all that fit, which are then compared with all rows. Throws: Error as
+/// check().
+Identification identify(const Job& job);
+
+}  // namespace tcb
