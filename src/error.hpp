@@ -25,7 +25,7 @@ struct TextPosition {
   std::uint64_t column = 0;
 };
 
-/// The options of the command line, as the subject of errors. Their names, texts and conflicts are in cli/options.
+/// The options of the command line, as the subject of errors, in the order of their rows in cli/options.
 enum class Option {
   none,
   // input
@@ -75,13 +75,13 @@ enum class Option {
   side,
   digits,
   fixed,
-  hex,
+  jobs,
   golden,
   exact_input,
   meta,
   from_meta,
+  hex,
   no_output_header,
-  jobs,
   // files
   output_dir,
   files,
@@ -198,6 +198,45 @@ enum class ErrorCode {
   lengths_off_curve,   ///< the same of arc lengths
   rows_without_place,  ///< number of rows, line of the first one
   // cli
+  wrong_command_line,  ///< in the words of CLI11
+  unknown_option,      ///< name, names of all options
+  option_repeated,
+  flag_with_value,  ///< name
+  value_missing,    ///< name
+  empty_value,
+  empty_file_name,
+  unknown_name,  ///< name, known names
+  expected_within_doubles,
+  expected_positive_ratio,
+  expected_ratio,
+  expected_ratios,
+  expected_rate,
+  expected_a_number,
+  unreadable_list,
+  expected_count,
+  expected_whole_number,  ///< text, least, most
+  expected_distance,
+  expected_tolerance,
+  expected_delimiter,
+  expected_decimal_mark,
+  expected_tcb,
+  expected_columns,
+  expected_name_part,
+  field_repeated,
+  options_exclude,   ///< both options, reason
+  option_needs,      ///< as options_exclude
+  option_idle_with,  ///< as options_exclude
+  option_idle,       ///< option, reason
+  no_sampling_option,
+  range_backwards,  ///< to, from
+  standard_input_twice,
+  comparison_of_several_files,  ///< number of files
+  line_end_in_provenance,
+  option_not_of_provenance,
+  file_in_provenance,
+  provenance_incomplete,
+  option_in_provenance,   ///< file with provenance
+  other_number_of_files,  ///< file with provenance, its number of inputs, the number given
 };
 
 /// A value that the words of an error show.

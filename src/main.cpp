@@ -5,7 +5,6 @@
 
 #include "app/pipeline.hpp"
 #include "cli/options.hpp"
-#include "cli/reference.hpp"
 #include "cli/remedies.hpp"
 #include "compare/report.hpp"
 #include "error.hpp"
@@ -31,10 +30,10 @@ int main(int argc, char** argv) {
   tcb::keep_standard_streams();
   tcb::end_when_interrupted();
   try {
-    const tcb::Invocation request = tcb::parse(argc, argv);
-    if (request.plan.comparison) return static_cast<int>(tcb::compare(request.plan, tcb::error_message));
-    if (!request.text) return static_cast<int>(tcb::resample(request.plan, {tcb::error_text, tcb::note_text}));
-    print(*request.text);
+    const tcb::Invocation invocation = tcb::parse(argc, argv);
+    if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job, tcb::error_message));
+    if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job, {tcb::error_text, tcb::note_text}));
+    print(*invocation.text);
     return static_cast<int>(tcb::Exit::done);
   } catch (const tcb::Error& error) {
     return refuse(error.exit(), error_text(error));

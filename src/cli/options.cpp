@@ -1,328 +1,322 @@
-// The command line: every option declared once.
+// Options: the table of names, texts, defaults and how each value is stored, in the order of the help.
 #include "cli/options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "cli/meta.hpp"
-#include "cli/plan.hpp"
-#include "cli/presets.hpp"
-#include "cli/reference.hpp"
-#include "cli/sampling.hpp"
-#include "error.hpp"
+#include "cli/validators.hpp"
+#include "sampling/extrapolation.hpp"
+#include "sampling/request.hpp"
+#include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-void declare_input(CLI::App& app, TypedOptions& typed) {
-  app.add_option("FILE", typed.files, "Files of keys; without any, or for -, standard input")->group("");
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Input");
-  };
-  const auto flag = [&](const char* name, bool& value, const char* text) {
-    return app.add_flag(name, value, text)->group("Input");
-  };
-  option("-i,--input-format", typed.input_format,
-         "csv, tsv, ssv (runs of blanks), json or jsonl; by default what the file's ending says, else JSON if the text "
-         "begins with [ or {, else delimited text")
-      ->type_name("FORMAT");
-  option("-d,--delimiter", typed.delimiter,
-         "Between cells: one character, or tab, comma, semicolon, space or pipe; by default the first of tab, ; , and "
-         "blank that the first record has")
-      ->type_name("CHAR");
-  flag("--header", typed.header, "The first record names the columns; by default it does if a cell in it is no number");
-  flag("--no-header", typed.no_header, "The first record is a key");
-  option("--comment", typed.comment, "Lines that begin with this are skipped; default #; none: no line is")
-      ->type_name("PREFIX");
-  option("--columns", typed.columns,
-         "Which columns are what, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label; by "
-         "default by the header, or without one the time first and positions after it")
-      ->type_name("ROLE=NAME,...");
-  option("--tcb", typed.tcb, "Tension, continuity and bias of keys that carry none; default 0,0,0")->type_name("T,C,B");
-  option("--decimal", typed.decimal, "The mark before the decimals of numbers: . (default) or , (a comma)")
-      ->type_name("MARK");
-}
+using Typed = TypedOptions;
+using Text = const std::string&;
+using enum ValueKind;
 
-void declare_curves(CLI::App& app, TypedOptions& typed) {
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Input");
-  };
-  option("-g,--group", typed.group,
-         "Rows with the same values in these columns make a curve, in any order; the columns are repeated in front of "
-         "its samples")
-      ->type_name("COL[,COL]");
-  option(
-      "--missing", typed.missing,
-      "What becomes of a cell that is empty, NA, nan or null: error (default); skip-row leaves the key out; skip-cell "
-      "takes that channel through its other keys; break begins a new curve behind it")
-      ->type_name("WAY");
-  option(
-      "--duplicates", typed.duplicates,
-      "What becomes of keys with equal times: error (default); first or last keeps that one; break begins a new curve "
-      "with the second")
-      ->type_name("WAY");
-  app.add_flag("--sort", typed.sort, "Keys are sorted by time first; those of equal times stay as they came")
-      ->group("Input");
-}
+struct ParameterName {
+  std::string_view name;
+};
+constexpr std::array parameter_names{ParameterName{"uniform"}, ParameterName{"chordal"}, ParameterName{"centripetal"}};
 
-void declare_curve(CLI::App& app, TypedOptions& typed) {
-  CurveSettings& curve = typed.curve;
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Curve");
-  };
-  const auto flag = [&](const char* name, auto& value, const char* text) {
-    return app.add_flag(name, value, text)->group("Curve");
-  };
-  option("--preset", curve.preset, "Tangents and ends as a product has them, see --list-presets; default gte")
-      ->type_name("NAME");
-  option("--tangents", curve.tangents, "The rule for the tangents at inner keys, instead of the preset's")
-      ->type_name("RULE");
-  option("--ends", curve.ends,
-         "The rule for the outer tangents at the first and the last key, one or one for each, instead of the preset's; "
-         "velocity=V:V... gives a velocity, a number for each channel")
-      ->type_name("RULE[,RULE]");
-  flag("--closed", typed.closed,
-       "The curve goes on from the last key to the first; a last key that repeats the first "
-       "position only says when");
-  option("--period", curve.period, "How long a closed curve takes to be back at its first key; implies --closed")
-      ->type_name("P");
-  flag("--equal-speed", curve.equal_speed, "The two tangents of a key are made equally fast, also where C is not 0");
-  option("--parameter", curve.parameter,
-         "Makes times for keys without any: uniform (default), chordal, centripetal, or the exponent of the distances")
-      ->type_name("NAME");
-  option("--metric", curve.metric, "The channels that lengths and speeds are over, by name or number; default: all")
-      ->type_name("CHANNEL,...");
-  flag("--no-ease", curve.no_ease, "Columns ease_in and ease_out do not count");
-  option("--extrapolate", curve.extrapolate,
-         "What stands for times outside the curve: error (default), hold, linear, repeat, offset or oscillate")
-      ->type_name("WAY");
-}
+struct SideName {
+  std::string_view name;
+  bool left;
+};
+constexpr std::array side_names{SideName{"right", false}, SideName{"left", true}};
 
-void declare_sampling(CLI::App& app, TypedOptions& typed) {
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Sampling");
-  };
-  option("-s,--step", typed.step, "Samples every H of time from the first key; H is a decimal or a ratio such as 1/24")
-      ->type_name("H");
-  option("--rate,--fps", typed.rate, "Samples this often per unit of time: a step of exactly 1/HZ")->type_name("HZ");
-  option("-n,--count", typed.count, "N samples equally spaced in time, the first and the last key among them")
-      ->type_name("N");
-  option("--segments", typed.segments, "N equal intervals of time, so N+1 samples")->type_name("N");
-  option("--per-segment", typed.per_segment, "N equal intervals in every segment between two keys")->type_name("N");
-  option("--at", typed.at, "These times, in this order; @FILE: those in a file, apart by blanks, commas or lines")
-      ->type_name("T,...");
-  option("-a,--arc-step", typed.arc_step, "Samples every H of arc length from the first key")->type_name("H");
-  option("--arc-count", typed.arc_count, "N samples equally spaced in arc length, both ends among them")
-      ->type_name("N");
-  option("--arc-at", typed.arc_at, "These arc lengths, in this order; @FILE: those in a file")->type_name("S,...");
-  option("--tolerance", typed.tolerance,
-         "The fewest samples whose polyline stays within D of the curve, over the metric channels")
-      ->type_name("D");
-  option("--from", typed.from,
-         "Where sampling begins, in time, or in arc length for the arc modes; default: the first key")
-      ->type_name("T");
-  option("--to", typed.to, "Where sampling ends; default: the last key")->type_name("T");
-}
+constexpr std::string_view input = "Input", curve = "Curve", sampling = "Sampling", output = "Output",
+                           files = "Many files", comparison = "Comparison", about = "About";
 
-void declare_range(CLI::App& app, TypedOptions& typed) {
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Sampling");
-  };
-  option(
-      "--end", typed.end,
-      "Where steps do not meet the end: drop (default) stops before it; keep adds it after a shorter step; fit takes "
-      "the nearest whole number of equal steps, fit-down the largest steps that are not larger, fit-up the smallest "
-      "that are not smaller")
-      ->type_name("POLICY");
-  app.add_flag("--keys", typed.keys, "Every key is a sample too; one within a billionth of a step gives way to it")
-      ->group("Sampling");
-  option("--max-rows", typed.max_rows, "Refuses to make more samples than this; default 1e9")->type_name("N");
-}
+/// The option changes the rows, so it is part of their provenance.
+constexpr bool recorded = true, unrecorded = false;
 
-void declare_output(CLI::App& app, TypedOptions& typed) {
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Output");
-  };
-  option("-o,--output", typed.output, "Writes to FILE, which appears when it is complete; -: standard output")
-      ->type_name("FILE");
-  option("-f,--output-format", typed.output_format, "csv (default), tsv, ssv, json, jsonl, or npy (an array for NumPy)")
-      ->type_name("FORMAT");
-  option("--fields", typed.fields,
-         "What a row shows, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
-         "curvature, torsion, segment, u, key, arc_error; default time,position")
-      ->type_name("FIELD,...");
-  option(
-      "--side", typed.side,
-      "At a key, what differs from one side to the other is that of the segment behind it, right (default), or before "
-      "it, left")
-      ->type_name("SIDE");
-  option("--digits", typed.digits,
-         "Numbers have N significant digits, 1 to 17, or with --golden to 100; the default is the shortest text that "
-         "reads back as the same double")
-      ->type_name("N");
-  option("--fixed", typed.fixed, "Numbers have N decimals, 0 to 100")->type_name("N");
-  option("-j,--jobs", typed.jobs,
-         "How many threads to use; default one a core, and a single one for a live pipe. The bytes are the same for "
-         "every N")
-      ->type_name("N");
-  const auto flag = [&](const char* name, bool& value, const char* text) {
-    return app.add_flag(name, value, text)->group("Output");
-  };
-  flag("--golden", typed.golden, "Every number is the exact one, rounded once; slow");
-  flag("--exact-input", typed.exact_input,
-       "With --golden, a decimal in the input is that decimal, not the double nearest to it");
-  flag("--meta", typed.meta,
-       "Provenance goes with the rows: version, rules, options, SHA-256 of the input, and counts, as comment lines or "
-       "in "
-       "JSON as an object");
-  option("--from-meta", typed.from_meta, "Makes FILE, an output with provenance, again: takes all options from it")
-      ->type_name("FILE");
-  flag("--hex", typed.hex, "Numbers are C's hexadecimal, as 0x1.8p+1, which strtod reads back bit for bit");
-  flag("--no-output-header", typed.no_output_header, "No names above the rows; the default where the input has none");
-}
+constexpr std::array<OptionRow, option_count> table{{
+    {Option::input_format, "-i,--input-format", "FORMAT", input,
+     "csv, tsv, ssv (separated by whitespace), json or jsonl; by default the format of the file's ending, else JSON if "
+     "the text begins with [ or {, else delimited text",
+     "", name, recorded, [](Typed& to, Text text) { to.job.input.format = input_format(text); },
+     input_format_names},
+    {Option::delimiter, "-d,--delimiter", "CHAR", input,
+     "The separator of cells: one character, or tab, comma, semicolon, space or pipe; by default the first of tab, ; , "
+     "and blank that the first record has",
+     "", other, recorded, [](Typed& to, Text text) { to.job.input.delimiter = delimiter(text); }},
+    {Option::header, "--header", "", input,
+     "The first record names the columns; by default it does if a cell in it is not a number", "", flag, recorded,
+     [](Typed& to, Text) { to.job.input.header = true; }},
+    {Option::no_header, "--no-header", "", input, "The first record is a key", "", flag, recorded,
+     [](Typed& to, Text) { to.job.input.header = false; }},
+    {Option::comment, "--comment", "PREFIX", input, "Skips lines that begin with PREFIX; none: skips no line", "#",
+     other, recorded, [](Typed& to, Text text) { to.job.input.comment = text == "none" ? "" : text; }},
+    {Option::columns, "--columns", "ROLE=NAME,...", input,
+     "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label; by default "
+     "from the header, or without one the time first and positions after it",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       auto roles = parse_roles(text);
+       to.job.input.roles.insert(to.job.input.roles.begin(), roles.begin(), roles.end());
+     }},
+    {Option::tcb, "--tcb", "T,C,B", input, "Tension, continuity and bias of keys that have none", "0,0,0", other,
+     recorded, [](Typed& to, Text text) { to.job.input.tcb = tcb_values(text); }},
+    {Option::decimal, "--decimal", "MARK", input, "The decimal mark of numbers, a point or a comma", ".", other,
+     recorded, [](Typed& to, Text text) { to.job.input.decimal = decimal_mark(text); }},
+    {Option::group, "-g,--group", "COL[,COL]", input,
+     "Rows with the same values in these columns make a curve, in any order; the columns are repeated in front of its "
+     "samples",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       to.job.input.roles.push_back({Role::group, column_list(text), "--group"});
+     }},
+    {Option::missing, "--missing", "POLICY", input,
+     "For a cell that is empty, NA, nan or null: error refuses it; skip-row leaves the key out; skip-cell interpolates "
+     "that channel through its other keys; break begins a new curve after it",
+     "error", name, recorded,
+     [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).way; },
+     names_in<missing_names>},
+    {Option::duplicates, "--duplicates", "POLICY", input,
+     "For keys with equal times: error refuses them; first or last keeps that one; break begins a new curve with the "
+     "second",
+     "error", name, recorded,
+     [](Typed& to, Text text) { to.job.curves.duplicates = named_row(duplicates_names, text).value; },
+     names_in<duplicates_names>},
+    {Option::sort, "--sort", "", input, "Sorts keys by time first; those of equal times keep their order", "", flag,
+     recorded, [](Typed& to, Text) { to.job.curves.sort = true; }},
 
-void declare_batch(CLI::App& app, TypedOptions& typed) {
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Many files");
-  };
-  const auto flag = [&](const char* name, bool& value, const char* text) {
-    return app.add_flag(name, value, text)->group("Many files");
-  };
-  option("--output-dir", typed.output_dir, "Writes a file for each input into this folder, with the format's ending")
-      ->type_name("DIR");
-  option("--files", typed.list, "More files, one a line of LIST; -: standard input")->type_name("LIST");
-  flag("-0,--null", typed.nul, "The names in LIST end in NUL, not in a new line");
-  flag("--recursive", typed.recursive,
-       "A folder stands for the files below it that end as a format does, or with --input-format for all; the tree is "
-       "mirrored in DIR");
-  option("--suffix", typed.suffix, "What to append to the outputs' names, before the ending")->type_name("S");
-  flag("--update", typed.update, "Only files that are newer than their outputs, or have none");
-  flag("--fail-fast", typed.fail_fast, "Stops at the first file that fails; without it the others are finished");
-}
+    {Option::preset, "--preset", "NAME", curve, "Tangents and ends as in a product, see --list-presets", "gte", name,
+     recorded, [](Typed& to, Text text) { to.job.curve.preset = named_row(spline::presets, text).name; },
+     names_in<spline::presets>},
+    {Option::tangents, "--tangents", "RULE", curve,
+     "The rule for the tangents at inner keys, instead of the preset's", "", name, recorded,
+     [](Typed& to, Text text) { to.job.curve.tangents = named_row(spline::tangent_rules<double>, text).name; },
+     names_in<spline::tangent_rules<double>>},
+    {Option::ends, "--ends", "RULE[,RULE]", curve,
+     "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's; "
+     "velocity=V:V... gives a velocity, a number for each channel",
+     "", name, recorded, [](Typed& to, Text text) { to.job.curve.ends = text; }, names_in<spline::end_rules<double>>},
+    {Option::closed, "--closed", "", curve,
+     "The curve continues from the last key to the first; a last key that repeats the first position gives the time of "
+     "the return only",
+     "", flag, recorded, [](Typed& to, Text) { to.job.curve.closed = true; }},
+    {Option::period, "--period", "P", curve,
+     "The time that a closed curve takes to return to its first key; implies --closed", "", other, recorded,
+     [](Typed& to, Text text) { to.job.curve.period = text; }},
+    {Option::equal_speed, "--equal-speed", "", curve,
+     "Makes the two tangents of a key equally fast, also where C is not 0", "", flag, recorded,
+     [](Typed& to, Text) { to.job.curve.equal_speed = true; }},
+    {Option::parameter, "--parameter", "NAME", curve,
+     "Makes times for keys without any: uniform, chordal, centripetal, or the exponent of the distances", "uniform",
+     name, recorded, [](Typed& to, Text text) { to.job.curve.parameter = text; }, names_in<parameter_names>},
+    {Option::metric, "--metric", "CHANNEL,...", curve,
+     "The channels that lengths and speeds are measured over, by name or number; by default all", "", other, recorded,
+     [](Typed& to, Text text) { to.job.curve.metric = text; }},
+    {Option::no_ease, "--no-ease", "", curve, "Ignores the columns ease_in and ease_out", "", flag, recorded,
+     [](Typed& to, Text) { to.job.curve.no_ease = true; }},
+    {Option::extrapolate, "--extrapolate", "RULE", curve,
+     "The curve at times outside it: error refuses them, hold, linear, repeat, offset or oscillate", "error", name,
+     recorded, [](Typed& to, Text text) { to.job.curve.extrapolate = named_row(extrapolations, text).name; },
+     names_in<extrapolations>},
 
-void declare_comparison(CLI::App& app, TypedOptions& typed) {
-  const auto option = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Comparison");
-  };
-  option("--check", typed.check,
-         "Compares the samples in FILE, from anywhere, with the curve at their times, or arc lengths s, and prints a "
-         "report; exit code 1 where they differ")
-      ->type_name("FILE");
-  option("--abs", typed.abs, "With --check: numbers may be this far apart, in all columns or in one, as in x=1e-6")
-      ->type_name("[COL=]D,...")
-      ->join(',');
-  option("--rel", typed.rel, "The same in parts of the curve's number")->type_name("[COL=]D,...")->join(',');
-  option("--ulp", typed.ulp, "The same in doubles from one to the other; default 0, so equality")
-      ->type_name("[COL=]N,...")
-      ->join(',');
-  option("--identify", typed.identify,
-         "Says which tangents, ends, speeds, and order and signs of T, C, B made the positions in FILE, with a ranked "
-         "table; exit code 1 if none did")
-      ->type_name("FILE");
-}
+    {Option::step, "-s,--step", "H", sampling,
+     "Samples every H of time from the first key; H is a decimal or a ratio such as 1/24", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::step;
+       to.job.sampling.step = positive_ratio(text);
+     }},
+    {Option::rate, "--rate,--fps", "HZ", sampling, "HZ samples per unit of time: a step of exactly 1/HZ", "", other,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::step;
+       to.job.sampling.step = step_of_rate(text);
+     }},
+    {Option::count, "-n,--count", "N", sampling,
+     "N samples equally spaced in time, the first and the last key among them", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::count;
+       to.job.sampling.count = positive_count(text);
+     }},
+    {Option::segments, "--segments", "N", sampling, "N equal intervals of time, so N+1 samples", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::segments;
+       to.job.sampling.count = positive_count(text);
+     }},
+    {Option::per_segment, "--per-segment", "N", sampling, "N equal intervals in every segment between two keys", "",
+     other, recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::per_segment;
+       to.job.sampling.count = positive_count(text);
+     }},
+    {Option::at, "--at", "T,...", sampling,
+     "These times, in this order; @FILE: those in a file, separated by whitespace, commas or lines", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.texts[index_of(Option::at)] = listed_numbers(text);
+       to.job.sampling.mode = Mode::at;
+       to.job.sampling.places = ratios(to.text(Option::at));
+     }},
+    {Option::arc_step, "-a,--arc-step", "H", sampling, "Samples every H of arc length from the first key", "", other,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::arc_step;
+       to.job.sampling.step = positive_ratio(text);
+     }},
+    {Option::arc_count, "--arc-count", "N", sampling,
+     "N samples equally spaced in arc length, both ends among them", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::arc_count;
+       to.job.sampling.count = positive_count(text);
+     }},
+    {Option::arc_at, "--arc-at", "S,...", sampling, "These arc lengths, in this order; @FILE: those in a file", "",
+     other, recorded,
+     [](Typed& to, Text text) {
+       to.texts[index_of(Option::arc_at)] = listed_numbers(text);
+       to.job.sampling.mode = Mode::arc_at;
+       to.job.sampling.places = ratios(to.text(Option::arc_at));
+     }},
+    {Option::tolerance, "--tolerance", "D", sampling,
+     "The fewest samples whose polyline stays within D of the curve, over the metric channels", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::tolerance;
+       to.job.sampling.tolerance = positive_distance(text);
+     }},
+    {Option::from, "--from", "T", sampling,
+     "Where sampling begins, in time, or in arc length for the arc modes; by default the first key", "", other,
+     recorded, [](Typed& to, Text text) { to.job.sampling.from = ratio(text); }},
+    {Option::to, "--to", "T", sampling, "Where sampling ends; by default the last key", "", other, recorded,
+     [](Typed& to, Text text) { to.job.sampling.to = ratio(text); }},
+    {Option::end, "--end", "POLICY", sampling,
+     "Where the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit takes the "
+     "nearest whole number of equal steps, fit-down the largest equal steps of at most H, fit-up the smallest of at "
+     "least H",
+     "drop", name, recorded,
+     [](Typed& to, Text text) { to.job.sampling.end = named_row(end_policies, text).policy; },
+     names_in<end_policies>},
+    {Option::keys, "--keys", "", sampling,
+     "Every key is a sample too; a sample within a billionth of a step of a key is replaced by it", "", flag, recorded,
+     [](Typed& to, Text) { to.job.sampling.keys = true; }},
+    {Option::max_rows, "--max-rows", "N", sampling, "Refuses to make more samples than N", "1e9", other, recorded,
+     [](Typed& to, Text text) { to.job.sampling.max_rows = whole_number(text, 1, INT64_MAX); }},
 
-void declare_about(CLI::App& app, TypedOptions& typed) {
-  app.add_flag("--explain", typed.explain, "Says what was found and would be done, without samples")->group("About");
-  app.add_flag("--progress", typed.progress,
-               "Shows on a terminal how far the work is, once it takes a second, also where rows go to it; by default "
-               "where they do not")
-      ->group("About");
-  app.add_flag("--no-progress", typed.no_progress, "Does not show how far the work is")->group("About");
-  app.add_flag("-q,--quiet", typed.quiet, "Nothing but errors on standard error")->group("About");
-  app.add_option("--generate", typed.generate,
-                 "Prints the manual page, or completions for a shell: man, bash, zsh or fish")
-      ->type_name("KIND")
-      ->group("About");
-  app.add_flag("--list-presets", typed.list_presets, "Prints the presets and the rules with their formulas")
-      ->group("About");
-  app.add_flag("-V,--version", typed.version, "Prints the version")->group("About");
-  app.add_flag("-h,--help", typed.help, "Prints this help")->group("About");
-}
+    {Option::output, "-o,--output", "FILE", output,
+     "Writes to FILE, which appears when it is complete; -: standard output", "", file, unrecorded,
+     [](Typed& to, Text text) { to.job.output = text; }},
+    {Option::output_format, "-f,--output-format", "FORMAT", output,
+     "csv, tsv, ssv, json, jsonl, or npy (an array for NumPy)", "csv", name, recorded,
+     [](Typed& to, Text text) { to.job.output_format = output_format(text); }, output_format_names},
+    {Option::fields, "--fields", "FIELD,...", output,
+     "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
+     "curvature, torsion, segment, u, key, arc_error",
+     "time,position", name, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); }, field_names},
+    {Option::side, "--side", "SIDE", output,
+     "Which segment's values a row at a key has where they differ: right, the segment after the key, or left, the one "
+     "before",
+     "right", name, recorded,
+     [](Typed& to, Text text) { to.job.sampling.from_left = named_row(side_names, text).left; },
+     names_in<side_names>},
+    {Option::digits, "--digits", "N", output,
+     "Numbers have N significant digits, 1 to 17, or with --golden to 100; by default the shortest text that reads "
+     "back as the same double",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.notation = {Notation::Kind::digits, digit_count(text, 1)}; }},
+    {Option::fixed, "--fixed", "N", output, "Numbers have N decimals, 0 to 100", "", other, recorded,
+     [](Typed& to, Text text) { to.notation = {Notation::Kind::fixed, digit_count(text, 0)}; }},
+    {Option::jobs, "-j,--jobs", "N", output,
+     "The number of threads; by default one per core, and a single one for a live pipe. The bytes are the same for "
+     "every N",
+     "", other, unrecorded,
+     [](Typed& to, Text text) { to.job.jobs = static_cast<unsigned>(whole_number(text, 1, 1024)); }},
+    {Option::golden, "--golden", "", output, "Every number is the exact one, rounded once; slow", "", flag, recorded,
+     [](Typed&, Text) {}},
+    {Option::exact_input, "--exact-input", "", output,
+     "With --golden, a decimal in the input is that decimal, not the double nearest to it", "", flag, recorded,
+     [](Typed&, Text) {}},
+    {Option::meta, "--meta", "", output,
+     "Adds provenance to the rows: version, rules, options, SHA-256 of the input, and counts, as comment lines or in "
+     "JSON as an object",
+     "", flag, recorded, [](Typed&, Text) {}},
+    {Option::from_meta, "--from-meta", "FILE", output,
+     "Makes FILE, an output with provenance, again: takes all options from it", "", file, unrecorded,
+     [](Typed&, Text) {}},
+    {Option::hex, "--hex", "", output,
+     "Numbers are C's hexadecimal, as 0x1.8p+1, which strtod reads back bit for bit", "", flag, recorded,
+     [](Typed& to, Text) { to.notation = {Notation::Kind::hex}; }},
+    {Option::no_output_header, "--no-output-header", "", output,
+     "No names above the rows; the default where the input has none", "", flag, recorded,
+     [](Typed& to, Text) { to.job.output_header = false; }},
 
-/// CLI11's complaint as one of ours: what is wrong, and the remedy.
-[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error, const CLI::App& parsed) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
-    for (const auto& name : option->get_snames()) names.push_back("-" + name);
-  }
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  const auto unknown = parsed.remaining();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unknown.empty()) {
-    const std::string name = unknown.front().substr(0, unknown.front().find('='));
-    throw Error(Exit::usage, "unknown option " + name + did_you_mean(name, known) + " (--help lists all options)");
-  }
-  const std::string what = error.what();
-  if (const std::size_t at = what.find(": At Most 1 required but received"); at != std::string::npos) {
-    throw Error(Exit::usage, what.substr(0, at) + " is there more than once; expected it once; take one out");
-  }
-  if (const std::size_t at = what.find(" was given a disallowed flag override"); at != std::string::npos) {
-    throw Error(Exit::usage, "--" + what.substr(0, at) + " takes no value; take it out");
-  }
-  throw Error(Exit::usage, what + "; see --help");
-}
+    {Option::output_dir, "--output-dir", "DIR", files,
+     "Writes a file for each input into this folder, with the format's ending", "", folder, unrecorded,
+     [](Typed& to, Text text) { to.job.output_folder = text; }},
+    {Option::files, "--files", "LIST", files, "More files, one a line of LIST; -: standard input", "", file,
+     unrecorded, [](Typed& to, Text text) { to.job.batch.list = text; }},
+    {Option::null, "-0,--null", "", files, "The names in LIST end in NUL, not in a line end", "", flag, unrecorded,
+     [](Typed& to, Text) { to.job.batch.nul = true; }},
+    {Option::recursive, "--recursive", "", files,
+     "Takes from a folder the files below it that have the ending of a format, or with --input-format all; the tree is "
+     "mirrored in DIR",
+     "", flag, unrecorded, [](Typed& to, Text) { to.job.batch.recursive = true; }},
+    {Option::suffix, "--suffix", "S", files, "Appends S to the outputs' names, before the ending", "", other,
+     unrecorded, [](Typed& to, Text text) { to.job.batch.suffix = name_part(text); }},
+    {Option::update, "--update", "", files, "Only files that are newer than their outputs, or have none", "", flag,
+     unrecorded, [](Typed& to, Text) { to.job.batch.update = true; }},
+    {Option::fail_fast, "--fail-fast", "", files,
+     "Stops at the first file that fails; without it the others are finished", "", flag, unrecorded,
+     [](Typed& to, Text) { to.job.batch.fail_fast = true; }},
+
+    {Option::check, "--check", "FILE", comparison,
+     "Compares the samples in FILE, from any program, with the curve at their times, or arc lengths s, and prints a "
+     "report; exit code 1 where they differ",
+     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
+    {Option::abs, "--abs", "[COL=]D,...", comparison,
+     "With --check: the largest distance of two numbers, in all columns or in one, as in x=1e-6", "", other, recorded,
+     [](Typed& to, Text text) { to.comparison.abs = tolerances(text); }},
+    {Option::rel, "--rel", "[COL=]D,...", comparison, "The same as a fraction of the curve's number", "", other,
+     recorded, [](Typed& to, Text text) { to.comparison.rel = tolerances(text); }},
+    {Option::ulp, "--ulp", "[COL=]N,...", comparison,
+     "The same in units in the last place, the doubles from one number to the other; default 0, so equality", "", other,
+     recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }},
+    {Option::identify, "--identify", "FILE", comparison,
+     "Finds which tangents, ends, speeds, and order and signs of T, C, B made the positions in FILE, and prints a "
+     "ranked table; exit code 1 if none did",
+     "", file, recorded,
+     [](Typed& to, Text text) {
+       to.comparison.file = text;
+       to.comparison.identify = true;
+     }},
+
+    {Option::explain, "--explain", "", about, "Prints what was found and would be done, without samples", "", flag,
+     recorded, [](Typed& to, Text) { to.job.explain = true; }},
+    {Option::progress, "--progress", "", about,
+     "Shows the progress on a terminal once the work takes a second, also where the rows go to it; by default only "
+     "where they do not",
+     "", flag, unrecorded, [](Typed&, Text) {}},
+    {Option::no_progress, "--no-progress", "", about, "Does not show the progress", "", flag, unrecorded,
+     [](Typed&, Text) {}},
+    {Option::quiet, "-q,--quiet", "", about, "Nothing but errors on standard error", "", flag, unrecorded,
+     [](Typed& to, Text) { to.job.verbosity.quiet = true; }},
+    {Option::generate, "--generate", "KIND", about,
+     "Prints the manual page, or completions for a shell: man, bash, zsh or fish", "", name, unrecorded,
+     [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; }, names_in<generated_names>},
+    {Option::list_presets, "--list-presets", "", about, "Prints the presets and the rules with their formulas", "",
+     flag, unrecorded, [](Typed&, Text) {}},
+    {Option::version, "-V,--version", "", about, "Prints the version", "", flag, unrecorded, [](Typed&, Text) {}},
+    {Option::help, "-h,--help", "", about, "Prints this help", "", flag, unrecorded, [](Typed&, Text) {}},
+}};
 
 }  // namespace
 
-std::unique_ptr<CLI::App> declare(TypedOptions& typed) {
-  auto app = std::make_unique<CLI::App>("Resamples curves through keys with tension, continuity and bias", "tcbsample");
-  app->set_help_flag();
-  declare_input(*app, typed);
-  declare_curves(*app, typed);
-  declare_curve(*app, typed);
-  declare_sampling(*app, typed);
-  declare_range(*app, typed);
-  declare_output(*app, typed);
-  declare_batch(*app, typed);
-  declare_comparison(*app, typed);
-  declare_about(*app, typed);
-  for (CLI::Option* option : app->get_options()) {
-    if (option->get_items_expected_max() == 0) option->disable_flag_override();  // --hex=false is no option
-  }
-  return app;
+std::span<const OptionRow> option_table() { return table; }
+
+std::string_view OptionRow::long_name() const {
+  const std::string_view from_dashes = names.substr(names.find("--"));
+  return from_dashes.substr(0, from_dashes.find(','));
 }
 
-void read_words(CLI::App& app, std::vector<std::string> words) {
-  std::ranges::reverse(words);  // as CLI11 takes them
-  try {
-    app.parse(std::move(words));
-  } catch (const CLI::ParseError& error) {
-    refuse(app, error, app);
-  }
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->count() > 0 && std::ranges::count(option->results(), "") > 0) {
-      throw Error(Exit::usage,
-                  option->get_name() + ": an empty value; expected one as in --help; give it, or take the option out");
-    }
-  }
-}
+std::vector<std::string_view> OptionRow::all_names() const { return split(names, ','); }
 
-Invocation parse(int argc, const char* const* argv) {
-  TypedOptions typed;
-  auto app = declare(typed);
-  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  read_words(*app, words);
-  if (typed.help) return {help_text(*app), {}};
-  if (typed.list_presets) return {presets_text(), {}};
-  if (typed.version) return {version_text(), {}};
-  if (!typed.generate.empty()) return {generated_text(*app, typed.generate), {}};
-  std::optional<ProvenanceRequest> meta;
-  if (!typed.from_meta.empty()) {
-    meta = earlier_meta(*app, typed);
-    words.insert(words.begin(), meta->earlier.options.begin(), meta->earlier.options.end());
-    typed = {};
-    app = declare(typed);
-    read_words(*app, words);
-  }
-  take_lists(typed);
-  if (typed.meta) {
-    const ProvenanceRequest earlier = meta.value_or(ProvenanceRequest{});
-    meta = ProvenanceRequest{new_meta(*app, typed), earlier.earlier, earlier.from};
-  }
-  Job plan = make_plan(typed);
-  plan.meta = std::move(meta);
-  return {std::nullopt, std::move(plan)};
+bool TypedOptions::wants_text() const {
+  return std::ranges::any_of(std::array{Option::help, Option::list_presets, Option::version, Option::generate},
+                             [&](Option option) { return has(option); });
 }
 
 }  // namespace tcb

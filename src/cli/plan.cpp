@@ -1,127 +1,89 @@
-// What the typed options mean: text to values, and the checks that no option stands in another's way.
+// Plan: from typed options to the job.
 #include "cli/plan.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <string_view>
 
-#include "cli/batch.hpp"
-#include "cli/comparison.hpp"
-#include "cli/input.hpp"
-#include "cli/notation.hpp"
-#include "cli/sampling.hpp"
+#include "cli/validators.hpp"
 #include "curve/settings.hpp"
 #include "curve/fields.hpp"
-#include "error.hpp"
-#include "text/number.hpp"
-#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-std::vector<std::size_t> make_fields(const std::string& text) {
-  std::vector<std::string_view> known;
-  std::ranges::transform(fields(), std::back_inserter(known), &Field::name);
-  std::vector<std::size_t> chosen;
-  for (const std::string_view name : split(text, ',')) {
-    const auto found = std::ranges::find(known, name);
-    if (found == known.end()) {
-      throw Error(Exit::usage, fmt::format("--fields: no field \"{}\"; expected some of {}{}", name,
-                                           fmt::join(known, ", "), did_you_mean(name, known)));
-    }
-    const auto field = static_cast<std::size_t>(found - known.begin());
-    if (std::ranges::count(chosen, field) > 0) {
-      throw Error(Exit::usage, fmt::format("--fields: {} twice; expected each once; take one out", name));
-    }
-    chosen.push_back(field);
+/// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
+void require_samples(const TypedOptions& typed) {
+  std::vector<std::string> names;
+  bool given = false;
+  for (const OptionRow& row : option_table()) {
+    if (!sampling_options.has(row.id)) continue;
+    names.emplace_back(row.long_name());
+    given = given || typed.has(row.id);
   }
-  return chosen;
+  if (!given) throw Error(Exit::usage, ErrorCode::no_sampling_option, {names});
+  const SamplingRequest& sampling = typed.job.sampling;
+  if (sampling.from && sampling.to && *sampling.to < *sampling.from) {
+    throw Error(Exit::usage, ErrorCode::range_backwards, {typed.text(Option::to), typed.text(Option::from)});
+  }
 }
 
-/// Whether lengths or speeds are asked for anywhere.
-bool needs_metric(const Job& plan, const CurveSpec& curve) {
-  const auto over_metric = [](std::size_t field) {
-    return fields()[field].needs_lengths || fields()[field].over_metric;
+/// Throws: Error (usage) where standard input would be read twice.
+void require_one_reader(const TypedOptions& typed) {
+  const bool keys_from_input = std::ranges::count(typed.job.files, "-") > 0;
+  const bool no_files = typed.job.files.empty();
+  const auto require = [](bool reads_twice, Option option) {
+    if (reads_twice) throw Error(Exit::usage, ErrorCode::standard_input_twice).about(option);
   };
-  return by_length(plan.sampling.mode) || plan.sampling.mode == Mode::tolerance || curve.rules.equal_speed ||
-         curve.parameter.value_or(0) != 0 || std::ranges::any_of(plan.fields, over_metric);
+  require(typed.text(Option::files) == "-" && keys_from_input, Option::files);
+  require(typed.text(Option::check) == "-" && (keys_from_input || no_files), Option::check);
+  require(typed.text(Option::identify) == "-" && (keys_from_input || no_files), Option::identify);
 }
 
-/// The names are known, and no option about the curve is without effect.
-void check_curve(Job& plan) {
-  const CurveSpec curve = make_spec(plan.curve);
-  plan.input.timeless = plan.curve.parameter.has_value();
-  if (plan.curve.metric && !plan.comparison && !needs_metric(plan, curve)) {
-    throw Error(Exit::usage, "--metric has no effect where no length or speed is asked for; take it out");
-  }
-  if (plan.input.missing == Missing::skip_cell && (curve.rules.equal_speed || curve.parameter.value_or(0) != 0)) {
-    throw Error(Exit::usage,
-                "--missing skip-cell leaves channels apart, and --equal-speed and --parameter need all of them at each "
-                "key; expected one of the two; take one out");
+void set_comparison(Job& job, const TypedOptions& typed) {
+  job.comparison = typed.comparison;
+  if (job.files.size() > 1) {
+    throw Error(Exit::usage, ErrorCode::comparison_of_several_files, {std::uint64_t(job.files.size())})
+        .about(typed.comparison.identify ? Option::identify : Option::check);
   }
 }
 
-/// At a key, the side is the right one unless said otherwise; where no field can tell, the earlier segment will do.
-/// No field chosen may be any of them.
-bool from_left(const std::string& side, const std::vector<std::size_t>& chosen) {
-  const bool matters =
-      chosen.empty() || std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].has_side; });
-  if (side.empty()) return !matters;
-  if (side != "left" && side != "right") refuse_value("--side", side, "left or right");
-  if (!matters)
-    throw Error(Exit::usage, "--side has no effect on these fields, which are the same on both sides; take it out");
-  return side == "left";
+/// A row at a key has the values of the segment after it, unless no field can differ between the two.
+void set_side(Job& job, const TypedOptions& typed) {
+  if (typed.has(Option::side)) return;
+  job.sampling.from_left = !job.fields.empty() &&
+                           std::ranges::none_of(job.fields, [](std::size_t field) { return fields()[field].has_side; });
 }
 
-unsigned make_jobs(const std::string& text) {
-  constexpr unsigned most = 1024;
-  const auto jobs = parse_rational(text);
-  if (!jobs || *jobs < 1 || denominator(*jobs) != 1 || *jobs > most)
-    refuse_value("--jobs", text, fmt::format("a whole number from 1 to {}", most));
-  return static_cast<unsigned>(whole_number(*jobs));
+void set_verbosity(Job& job, const TypedOptions& typed) {
+  const bool quiet = typed.has(Option::quiet);
+  const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  const bool rows_go_there =
+      !typed.has(Option::output) && !typed.has(Option::output_dir) && ::isatty(STDOUT_FILENO) != 0;
+  const bool by_default = !rows_go_there && !typed.has(Option::no_progress) && !quiet;
+  job.verbosity = {quiet, terminal && !quiet, terminal && (typed.has(Option::progress) || by_default)};
 }
 
 }  // namespace
 
-Job make_plan(const TypedOptions& typed) {
-  Job plan;
-  plan.comparison = make_comparison(typed);
-  if (!plan.comparison) plan.sampling = make_sampling(typed);
-  plan.input = make_input(typed);
-  plan.curves = make_curves(typed);
-  plan.curve = typed.curve;
-  if (typed.closed) plan.curve.closed = true;
-  plan.batch = make_batch(typed);
-  plan.files = typed.files;
-  if (plan.files.empty() && plan.batch.list.empty()) plan.files = {"-"};
-  if (!typed.fields.empty() || !plan.comparison)
-    plan.fields = make_fields(typed.fields.empty() ? "time,position" : typed.fields);
-  plan.sampling.from_left = from_left(typed.side, plan.fields);
-  check_curve(plan);
-  plan.explain = typed.explain;
-  if (!typed.jobs.empty()) plan.jobs = make_jobs(typed.jobs);
-  plan.verbosity = make_talk(typed);
-  if (!typed.output_format.empty())
-    plan.output_format = named_format("--output-format", typed.output_format, &Format::can_write);
-  plan.notation = make_notation(typed, plan.output_format);
-  set_golden(plan, typed);
-  if (typed.no_output_header) {
-    if (!format_of(plan.output_format).has_header) {
-      throw Error(Exit::usage,
-                  "--no-output-header has no effect on this output format, which has no line of names; take "
-                  "it out");
-    }
-    plan.output_header = false;
+Job make_job(const TypedOptions& typed) {
+  Job job = typed.job;
+  require_one_reader(typed);
+  if (typed.has(Option::check) || typed.has(Option::identify)) {
+    set_comparison(job, typed);
+  } else {
+    require_samples(typed);
+    if (job.fields.empty()) job.fields = field_list(std::string(row_of(Option::fields).default_value));
   }
-  if (!typed.output.empty() && !typed.output_dir.empty()) {
-    throw Error(Exit::usage,
-                "--output and --output-dir both say where the rows go; expected one of them; take one out");
-  }
-  if (!typed.output.empty()) plan.output = typed.output;
-  if (!typed.output_dir.empty()) plan.output_folder = typed.output_dir;
-  return plan;
+  if (job.files.empty() && job.batch.list.empty()) job.files = {"-"};
+  (void)make_spec(job.curve);  // refuses rules that do not fit each other
+  job.input.timeless = job.curve.parameter.has_value();
+  job.input.keeps_decimals = typed.has(Option::exact_input);
+  set_side(job, typed);
+  set_verbosity(job, typed);
+  job.notation = typed.notation;
+  if (typed.has(Option::golden)) job.golden = GoldenOptions{typed.has(Option::exact_input), typed.notation};
+  return job;
 }
 
 }  // namespace tcb

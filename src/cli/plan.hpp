@@ -1,11 +1,24 @@
-// What the typed options mean: text to values, and the checks that no option stands in another's way.
+// Plan: from typed options to the job, and the options that an output's provenance has.
 #pragma once
 
+#include <optional>
+#include <string>
+
+#include "cli/conflicts.hpp"
 #include "cli/options.hpp"
 
 namespace tcb {
 
-/// Throws: Error (usage) that names the option, what was expected, and the remedy.
-Job make_plan(const TypedOptions& typed);
+/// The job of these options. Requires: no conflict.
+/// Throws: Error (usage) where they do not fit each other.
+Job make_job(const TypedOptions& typed);
+
+/// The provenance of an output that is made with these options: its program, and all options that change a byte.
+/// Throws: Error (usage) for a value that no line can hold.
+Provenance new_provenance(const TypedOptions& typed);
+
+/// The provenance of the output that is to be made again. Throws: Error (usage) where options are given that it has,
+/// or another number of files than it was made from; Error where it cannot be read.
+ProvenanceRequest earlier_provenance(const TypedOptions& typed);
 
 }  // namespace tcb

@@ -9,13 +9,15 @@
 #include <array>
 #include <string_view>
 
+#include "cli/options.hpp"
 #include "text/refusal.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
 /// The words of a code. {0}, {1}, … are its values, lists joined by ", "; {subject} is the option, as --NAME, or the
-/// member of JSON that the error is about.
+/// member of JSON that the error is about; {nearest} suggests the name in the list that is nearest to {0}, if any is.
 struct Words {
   ErrorCode code;
   std::string_view text;
@@ -187,6 +189,62 @@ constexpr std::array all_words{
           "{3}"},
     Words{ErrorCode::rows_without_place, "rows without a time or arc length: {0}; the first is in line {1}"},
     // cli
+    Words{ErrorCode::wrong_command_line, "{0}; see --help"},
+    Words{ErrorCode::unknown_option, "unknown option {0}{nearest} (--help lists all options)"},
+    Words{ErrorCode::option_repeated, "{subject} is given more than once; expected it once; take one out"},
+    Words{ErrorCode::flag_with_value, "{0} takes no value; take the value out"},
+    Words{ErrorCode::value_missing, "{0}: its value is missing; expected one as in --help; give it after the option"},
+    Words{ErrorCode::empty_value,
+          "{subject}: an empty value; expected one as in --help; give it, or take the option out"},
+    Words{ErrorCode::empty_file_name, "an empty file name; expected a file, or - for standard input; take it out"},
+    Words{ErrorCode::unknown_name, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
+    Words{ErrorCode::expected_within_doubles,
+          "{subject} \"{0}\": expected at most 1.7976931348623157e308 in size, as doubles are"},
+    Words{ErrorCode::expected_positive_ratio,
+          "{subject} \"{0}\": expected a decimal or a ratio above 0, such as 0.1 or 1/24"},
+    Words{ErrorCode::expected_ratio, "{subject} \"{0}\": expected a decimal or a ratio, such as 1.5 or 7/24"},
+    Words{ErrorCode::expected_ratios,
+          "{subject} \"{0}\": expected decimals or ratios, separated by commas, such as 0,0.5,7/24"},
+    Words{ErrorCode::expected_rate, "{subject} \"{0}\": expected a rate whose step is a double, less than 1.8e308"},
+    Words{ErrorCode::expected_a_number, "{subject} \"{0}\": the file is empty; expected one number at least"},
+    Words{ErrorCode::unreadable_list, "cannot be read for {subject}; expected a file of numbers"},
+    Words{ErrorCode::expected_count, "{subject} \"{0}\": expected a whole number from 1 to 2^63 - 1, in digits"},
+    Words{ErrorCode::expected_whole_number, "{subject} \"{0}\": expected a whole number from {1} to {2}"},
+    Words{ErrorCode::expected_distance, "{subject} \"{0}\": expected a distance above 0, such as 0.01"},
+    Words{ErrorCode::expected_tolerance,
+          "{subject} \"{0}\": expected a distance from 0 up, for all columns or as COLUMN=DISTANCE, such as 1e-9 or "
+          "x=1e-6"},
+    Words{ErrorCode::expected_delimiter,
+          "{subject} \"{0}\": expected one character that is no part of a number, or tab, comma, semicolon, space or "
+          "pipe"},
+    Words{ErrorCode::expected_decimal_mark, "{subject} \"{0}\": expected a comma or a point"},
+    Words{ErrorCode::expected_tcb, "{subject} \"{0}\": expected three numbers T,C,B, such as 0,0.5,-0.25"},
+    Words{ErrorCode::expected_columns, "{subject} \"{0}\": expected columns by name or number, separated by commas"},
+    Words{ErrorCode::expected_name_part, "{subject} \"{0}\": expected a part of a file name, without /"},
+    Words{ErrorCode::field_repeated, "{subject}: {0} twice; expected each field once; take one out"},
+    Words{ErrorCode::options_exclude, "{0} and {1} exclude each other{2}; expected one of them; take one out"},
+    Words{ErrorCode::option_needs, "{0} needs {1}{2}; give both, or neither"},
+    Words{ErrorCode::option_idle_with, "{0} has no effect with {1}{2}; take it out"},
+    Words{ErrorCode::option_idle, "{0} has no effect{1}; take it out"},
+    Words{ErrorCode::no_sampling_option,
+          "no sampling option given; expected one of {0}; for example tcbsample --step 0.1 keys.csv"},
+    Words{ErrorCode::range_backwards, "--to {0} is before --from {1}; expected it after; swap them"},
+    Words{ErrorCode::standard_input_twice,
+          "{subject} - and the keys are both standard input; expected one of them; give the other by its file name"},
+    Words{ErrorCode::comparison_of_several_files,
+          "{subject} compares with the curves of one file of keys; {0} are given; take the others out"},
+    Words{ErrorCode::line_end_in_provenance,
+          "{subject}: --meta cannot hold a value with a line end; expected one without; take --meta out, or rename "
+          "columns"},
+    Words{ErrorCode::option_not_of_provenance,
+          "the provenance has {subject}, which does not change the rows; expected options that do; correct it"},
+    Words{ErrorCode::file_in_provenance,
+          "the provenance has the file {0} among its options; expected options; correct it"},
+    Words{ErrorCode::provenance_incomplete, "the provenance lacks the option --meta; expected all options; add it"},
+    Words{ErrorCode::option_in_provenance,
+          "{subject} is given with --from-meta, which takes every option from {0}; take it out"},
+    Words{ErrorCode::other_number_of_files,
+          "{0} was made from another number of files of keys, {1}; {2} given; give as many"},
 };
 
 struct AppendValue {
@@ -196,6 +254,16 @@ struct AppendValue {
   }
   void operator()(const auto& value) const { to.push_back(value); }
 };
+
+/// "; did you mean NAME?", or "".
+std::string nearest(const std::vector<ErrorValue>& values) {
+  const auto is_list = [](const ErrorValue& value) { return std::holds_alternative<std::vector<std::string>>(value); };
+  const auto list = std::ranges::find_if(values, is_list);
+  if (list == values.end() || !std::holds_alternative<std::string>(values[0])) return "";
+  const auto& names = std::get<std::vector<std::string>>(*list);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return did_you_mean(std::get<std::string>(values[0]), known);
+}
 
 std::string line_of(const Error& error) {
   const TextPosition& position = error.position();
@@ -208,7 +276,7 @@ std::string line_of(const Error& error) {
 
 }  // namespace
 
-std::string_view option_name(Option) { return ""; }
+std::string_view option_name(Option option) { return option == Option::none ? "" : row_of(option).long_name(); }
 
 std::string error_message(const Error& error) {
   const auto words = std::ranges::find(all_words, error.code(), &Words::code);
@@ -216,6 +284,7 @@ std::string error_message(const Error& error) {
   for (const ErrorValue& value : error.values()) std::visit(AppendValue{values}, value);
   const std::string subject = error.member().empty() ? std::string(option_name(error.option())) : error.member();
   values.push_back(fmt::arg("subject", subject));
+  values.push_back(fmt::arg("nearest", nearest(error.values())));
   return fmt::vformat(words->text, values);
 }
 

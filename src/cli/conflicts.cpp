@@ -1,0 +1,198 @@
+// Conflicts: the one table of options that exclude each other, need another, or have no effect.
+#include "cli/conflicts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "curve/settings.hpp"
+#include "curve/fields.hpp"
+#include "io/formats.hpp"
+#include "text/notation.hpp"
+
+namespace tcb {
+namespace {
+
+using enum Relation;
+using O = Option;
+using Typed = TypedOptions;
+
+constexpr OptionSet modes = sampling_options;
+constexpr OptionSet modes_without_steps{O::count,     O::segments, O::per_segment, O::at,
+                                        O::arc_count, O::arc_at,   O::tolerance};
+constexpr OptionSet reports{O::check, O::identify};
+
+const Format& output_of(const Typed& typed) { return format_of(typed.job.output_format); }
+bool is_binary(const Typed& typed) { return output_of(typed).is_binary; }
+bool is_delimited(const Typed& typed) { return output_of(typed).has_header; }
+bool is_json_input(const Typed& typed) {
+  return typed.job.input.format && !format_of(*typed.job.input.format).has_header;
+}
+bool is_comparison(const Typed& typed) { return typed.has(O::check) || typed.has(O::identify); }
+
+template <class Predicate>
+bool any_field(const Typed& typed, Predicate predicate) {
+  return std::ranges::any_of(typed.job.fields, [&](std::size_t field) { return predicate(fields()[field]); });
+}
+
+bool makes_times_of_distances(const Typed& typed) {
+  return typed.has(O::parameter) && make_spec(typed.job.curve).parameter.value_or(0) != 0;
+}
+
+bool needs_all_channels(const Typed& typed) { return typed.has(O::equal_speed) || makes_times_of_distances(typed); }
+
+/// No length and no speed is asked for.
+bool needs_no_metric(const Typed& typed) {
+  const bool by_metric = by_length(typed.job.sampling.mode) || typed.has(O::tolerance) || needs_all_channels(typed);
+  return !is_comparison(typed) && !by_metric &&
+         !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
+}
+
+/// No field can differ between the two sides of a key. Without fields, a comparison may have any of them.
+bool has_no_side(const Typed& typed) {
+  if (is_comparison(typed) && !typed.has(O::fields)) return false;
+  return !any_field(typed, [](const Field& field) { return field.has_side; });
+}
+
+/// All samples are on the curve, as those of steps and counts are unless their range is given in time.
+bool stays_on_curve(const Typed& typed) {
+  const bool given_range = !by_length(typed.job.sampling.mode) && (typed.has(O::from) || typed.has(O::to));
+  return typed.text(O::extrapolate) != "error" && !typed.has(O::at) && !given_range;
+}
+
+constexpr std::string_view in_report = ", which takes the samples of its file and prints a report";
+
+constexpr std::array table{
+    // files
+    Conflict{{O::output, O::output_dir}, exclude},
+    Conflict{{O::recursive, O::suffix, O::update, O::fail_fast}, need, {O::output_dir}, ", an output for each file"},
+    Conflict{{O::null}, need, {O::files}},
+    Conflict{{O::progress}, exclude, {O::no_progress, O::quiet}},
+    // comparison
+    Conflict{{O::check, O::identify}, exclude},
+    Conflict{{O::abs, O::rel, O::ulp}, need, {O::check}},
+    Conflict{modes | OptionSet{O::from, O::to, O::end, O::keys, O::max_rows}, idle, reports, in_report},
+    Conflict{{O::output_dir, O::files, O::explain, O::progress, O::meta}, idle, reports, in_report},
+    Conflict{{O::digits, O::fixed, O::hex, O::golden, O::exact_input, O::no_output_header}, idle, reports, in_report},
+    Conflict{{O::output_format},
+             idle,
+             reports,
+             ", whose report is text or json",
+             [](const Typed& typed) { return typed.text(O::output_format) != "json"; }},
+    Conflict{{O::preset, O::tangents, O::ends, O::equal_speed, O::side},
+             idle,
+             {O::identify},
+             ", which tries all rules on positions"},
+    // input
+    Conflict{{O::header, O::no_header}, exclude},
+    Conflict{
+        {O::delimiter, O::header, O::no_header, O::comment, O::decimal}, idle, {O::input_format}, "", is_json_input},
+    Conflict{{O::decimal, O::delimiter},
+             exclude,
+             {},
+             "",
+             [](const Typed& typed) { return typed.job.input.decimal == ',' && typed.job.input.delimiter == ','; }},
+    // curve
+    Conflict{
+        {O::missing},
+        exclude,
+        {O::equal_speed, O::parameter},
+        ", which needs all channels at each key",
+        [](const Typed& typed) { return typed.job.input.missing == Missing::skip_cell && needs_all_channels(typed); }},
+    Conflict{{O::metric}, idle, {}, " where no length or speed is asked for", needs_no_metric},
+    // sampling
+    Conflict{modes, exclude},
+    Conflict{{O::from, O::to}, idle, {O::per_segment, O::at, O::arc_at, O::tolerance}},
+    Conflict{{O::end}, idle, modes_without_steps},
+    Conflict{{O::keys}, idle, {O::per_segment, O::at, O::arc_at}},
+    Conflict{{O::extrapolate}, idle, modes, " alone, whose samples are on the curve", stays_on_curve},
+    // output
+    Conflict{{O::side}, idle, {}, " on these fields, which are the same on both sides", has_no_side},
+    Conflict{{O::digits, O::fixed, O::hex}, exclude},
+    Conflict{
+        {O::digits, O::fixed, O::hex}, idle, {O::output_format}, ", which holds the doubles themselves", is_binary},
+    Conflict{{O::hex},
+             idle,
+             {O::output_format},
+             ", which has no hexadecimal numbers",
+             [](const Typed& typed) { return !is_delimited(typed); }},
+    Conflict{{O::no_output_header},
+             idle,
+             {O::output_format},
+             ", which has no line of names",
+             [](const Typed& typed) { return !is_delimited(typed); }},
+    Conflict{{O::exact_input}, need, {O::golden}},
+    Conflict{{O::digits},
+             need,
+             {O::golden},
+             ", as a double has 17 significant digits",
+             [](const Typed& typed) { return typed.notation.count > digits_of_double; }},
+    Conflict{
+        {O::golden},
+        exclude,
+        {O::fields},
+        ": the exact s has no error",
+        [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
+    Conflict{{O::meta}, idle, {O::explain}, ", which prints no rows"},
+    Conflict{{O::meta},
+             idle,
+             {O::output_format},
+             ", which has no comments",
+             [](const Typed& typed) { return !output_of(typed).has_provenance; }},
+};
+
+/// The first option of a set that is given, after `previous`.
+std::optional<Option> first_given(const Typed& typed, const OptionSet& options,
+                                  std::optional<Option> previous = std::nullopt) {
+  for (std::size_t i = previous ? index_of(*previous) + 1 : 0; i < option_count; ++i) {
+    const Option option = option_table()[i].id;
+    if (options.has(option) && typed.has(option)) return option;
+  }
+  return std::nullopt;
+}
+
+/// The option that conflicts with the first one given, if any; for Relation::need, one that is missing.
+std::optional<Option> opponent(const Conflict& conflict, Option given, const Typed& typed) {
+  if (conflict.relation == need) {
+    if (first_given(typed, conflict.others)) return std::nullopt;
+    return std::ranges::find_if(option_table(), [&](const OptionRow& row) { return conflict.others.has(row.id); })->id;
+  }
+  const bool among_themselves = conflict.relation == exclude && conflict.others.empty();
+  return among_themselves ? first_given(typed, conflict.options, given) : first_given(typed, conflict.others);
+}
+
+/// Throws: Error (usage) about both options, with their values where the conflict depends on them.
+[[noreturn]] void refuse(const Conflict& conflict, Option given, std::optional<Option> other, const Typed& typed) {
+  const auto shown = [&](Option option) {
+    const OptionRow& row = row_of(option);
+    const bool with_value = conflict.applies != nullptr && row.kind != ValueKind::flag && typed.has(option);
+    return std::string(row.long_name()) + (with_value ? " " + typed.text(option) : "");
+  };
+  std::vector<ErrorValue> values{shown(given)};
+  if (other) values.emplace_back(shown(*other));
+  values.emplace_back(std::string(conflict.reason));
+  const ErrorCode code = conflict.relation == exclude ? ErrorCode::options_exclude
+                         : conflict.relation == need  ? ErrorCode::option_needs
+                         : other                      ? ErrorCode::option_idle_with
+                                                      : ErrorCode::option_idle;
+  throw Error(Exit::usage, code, std::move(values));
+}
+
+}  // namespace
+
+std::span<const Conflict> conflict_table() { return table; }
+
+void require_no_conflict(const TypedOptions& typed) {
+  for (const Conflict& conflict : table) {
+    const std::optional<Option> given = first_given(typed, conflict.options);
+    if (!given) continue;
+    const std::optional<Option> other = opponent(conflict, *given, typed);
+    const bool needs_other = conflict.relation != idle || !conflict.others.empty();
+    if (needs_other && !other) continue;
+    if (conflict.applies != nullptr && !conflict.applies(typed)) continue;
+    refuse(conflict, *given, other, typed);
+  }
+}
+
+}  // namespace tcb

@@ -1,0 +1,260 @@
+// Help: the texts made from the tables of options, presets and rules, for terminals, the manual page and shells.
+#include "cli/help.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tcb/spline/rules.hpp"
+
+namespace tcb {
+namespace {
+
+using spline::end_rules;
+using spline::presets;
+using spline::tangent_rules;
+
+/// Text in lines of 80 columns at most, each indented, each ended.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  constexpr std::size_t width = 80;
+  std::string out;
+  std::size_t column = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    if (column + 1 + word.size() > width || column == 0) {
+      out += (out.empty() ? "" : "\n") + std::string(indent, ' ');
+      column = indent;
+    } else {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += word.size();
+    begin = end + 1;
+  }
+  return out + "\n";
+}
+
+/// Text for the manual page, where dashes, backslashes and leading points have a meaning.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\\')
+      out += "\\e";
+    else if (c == '-')
+      out += "\\-";
+    else
+      out += c;
+  }
+  return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
+}
+
+/// What an option does, and its default.
+std::string description(const OptionRow& row) {
+  return std::string(row.text) + (row.default_value.empty() ? "" : fmt::format("; default {}", row.default_value));
+}
+
+std::string manual_options() {
+  std::string out;
+  std::string_view group;
+  for (const OptionRow& row : option_table()) {
+    if (row.group != group) out += fmt::format(".SS {}\n", group = row.group);
+    std::vector<std::string> names;
+    for (const std::string_view name : row.all_names()) names.push_back("\\fB" + escaped(name) + "\\fR");
+    const std::string value = row.value.empty() ? "" : " \\fI" + escaped(row.value) + "\\fR";
+    out += fmt::format(".TP\n{}{}\n{}.\n", fmt::join(names, ", "), value, escaped(description(row)));
+  }
+  return out;
+}
+
+std::string manual_presets() {
+  std::string out;
+  for (const auto& row : presets) {
+    out += fmt::format(".TP\n.B {}\n{}, {}: {}.\n", escaped(row.name), escaped(name_of(row.tangents)),
+                       escaped(name_of(row.ends)), escaped(row.product));
+  }
+  return out;
+}
+
+std::string manual_tangents() {
+  std::string out;
+  for (const auto& row : tangent_rules<double>) {
+    out += fmt::format(".TP\n.B {}\nin = {}\n.br\nout = {}\n.br\nUsed by {}.\nChoose it {}.\n", escaped(row.name),
+                       escaped(row.incoming), escaped(row.outgoing), escaped(row.used_by), escaped(row.choose));
+  }
+  return out;
+}
+
+std::string manual_ends() {
+  std::string out;
+  for (const auto& row : end_rules<double>) {
+    out += fmt::format(".TP\n.B {}\nout of the first key = {}\n.br\nin of the last key = {}\n.br\n{}: {}.\n",
+                       escaped(fmt::format("{}{}", row.name, row.takes_velocity ? "=V..." : "")), escaped(row.outgoing),
+                       escaped(row.incoming), escaped(row.used_by), escaped(row.choose));
+  }
+  return out;
+}
+
+/// The prose of the manual page, with the tables in the places marked for them.
+std::string manual() {
+  std::string page(manual_template);
+  const auto fill = [&](std::string_view mark, const std::string& text) {
+    page.replace(page.find(mark), mark.size(), text);
+  };
+  fill("@OPTIONS@\n", manual_options());
+  fill("@PRESETS@\n", manual_presets());
+  fill("@TANGENTS@\n", manual_tangents());
+  fill("@ENDS@\n", manual_ends());
+  return page.substr(0, page.find_last_not_of('\n') + 1);
+}
+
+std::vector<std::string_view> known_names(const OptionRow& row) {
+  return row.known == nullptr ? std::vector<std::string_view>{} : row.known();
+}
+
+std::string bash_completion() {
+  std::vector<std::string_view> names;
+  std::string values;
+  for (const OptionRow& row : option_table()) {
+    const auto own = row.all_names();
+    names.insert(names.end(), own.begin(), own.end());
+    if (row.kind != ValueKind::name) continue;
+    values += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return;;\n", fmt::join(own, "|"),
+                          fmt::join(known_names(row), " "));
+  }
+  return fmt::format(
+      "_tcbsample() {{\n"
+      "  local word=${{COMP_WORDS[COMP_CWORD]}}\n"
+      "  case ${{COMP_WORDS[COMP_CWORD-1]}} in\n"
+      "{}"
+      "  esac\n"
+      "  if [[ $word == -* ]]; then\n"
+      "    COMPREPLY=($(compgen -W '{}' -- \"$word\"))\n"
+      "  fi\n"
+      "}}\n"
+      "complete -o default -F _tcbsample tcbsample",
+      values, fmt::join(names, " "));
+}
+
+/// Text inside single quotes of a shell, without the characters that mean something to it.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("'[]:").find(c) == std::string_view::npos) out += c;
+  }
+  return out;
+}
+
+/// What zsh offers for the value of an option.
+std::string zsh_value(const OptionRow& row) {
+  switch (row.kind) {
+    case ValueKind::flag: return "";
+    case ValueKind::name: return fmt::format(":{}:({})", plain(row.value), fmt::join(known_names(row), " "));
+    case ValueKind::file: return fmt::format(":{}:_files", plain(row.value));
+    case ValueKind::folder: return fmt::format(":{}:_files -/", plain(row.value));
+    case ValueKind::other: return fmt::format(":{}: ", plain(row.value));
+  }
+  return "";
+}
+
+std::string zsh_completion() {
+  std::string out = "#compdef tcbsample\n_arguments \\\n";
+  for (const OptionRow& row : option_table()) {
+    for (const std::string_view name : row.all_names()) {
+      out += fmt::format("  '{}[{}]{}' \\\n", name, plain(description(row)), zsh_value(row));
+    }
+  }
+  return out + "  '*:file:_files'";
+}
+
+/// What fish offers for the value of an option.
+std::string fish_value(const OptionRow& row) {
+  switch (row.kind) {
+    case ValueKind::flag: return "";
+    case ValueKind::name: return fmt::format(" -x -a '{}'", fmt::join(known_names(row), " "));
+    case ValueKind::file: return " -r -F";
+    case ValueKind::folder: return " -x -a '(__fish_complete_directories)'";
+    case ValueKind::other: return " -x";
+  }
+  return "";
+}
+
+std::string fish_completion() {
+  std::string out;
+  for (const OptionRow& row : option_table()) {
+    out += out.empty() ? "complete -c tcbsample" : "\ncomplete -c tcbsample";
+    for (const std::string_view name : row.all_names()) {
+      const bool is_long = name.starts_with("--");
+      out += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
+    }
+    out += fmt::format("{} -d '{}'", fish_value(row), plain(description(row)));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string help_text() {
+  std::string out =
+      "Usage: tcbsample [OPTION]... [FILE]...\n"
+      "Reads keys with times, positions and tension, continuity and bias\n"
+      "(Kochanek-Bartels splines), and prints samples of the curve through them.\n"
+      "\n"
+      "  tcbsample --step 0.1 keys.csv            a sample every 0.1 of time\n"
+      "  tcbsample --fps 30000/1001 keys.json     exact NTSC frames\n"
+      "  tcbsample -n 200 < keys.csv              200 samples, both ends included\n"
+      "  tcbsample --arc-step 5 path.csv          equal distances along the curve\n"
+      "  tcbsample -s 0.1 --output-dir out *.csv  a file for each file\n";
+  std::string_view group;
+  for (const OptionRow& row : option_table()) {
+    if (row.group != group) out += fmt::format("\n{}:\n", group = row.group);
+    out += fmt::format("  {}{}{}\n", fmt::join(row.all_names(), ", "), row.value.empty() ? "" : " ", row.value);
+    out += wrapped(description(row), 6);
+  }
+  out +=
+      "\nExit status: 0 done, 1 the data was rejected or differs, 2 wrong usage or a\n"
+      "file that cannot be opened or written.";
+  return out;
+}
+
+std::string presets_text() {
+  std::string out = fmt::format("{:<10}{:<18}{:<16}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
+  for (const auto& row : presets) {
+    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends), row.product);
+  }
+  out +=
+      "\nTANGENTS of a key between chords D0, D1 of durations h0, h1, for the segment:\n"
+      "  a = (1-T)(1+C)(1+B)   b = (1-T)(1-C)(1-B)   Uin  = (c D0 + d D1)/2\n"
+      "  c = (1-T)(1-C)(1+B)   d = (1-T)(1+C)(1-B)   Uout = (a D0 + b D1)/2\n";
+  for (const auto& row : tangent_rules<double>) {
+    out += fmt::format("{}\n  in   {}\n  out  {}\n", row.name, row.incoming, row.outgoing) + wrapped(row.used_by, 4);
+  }
+  out +=
+      "\nENDS: out of the first key, into the last (one formula: the same for both).\n"
+      "D is the end segment's chord, h its duration, m its other\n"
+      "tangent, a to d and T the end key's own:\n";
+  for (const auto& row : end_rules<double>) {
+    const bool same = row.outgoing == row.incoming;
+    out += fmt::format("{:<17}{}\n", row.name,
+                       same ? std::string(row.outgoing) : fmt::format("{}, {}", row.outgoing, row.incoming));
+    out += wrapped(row.used_by, 4);
+  }
+  return out.substr(0, out.size() - 1);
+}
+
+std::string version_text() { return fmt::format("tcbsample {}", TCBSAMPLE_VERSION); }
+
+std::string generated_text(Generated kind) {
+  switch (kind) {
+    case Generated::manual: return manual();
+    case Generated::bash: return bash_completion();
+    case Generated::zsh: return zsh_completion();
+    case Generated::fish: return fish_completion();
+  }
+  return "";
+}
+
+}  // namespace tcb

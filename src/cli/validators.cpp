@@ -1,0 +1,198 @@
+// Validators: from the text of an option's value to its type, or the error that says what was expected.
+#include "cli/validators.hpp"
+
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <utility>
+
+#include "curve/fields.hpp"
+#include "io/formats.hpp"
+#include "text/notation.hpp"
+#include "text/number.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+/// Throws: Error (usage): the text, and what was expected in its place.
+[[noreturn]] void refuse(ErrorCode expected, std::string_view text, std::vector<ErrorValue> values = {}) {
+  values.insert(values.begin(), std::string(text));
+  throw Error(Exit::usage, expected, std::move(values));
+}
+
+/// A decimal or a ratio whose size is that of a double.
+Rational ratio_or(ErrorCode expected, std::string_view text) {
+  auto value = parse_rational(text);
+  if (!value) refuse(expected, text);
+  if (!within_doubles(*value)) refuse(ErrorCode::expected_within_doubles, text);
+  return *value;
+}
+
+template <class Whole>
+std::optional<Whole> in_digits(std::string_view text) {
+  Whole value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::vector<std::string_view> format_names(bool Format::*capability) {
+  std::vector<std::string_view> names;
+  for (const Format& format : formats) {
+    if (format.*capability) names.push_back(format.name);
+  }
+  return names;
+}
+
+/// Throws: Error (usage) for a name that is not one of the formats that have the capability.
+FormatId named_format(const std::string& text, bool Format::*capability) {
+  const auto names = format_names(capability);
+  if (std::ranges::count(names, text) == 0) {
+    refuse(ErrorCode::unknown_name, text, {std::vector<std::string>(names.begin(), names.end())});
+  }
+  return *find_format(text);
+}
+
+}  // namespace
+
+Rational positive_ratio(const std::string& text) {
+  Rational value = ratio_or(ErrorCode::expected_positive_ratio, text);
+  if (value <= 0) refuse(ErrorCode::expected_positive_ratio, text);
+  return value;
+}
+
+Rational step_of_rate(const std::string& text) {
+  Rational step = 1 / positive_ratio(text);
+  if (!within_doubles(step)) refuse(ErrorCode::expected_rate, text);
+  return step;
+}
+
+Rational ratio(const std::string& text) { return ratio_or(ErrorCode::expected_ratio, text); }
+
+std::vector<Rational> ratios(const std::string& text) {
+  std::vector<Rational> values;
+  for (const std::string_view item : split(text, ',')) values.push_back(ratio_or(ErrorCode::expected_ratios, item));
+  return values;
+}
+
+std::string listed_numbers(const std::string& text) {
+  if (!text.starts_with('@')) return text;
+  const std::string path = text.substr(1);
+  std::ifstream file(path);
+  if (!file) throw Error(Exit::usage, ErrorCode::unreadable_list).in(path);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  std::string items, line;
+  for (std::uint64_t number = 1; std::getline(file, line); ++number) {
+    std::ranges::replace_if(line, is_blank, ',');
+    for (const std::string_view item : split(line, ',')) {
+      if (item.empty()) continue;
+      at_position({path, number, 0}, [&] { (void)ratio_or(ErrorCode::expected_ratios, item); });
+      items += (items.empty() ? "" : ",") + std::string(item);
+    }
+  }
+  if (items.empty()) refuse(ErrorCode::expected_a_number, text);
+  return items;
+}
+
+std::uint64_t positive_count(const std::string& text) {
+  const auto value = in_digits<std::uint64_t>(text);
+  if (!value || *value == 0 || *value > INT64_MAX) refuse(ErrorCode::expected_count, text);
+  return *value;
+}
+
+std::uint64_t whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
+  const auto value = parse_rational(text);
+  if (!value || *value < least || denominator(*value) != 1 || *value > most) {
+    refuse(ErrorCode::expected_whole_number, text, {least, most});
+  }
+  return static_cast<std::uint64_t>(numerator(*value));
+}
+
+int digit_count(const std::string& text, int least) {
+  const auto value = in_digits<int>(text);
+  if (!value || *value < least || *value > most_digits) {
+    refuse(ErrorCode::expected_whole_number, text, {std::uint64_t(least), std::uint64_t(most_digits)});
+  }
+  return *value;
+}
+
+double positive_distance(const std::string& text) {
+  const auto value = parse_number(text);
+  if (!value || *value <= 0) refuse(ErrorCode::expected_distance, text);
+  return *value;
+}
+
+std::vector<Tolerance> tolerances(const std::string& text) {
+  std::vector<Tolerance> list;
+  for (const std::string_view part : split(text, ',')) {
+    const std::size_t equals = part.rfind('=');
+    const bool named = equals != std::string_view::npos;
+    const auto most = parse_number(named ? part.substr(equals + 1) : part);
+    if (!most || *most < 0 || (named && equals == 0)) refuse(ErrorCode::expected_tolerance, part);
+    list.push_back({std::string(named ? part.substr(0, equals) : ""), *most});
+  }
+  return list;
+}
+
+char delimiter(const std::string& text) {
+  constexpr std::array names{std::pair{"tab", '\t'}, std::pair{"comma", ','}, std::pair{"semicolon", ';'},
+                             std::pair{"space", ' '}, std::pair{"pipe", '|'}};
+  for (const auto& [name, character] : names) {
+    if (text == name) return character;
+  }
+  const bool usable =
+      text.size() == 1 && std::string_view("\"\n\r+-.0123456789eE").find(text[0]) == std::string_view::npos;
+  if (!usable) refuse(ErrorCode::expected_delimiter, text);
+  return text[0];
+}
+
+char decimal_mark(const std::string& text) {
+  if (text != "," && text != ".") refuse(ErrorCode::expected_decimal_mark, text);
+  return text[0];
+}
+
+spline::Tcb<double> tcb_values(const std::string& text) {
+  const auto parts = split(text, ',');
+  std::array<double, 3> values{};
+  if (parts.size() != values.size()) refuse(ErrorCode::expected_tcb, text);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto value = parse_number(parts[i]);
+    if (!value) refuse(ErrorCode::expected_tcb, text);
+    values[i] = *value;
+  }
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<std::string> column_list(const std::string& text) {
+  const auto names = split(text, ',');
+  if (std::ranges::count(names, "") > 0) refuse(ErrorCode::expected_columns, text);
+  return {names.begin(), names.end()};
+}
+
+std::vector<std::size_t> field_list(const std::string& text) {
+  std::vector<std::size_t> chosen;
+  for (const std::string_view name : split(text, ',')) {
+    const auto field = static_cast<std::size_t>(&named_row(fields(), name) - fields().data());
+    if (std::ranges::count(chosen, field) > 0) refuse(ErrorCode::field_repeated, name);
+    chosen.push_back(field);
+  }
+  return chosen;
+}
+
+std::string name_part(const std::string& text) {
+  if (text.find('/') != std::string::npos) refuse(ErrorCode::expected_name_part, text);
+  return text;
+}
+
+FormatId input_format(const std::string& text) { return named_format(text, &Format::can_read); }
+FormatId output_format(const std::string& text) { return named_format(text, &Format::can_write); }
+std::vector<std::string_view> input_format_names() { return format_names(&Format::can_read); }
+std::vector<std::string_view> output_format_names() { return format_names(&Format::can_write); }
+
+std::vector<std::string_view> field_names() {
+  std::vector<std::string_view> names;
+  std::ranges::transform(fields(), std::back_inserter(names), &Field::name);
+  return names;
+}
+
+}  // namespace tcb
