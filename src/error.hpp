@@ -2,6 +2,7 @@
 // cli/remedies.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <string>
@@ -238,6 +239,9 @@ enum class ErrorCode {
   option_in_provenance,   ///< file with provenance
   other_number_of_files,  ///< file with provenance, its number of inputs, the number given
 };
+
+/// Every code has a row of words in cli/remedies.
+inline constexpr std::size_t error_code_count = static_cast<std::size_t>(ErrorCode::other_number_of_files) + 1;
 
 /// A value that the words of an error show.
 using ErrorValue = std::variant<std::string, double, std::uint64_t, std::vector<std::string>>;

@@ -98,7 +98,7 @@ constexpr std::array table{
         {O::missing},
         exclude,
         {O::equal_speed, O::parameter},
-        ", which needs all channels at each key",
+        ", as all channels are needed at each key",
         [](const Typed& typed) { return typed.job.input.missing == Missing::skip_cell && needs_all_channels(typed); }},
     Conflict{{O::metric}, idle, {}, " where no length or speed is asked for", needs_no_metric},
     // sampling
@@ -132,7 +132,7 @@ constexpr std::array table{
         {O::golden},
         exclude,
         {O::fields},
-        ": the exact s has no error",
+        ", as the exact s has no error",
         [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
     Conflict{{O::meta}, idle, {O::explain}, ", which prints no rows"},
     Conflict{{O::meta},

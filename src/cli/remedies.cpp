@@ -16,13 +16,6 @@
 namespace tcb {
 namespace {
 
-/// The words of a code. {0}, {1}, … are its values, lists joined by ", "; {subject} is the option, as --NAME, or the
-/// member of JSON that the error is about; {nearest} suggests the name in the list that is nearest to {0}, if any is.
-struct Words {
-  ErrorCode code;
-  std::string_view text;
-};
-
 constexpr std::array all_words{
     Words{ErrorCode::legacy, "{0}"},
     // text
@@ -275,6 +268,8 @@ std::string line_of(const Error& error) {
 }
 
 }  // namespace
+
+std::span<const Words> remedies() { return all_words; }
 
 std::string_view option_name(Option option) { return option == Option::none ? "" : row_of(option).long_name(); }
 

@@ -1,12 +1,24 @@
 // Words for errors: from codes, subjects and values to what was wrong, what was expected, and the remedy.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "app/progress.hpp"
 #include "error.hpp"
 
 namespace tcb {
+
+/// The words of a code. {0}, {1}, … are its values, lists joined by ", "; {subject} is the option, as --NAME, or the
+/// member of JSON that the error is about; {nearest} suggests the name in the list that is nearest to {0}, if any is.
+struct Words {
+  ErrorCode code;
+  std::string_view text;
+};
+
+/// A row for each code.
+std::span<const Words> remedies();
 
 /// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" where there is no file; a line for each error.
 std::string error_text(const Error& error);

@@ -1,74 +1,79 @@
-// The command line: how arguments become what was typed, and the refusal of those that are unknown.
+// Options: the table is complete, and its defaults and names are values that the options take.
 #include "cli/options.hpp"
 
-#include <gmock/gmock.h>
+#include <set>
 
-#include "error.hpp"
+#include "cli/command_line.hpp"
 
 namespace tcb {
 namespace {
 
-using testing::ElementsAre;
-
-Invocation parsed(std::vector<const char*> arguments) {
-  arguments.insert(arguments.begin(), "tcbsample");
-  return parse(static_cast<int>(arguments.size()), arguments.data());
-}
-
-std::string refusal(std::vector<const char*> arguments) {
-  try {
-    parsed(std::move(arguments));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit(), Exit::usage);
-    return error.what();
+TEST(Options, each_has_the_row_at_its_place) {
+  ASSERT_EQ(option_table().size(), option_count);
+  for (std::size_t i = 0; i < option_count; ++i) {
+    EXPECT_EQ(index_of(option_table()[i].id), i) << option_table()[i].names;
+    EXPECT_EQ(option_name(option_table()[i].id), option_table()[i].long_name());
   }
-  return "no error";
+  EXPECT_EQ(option_name(Option::none), "");
+  EXPECT_EQ(option_name(Option::rate), "--rate");
 }
 
-TEST(Options, options_and_files_come_in_any_order) {
-  const Job plan = parsed({"a.csv", "-s", "0.5", "-", "--output-format=json", "b.csv"}).plan;
-  EXPECT_THAT(plan.files, ElementsAre("a.csv", "-", "b.csv"));
-  EXPECT_EQ(plan.sampling.step, Rational(1, 2));
-  EXPECT_EQ(plan.output_format, FormatId::json);
+TEST(Options, names_are_unique_and_each_option_has_a_long_one) {
+  std::set<std::string_view> names;
+  for (const OptionRow& row : option_table()) {
+    for (const std::string_view name : row.all_names()) EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_TRUE(row.long_name().starts_with("--")) << row.names;
+  }
 }
 
-TEST(Options, two_dashes_end_the_options) {
-  EXPECT_THAT(parsed({"-n", "2", "--", "-n", "--step"}).plan.files, ElementsAre("-n", "--step"));
+TEST(Options, texts_have_no_point_at_the_end_and_flags_no_value) {
+  for (const OptionRow& row : option_table()) {
+    EXPECT_FALSE(row.text.empty()) << row.names;
+    EXPECT_FALSE(row.text.ends_with('.')) << row.names << ": the manual adds the point";
+    EXPECT_EQ(row.kind == ValueKind::flag, row.value.empty()) << row.names;
+    EXPECT_EQ(row.kind == ValueKind::name, row.known != nullptr) << row.names;
+  }
 }
 
-TEST(Options, a_value_may_be_negative) {
-  const Job plan = parsed({"-s1", "--from", "-1.5", "--to", "-.5", "--tcb", "-1,0,.5"}).plan;
-  EXPECT_EQ(plan.sampling.from, Rational(-3, 2));
-  EXPECT_EQ(plan.sampling.to, Rational(-1, 2));
-  EXPECT_EQ(plan.input.tcb, (spline::Tcb<double>{-1, 0, 0.5}));
+TEST(Options, groups_are_not_split) {
+  std::set<std::string_view> groups;
+  std::string_view group;
+  for (const OptionRow& row : option_table()) {
+    if (row.group == group) continue;
+    EXPECT_TRUE(groups.insert(group = row.group).second) << row.names;
+  }
 }
 
-TEST(Options, rate_and_fps_are_one_option) {
-  EXPECT_EQ(parsed({"--fps", "24"}).plan.sampling.step, parsed({"--rate", "24"}).plan.sampling.step);
+TEST(Options, every_default_is_a_value_of_its_option) {
+  for (const OptionRow& row : option_table()) {
+    if (row.default_value.empty()) continue;
+    TypedOptions typed;
+    EXPECT_NO_THROW(row.store(typed, std::string(row.default_value))) << row.names;
+  }
 }
 
-TEST(Options, help_version_and_generated_texts_need_no_plan) {
-  EXPECT_THAT(parsed({"--help"}).text.value_or(""), testing::StartsWith("Usage: tcbsample"));
-  EXPECT_EQ(parsed({"-h"}).text, parsed({"--help", "a.csv", "--step", "x"}).text);
-  EXPECT_THAT(parsed({"-V"}).text.value_or(""), testing::StartsWith("tcbsample "));
-  EXPECT_THAT(parsed({"--generate", "fish"}).text.value_or(""), testing::StartsWith("complete "));
-  EXPECT_FALSE(parsed({"-n", "2"}).text);
+TEST(Options, every_name_is_a_value_of_its_option) {
+  for (const OptionRow& row : option_table()) {
+    if (row.known == nullptr) continue;
+    for (const std::string_view name : row.known()) {
+      TypedOptions typed;
+      EXPECT_NO_THROW(row.store(typed, std::string(name))) << row.names << " " << name;
+    }
+  }
 }
 
-TEST(Options, an_unknown_option_is_refused_with_the_nearest_one) {
-  EXPECT_EQ(refusal({"--stop", "1"}), "unknown option --stop; did you mean --step? (--help lists all options)");
-  EXPECT_EQ(refusal({"--stop=1"}), "unknown option --stop; did you mean --step? (--help lists all options)");
-  EXPECT_EQ(refusal({"--frobnicate"}), "unknown option --frobnicate (--help lists all options)");
-  EXPECT_EQ(refusal({"-s", "1", "-x"}), "unknown option -x (--help lists all options)");
-}
-
-TEST(Options, an_option_without_its_value_or_given_twice_is_refused_by_name) {
-  EXPECT_THAT(refusal({"--step"}), testing::AllOf(testing::StartsWith("--step"), testing::EndsWith("; see --help")));
-  EXPECT_EQ(refusal({"-s", "1", "-s", "2"}), "--step is there more than once; expected it once; take one out");
-}
-
-TEST(Options, what_the_plan_refuses_is_refused_here) {
-  EXPECT_THAT(refusal({"a.csv"}), testing::StartsWith("nothing says where the samples are"));
+TEST(Options, an_unknown_name_is_refused_with_the_known_ones) {
+  for (const OptionRow& row : option_table()) {
+    if (row.known == nullptr || row.id == Option::ends || row.id == Option::parameter) continue;  // left to the curve
+    TypedOptions typed;
+    try {
+      row.store(typed, "wrong");
+      ADD_FAILURE() << row.names;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::unknown_name) << row.names;
+      EXPECT_EQ(std::get<std::vector<std::string>>(error.values().at(1)).size(), row.known().size()) << row.names;
+    }
+  }
 }
 
 }  // namespace

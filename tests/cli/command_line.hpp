@@ -1,0 +1,45 @@
+// Command lines in tests: the job that they make, or the error.
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "cli/remedies.hpp"
+#include "error.hpp"
+
+namespace tcb {
+
+inline Invocation parsed(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments{"tcbsample"};
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  return parse(static_cast<int>(arguments.size()), arguments.data());
+}
+
+inline Job job_of(const std::vector<std::string>& words) { return parsed(words).job; }
+
+/// The words of the error of usage that this command line causes; "" where there is none.
+inline std::string refusal(const std::vector<std::string>& words) {
+  try {
+    parsed(words);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    return error_message(error);
+  }
+  return "";
+}
+
+/// The same with --step 1 before these words.
+inline Job stepped(std::vector<std::string> words) {
+  words.insert(words.begin(), "--step=1");
+  return job_of(words);
+}
+
+inline std::string stepped_refusal(std::vector<std::string> words) {
+  words.insert(words.begin(), "--step=1");
+  return refusal(words);
+}
+
+}  // namespace tcb

@@ -1,0 +1,131 @@
+// Validators: the values that options take, and what is said of others.
+#include "cli/validators.hpp"
+
+#include "cli/command_line.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+
+std::string expected(const std::string& option, const std::string& value, const std::string& words) {
+  return option + " \"" + value + "\": expected " + words;
+}
+
+TEST(Validators, steps_and_rates_are_above_0) {
+  for (const std::string value : {"0", "-1", "x", "1/0", "0/5", "1e", "inf", "1/24x"}) {
+    for (const std::string option : {"--step", "--rate", "--arc-step"}) {
+      EXPECT_EQ(refusal({option, value}), expected(option, value, "a decimal or a ratio above 0, such as 0.1 or 1/24"));
+    }
+  }
+  EXPECT_EQ(refusal({"--rate", "1e-309"}),
+            expected("--rate", "1e-309", "a rate whose step is a double, less than 1.8e308"));
+  EXPECT_EQ(refusal({"--step", "1e309"}),
+            expected("--step", "1e309", "at most 1.7976931348623157e308 in size, as doubles are"));
+}
+
+TEST(Validators, counts_are_in_digits_from_1_up) {
+  EXPECT_EQ(positive_count("9223372036854775807"), 9223372036854775807U);
+  for (const std::string value : {"0", "-1", "+1", "1.5", "1e3", " 1", "9223372036854775808", "99999999999999999999"}) {
+    for (const std::string option : {"--count", "--segments", "--per-segment", "--arc-count"}) {
+      EXPECT_EQ(refusal({option, value}), expected(option, value, "a whole number from 1 to 2^63 - 1, in digits"));
+    }
+  }
+}
+
+TEST(Validators, a_range_is_of_decimals_or_ratios) {
+  EXPECT_EQ(ratio("-7/24"), Rational(-7, 24));
+  for (const std::string option : {"--from", "--to"}) {
+    EXPECT_EQ(stepped_refusal({option, "now"}), expected(option, "now", "a decimal or a ratio, such as 1.5 or 7/24"));
+  }
+}
+
+TEST(Validators, lists_are_separated_by_commas) {
+  EXPECT_THAT(ratios("0,1/2,-1e1"), ElementsAre(Rational(0), Rational(1, 2), Rational(-10)));
+  EXPECT_EQ(refusal({"--at", "1,,2"}),
+            expected("--at", "", "decimals or ratios, separated by commas, such as 0,0.5,7/24"));
+}
+
+TEST(Validators, whole_numbers_of_options_are_within_their_range) {
+  EXPECT_EQ(whole_number("1e9", 1, INT64_MAX), 1'000'000'000U);
+  EXPECT_EQ(stepped_refusal({"--max-rows", "1.5"}),
+            expected("--max-rows", "1.5", "a whole number from 1 to 9223372036854775807"));
+  EXPECT_EQ(stepped_refusal({"--jobs", "1025"}), expected("--jobs", "1025", "a whole number from 1 to 1024"));
+  EXPECT_EQ(stepped_refusal({"--digits", "0"}), expected("--digits", "0", "a whole number from 1 to 100"));
+  EXPECT_EQ(stepped_refusal({"--fixed", "101"}), expected("--fixed", "101", "a whole number from 0 to 100"));
+}
+
+TEST(Validators, a_tolerance_of_samples_is_above_0) {
+  EXPECT_EQ(positive_distance("1e-9"), 1e-9);
+  for (const std::string value : {"0", "-1", "x", "inf"}) {
+    EXPECT_EQ(refusal({"--tolerance", value}), expected("--tolerance", value, "a distance above 0, such as 0.01"));
+  }
+}
+
+TEST(Validators, tolerances_are_for_all_columns_or_for_one) {
+  const auto list = tolerances("1e-9,x=0.5,a=b=2");
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0].column, "");
+  EXPECT_EQ(list[0].most, 1e-9);
+  EXPECT_EQ(list[1].column, "x");
+  EXPECT_EQ(list[2].column, "a=b") << "a name may contain =";
+  EXPECT_EQ(list[2].most, 2);
+  for (const char* value : {"-1", "x", "=1", "1,", "x=", "nan"}) {
+    EXPECT_THAT(refusal({"--check", "a", "--ulp", value}), testing::StartsWith("--ulp \"")) << value;
+  }
+}
+
+TEST(Validators, delimiters_are_names_or_characters_that_no_number_has) {
+  const std::pair<const char*, char> known[] = {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"space", ' '},
+                                                {"pipe", '|'}, {":", ':'},     {"\t", '\t'},       {"x", 'x'}};
+  for (const auto& [text, character] : known) EXPECT_EQ(delimiter(text), character) << text;
+  for (const char* text : {"1", "e", "E", ".", "-", "+", "\"", "\n", "\r", "tabs", ",,", "é"}) {
+    EXPECT_EQ(stepped_refusal({"--delimiter", text}),
+              expected("--delimiter", text,
+                       "one character that is no part of a number, or tab, comma, semicolon, space or pipe"));
+  }
+}
+
+TEST(Validators, tension_continuity_and_bias_are_three_numbers) {
+  EXPECT_EQ(tcb_values("0,0.5,-0.25"), (spline::Tcb<double>{0, 0.5, -0.25}));
+  for (const char* text : {"0", "0,0", "0,0,0,0", "0,,0", "0,0,x", "0,0,1e999", "0;0;0"}) {
+    EXPECT_EQ(stepped_refusal({"--tcb", text}), expected("--tcb", text, "three numbers T,C,B, such as 0,0.5,-0.25"));
+  }
+}
+
+TEST(Validators, columns_marks_and_parts_of_names) {
+  EXPECT_THAT(column_list("id,take"), ElementsAre("id", "take"));
+  EXPECT_EQ(stepped_refusal({"--group", "id,"}),
+            expected("--group", "id,", "columns by name or number, separated by commas"));
+  EXPECT_EQ(stepped_refusal({"--decimal", ";"}), expected("--decimal", ";", "a comma or a point"));
+  EXPECT_EQ(stepped_refusal({"--output-dir", "a", "--suffix", "a/b"}),
+            expected("--suffix", "a/b", "a part of a file name, without /"));
+}
+
+TEST(Validators, fields_are_chosen_in_order_each_once) {
+  EXPECT_THAT(field_list("s,position,time"), ElementsAre(2, 1, 0));
+  EXPECT_EQ(stepped_refusal({"--fields", "time,positon"}),
+            "--fields: unknown name \"positon\"; expected one of time, position, s, velocity, acceleration, jerk, "
+            "speed, tangent, curvature, torsion, segment, u, key, arc_error; did you mean position?");
+  EXPECT_EQ(stepped_refusal({"--fields", "time,s,time"}),
+            "--fields: time twice; expected each field once; take one out");
+}
+
+TEST(Validators, formats_are_those_that_can_be_read_or_written) {
+  EXPECT_EQ(input_format("jsonl"), FormatId::jsonl);
+  EXPECT_EQ(output_format("npy"), FormatId::npy);
+  EXPECT_EQ(stepped_refusal({"-i", "npy"}),
+            "--input-format: unknown name \"npy\"; expected one of csv, tsv, ssv, json, jsonl");
+  EXPECT_EQ(stepped_refusal({"-f", "xml"}),
+            "--output-format: unknown name \"xml\"; expected one of csv, tsv, ssv, json, jsonl, npy");
+}
+
+TEST(Validators, names_come_from_the_tables) {
+  EXPECT_EQ(stepped_refusal({"--missing", "skip"}),
+            "--missing: unknown name \"skip\"; expected one of error, skip-row, skip-cell, break");
+  EXPECT_EQ(stepped_refusal({"--duplicates", "fist"}),
+            "--duplicates: unknown name \"fist\"; expected one of error, first, last, break; did you mean first?");
+}
+
+}  // namespace
+}  // namespace tcb
