@@ -195,7 +195,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "Every key is a sample too; a sample within a billionth of a step of a key is replaced by it", "", flag, recorded,
      [](Typed& to, Text) { to.job.sampling.keys = true; }},
     {Option::max_rows, "--max-rows", "N", sampling, "Refuses to make more samples than N", "1e9", other, recorded,
-     [](Typed& to, Text text) { to.job.sampling.max_rows = whole_number(text, 1, INT64_MAX); }},
+     [](Typed& to, Text text) { to.job.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
 
     {Option::output, "-o,--output", "FILE", output,
      "Writes to FILE, which appears when it is complete; -: standard output", "", file, unrecorded,
@@ -224,7 +224,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "The number of threads; by default one per core, and a single one for a live pipe. The bytes are the same for "
      "every N",
      "", other, unrecorded,
-     [](Typed& to, Text text) { to.job.jobs = static_cast<unsigned>(whole_number(text, 1, 1024)); }},
+     [](Typed& to, Text text) { to.job.jobs = static_cast<unsigned>(count_between(text, 1, 1024)); }},
     {Option::golden, "--golden", "", output, "Every number is the exact one, rounded once; slow", "", flag, recorded,
      [](Typed&, Text) {}},
     {Option::exact_input, "--exact-input", "", output,

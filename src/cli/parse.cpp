@@ -68,7 +68,7 @@ void declare(CLI::App& app, TypedOptions& typed) {
     }
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && !words.empty()) {
-    throw Error(Exit::usage, ErrorCode::value_missing, {words.back()});
+    throw Error(Exit::usage, ErrorCode::value_missing, {name_of(words.back())});
   }
   throw Error(Exit::usage, ErrorCode::wrong_command_line, {std::string(error.what())});
 }

@@ -100,12 +100,12 @@ std::uint64_t positive_count(const std::string& text) {
   return *value;
 }
 
-std::uint64_t whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
+std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most) {
   const auto value = parse_rational(text);
   if (!value || *value < least || denominator(*value) != 1 || *value > most) {
     refuse(ErrorCode::expected_whole_number, text, {least, most});
   }
-  return static_cast<std::uint64_t>(numerator(*value));
+  return whole_number(*value);
 }
 
 int digit_count(const std::string& text, int least) {

@@ -28,7 +28,7 @@ std::string listed_numbers(const std::string& text);
 /// In digits, from 1 to 2^63 - 1.
 std::uint64_t positive_count(const std::string& text);
 /// A whole number from `least` to `most`, also as 1e9.
-std::uint64_t whole_number(const std::string& text, std::uint64_t least, std::uint64_t most);
+std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most);
 /// In digits alone.
 int digit_count(const std::string& text, int least);
 double positive_distance(const std::string& text);

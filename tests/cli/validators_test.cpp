@@ -47,7 +47,7 @@ TEST(Validators, lists_are_separated_by_commas) {
 }
 
 TEST(Validators, whole_numbers_of_options_are_within_their_range) {
-  EXPECT_EQ(whole_number("1e9", 1, INT64_MAX), 1'000'000'000U);
+  EXPECT_EQ(count_between("1e9", 1, INT64_MAX), 1'000'000'000U);
   EXPECT_EQ(stepped_refusal({"--max-rows", "1.5"}),
             expected("--max-rows", "1.5", "a whole number from 1 to 9223372036854775807"));
   EXPECT_EQ(stepped_refusal({"--jobs", "1025"}), expected("--jobs", "1025", "a whole number from 1 to 1024"));
