@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "curve/settings.hpp"
 #include "curve/fields.hpp"
+#include "curve/settings.hpp"
 #include "io/formats.hpp"
 #include "text/notation.hpp"
 
@@ -128,12 +128,11 @@ constexpr std::array table{
              {O::golden},
              ", as a double has 17 significant digits",
              [](const Typed& typed) { return typed.notation.count > digits_of_double; }},
-    Conflict{
-        {O::golden},
-        exclude,
-        {O::fields},
-        ", as the exact s has no error",
-        [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
+    Conflict{{O::golden},
+             exclude,
+             {O::fields},
+             ", as the exact s has no error",
+             [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
     Conflict{{O::meta}, idle, {O::explain}, ", which prints no rows"},
     Conflict{{O::meta},
              idle,

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "cli/validators.hpp"
-#include "curve/settings.hpp"
 #include "curve/fields.hpp"
+#include "curve/settings.hpp"
 
 namespace tcb {
 namespace {
