@@ -77,7 +77,8 @@ Facts intentions(const Job& job, const Input& input) {
   Facts facts;
   const auto add = [&](const char* name, std::string value) { facts.emplace_back(name, std::move(value)); };
   add("missing", std::string(name_of(missing_names, &MissingName::way, job.input.missing)));
-  if (input.timed) add("duplicates", std::string(name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates)));
+  if (input.timed)
+    add("duplicates", std::string(name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates)));
   if (job.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
@@ -172,8 +173,7 @@ std::string line_of(const CurveOutcome& outcome) {
 /// Counts of all curves of an input, and a line for each of the first ones.
 class Explainer {
  public:
-  Explainer(const Input& input, const Job& job, const Wording& wording)
-      : input_(input), job_(job), wording_(wording) {}
+  Explainer(const Input& input, const Job& job, const Wording& wording) : input_(input), job_(job), wording_(wording) {}
 
   void add(const CurveKeys& curve) {
     const CurvePipeline pipeline(job_.sampling, job_.curve, job_.fields, job_.golden, input_, *curve.curve_info);
@@ -226,8 +226,7 @@ Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
   }
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
   if (!facts.timed) {
-    words.emplace_back("times",
-                       wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
+    words.emplace_back("times", wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
   }
   return words;
 }

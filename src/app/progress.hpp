@@ -17,12 +17,12 @@ namespace tcb {
 /// Something about an input or its curves that a user may not expect, with values as errors have them.
 enum class NoteCode {
   no_time_column,
-  ignored_columns,     ///< names
-  remainder,           ///< distance of the end from the last row
-  step,                ///< the step, as text
-  skipped_rows,        ///< number
-  made_times,          ///< the value of --parameter
-  other_program,       ///< the program of the earlier output, this program
+  ignored_columns,  ///< names
+  remainder,        ///< distance of the end from the last row
+  step,             ///< the step, as text
+  skipped_rows,     ///< number
+  made_times,       ///< the value of --parameter
+  other_program,    ///< the program of the earlier output, this program
 };
 
 struct Note {

@@ -31,7 +31,7 @@ class HelpTest : public testing::Test {
   /// What a program prints for a script; nothing where there is no such program.
   static std::optional<std::string> run(const std::string& program, const std::string& script) {
     if (std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) != 0) return std::nullopt;
-    const std::string file = testing::TempDir() + "tcbsample_completion";
+    const std::string file = testing::TempDir() + "tcbsample_completion" + std::to_string(::getpid());
     std::FILE* const out = std::fopen(file.c_str(), "w");
     std::fputs(script.c_str(), out);
     std::fclose(out);
