@@ -10,7 +10,7 @@
 #include "app/job.hpp"
 #include "curve/index.hpp"
 #include "curve/rows.hpp"
-#include "curve/settings.hpp"
+#include "curve/curve_spec.hpp"
 #include "input/input.hpp"
 #include "keys/key_store.hpp"
 #include "sampling/request.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "curve/fields.hpp"
-#include "curve/settings.hpp"
+#include "curve/curve_spec.hpp"
 #include "io/formats.hpp"
 #include "text/notation.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "cli/validators.hpp"
 #include "curve/fields.hpp"
-#include "curve/settings.hpp"
+#include "curve/curve_spec.hpp"
 
 namespace tcb {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "curve/settings.hpp"
+#include "curve/curve_spec.hpp"
 #include "error.hpp"
 #include "stream/stream.hpp"
 

@@ -12,7 +12,7 @@
 #include "compare/check.hpp"
 #include "compare/inputs.hpp"
 #include "compare/match.hpp"
-#include "curve/settings.hpp"
+#include "curve/curve_spec.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "curve/settings.hpp"
+#include "curve/curve_spec.hpp"
 #include "keys/key_store.hpp"
 #include "stream/stream.hpp"
 #include "tcb/spline/arc_length.hpp"

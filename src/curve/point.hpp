@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "sampling/segment.hpp"
+#include "sampling/curve_segment.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/derivatives.hpp"
 
@@ -204,14 +204,14 @@ class PathShape {
     const S v2 = square(velocity(point));
     if (!moves(point)) return undefined(v2);
     const S area2 = wedge_square(velocity(point), acceleration(point));
-    if (!bends(point)) return {S(0), true, false, area2 != S(0)};
+    if (!is_curved(point)) return {S(0), true, false, area2 != S(0)};
     return root(area2 / (v2 * v2 * v2));
   }
   Quantity<S> torsion(Point<S>& point) const {
     if (!moves(point)) return undefined(square(velocity(point)));
     const View v = velocity(point), a = acceleration(point), j(point.derivatives().jerk, point.segment().metric);
     const S area2 = wedge_square(v, a);
-    if (!bends(point)) return undefined(area2);
+    if (!is_curved(point)) return undefined(area2);
     if (v.size() < 3) return {S(0)};
     if (v.size() == 3) return {minor3(v, a, j, 0, 1, 2) / area2};
     return root(wedge_square(v, a, j) / (area2 * area2));
@@ -238,7 +238,7 @@ class PathShape {
     const S least = doubt_ * rates(point).first;
     return square(velocity(point)) > least * least;
   }
-  bool bends(Point<S>& point) const {
+  bool is_curved(Point<S>& point) const {
     const View v = velocity(point), a = acceleration(point);
     const auto [first, second] = rates(point);
     const S noise = doubt_ * first, second_noise = doubt_ * (first * first + abs(second));

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "exact/scalar.hpp"
+#include "exact/exact_scalar.hpp"
 
 namespace tcb {
 namespace {

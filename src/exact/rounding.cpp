@@ -67,9 +67,9 @@ Root root_of(const Rational& square, unsigned bits) {
 
 std::string fixed_text(const Rational& value, int decimals) {
   std::string digits = nearest_whole(times_ten_to(abs(value), decimals)).str();
-  const auto behind = static_cast<std::size_t>(decimals);
-  if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
-  if (behind > 0) digits.insert(digits.size() - behind, ".");
+  const auto decimal_digits = static_cast<std::size_t>(decimals);
+  if (digits.size() <= decimal_digits) digits.insert(0, decimal_digits + 1 - digits.size(), '0');
+  if (decimal_digits > 0) digits.insert(digits.size() - decimal_digits, ".");
   return (value < 0 ? "-" : "") + digits;
 }
 

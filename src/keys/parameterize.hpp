@@ -18,7 +18,7 @@ namespace tcb {
 Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric);
 
 /// The power of a distance at a scalar, from its square. Doubles add up squares as double-doubles, in units of a power
-/// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/scalar.hpp.
+/// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/exact_scalar.hpp.
 template <class S>
 struct DistancePower;
 

@@ -1,4 +1,4 @@
-// Samplers: on a grid of times or of arc lengths, and at equal intervals within every segment.
+// Samplers: on a grid of times or of arc lengths, at equal intervals within every segment, and at places in any order.
 #include "sampling/sampler.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class OnGrid : public Sampler {
   EndPolicy policy_;
   bool keys_, from_left_;
   std::uint64_t max_rows_;
-  bool cut_;   ///< the request says where to end
+  bool cut_;   ///< the request has an end of its own
   Time near_;  ///< a row this near to a key is that key
   std::uint64_t next_ = 0;
   bool done_ = false;
@@ -229,6 +229,40 @@ void locate_lengths(const CurveSegment& segment, Located& located) {
   for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
     located.samples.push_back(sample_at_length(segment, duration, located.coordinates[i], located.places[i]));
   }
+}
+
+Time AnywhereInTime::on_curve(std::uint64_t row) const {
+  const Time t = place(row);
+  if (kind_ == Extrapolation::error) {
+    if (t < first_) require_not_before(Option::at, exact_time(t), first_key(first_));
+    if (t > last_) require_not_after(Option::at, exact_time(t), last_key(last_));
+  }
+  return map_to_curve<double>(kind_, first_, last_, t).t;
+}
+
+void AnywhereInTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                            Located& located) const {
+  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  located.outside.clear();
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
+    const Time t = place(row);
+    located.outside.push_back(map_to_curve<double>(kind_, first_, last_, t));
+    return {t, locate(located.outside.back().t)};
+  });
+}
+
+Time AnywhereInLength::on_curve(std::uint64_t row) const {
+  const Time s = place(row);
+  if (s < Time(0.0)) require_not_before(Option::arc_at, exact_time(s), curve_start());
+  if (s > Time(length_)) require_not_after(Option::arc_at, exact_time(s), curve_length(length_));
+  return s;
+}
+
+void AnywhereInLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                              Located& located) const {
+  located.coordinates.clear();
+  for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place(row));
+  locate_lengths(segment, located);
 }
 
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {

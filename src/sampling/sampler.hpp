@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "sampling/curve_segment.hpp"
 #include "sampling/grid.hpp"
-#include "sampling/segment.hpp"
 #include "tcb/spline/arc_length.hpp"
 
 namespace tcb {
@@ -89,9 +89,9 @@ void locate_lengths(const CurveSegment& segment, Located& located);
 /// access is needed to find their segments.
 class AnywhereLocator : public Locator {
  public:
-  using Place = std::function<Time(std::uint64_t)>;
+  using Coordinate = std::function<Time(std::uint64_t)>;
 
-  AnywhereLocator(Place place, std::uint64_t size) : place_(std::move(place)), size_(size) {}
+  AnywhereLocator(Coordinate place, std::uint64_t size) : place_(std::move(place)), size_(size) {}
 
   std::uint64_t size() const { return size_; }
   Time place(std::uint64_t row) const { return place_(row); }
@@ -100,14 +100,14 @@ class AnywhereLocator : public Locator {
   virtual Time on_curve(std::uint64_t row) const = 0;
 
  private:
-  Place place_;
+  Coordinate place_;
   std::uint64_t size_;
 };
 
 /// Places are times, which may be outside the curve.
 class AnywhereInTime : public AnywhereLocator {
  public:
-  AnywhereInTime(Place place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last)
+  AnywhereInTime(Coordinate place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last)
       : AnywhereLocator(std::move(place), size), kind_(kind), first_(first), last_(last) {}
 
   Time on_curve(std::uint64_t row) const override;
@@ -121,7 +121,7 @@ class AnywhereInTime : public AnywhereLocator {
 /// Places are arc lengths.
 class AnywhereInLength : public AnywhereLocator {
  public:
-  AnywhereInLength(Place place, std::uint64_t size, double length)
+  AnywhereInLength(Coordinate place, std::uint64_t size, double length)
       : AnywhereLocator(std::move(place), size), length_(length) {}
 
   Time on_curve(std::uint64_t row) const override;

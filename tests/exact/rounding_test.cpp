@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "curve/fields.hpp"
-#include "exact/scalar.hpp"
+#include "exact/exact_scalar.hpp"
 
 namespace tcb {
 namespace {

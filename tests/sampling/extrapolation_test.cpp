@@ -1,4 +1,4 @@
-// Extrapolation: which time on the curve stands for one outside, whatever the curve's start.
+// Extrapolation: the time on the curve for a time outside it.
 #include "sampling/extrapolation.hpp"
 
 #include <gtest/gtest.h>

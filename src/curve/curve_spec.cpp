@@ -1,5 +1,5 @@
 // The meaning of curve settings: rules by index, texts as numbers.
-#include "curve/settings.hpp"
+#include "curve/curve_spec.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,63 @@
+// Precision levels: rows are exact numbers rounded once, also where doubles are off.
+#include "exact/precision_levels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "curve/build.hpp"
+
+namespace tcb {
+namespace {
+
+/// Three keys on the line x = t / 3, as decimals of the times; the rows of a request.
+Table exact_rows(const SamplingRequest& request, const Notation& notation) {
+  KeyBlock block;
+  block.keys.channels = 1;
+  block.keys.times = {0.0, 3.0, 6.0};
+  block.keys.positions = {0, 1, 2};
+  block.lines = {1, 2, 3};
+  ExactKeys exact(true);
+  exact.add(block);
+  const KeyStore store([block, done = false]() mutable -> std::optional<KeyBlock> {
+    return std::exchange(done, true) ? std::nullopt : std::optional(block);
+  });
+  const Extent extent{0.0, Time(6.0), {}};
+  ExactRows rows(exact.curve(3, {}, std::nullopt), request, extent, notation);
+  const std::shared_ptr<Sampler> sampler = make_sampler(request, extent);
+  const auto blocks = place(segment_blocks({store.source(), {}}, {}, false), sampler, {});
+  Table all;
+  while (const auto samples = blocks()) {
+    const std::array chosen{std::size_t{1}, std::size_t{6}};  // position, speed
+    Table table = rows.evaluate(*samples, *sampler, chosen);
+    all.cells.insert(all.cells.end(), table.cells.begin(), table.cells.end());
+    all.texts.insert(all.texts.end(), table.texts.begin(), table.texts.end());
+  }
+  return all;
+}
+
+TEST(ExactRows, numbers_are_rounded_once) {
+  SamplingRequest request;
+  request.step = Rational(1);
+  const Table table = exact_rows(request, {});
+  ASSERT_EQ(table.cells.size(), 14U);
+  for (std::size_t row = 0; row < 7; ++row) {
+    const auto t = static_cast<double>(row);
+    EXPECT_EQ(table.cells[2 * row].hi, row % 3 == 0 ? t / 3 : table.cells[2 * row].hi);
+    EXPECT_NEAR(table.cells[2 * row].hi, t / 3, 0.5);
+    EXPECT_GT(table.cells[2 * row + 1].hi, 0);
+  }
+}
+
+TEST(ExactRows, texts_have_the_digits_that_are_asked_for) {
+  SamplingRequest request;
+  request.mode = Mode::count;
+  request.count = 3;
+  const Table table = exact_rows(request, {Notation::Kind::digits, 30});
+  ASSERT_EQ(table.texts.size(), 6U);
+  EXPECT_EQ(table.texts[2], "1");
+  EXPECT_EQ(table.texts[3], "0.333333333333333333333333333333");
+}
+
+}  // namespace
+}  // namespace tcb
