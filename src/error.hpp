@@ -114,8 +114,89 @@ enum class ErrorCode {
   // text
   // io
   // input
+  npy_as_input,
+  not_in_utf8,  ///< name of the encoding
+  two_byte_order_marks,
+  nul_byte,
+  same_column_names,      ///< the name
+  no_such_column,         ///< name or number, names of the columns
+  no_such_column_number,  ///< name or number, number of columns
+  column_with_two_roles,  ///< name
+  two_columns_for_role,   ///< role, name of the second column
+  no_channel_column,
+  column_nearly_role,    ///< name, role
+  invalid_role_request,  ///< part of the option's text
   // input/csv
-  // input/json
+  record_too_long,
+  too_many_cells,  ///< the most
+  quote_not_closed,
+  text_after_quotes,
+  empty_input,
+  header_without_rows,
+  lines_end_in_carriage_returns,
+  header_unclear,         ///< text, number
+  row_unlike_header,      ///< number of cells, number of names
+  column_not_utf8,        ///< name, byte
+  cell_not_utf8,          ///< cell, byte
+  wrong_number_of_cells,  ///< number, expected number
+  empty_group,            ///< column
+  number_empty,           ///< column: its name or number
+  number_missing,         ///< column, cell
+  number_with_point,      ///< column, cell
+  number_with_comma,      ///< column, cell
+  number_too_large,       ///< column, cell
+  several_numbers,        ///< column, cell
+  not_a_number,           ///< column, cell
+  decimal_comma_is_delimiter,
+  // input/json; PATH is the path of the value, as in keys[17].x
+  text_options_on_json,
+  empty_json,
+  json_value_expected,             ///< token
+  json_name_expected,              ///< token
+  json_colon_expected,             ///< token
+  json_comma_or_bracket_expected,  ///< token
+  json_comma_or_brace_expected,    ///< token
+  json_end_expected,               ///< token
+  json_string_not_closed,          ///< the string
+  json_character_in_string,        ///< the string up to the character
+  json_ends_early,
+  json_text_after_array,
+  json_key_too_long,
+  json_object_too_long,
+  json_curve_expected,
+  json_comma_after_curve_expected,
+  json_key_missing,
+  json_value_for_key,  ///< the value
+  json_number_for_key,
+  json_array_for_key,
+  json_number_too_large,        ///< number
+  json_member_repeats,          ///< PATH
+  json_member_unknown,          ///< PATH
+  json_member_missing,          ///< name
+  json_member_nearly_role,      ///< PATH, role, name
+  json_not_a_number,            ///< PATH, text
+  json_null_number,             ///< PATH
+  json_null_group,              ///< PATH
+  json_number_expected,         ///< PATH
+  json_text_expected,           ///< PATH
+  json_array_expected,          ///< PATH
+  json_array_size,              ///< PATH, number of elements, expected number
+  json_tcb_twice,               ///< PATH
+  json_tcb_array_expected,      ///< PATH
+  json_single_number_expected,  ///< PATH
+  json_channel_count,           ///< number of names, number of numbers
+  json_without_keys,
+  json_curve_without_keys,  ///< path of the curve
+  json_curves_differ,       ///< path, time and channels, those of the first curve
+  groups_of_curves,
+  setting_nearly_known,       ///< PATH, the words about the known name
+  setting_repeats,            ///< PATH
+  setting_of_keys,            ///< PATH
+  setting_is_option,          ///< PATH
+  setting_outside_curves,     ///< name
+  setting_closed_expected,    ///< PATH, text
+  setting_channels_expected,  ///< PATH
+  setting_id_expected,        ///< PATH
   // keys
   equal_times,               ///< time, the time before and its line
   equal_times_in_list,       ///< time, the time before, the positions of both keys in the list

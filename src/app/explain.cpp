@@ -10,7 +10,7 @@
 #include "app/curve_pipeline.hpp"
 #include "app/pipeline.hpp"
 #include "curve/fields.hpp"
-#include "input/reader.hpp"
+#include "input/input.hpp"
 #include "input/texts.hpp"
 #include "io/file.hpp"
 #include "text/number.hpp"

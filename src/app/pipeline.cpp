@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "input/reader.hpp"
+#include "input/input.hpp"
 #include "io/file.hpp"
 #include "output/writer.hpp"
 #include "text/number.hpp"

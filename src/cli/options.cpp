@@ -67,7 +67,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "samples",
      "", other, recorded,
      [](Typed& to, Text text) {
-       to.job.input.roles.push_back({Role::group, column_list(text), "--group"});
+       to.job.input.roles.push_back({Role::group, column_list(text), Option::group});
      }},
     {Option::missing, "--missing", "POLICY", input,
      "For a cell that is empty, NA, nan or null: error refuses it; skip-row leaves the key out; skip-cell interpolates "

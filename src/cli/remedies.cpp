@@ -21,8 +21,141 @@ constexpr std::array all_words{
     // text
     // io
     // input
+    Words{ErrorCode::npy_as_input,
+          "the file is one of NumPy's; expected text; convert it, for example with numpy.savetxt"},
+    Words{ErrorCode::not_in_utf8,
+          "the text is {0}; expected UTF-8; convert it, for example with iconv -f {0} -t UTF-8"},
+    Words{ErrorCode::two_byte_order_marks, "a byte order mark twice; expected one at most; take it out"},
+    Words{ErrorCode::nul_byte,
+          "a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8"},
+    Words{ErrorCode::same_column_names,
+          "two columns are called \"{0}\"; expected different names; rename one, or choose by number with --columns"},
+    Words{ErrorCode::no_such_column, "no column \"{0}\"; the columns are {1}; correct {subject}"},
+    Words{ErrorCode::no_such_column_number, "no column {0}; there are {1}, without names; give numbers from 1 to {1}"},
+    Words{ErrorCode::column_with_two_roles, "column \"{0}\" has two roles; expected one; correct --columns"},
+    Words{ErrorCode::two_columns_for_role,
+          "two columns could be the {0} column, the second is \"{1}\"; expected one; choose with --columns"},
+    Words{ErrorCode::no_channel_column,
+          "no position column; expected at least one column of numbers besides the time; name it with --columns "
+          "position=NAME"},
+    Words{ErrorCode::column_nearly_role,
+          "column \"{0}\" is nearly \"{1}\", but a channel by its name; expected {1}, or another name; rename it, or "
+          "give --columns {1}={0} or position=NAME:NAME"},
+    Words{ErrorCode::invalid_role_request,
+          "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
+          "continuity=, bias=, ease_in=, ease_out=, group= or carry=; for example --columns time=frame,position=px:py"},
     // input/csv
+    Words{ErrorCode::record_too_long,
+          "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was left "
+          "open"},
+    Words{ErrorCode::too_many_cells,
+          "a record of more than {0} cells; expected fewer; correct the row, or give the delimiter with -d"},
+    Words{ErrorCode::quote_not_closed, "a quoted cell is not closed; expected \" at its end; add it"},
+    Words{ErrorCode::text_after_quotes,
+          "text after a quoted cell; expected the delimiter or the line's end; double the quotes inside a cell"},
+    Words{ErrorCode::empty_input, "no keys: the input is empty; expected a row for each key; see --help"},
+    Words{ErrorCode::header_without_rows,
+          "no keys: there is a header and no row; expected a row for each key; see --help"},
+    Words{ErrorCode::lines_end_in_carriage_returns,
+          "no keys: there is one line, with carriage returns in it; expected a line for each key; change them to line "
+          "feeds, for example with tr"},
+    Words{ErrorCode::header_unclear,
+          "the first record has text, {q0}, and a number, {q1}; expected names or numbers alone; give --header if they "
+          "are names, --no-header if they are not"},
+    Words{ErrorCode::row_unlike_header,
+          "the first row has {0} where the header has {1}; expected the same number; correct one of them, or give the "
+          "delimiter with -d"},
+    Words{ErrorCode::column_not_utf8,
+          "column {q0}: the byte {1:02X} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
+    Words{ErrorCode::cell_not_utf8,
+          "{q0}: the byte {1:02X} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
+    Words{ErrorCode::wrong_number_of_cells,
+          "the row has {0} where the rows above have {1}; expected the same number of cells; complete or correct the "
+          "row, or give the delimiter with -d"},
+    Words{ErrorCode::empty_group,
+          "{0}: an empty cell; expected the name of a curve; fill it in, or give --missing skip-row"},
+    Words{
+        ErrorCode::number_empty,
+        "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
+    Words{ErrorCode::number_missing,
+          "{c0}: {q1} where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
+    Words{ErrorCode::number_with_point,
+          "{c0}: {q1} has a point; expected a decimal comma; correct the cell, or take --decimal out"},
+    Words{ErrorCode::number_with_comma,
+          "{c0}: {q1} is not a number; expected a decimal point; give --decimal , if this is a decimal comma"},
+    Words{ErrorCode::number_too_large,
+          "{c0}: {q1} is not a finite double; expected less than 1.8e308 in size; correct the cell"},
+    Words{ErrorCode::several_numbers,
+          "{c0}: {q1} is not a number; expected one in each cell; give the delimiter with -d"},
+    Words{ErrorCode::not_a_number,
+          "{c0}: {q1} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell"},
+    Words{ErrorCode::decimal_comma_is_delimiter,
+          "--decimal , cannot be where the delimiter is , too; expected another one; give it with -d, or take "
+          "--decimal out"},
     // input/json
+    Words{ErrorCode::text_options_on_json,
+          "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out, or give "
+          "the format with -i"},
+    Words{ErrorCode::empty_json, "no keys: the input is empty; expected an object for each key; see --help"},
+    Words{ErrorCode::json_value_expected, "not JSON: {q0}; expected a value; correct the text"},
+    Words{ErrorCode::json_name_expected, "not JSON: {q0}; expected a name in quotes; correct the text"},
+    Words{ErrorCode::json_colon_expected, "not JSON: {q0}; expected a colon after the name; correct the text"},
+    Words{ErrorCode::json_comma_or_bracket_expected, "not JSON: {q0}; expected a comma or ]; correct the text"},
+    Words{ErrorCode::json_comma_or_brace_expected, "not JSON: {q0}; expected a comma or }}; correct the text"},
+    Words{ErrorCode::json_end_expected, "not JSON: {q0} after the last bracket; expected nothing more; take it out"},
+    Words{ErrorCode::json_string_not_closed, "not JSON: the string {q0} is not closed; expected \" at its end; add it"},
+    Words{ErrorCode::json_character_in_string,
+          "not JSON: the last character of {q0} may not be in a string; expected UTF-8 without control characters, and "
+          "the escapes of JSON; correct the text"},
+    Words{ErrorCode::json_ends_early, "not JSON: the text ends early; expected the rest of the value; complete it"},
+    Words{ErrorCode::json_text_after_array, "text after the end of the JSON array; expected nothing more; take it out"},
+    Words{ErrorCode::json_key_too_long, "a key of more than 64 MiB; expected less; shorten it"},
+    Words{ErrorCode::json_object_too_long, "an object of more than 64 MiB around the keys; expected less; shorten it"},
+    Words{ErrorCode::json_curve_expected, "no curve where one was expected; expected {{…}}; correct the text"},
+    Words{ErrorCode::json_comma_after_curve_expected, "expected a comma or the end of the curves; correct the text"},
+    Words{ErrorCode::json_key_missing, "nothing where a key was expected; expected {{…}}; take the comma out"},
+    Words{ErrorCode::json_value_for_key, "{0} where a key was expected; expected {{…}}; correct it"},
+    Words{ErrorCode::json_number_for_key, "a number where a key was expected; expected {{…}}; correct it"},
+    Words{ErrorCode::json_array_for_key, "an array where a key was expected; expected {{…}}; correct it"},
+    Words{ErrorCode::json_number_too_large,
+          "{q0} is not a finite double; expected less than 1.8e308 in size; correct it"},
+    Words{ErrorCode::json_member_repeats, "{0}: a second time in one key; expected once; take one out"},
+    Words{ErrorCode::json_member_unknown,
+          "{0}: not in the first key; expected the same members in every key; add it there"},
+    Words{ErrorCode::json_member_missing,
+          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row, skip-cell "
+          "or break"},
+    Words{ErrorCode::json_member_nearly_role,
+          "{0}: nearly \"{1}\", but a channel by its name; expected {1}, or another name; rename it, or give --columns "
+          "{1}={2} or position=NAME:NAME"},
+    Words{ErrorCode::json_not_a_number, "{0}: {q1} is not a number; expected one without quotes; correct it"},
+    Words{ErrorCode::json_null_number,
+          "{0}: null where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
+    Words{ErrorCode::json_null_group, "{0}: null where a text was expected; fill it in, or give --missing skip-row"},
+    Words{ErrorCode::json_number_expected, "{0}: expected a number, as in the first key; correct it"},
+    Words{ErrorCode::json_text_expected, "{0}: expected a text or a number, as in the first key; correct it"},
+    Words{ErrorCode::json_array_expected, "{0}: expected an array of numbers, as in the first key; correct it"},
+    Words{ErrorCode::json_array_size, "{0}: an array of {1}; expected {2} numbers, as in the first key; correct it"},
+    Words{ErrorCode::json_tcb_twice, "{0}: also in \"tcb\"; expected one of them; take one out"},
+    Words{ErrorCode::json_tcb_array_expected, "{0}: expected an array [T,C,B]; correct it"},
+    Words{ErrorCode::json_single_number_expected, "{0}: expected a number; correct it"},
+    Words{ErrorCode::json_channel_count,
+          "\"channels\" names {0}; expected {1}, one for each number of \"position\"; correct it"},
+    Words{ErrorCode::json_without_keys, "no keys; expected two at least; add them"},
+    Words{ErrorCode::json_curve_without_keys, "{0}: no keys; expected two at least; add them, or take the curve out"},
+    Words{ErrorCode::json_curves_differ,
+          "{0}: keys with {1}, {2}; expected {3}, {4}, as in the first curve; correct them"},
+    Words{ErrorCode::groups_of_curves,
+          "{subject} has no meaning for an object with curves, which are separate already; take it out"},
+    Words{ErrorCode::setting_nearly_known, "{0}: not a setting{1}"},
+    Words{ErrorCode::setting_repeats, "{0}: a second time in one object; expected once; take one out"},
+    Words{ErrorCode::setting_of_keys, "{0}: not in a key; expected in each of them; move it there"},
+    Words{ErrorCode::setting_is_option,
+          "{0}: an option, not a setting of a file; take it out, and give {subject} where it is wanted"},
+    Words{ErrorCode::setting_outside_curves, "{0}: outside the curves; expected in each of them; move it there"},
+    Words{ErrorCode::setting_closed_expected, "{0}: {q1}; expected true or false; correct it"},
+    Words{ErrorCode::setting_channels_expected, "{0}: expected an array of names in quotes; correct it"},
+    Words{ErrorCode::setting_id_expected, "{0}: expected a text or a number; correct it"},
     // keys
     Words{ErrorCode::equal_times,
           "time {0} repeats the time {1} in line {2}; expected times that increase; take one of them out, or give "
@@ -145,8 +278,7 @@ constexpr std::array all_words{
     Words{ErrorCode::no_provenance,
           "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
     // app
-    Words{ErrorCode::out_of_memory, "out of memory"},
-    Words{ErrorCode::unexpected, "{0}"},
+    Words{ErrorCode::out_of_memory, "out of memory"}, Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "
           "other columns with --columns"},
@@ -240,12 +372,38 @@ constexpr std::array all_words{
           "{0} was made from another number of files of keys, {1}; {2} given; give as many"},
 };
 
-struct AppendValue {
-  fmt::dynamic_format_arg_store<fmt::format_context>& to;
-  void operator()(const std::vector<std::string>& list) const {
-    to.push_back(fmt::format("{}", fmt::join(list, ", ")));
-  }
+/// The further remedy of an error about the roles of columns whose words do not show the option.
+constexpr const char* columns_remedy = "; or name the columns to take with --columns position=";
+
+using FormatArguments = fmt::dynamic_format_arg_store<fmt::format_context>;
+
+/// A list in words; a hundred thousand names would not make them clearer.
+std::string listed(const std::vector<std::string>& list) {
+  constexpr std::ptrdiff_t most = 20;
+  if (std::ssize(list) <= most) return fmt::format("{}", fmt::join(list, ", "));
+  return fmt::format("{} and {} more", fmt::join(list.begin(), list.begin() + most, ", "), std::ssize(list) - most);
+}
+
+struct AddValue {
+  FormatArguments& to;
+  void operator()(const std::vector<std::string>& list) const { to.push_back(listed(list)); }
   void operator()(const auto& value) const { to.push_back(value); }
+};
+
+/// Adds the other ways in which words may show the value with this index.
+struct AddNamed {
+  FormatArguments& to;
+  std::size_t index;
+
+  void operator()(std::uint64_t number) const { add('c', fmt::format("column {}", number)); }
+  void operator()(const std::string& text) const {
+    add('q', shown(text));
+    add('c', text);
+  }
+  void operator()(const auto&) const {}
+  void add(char kind, const std::string& text) const {
+    to.push_back(fmt::arg(fmt::format("{}{}", kind, index).c_str(), text));
+  }
 };
 
 /// "; did you mean NAME?", or "".
@@ -275,12 +433,15 @@ std::string_view option_name(Option option) { return option == Option::none ? ""
 
 std::string error_message(const Error& error) {
   const auto words = std::ranges::find(all_words, error.code(), &Words::code);
-  fmt::dynamic_format_arg_store<fmt::format_context> values;
-  for (const ErrorValue& value : error.values()) std::visit(AppendValue{values}, value);
+  FormatArguments values;
+  for (const ErrorValue& value : error.values()) std::visit(AddValue{values}, value);
+  for (std::size_t i = 0; i < error.values().size(); ++i) std::visit(AddNamed{values, i}, error.values()[i]);
   const std::string subject = error.member().empty() ? std::string(option_name(error.option())) : error.member();
   values.push_back(fmt::arg("subject", subject));
   values.push_back(fmt::arg("nearest", nearest(error.values())));
-  return fmt::vformat(words->text, values);
+  const bool shows_subject = words->text.find("{subject}") != std::string_view::npos;
+  const bool columns_help = error.option() == Option::columns && !shows_subject;
+  return fmt::vformat(words->text, values) + (columns_help ? columns_remedy : "");
 }
 
 std::string error_text(const Error& error) {

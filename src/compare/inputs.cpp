@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "curve/fields.hpp"
-#include "input/reader.hpp"
+#include "input/input.hpp"
 #include "io/file.hpp"
 #include "keys/curves.hpp"
 #include "stream/stream.hpp"

@@ -1,36 +1,74 @@
-// Columns: which cell of a record is time, position, tension, continuity, bias, or a text that goes with the key.
+// Columns: the roles of the cells of a record: time, position, tension, continuity, bias, eases, and texts of a key.
 #include "input/columns.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <unordered_set>
 
-#include "error.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-/// Names in a message, which a hundred thousand of them would not make clearer.
-std::string listed(std::span<const std::string> names) {
-  constexpr std::size_t most = 20;
-  const auto first = names.first(std::min(names.size(), most));
-  return fmt::format("{}{}", fmt::join(first, ", "),
-                     names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
+struct RoleName {
+  std::string_view name;
+  Role role;
+  bool any_case;
+  bool in_header = true;  ///< a column of that name has that role
+};
+
+/// Names that give a column its role. The first ones, in the order of Role, are also the names of the roles.
+constexpr std::array role_names{
+    RoleName{"time", Role::time, true},          RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true},    RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},          RoleName{"ease_in", Role::ease_in, true},
+    RoleName{"ease_out", Role::ease_out, true},  RoleName{"group", Role::group, true, false},
+    RoleName{"carry", Role::carry, true, false}, RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},         RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},       RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},      RoleName{"B", Role::bias, false},
+};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+
+/// A name such as "timestamp [ns]" or "time (s)" without its unit.
+std::string_view without_unit(std::string_view name) {
+  const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
+  if (begin == 0 || begin == std::string_view::npos) return name;
+  return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
+}
+
+/// Whether `longer` is `shorter` with one letter more.
+bool is_with_a_letter(std::string_view longer, std::string_view shorter) {
+  if (longer.size() != shorter.size() + 1) return false;
+  std::size_t at = 0;
+  while (at < shorter.size() && lower(longer[at]) == lower(shorter[at])) ++at;
+  return is_letter(longer[at]) && same_in_any_case(longer.substr(at + 1), shorter.substr(at));
+}
+
+/// Whether `name` is a near miss of `known`.
+bool is_near(std::string_view name, std::string_view known) {
+  if (is_with_a_letter(name, known) || is_with_a_letter(known, name)) return true;
+  if (name.size() != known.size()) return false;
+  std::size_t at = 0;
+  while (at < name.size() && lower(name[at]) == lower(known[at])) ++at;
+  if (at + 1 >= name.size()) return at < name.size() && known.size() > 4;
+  const bool changed = same_in_any_case(name.substr(at + 1), known.substr(at + 1));
+  const bool swapped = lower(name[at]) == lower(known[at + 1]) && lower(name[at + 1]) == lower(known[at]) &&
+                       same_in_any_case(name.substr(at + 2), known.substr(at + 2));
+  return swapped || (changed && known.size() > 4);
 }
 
 [[noreturn]] void refuse_same_names(const std::string& name) {
-  throw Error(Exit::data, fmt::format("two columns are called \"{}\"; expected different names; rename one, or choose "
-                                      "by number with --columns",
-                                      name));
+  throw Error(Exit::data, ErrorCode::same_column_names, {name});
 }
 
-/// The cell that a name or number asks for.
-std::size_t find_cell(const std::string& wanted, std::string_view option, std::span<const std::string> header,
+/// The cell of a requested column, by name or number.
+std::size_t find_cell(const std::string& wanted, Option option, std::span<const std::string> header,
                       std::size_t cells) {
   if (std::ranges::count(header, wanted) > 1) refuse_same_names(wanted);
   const auto exact = std::ranges::find(header, wanted);
@@ -41,55 +79,51 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
   const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
   if (is_number && number >= 1 && number <= cells) return number - 1;
-  throw Error(
-      Exit::data,
-      header.empty()
-          ? fmt::format("no column {}; there are {}, without names; give numbers from 1 to {}", wanted, cells, cells)
-          : fmt::format("no column \"{}\"; the columns are {}; correct {}", wanted, listed(header), option));
+  if (header.empty()) throw Error(Exit::data, ErrorCode::no_such_column_number, {wanted, std::uint64_t{cells}});
+  const std::vector<std::string> names(header.begin(), header.end());
+  throw Error(Exit::data, ErrorCode::no_such_column, {wanted, names}).about(option);
 }
 
 /// Sets the role of a cell, which must not have another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
-  if (columns.cells[cell].role != Role::left_out) {
-    throw Error(Exit::data, fmt::format("column \"{}\" has two roles; expected one; correct --columns", name));
+  if (columns.cells[cell].role != Role::ignored) {
+    throw Error(Exit::data, ErrorCode::column_with_two_roles, {name});
   }
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.carried
                                                                    : nullptr;
   if (several == nullptr && columns.has(role)) {
-    throw Error(Exit::data, fmt::format("two columns could be the {} column, the second is \"{}\"; expected one; "
-                                        "choose with --columns",
-                                        role_name(role), name));
+    throw Error(Exit::data, ErrorCode::two_columns_for_role, {std::string(role_name(role)), name});
   }
   columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
   if (several != nullptr) several->push_back(name);
   if (role == Role::time) columns.time = name;
 }
 
-/// The texts of a key are what groups it, then its labels.
+/// The texts of a key are those of its groups, then its labels.
 void number_texts(Columns& columns) {
   for (Columns::Column& column : columns.cells) {
     if (column.role == Role::carry) column.channel += columns.groups.size();
   }
 }
 
-/// Roles by name, or without a header time first; positions only where none were asked for.
+/// Roles by name, or without a header time first; positions only where none were requested.
 void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
                      bool timeless) {
   const bool positions_given = columns.has(Role::position);
-  const auto asked = columns.cells;
-  std::array<bool, role_count> is_asked{};
-  for (const Columns::Column& column : asked) is_asked[static_cast<std::size_t>(column.role)] = true;
+  const auto requested = columns.cells;
+  std::array<bool, role_count> is_requested{};
+  for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
   const auto is_text = [](const auto& column) { return column.role == Role::group || column.role == Role::carry; };
-  const auto front = static_cast<std::size_t>(std::ranges::find_if_not(asked, is_text) - asked.begin());
+  const auto front = static_cast<std::size_t>(std::ranges::find_if_not(requested, is_text) - requested.begin());
   std::unordered_set<std::string_view> names;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
-    if (asked[cell].role != Role::left_out) continue;
+    if (requested[cell].role != Role::ignored) continue;
     const bool first = cell == front && !timeless && !columns.has(Role::time);
     const Role role = !header.empty() ? role_of_name(header[cell]) : first ? Role::time : Role::position;
-    const bool asked_for = is_asked[static_cast<std::size_t>(role)];
-    if (role == Role::position ? positions_given || !numeric[cell] : asked_for) continue;
+    const bool has_request = is_requested[static_cast<std::size_t>(role)];
+    if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
     if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
       refuse_same_names(header[cell]);
     }
@@ -98,6 +132,35 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
 }
 
 }  // namespace
+
+bool same_in_any_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
+
+std::string_view role_name(Role role) { return role_names[static_cast<std::size_t>(role) - 1].name; }
+
+std::optional<Role> find_role(std::string_view name) {
+  const auto known = std::ranges::find(role_names, name, &RoleName::name);
+  return known == role_names.end() ? std::nullopt : std::optional(known->role);
+}
+
+Role role_of_name(std::string_view name) {
+  const auto role_of = [](std::string_view written) {
+    const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
+      return known.in_header && (known.any_case ? same_in_any_case(written, known.name) : written == known.name);
+    });
+    return row == role_names.end() ? Role::position : row->role;
+  };
+  const std::string_view alone = without_unit(name);
+  return alone.size() < name.size() && role_of(alone) == Role::time ? Role::time : role_of(name);
+}
+
+std::optional<Role> near_role(std::string_view name) {
+  if (role_of_name(name) != Role::position) return std::nullopt;
+  const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
+    const bool counts = known.any_case && known.in_header && known.role != Role::position;
+    return counts && is_near(without_unit(name), known.name);
+  });
+  return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
+}
 
 bool Columns::has(Role role) const {
   return std::ranges::any_of(cells, [&](const Column& column) { return column.role == role; });
@@ -111,6 +174,16 @@ std::vector<Role> Columns::shape_roles() const {
   return roles;
 }
 
+std::string Columns::name_of(const Column& column) const {
+  switch (column.role) {
+    case Role::time: return time;
+    case Role::position: return channels[column.channel];
+    case Role::group: return groups[column.channel];
+    case Role::carry: return carried[column.channel - groups.size()];
+    default: return std::string(role_name(column.role));
+  }
+}
+
 std::vector<RoleRequest> parse_roles(std::string_view text) {
   std::vector<RoleRequest> requests;
   for (const std::string_view part : split(text, ',')) {
@@ -118,11 +191,7 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
     const std::string_view name = part.substr(0, equals);
     const std::optional<Role> known = find_role(name);
     if (equals == std::string::npos || equals + 1 == part.size() || !known) {
-      throw Error(Exit::usage,
-                  fmt::format("--columns: \"{}\" is no role with its columns; expected "
-                              "time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, ease_in=, "
-                              "ease_out=, group= or carry=; for example --columns time=frame,position=px:py",
-                              part));
+      throw Error(Exit::usage, ErrorCode::invalid_role_request, {std::string(part)}).about(Option::columns);
     }
     const auto columns = split(part.substr(equals + 1), ':');
     requests.push_back({*known, {columns.begin(), columns.end()}});
@@ -146,12 +215,10 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   assign_the_rest(columns, header, numeric, timeless);
   number_texts(columns);
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (columns.cells[cell].role == Role::left_out) columns.left_out.push_back(header[cell]);
+    if (columns.cells[cell].role == Role::ignored) columns.ignored.push_back(header[cell]);
   }
   if (columns.channels.empty()) {
-    throw Error(Exit::data,
-                "no position column; expected at least one column of numbers beside the time; "
-                "name it with --columns position=NAME");
+    throw Error(Exit::data, ErrorCode::no_channel_column);
   }
   if (header.empty()) {
     columns.time = "t";
@@ -189,23 +256,21 @@ Columns find_sample_columns(std::span<const std::string> header, const std::vect
   return find_columns(header, numeric, requests, true);
 }
 
-std::optional<std::string> slip(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
-                                bool timeless) {
-  const std::optional<Role> meant = role_missed(name);
-  if (!meant || columns.has(*meant) || (timeless && *meant == Role::time)) return std::nullopt;
+std::optional<Role> near_miss(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
+                              bool timeless) {
+  const std::optional<Role> near = near_role(name);
+  if (!near || columns.has(*near) || (timeless && *near == Role::time)) return std::nullopt;
   if (std::ranges::count(requests, Role::position, &RoleRequest::role) > 0) return std::nullopt;
-  return fmt::format(
-      "nearly \"{0}\", but a channel by its name; expected {0}, or another name; rename it, or give "
-      "--columns {0}={1} or position=NAME:NAME",
-      role_name(*meant), name);
+  return near;
 }
 
-void require_no_slip(std::span<const std::string> header, const Columns& columns, std::span<const RoleRequest> requests,
-                     bool timeless) {
+void require_no_near_miss(std::span<const std::string> header, const Columns& columns,
+                          std::span<const RoleRequest> requests, bool timeless) {
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     if (columns.cells[cell].role != Role::position) continue;
-    const auto what = slip(header[cell], columns, requests, timeless);
-    if (what) throw Error(Exit::data, fmt::format("column \"{}\" is {}", header[cell], *what));
+    const auto near = near_miss(header[cell], columns, requests, timeless);
+    if (!near) continue;
+    throw Error(Exit::data, ErrorCode::column_nearly_role, {header[cell], std::string(role_name(*near))});
   }
 }
 

@@ -1,4 +1,4 @@
-// Columns: which cell of a record is time, position, tension, continuity, bias, or a text that goes with the key.
+// Columns: the roles of the cells of a record: time, position, tension, continuity, bias, eases, and texts of a key.
 #pragma once
 
 #include <cstddef>
@@ -8,66 +8,88 @@
 #include <string_view>
 #include <vector>
 
-#include "input/roles.hpp"
+#include "error.hpp"
 
 namespace tcb {
 
-/// Roles given by hand: each with the columns that have it, by name or by number from 1.
+enum class Role { ignored, time, position, tension, continuity, bias, ease_in, ease_out, group, carry };
+
+inline constexpr std::size_t role_count = 10;
+
+/// The name of a role where roles are requested. Requires: not ignored.
+std::string_view role_name(Role role);
+
+/// The role with this name.
+std::optional<Role> find_role(std::string_view name);
+
+/// The role that a column has by its name; position where the name gives none.
+/// Case does not matter, except that t is time and T, C, B are tension, continuity and bias.
+Role role_of_name(std::string_view name);
+
+/// The role whose name is a near miss of this one: a letter dropped, added or changed, or two of them swapped. In names
+/// of four letters, a changed letter makes other words, such as tide, and no near miss. Nothing for all other names.
+std::optional<Role> near_role(std::string_view name);
+
+/// Whether two names are the same, whatever the case of their letters.
+bool same_in_any_case(std::string_view a, std::string_view b);
+
+/// A requested role: its columns by name or by number from 1, and the option that requests it.
 struct RoleRequest {
   Role role;
   std::vector<std::string> columns;
-  std::string_view option = "--columns";  ///< which gave it
+  Option option = Option::columns;
 };
 
 /// "time=frame,position=px:py:pz". Throws: Error (usage).
 std::vector<RoleRequest> parse_roles(std::string_view text);
 
-/// What the records of an input mean.
+/// The meaning of the cells of all records of an input.
 struct Columns {
   struct Column {
-    Role role = Role::left_out;
-    std::size_t channel = 0;  ///< for positions; for groups and labels, which text of a key
+    Role role = Role::ignored;
+    std::size_t channel = 0;  ///< of positions; of groups and labels, the index among the texts of a key
   };
   std::vector<Column> cells;          ///< one a cell of a record
   bool named = false;                 ///< the input names its columns
   std::string time = "t";             ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
-  std::vector<std::string> groups;    ///< names of the columns that tell curves apart
+  std::vector<std::string> groups;    ///< names of the group columns
   std::vector<std::string> carried;   ///< names of the columns of labels
-  std::vector<std::string> left_out;  ///< names of the columns that are nothing
+  std::vector<std::string> ignored;   ///< names of the columns without a role
 
   bool has(Role role) const;
   /// Those of tension to ease_out that a column has.
   std::vector<Role> shape_roles() const;
   std::size_t texts() const { return groups.size() + carried.size(); }  ///< of each key
+  /// The name of a column that has a role.
+  std::string name_of(const Column& column) const;
 };
 
-/// The columns of delimited records. `header` is empty where the input has none; `numeric` says of
-/// each cell whether its column holds numbers. Without a header the first column is the time, unless `timeless`.
-/// Throws: Error (data) for a column that is not there, that has two roles, or whose role another has.
+/// The columns of records. `header` is empty where the input has no names; numeric[i]: column i holds numbers.
+/// Without a header the first column is the time, unless `timeless`.
+/// Throws: Error (data) for a column that does not exist, that has two roles, or whose role another column has.
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                      std::span<const RoleRequest> requests, bool timeless = false);
 
-/// What is known of the rows of samples of a curve before they are read.
+/// The names that samples of a curve are expected to have.
 struct SampleNames {
   std::string time;                      ///< of the time column, if it is not one of the usual names
-  std::vector<std::string> groups = {};  ///< of the columns that tell curves apart, if they are there
-  std::vector<std::string> labels = {};  ///< of columns that are passed over
+  std::vector<std::string> groups = {};  ///< of the group columns, if they are there
+  std::vector<std::string> labels = {};  ///< of columns to ignore
 };
 
-/// The columns of samples: the time, what tells curves apart, and every other column of numbers as a channel,
-/// whatever its name. Throws: Error (data) as find_columns.
+/// The columns of samples: the time, the groups, and every other column of numbers as a channel, whatever its name.
+/// Throws: Error (data) as find_columns.
 Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                             const SampleNames& names, bool timeless);
 
-/// What is said of a channel whose name is that of a role but for a slip, where no column has that role, and no
-/// channels were asked for; nothing of others.
-std::optional<std::string> slip(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
-                                bool timeless);
+/// The role that the name of a channel nearly is, where no column has that role and no channels were requested.
+std::optional<Role> near_miss(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
+                              bool timeless);
 
-/// Throws: Error (data) for the first channel of which slip() says something.
-void require_no_slip(std::span<const std::string> header, const Columns& columns, std::span<const RoleRequest> requests,
-                     bool timeless);
+/// Throws: Error (data) for the first channel whose name is a near miss.
+void require_no_near_miss(std::span<const std::string> header, const Columns& columns,
+                          std::span<const RoleRequest> requests, bool timeless);
 
 /// Names for channels without any: x, y, z, or p1, p2, … for more than three.
 std::vector<std::string> default_channel_names(std::size_t channels);

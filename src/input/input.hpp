@@ -1,9 +1,8 @@
-// What an input is told from outside, what flows through its reading, and what it yields.
+// Input: options of its reading, chunks of its text, and an input opened with its columns, its facts and its keys.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,17 +12,17 @@
 #include "error.hpp"
 #include "input/columns.hpp"
 #include "input/key_block.hpp"
-#include "input/texts.hpp"
 #include "io/formats.hpp"
 #include "stream/stream.hpp"
 #include "tcb/spline/key.hpp"
+#include "text/text_position.hpp"
 
 namespace tcb {
 
-/// What becomes of a cell without a number.
+/// The treatment of cells without a value.
 enum class Missing { error, skip_row, skip_cell, break_curve };
 
-/// How --missing names them.
+/// The names of the treatments.
 struct MissingName {
   std::string_view name;
   Missing way;
@@ -32,50 +31,53 @@ inline constexpr std::array missing_names{
     MissingName{"error", Missing::error}, MissingName{"skip-row", Missing::skip_row},
     MissingName{"skip-cell", Missing::skip_cell}, MissingName{"break", Missing::break_curve}};
 
-/// What the command line says about the input.
-struct InputOptions {
-  std::optional<FormatId> format;  ///< nothing: by ending or content
-  std::optional<char> delimiter;   ///< ' ' stands for runs of blanks and tabs
-  std::optional<bool> header;
-  std::string comment = "#";  ///< lines that begin with it are skipped; empty: none are
-  std::vector<RoleRequest> roles;
-  spline::Tcb<double> tcb;  ///< for keys that carry none
-  bool timeless = false;    ///< no column is the time, unless its name says so
-  unsigned threads = 1;     ///< that may work on it
-  char decimal = '.';       ///< between the digits of a number in delimited text
+/// How cells become keys.
+struct KeyRules {
+  spline::Tcb<double> tcb = {};  ///< of keys that have none
   Missing missing = Missing::error;
-  std::optional<SampleNames> samples;  ///< the records are no keys but samples of a curve
-  bool keeps_decimals = false;         ///< keys keep their numbers as they are written
+  bool keeps_decimals = false;  ///< keys keep their numbers as written
 };
 
-/// IndexedCurve records of an input, as text.
+/// Options of the reading of an input.
+struct InputOptions {
+  std::optional<FormatId> format;  ///< nothing: by ending or content
+  std::optional<char> delimiter;   ///< ' ' is any run of blanks and tabs
+  std::optional<bool> header;
+  std::string comment = "#";  ///< the prefix of lines to skip; empty: none
+  std::vector<RoleRequest> roles;
+  spline::Tcb<double> tcb;  ///< of keys that have none
+  bool timeless = false;    ///< no column is the time, unless its name gives it that role
+  unsigned threads = 1;     ///< at most
+  char decimal = '.';       ///< decimal mark of delimited text
+  Missing missing = Missing::error;
+  std::optional<SampleNames> samples;  ///< the records are samples of a curve, not keys
+  bool keeps_decimals = false;         ///< keys keep their numbers as written
+
+  KeyRules key_rules() const { return {tcb, missing, keeps_decimals}; }
+};
+
+/// Whole records of an input, as text.
 struct Chunk {
   std::string text;
   std::uint64_t line = 1;    ///< of the first character, from 1
   std::uint64_t column = 1;  ///< of the first character, from 1
-  std::uint64_t first = 0;   ///< number of the first record, where the format counts them
-  std::string path = {};     ///< of the list that the records are in, where the format has one
+  std::uint64_t first = 0;   ///< number of the first record, in formats that count them
+  std::string path = {};     ///< of the list that holds the records, in formats that have one
 };
 
-/// So many faults of an input are said before it is given up.
-inline constexpr std::size_t most_faults = 10;
+/// The bytes of a text, up to a NUL.
+class TextBytes {
+ public:
+  explicit TextBytes(Source<std::string> bytes) : bytes_(std::move(bytes)) {}
 
-/// The place of a column's number, if it has one.
-inline std::optional<std::size_t> number_of_key(const Columns::Column& column) {
-  switch (column.role) {
-    case Role::time: return NumberOfKey::time;
-    case Role::tension: return NumberOfKey::tension;
-    case Role::continuity: return NumberOfKey::continuity;
-    case Role::bias: return NumberOfKey::bias;
-    case Role::ease_in: return NumberOfKey::ease_in;
-    case Role::ease_out: return NumberOfKey::ease_out;
-    case Role::position: return NumberOfKey::position + column.channel;
-    case Role::left_out:
-    case Role::group:
-    case Role::carry: break;
-  }
-  return std::nullopt;
-}
+  /// Appends what comes next to a text that begins at `position`; false at the end of the input.
+  /// Throws: Error (data) at a NUL, once the text before it was read.
+  bool append_to(std::string& text, LinePosition position);
+
+ private:
+  Source<std::string> bytes_;
+  bool at_nul_ = false;  ///< the next byte is one
+};
 
 /// The shapes of JSON inputs.
 enum class JsonShape { list, object, curves, lines };
@@ -90,22 +92,39 @@ struct InputFacts {
   std::vector<Role> roles;            ///< those of tension to ease_out that have a column
 };
 
-/// An input opened: what its numbers mean, and its keys in blocks.
+/// An input opened: the meaning of its numbers, and its keys in blocks.
 struct Input {
   bool named = false;                 ///< it names its columns
   bool timed = false;                 ///< it has a time column
   std::string time;                   ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
-  CurveInfo curve_info;               ///< what stands beside the keys, for all of them
+  CurveInfo curve_info;               ///< of all curves, where they do not have their own
   Source<KeyBlock> keys;
   InputFacts facts = {};
-  std::vector<std::string> ignored = {};  ///< names of the columns without a meaning
-  std::vector<std::string> groups = {};   ///< names of the columns that tell curves apart
+  std::vector<std::string> ignored = {};  ///< names of the columns without a role
+  std::vector<std::string> groups = {};   ///< names of the group columns
   std::vector<std::string> carried = {};  ///< names of the columns of labels
-  unsigned threads = 1;                   ///< that may work on it
+  unsigned threads = 1;                   ///< at most
   bool may_break = false;                 ///< a curve may end before the input does
   bool may_miss = false;                  ///< positions may be missing
-  bool own_curves = false;                ///< blocks say where curves begin, and what is beside their keys
+  bool own_curves = false;                ///< blocks have the beginnings of curves, and their information
+
+  /// Takes over the columns of the input.
+  void set_columns(const Columns& columns);
 };
+
+/// At most so many faults of an input are reported.
+inline constexpr std::size_t most_faults = 10;
+
+/// Opens an input: the format is the given one, else by the file's ending, else by the first byte that is not blank.
+/// Throws: Error (data), without a file name.
+Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options);
+
+/// Keys without faults. Where there are any, the rest of the input is read for more, up to ten; a live input, which may
+/// not end soon, is read no further. Throws: Error (data) with all faults that were found.
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
+
+/// Throws: Error (data) with all of them, ten at most. Requires: there is one at least.
+[[noreturn]] void refuse(std::vector<Error> faults);
 
 }  // namespace tcb

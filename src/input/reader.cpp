@@ -1,38 +1,34 @@
-// Reader: opens an input in the format that is given, or found by its ending or its first byte.
-#include "input/reader.hpp"
-
-#include <fmt/format.h>
-
+// Reader: opens an input in its format; bytes up to a NUL; faults of an input gathered into one error.
 #include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
-#include "error.hpp"
-#include "input/csv/key_parser.hpp"
-#include "input/csv/records.hpp"
-#include "input/json/shapes.hpp"
+#include "input/csv/delimited_text.hpp"
+#include "input/input.hpp"
+#include "input/json/json_input.hpp"
 
 namespace tcb {
 namespace {
 
-/// Throws: Error (data) for a text in two or four bytes a character, and for what is no text.
+Error at_first_byte(ErrorCode code, std::vector<ErrorValue> values = {}) {
+  return Error(Exit::data, code, std::move(values)).at({"", 1, 1});
+}
+
+/// Throws: Error (data) for a text in two or four bytes a character, and for what is not text.
 void require_bytes(std::string_view beginning) {
   using namespace std::string_view_literals;
-  if (beginning.starts_with("\x93NUMPY")) {
-    throw Error(Exit::data, TextPosition{"", 1, 1},
-                "the file is one of NumPy's; expected text; convert it, for example with numpy.savetxt");
-  }
+  if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(ErrorCode::npy_as_input);
   const bool four = beginning.starts_with("\xFF\xFE\0\0"sv) || beginning.starts_with("\0\0\xFE\xFF"sv);
   if (!four && !beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
-  const char* const name = four ? "UTF-32" : "UTF-16";
-  throw Error(
-      Exit::data, TextPosition{"", 1, 1},
-      fmt::format("the text is {}; expected UTF-8; convert it, for example with iconv -f {} -t UTF-8", name, name));
+  throw at_first_byte(ErrorCode::not_in_utf8, {four ? "UTF-32" : "UTF-16"});
 }
 
 /// Drops a UTF-8 byte order mark. Throws: Error (data) for two.
 Source<std::string> without_mark(Source<std::string> bytes) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   std::string beginning;
-  constexpr std::size_t enough = 6;  // to tell what require_bytes() looks for
+  constexpr std::size_t enough = 6;  // for require_bytes()
   while (beginning.size() < enough) {
     auto more = bytes();
     if (!more) break;
@@ -40,9 +36,7 @@ Source<std::string> without_mark(Source<std::string> bytes) {
   }
   require_bytes(beginning);
   if (beginning.starts_with(mark)) beginning.erase(0, mark.size());
-  if (beginning.starts_with(mark)) {
-    throw Error(Exit::data, TextPosition{"", 1, 1}, "a byte order mark twice; expected one at most; take it out");
-  }
+  if (beginning.starts_with(mark)) throw at_first_byte(ErrorCode::two_byte_order_marks);
   return preceded_by(std::move(beginning), std::move(bytes));
 }
 
@@ -61,7 +55,38 @@ Input open_as(FormatId format, Source<std::string> bytes, InputOptions options) 
   return open_delimited(std::move(bytes), options);
 }
 
+/// Takes the faults of a block, in the order of their positions.
+void gather(std::vector<Error>& faults, KeyBlock& block) {
+  std::ranges::stable_sort(
+      block.faults, {}, [](const Error& fault) { return std::pair(fault.position().line, fault.position().column); });
+  std::ranges::move(block.faults, std::back_inserter(faults));
+}
+
 }  // namespace
+
+bool TextBytes::append_to(std::string& text, LinePosition position) {
+  if (at_nul_) {
+    const LinePosition nul = place_after(text, position);
+    throw Error(Exit::data, ErrorCode::nul_byte).at({"", nul.line, nul.column});
+  }
+  const std::optional<std::string> more = bytes_();
+  if (!more) return false;
+  const std::size_t nul = more->find('\0');
+  at_nul_ = nul != std::string::npos;
+  text.append(*more, 0, nul);
+  return true;
+}
+
+void Input::set_columns(const Columns& columns) {
+  named = columns.named;
+  timed = columns.has(Role::time);
+  time = columns.time;
+  channels = columns.channels;
+  groups = columns.groups;
+  carried = columns.carried;
+  ignored = columns.ignored;
+  facts.roles = columns.shape_roles();
+}
 
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options) {
   bytes = without_mark(std::move(bytes));
@@ -78,6 +103,33 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   input.threads = options.threads;
   input.facts.format = format;
   return input;
+}
+
+void refuse(std::vector<Error> faults) {
+  if (faults.size() > most_faults) faults.erase(faults.begin() + most_faults, faults.end());
+  Error first = faults[0];
+  for (std::size_t i = 1; i < faults.size(); ++i) first.add(std::move(faults[i]));
+  throw first;
+}
+
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
+  return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block || block->faults.empty()) return block;
+    std::vector<Error> faults;
+    for (bool more = true; more;) {
+      gather(faults, *block);
+      more = faults.size() < most_faults && !block->unreadable && !live;
+      try {
+        if (more) block = blocks();
+      } catch (const Error& error) {
+        faults.push_back(error);
+        more = false;
+      }
+      more = more && block;
+    }
+    refuse(std::move(faults));
+  };
 }
 
 }  // namespace tcb

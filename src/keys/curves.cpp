@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "input/faults.hpp"
+#include "input/input.hpp"
 
 namespace tcb {
 namespace {

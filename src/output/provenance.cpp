@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "error.hpp"
-#include "input/json/provenance.hpp"
+#include "input/json/json_input.hpp"
 #include "output/layout.hpp"
 #include "text/refusal.hpp"
 
@@ -94,7 +94,10 @@ Provenance read_meta(const Source<std::string>& bytes) {
   }
   text += '\n';
   if (json) {
-    provenance = read_json_meta(text);
+    JsonProvenance found = read_json_provenance(text);
+    provenance.program = std::move(found.program);
+    provenance.options = std::move(found.options);
+    provenance.inputs = std::move(found.inputs);
   } else {
     read_lines(provenance, text);
   }

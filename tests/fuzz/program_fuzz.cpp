@@ -17,7 +17,7 @@
 #include "cli/remedies.hpp"
 #include "curve/fields.hpp"
 #include "error.hpp"
-#include "input/reader.hpp"
+#include "input/input.hpp"
 #include "invariant.hpp"
 #include "text/number.hpp"
 

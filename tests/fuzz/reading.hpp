@@ -12,8 +12,7 @@
 
 #include "cli/remedies.hpp"
 #include "error.hpp"
-#include "input/faults.hpp"
-#include "input/reader.hpp"
+#include "input/input.hpp"
 #include "invariant.hpp"
 
 namespace tcb::fuzz {

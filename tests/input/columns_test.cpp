@@ -1,4 +1,4 @@
-// Columns: the role of each cell by name, by number, by position, and what is refused.
+// Columns: the role of each cell by name, by number, by position, and errors.
 #include "input/columns.hpp"
 
 #include <gmock/gmock.h>
@@ -49,27 +49,27 @@ TEST(Columns, without_a_header_the_first_is_time_and_the_rest_are_positions) {
   EXPECT_FALSE(columns.named);
 }
 
-TEST(Columns, columns_of_text_are_left_out) {
+TEST(Columns, columns_of_text_are_ignored) {
   const Columns columns = find_columns(Names{"label", "t", "x"}, {false, true, true}, {});
-  EXPECT_THAT(roles(columns), ElementsAre(Role::left_out, Role::time, Role::position));
+  EXPECT_THAT(roles(columns), ElementsAre(Role::ignored, Role::time, Role::position));
 }
 
-TEST(Columns, roles_asked_for_by_name_or_number_win_over_names) {
+TEST(Columns, requested_roles_have_priority_over_names) {
   const Columns columns = find({"t", "frame", "a", "b"}, "time=2,position=b:3");
-  EXPECT_THAT(roles(columns), ElementsAre(Role::left_out, Role::time, Role::position, Role::position));
-  EXPECT_THAT(columns.channels, ElementsAre("b", "a")) << "in the order asked for";
+  EXPECT_THAT(roles(columns), ElementsAre(Role::ignored, Role::time, Role::position, Role::position));
+  EXPECT_THAT(columns.channels, ElementsAre("b", "a")) << "in the requested order";
   EXPECT_EQ(columns.cells[3].channel, 0U);
   EXPECT_EQ(columns.cells[2].channel, 1U);
   EXPECT_EQ(columns.time, "frame");
 }
 
-TEST(Columns, positions_asked_for_are_all_positions) {
+TEST(Columns, requested_positions_are_all_positions) {
   EXPECT_THAT(find({"t", "x", "y", "z"}, "position=y").channels, ElementsAre("y"));
   EXPECT_THAT(roles(find_without_header(4, "position=3")),
-              ElementsAre(Role::time, Role::left_out, Role::position, Role::left_out));
+              ElementsAre(Role::time, Role::ignored, Role::position, Role::ignored));
 }
 
-TEST(Columns, without_a_header_roles_are_asked_for_by_number) {
+TEST(Columns, without_a_header_roles_are_requested_by_number) {
   const Columns columns = find_without_header(4, "time=3,bias=1");
   EXPECT_THAT(roles(columns), ElementsAre(Role::bias, Role::position, Role::time, Role::position));
   EXPECT_THAT(columns.channels, ElementsAre("x", "y"));
@@ -96,22 +96,22 @@ TEST(Columns, role_requests_are_parsed) {
   EXPECT_THAT(requests[1].columns, ElementsAre("px", "py", "3"));
 }
 
-TEST(Columns, role_requests_that_say_nothing_are_refused) {
+TEST(Columns, role_requests_without_a_role_or_columns_are_errors) {
   for (const std::string part : {"time", "time=", "=x", "place=x", ""}) {
     EXPECT_EQ(error_of([&] { parse_roles("bias=b," + part); }),
               "usage: f: error: --columns: \"" + part +
-                  "\" is no role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
+                  "\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
                   "bias=, ease_in=, "
                   "ease_out=, group= or carry=; for example --columns time=frame,position=px:py");
   }
 }
 
-TEST(Columns, what_is_missing_or_doubled_is_refused_with_the_remedy) {
+TEST(Columns, missing_and_repeated_columns_are_errors_with_a_remedy) {
   EXPECT_FALSE(find({"a", "x"}).has(Role::time)) << "times may be made from positions";
   EXPECT_EQ(error_of([] {
               find({"t", "bias"});
             }),
-            "f: error: no position column; expected at least one column of numbers beside the time; name it with "
+            "f: error: no position column; expected at least one column of numbers besides the time; name it with "
             "--columns position=NAME");
   EXPECT_EQ(error_of([] {
               find({"t", "x", "frame"});
@@ -129,7 +129,7 @@ TEST(Columns, what_is_missing_or_doubled_is_refused_with_the_remedy) {
             "f: error: column \"x\" has two roles; expected one; correct --columns");
 }
 
-TEST(Columns, a_column_that_is_not_there_is_refused_with_those_that_are) {
+TEST(Columns, a_column_that_does_not_exist_is_an_error_with_those_that_do) {
   EXPECT_EQ(error_of([] {
               find({"t", "x"}, "position=y");
             }),
@@ -158,17 +158,17 @@ TEST(SampleColumns, the_time_has_the_name_that_it_has_in_the_keys_or_a_usual_one
   EXPECT_FALSE(find_samples({"s", "x"}, {"clock"}).has(Role::time));
 }
 
-TEST(SampleColumns, groups_tell_curves_apart_if_all_are_there) {
+TEST(SampleColumns, groups_are_used_if_all_are_there) {
   EXPECT_THAT(find_samples({"x", "take", "t", "id"}, {"t", {"id", "take"}}).groups, ElementsAre("id", "take"));
   const Columns without = find_samples({"x", "t", "id"}, {"t", {"id", "take"}});
   EXPECT_TRUE(without.groups.empty());
   EXPECT_THAT(without.channels, ElementsAre("x", "id"));
 }
 
-TEST(SampleColumns, labels_are_passed_over) {
+TEST(SampleColumns, labels_are_ignored) {
   const Columns columns = find_samples({"t", "x", "pose"}, {"t", {}, {"pose"}});
   EXPECT_THAT(columns.channels, ElementsAre("x"));
-  EXPECT_THAT(columns.left_out, ElementsAre("pose"));
+  EXPECT_THAT(columns.ignored, ElementsAre("pose"));
 }
 
 TEST(SampleColumns, without_names_groups_come_first_then_the_time) {
@@ -177,6 +177,59 @@ TEST(SampleColumns, without_names_groups_come_first_then_the_time) {
   };
   EXPECT_THAT(roles(find(false)), ElementsAre(Role::group, Role::time, Role::position, Role::position));
   EXPECT_THAT(roles(find(true)), ElementsAre(Role::group, Role::position, Role::position, Role::position));
+}
+
+TEST(Roles, names_give_roles_and_case_does_not_matter) {
+  for (const char* name : {"time", "Time", "TIME", "t", "frame", "Frame", "timestamp", "Timestamp", "seconds"}) {
+    EXPECT_EQ(role_of_name(name), Role::time) << name;
+  }
+  for (const char* name : {"tension", "Tension", "TENSION"}) EXPECT_EQ(role_of_name(name), Role::tension) << name;
+  EXPECT_EQ(role_of_name("Continuity"), Role::continuity);
+  EXPECT_EQ(role_of_name("bIAS"), Role::bias);
+}
+
+TEST(Roles, single_letters_differ_by_case) {
+  EXPECT_EQ(role_of_name("t"), Role::time);
+  EXPECT_EQ(role_of_name("T"), Role::tension);
+  EXPECT_EQ(role_of_name("C"), Role::continuity);
+  EXPECT_EQ(role_of_name("B"), Role::bias);
+  EXPECT_EQ(role_of_name("c"), Role::position);
+  EXPECT_EQ(role_of_name("b"), Role::position);
+}
+
+TEST(Roles, every_other_name_is_a_position) {
+  for (const char* name : {"", "x", "times", "tt", "bias2", " t"})
+    EXPECT_EQ(role_of_name(name), Role::position) << name;
+}
+
+TEST(Roles, near_misses_of_names_are_found) {
+  for (const char* name :
+       {"tme", "tim", "ime", "tmie", "itme", "times", "Timee", "xtime", "tme (s)", "frmae", "fraem"}) {
+    EXPECT_EQ(near_role(name), Role::time) << name;
+  }
+  for (const char* name : {"Tensoin", "tenison", "tensiom", "rension", "tenssion", "ension", "TENSON"}) {
+    EXPECT_EQ(near_role(name), Role::tension) << name;
+  }
+  EXPECT_EQ(near_role("biass"), Role::bias);
+  EXPECT_EQ(near_role("easein"), std::nullopt) << "no letter is missing";
+  EXPECT_EQ(near_role("ease_im"), Role::ease_in);
+}
+
+TEST(Roles, other_names_are_no_near_misses) {
+  for (const char* name :
+       {"",        "x",      "t",    "T",      "time",     "Tension",   "torsion", "extension", "tensor",
+        "version", "bits",   "bins", "tide",   "dime",     "bias_x",    "bias1",   "time2",     "name",
+        "game",    "period", "temp", "timer2", "position", "positions", "carry",   "group"}) {
+    EXPECT_EQ(near_role(name), std::nullopt) << name;
+  }
+}
+
+TEST(Roles, each_has_a_name_that_finds_it) {
+  for (std::size_t i = 1; i < role_count; ++i) {
+    const Role role = static_cast<Role>(i);
+    EXPECT_EQ(find_role(role_name(role)), role) << role_name(role);
+  }
+  EXPECT_EQ(find_role("ignored"), std::nullopt);
 }
 
 }  // namespace

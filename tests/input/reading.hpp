@@ -10,8 +10,7 @@
 
 #include "cli/remedies.hpp"
 #include "error.hpp"
-#include "input/faults.hpp"
-#include "input/reader.hpp"
+#include "input/input.hpp"
 
 namespace tcb {
 

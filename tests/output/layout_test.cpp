@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "input/csv/records.hpp"
+#include "input/csv/tokenizer.hpp"
 #include "input/reading.hpp"
 
 namespace tcb {
@@ -70,12 +70,12 @@ TEST(Layout, delimited_names_read_back) {
     const Dialect dialect{delimiter, ""};
     for (const std::string name : odd_names) {
       const Chunk chunk{delimited_layout({{"t"}, {name}}, delimiter, true).head};
-      Records records(chunk, dialect);
+      Tokenizer tokenizer(chunk, dialect);
       std::vector<std::string_view> cells;
-      ASSERT_TRUE(records.next(cells));
+      ASSERT_TRUE(tokenizer.next(cells));
       ASSERT_EQ(cells.size(), 2U) << chunk.text;
       EXPECT_EQ(unquoted(cells[1]), name);
-      EXPECT_FALSE(records.next(cells));
+      EXPECT_FALSE(tokenizer.next(cells));
     }
   }
 }

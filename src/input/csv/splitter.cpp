@@ -1,23 +1,56 @@
-// Where delimited records end: text is cut between them, without looking into them.
-#include "input/csv/splitter.hpp"
-
+// Splitter of delimited text: the delimiter, found by a fixed rule, and chunks cut between records.
 #include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "error.hpp"
-#include "input/text_bytes.hpp"
+#include "input/csv/delimited_text.hpp"
 #include "text/text_position.hpp"
 
 namespace tcb {
 namespace {
+
+/// Skips lines before the first record: blank ones, comments, and those between curves.
+class Preamble {
+ public:
+  explicit Preamble(std::string comment) : any_{' ', std::move(comment)} {}
+
+  /// Drops whole lines from the beginning, except a comment that may be directly above the first record.
+  void skip(Beginning& beginning) {
+    for (std::size_t end = 0; (end = beginning.text.find('\n', at_)) != std::string::npos; at_ = end + 1) {
+      const std::string_view line = content(beginning.text, end);
+      const bool comment = any_.is_comment(line);
+      if (!comment && !line.empty() && !any_.is_divider(line)) break;
+      if (comment || line.empty()) kept_ = comment ? at_ : end + 1;
+    }
+    const auto dropped = beginning.text.begin() + static_cast<std::ptrdiff_t>(kept_);
+    beginning.line += static_cast<std::uint64_t>(std::count(beginning.text.begin(), dropped, '\n'));
+    beginning.text.erase(beginning.text.begin(), dropped);
+    at_ -= std::exchange(kept_, 0);
+  }
+
+  /// Where the first record begins, once it was read.
+  std::size_t record() const { return at_; }
+
+ private:
+  /// The current line without blanks at its ends.
+  std::string_view content(std::string_view text, std::size_t end) const {
+    std::string_view line = text.substr(at_, end - at_);
+    while (!line.empty() && Dialect::is_blank(line.front())) line.remove_prefix(1);
+    while (!line.empty() && (Dialect::is_blank(line.back()) || line.back() == '\r')) line.remove_suffix(1);
+    return line;
+  }
+
+  Dialect any_;
+  std::size_t at_ = 0, kept_ = 0;
+};
 
 /// Finds where records end in text that grows, looking at each byte once.
 class RecordEnds {
  public:
   explicit RecordEnds(Dialect dialect) : dialect_(std::move(dialect)) {}
 
-  /// Where the last whole record of the text ends, 0 if there is none. Requires: text that goes on from the last one.
+  /// Where the last whole record of the text ends, 0 if there is none. Requires: the text continues the last one.
   std::size_t last_end(std::string_view text) {
     const std::string_view fresh = text.substr(at_);
     if (state_ != State::quoted && state_ != State::quote && fresh.find('"') == std::string_view::npos) {
@@ -32,7 +65,7 @@ class RecordEnds {
   void cut(std::size_t end) { at_ -= end; }
 
  private:
-  /// In `rest` no byte of the line matters: it is a comment, or text behind a quoted cell, which is refused.
+  /// In `rest` no byte of the line matters: it is a comment, or text after a quoted cell, which is an error.
   enum class State { line_start, rest, cell_start, cell, quoted, quote, closed };
 
   /// Without quotes, a record ends with its line.
@@ -44,7 +77,7 @@ class RecordEnds {
     state_ = State::line_start;
   }
 
-  /// One step on; false where more text has to come to tell.
+  /// Takes one step; false where it needs more text.
   bool step(std::string_view text) {
     const char c = text[at_];
     switch (state_) {
@@ -134,11 +167,40 @@ class RecordSplitter {
 
 }  // namespace
 
-void refuse_long_record(std::uint64_t line) {
-  throw Error(Exit::data, TextPosition{"", line, 1},
-              "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was "
-              "left open");
+std::optional<char> delimiter_of(std::string_view record, char decimal) {
+  std::string seen;
+  bool quoted = false, ended = false;
+  for (const char c : record) {
+    if (c == '"') quoted = !quoted;
+    ended = c == '\n' && !quoted;
+    if (ended) break;
+    if (!quoted && seen.find(c) == std::string::npos) seen += c;
+  }
+  if (!ended) return std::nullopt;
+  for (const char delimiter : std::string_view(decimal == ',' ? "\t; " : "\t;, ")) {
+    if (seen.find(delimiter) != std::string::npos) return delimiter;
+  }
+  return ',';
 }
+
+Beginning find_delimiter(const Source<std::string>& bytes, const InputOptions& options) {
+  Beginning beginning;
+  Preamble preamble(options.comment);
+  for (;;) {
+    const std::optional<std::string> more = bytes();
+    beginning.text += more.value_or("");
+    if (beginning.text.size() > longest_record) refuse_long_record(beginning.line);
+    if (more && more->find('\n') == std::string::npos) continue;
+    preamble.skip(beginning);
+    std::string record = beginning.text.substr(preamble.record());
+    if (!more) record += '\n';  // the last record may lack its line end
+    const std::optional<char> delimiter = delimiter_of(record, options.decimal);
+    beginning.delimiter = delimiter.value_or(',');
+    if (delimiter || !more) return beginning;
+  }
+}
+
+void refuse_long_record(std::uint64_t line) { throw Error(Exit::data, ErrorCode::record_too_long).at({"", line, 1}); }
 
 Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line) {
   const auto splitter = std::make_shared<RecordSplitter>(std::move(bytes), dialect, line);

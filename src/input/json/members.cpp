@@ -1,76 +1,81 @@
-// What the members of JSON keys mean: columns by the names in the first key.
-#include "input/json/members.hpp"
-
-#include <fmt/format.h>
-
+// Members of JSON keys: columns by the names in the first key.
 #include <algorithm>
 #include <array>
 #include <unordered_set>
 #include <utility>
 
 #include "error.hpp"
-#include "input/json/events.hpp"
+#include "input/json/json_input.hpp"
+#include "input/json/object_reader.hpp"
 #include "text/number.hpp"
-#include "text/refusal.hpp"
-#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
 using Member = JsonColumns::Member;
 
-/// The name says what a member other than the position is.
-bool is_known(const std::string& name) { return name == "tcb" || role_of_name(name) != Role::position; }
+/// The name gives a member another role than position.
+bool has_role(const std::string& name) { return name == "tcb" || role_of_name(name) != Role::position; }
 
 /// Collects the members of the first key, then stops.
-class FirstKey : public JsonEvents {
+class FirstKey : public JsonObjectReader {
  public:
   struct Found {
     std::string name;
     bool array = false;
-    bool text = false;        ///< it is one text, or true or false
-    std::size_t numbers = 0;  ///< that it has, or that are missing there
-    std::string path = "";    ///< of one whose name is a role's, or is but for a slip,
-    TextPosition place = {};  ///< and its place
+    bool text = false;           ///< it is one text, or true or false
+    std::size_t numbers = 0;     ///< that it has, or that are missing there
+    std::string path = "";       ///< of one whose name is that of a role or a near miss,
+    TextPosition position = {};  ///< and its position
   };
-  /// `texts` are the members that are asked for as texts.
-  FirstKey(const Chunk& chunk, std::vector<std::string> texts) : JsonEvents(chunk), texts_(std::move(texts)) {}
+  /// `texts` are the members that are requested as texts.
+  FirstKey(const Chunk& chunk, std::vector<std::string> texts) : JsonObjectReader(chunk), texts_(std::move(texts)) {}
   std::vector<Found> members;
 
-  /// Where the key is.
-  const TextPosition& place() const { return place_; }
+  /// Where the key begins.
+  const TextPosition& position() const { return position_; }
 
  private:
   bool on_member(const std::string& name) override {
-    if (!names_.insert(name).second) {
-      fail(fmt::format("{}: a second time in one key; expected once; take one out", path()));
-    }
+    if (!names_.insert(name).second) throw value_error(ErrorCode::json_member_repeats);
     members.push_back({name});
-    if (!role_missed(name) && !is_known(name)) return true;
+    if (!near_role(name) && !has_role(name)) return true;
     members.back().path = path();
-    members.back().place = here();
+    members.back().position = value_position();
     return true;
   }
   bool on_number(const spline::Time<double>&) override { return count(); }
-  bool on_other(std::string_view text) override {
-    if (text == "null" && !is_quoted()) return count();  // refused later, as a number that is missing
-    Found& member = members.back();
-    const bool has_role = role_of_name(member.name) != Role::position;
-    const bool is_text = std::ranges::any_of(texts_, [&](const std::string& name) { return name == member.name; });
-    if (!in_array() && !is_text && (has_role || (!text.empty() && looks_numeric(text)))) {
-      fail(fmt::format("{}: {} is not a number; expected one without quotes; correct it", path(), shown(text)));
+  bool on_null() override { return count(); }  // refused later, as a number that is missing
+  bool on_nested() override {
+    if (!in_array() && !is_requested_text() && role_of_name(members.back().name) != Role::position) {
+      throw value_error(ErrorCode::json_single_number_expected);
     }
-    if (in_array() && (member.name == "position" || member.name == "tcb")) return count();  // refused later too
-    member.text = !in_array() && text != "an object";
-    return true;
+    return note(false);
+  }
+  bool on_text(std::string_view text) override {
+    const Found& member = members.back();
+    const bool needs_number = role_of_name(member.name) != Role::position || (!text.empty() && looks_numeric(text));
+    if (!in_array() && !is_requested_text() && needs_number)
+      throw value_error(ErrorCode::json_not_a_number, {std::string(text)});
+    return note(true);
   }
   bool on_key_start() override {
-    const LinePosition key = place_of_key();
-    place_ = {"", key.line, key.column};
+    const LinePosition key = key_position();
+    position_ = {"", key.line, key.column};
     return true;
   }
   bool on_key_end() override { return false; }
   bool on_break() override { return true; }
+
+  bool is_requested_text() const { return std::ranges::find(texts_, members.back().name) != texts_.end(); }
+
+  /// A value that is not a number.
+  bool note(bool text) {
+    Found& member = members.back();
+    if (in_array() && (member.name == "position" || member.name == "tcb")) return count();  // refused later too
+    member.text = text && !in_array();
+    return true;
+  }
 
   bool count() {
     members.back().array = in_array();
@@ -80,7 +85,7 @@ class FirstKey : public JsonEvents {
 
   std::vector<std::string> texts_;
   std::unordered_set<std::string> names_;
-  TextPosition place_;
+  TextPosition position_;
 };
 
 /// The names of a member's cells, as a table would have them.
@@ -94,9 +99,7 @@ std::vector<std::string> cell_names(const FirstKey::Found& member, const std::ve
 
 void require_count(std::size_t names, std::size_t numbers) {
   if (names == numbers) return;
-  throw Error(Exit::data, fmt::format("\"channels\" names {}; expected {}, one for each number of \"position\"; "
-                                      "correct it",
-                                      names, numbers));
+  throw Error(Exit::data, ErrorCode::json_channel_count, {std::uint64_t{names}, std::uint64_t{numbers}});
 }
 
 /// Tension, continuity and bias may come in any key, also where the first has none, and alone or as "tcb".
@@ -115,23 +118,25 @@ void add_optional_members(JsonColumns& columns) {
   if (!tcb) columns.members.push_back({"tcb", true, first, roles.size()});
 }
 
-/// Throws: Error (data) for a member that is an array where a number was expected, or the other way round, unless
-/// --columns says what it is.
+/// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
+/// requested.
 void require_shape(const FirstKey::Found& member, const InputOptions& options) {
   const bool is_array = member.name == "tcb";
-  if (!is_known(member.name) || (is_array == member.array && !member.text)) return;
+  if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
   const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
   if (std::ranges::any_of(options.roles, names_it)) return;
   if (member.numbers == 1 && !member.array) return;  // it may be null
-  throw Error(Exit::data, member.place,
-              fmt::format("{}: expected {}; correct it", member.path, is_array ? "an array [T,C,B]" : "a number"));
+  const ErrorCode code = is_array ? ErrorCode::json_tcb_array_expected : ErrorCode::json_single_number_expected;
+  throw Error(Exit::data, code, {member.path}).at(member.position);
 }
 
-/// Throws: Error (data) for a number that seems to be meant for something else, by its name.
-void require_no_slip(const FirstKey::Found& member, const Columns& columns, const InputOptions& options) {
+/// Throws: Error (data) for a number whose name is a near miss of a role's.
+void require_no_near_miss(const FirstKey::Found& member, const Columns& columns, const InputOptions& options) {
   if (member.array || member.text || member.numbers == 0) return;
-  const auto what = slip(member.name, columns, options.roles, options.timeless);
-  if (what) throw Error(Exit::data, member.place, fmt::format("{}: {}", member.path, *what));
+  const auto near = near_miss(member.name, columns, options.roles, options.timeless);
+  if (!near) return;
+  throw Error(Exit::data, ErrorCode::json_member_nearly_role, {member.path, std::string(role_name(*near)), member.name})
+      .at(member.position);
 }
 
 bool is_required(const JsonColumns& columns, const Member& member) {
@@ -154,23 +159,21 @@ JsonColumns columns_of(const std::vector<FirstKey::Found>& members, const InputO
     if (found.array && found.name == "position") require_count(names.size(), found.numbers);
     result.members.push_back({found.name, found.array, header.size(), names.size()});
     header.insert(header.end(), names.begin(), names.end());
-    // Beside an array of positions, a number that is nothing else is not a position.
-    const bool beside = has_array && !found.array && role_of_name(found.name) == Role::position;
-    numeric.resize(header.size(), !beside && !found.text);
+    // Where there is an array of positions, no other number is a position.
+    const bool is_other = has_array && !found.array && role_of_name(found.name) == Role::position;
+    numeric.resize(header.size(), !is_other && !found.text);
   }
   result.columns = options.samples ? find_sample_columns(header, numeric, *options.samples, options.timeless)
                                    : find_columns(header, numeric, options.roles, options.timeless);
   for (const auto& found : members) {
-    if (options.samples) break;  // of somebody else, whose names are their own
+    if (options.samples) break;  // their names are free
     require_shape(found, options);
-    require_no_slip(found, result.columns, options);
+    require_no_near_miss(found, result.columns, options);
   }
   result.found = result.columns.cells.size();
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);
-  result.tcb = options.tcb;
-  result.missing = options.missing;
-  result.keeps_decimals = options.keeps_decimals;
+  result.rules = options.key_rules();
   return result;
 }
 
@@ -185,7 +188,7 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
   }
   FirstKey first(chunk, std::move(texts));
   first.parse();
-  return at_position(first.place(), [&] { return columns_of(first.members, options, channels); });
+  return at_position(first.position(), [&] { return columns_of(first.members, options, channels); });
 }
 
 void name_channels(JsonColumns& columns, const std::vector<std::string>& channels) {

@@ -1,24 +1,31 @@
-// What stands beside keys in JSON: settings of the curve, names of its channels, its id.
-#include "input/json/settings.hpp"
-
-#include <fmt/format.h>
-
+// Settings in JSON: the members around keys, which are settings of the curve, channel names and an id; provenance.
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "error.hpp"
-#include "input/json/events.hpp"
-#include "input/roles.hpp"
+#include "input/json/json_input.hpp"
+#include "input/json/object_reader.hpp"
 #include "text/number.hpp"
-#include "text/refusal.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-class Reader : public JsonEvents {
+using nlohmann::json;
+
+/// Options that are no members.
+constexpr std::array options_only{
+    std::pair{std::string_view("equal-speed"), Option::equal_speed},
+    std::pair{std::string_view("parameter"), Option::parameter},
+    std::pair{std::string_view("metric"), Option::metric},
+    std::pair{std::string_view("extrapolate"), Option::extrapolate},
+    std::pair{std::string_view("no-ease"), Option::no_ease},
+};
+
+class SettingsReader : public JsonObjectReader {
  public:
-  using JsonEvents::JsonEvents;
+  using JsonObjectReader::JsonObjectReader;
   JsonCurveInfo found;
 
  private:
@@ -30,78 +37,96 @@ class Reader : public JsonEvents {
     require_no_loss(name);
     if (!known_) {
       const std::string near = did_you_mean(name, known);
-      if (!near.empty()) fail(fmt::format("{}: no setting{}", path(), near));
+      if (!near.empty()) throw value_error(ErrorCode::setting_nearly_known, {near});
       return true;
     }
-    if (std::ranges::find(members_, name) != members_.end()) {
-      fail(fmt::format("{}: a second time in one object; expected once; take one out", path()));
-    }
+    if (std::ranges::find(members_, name) != members_.end()) throw value_error(ErrorCode::setting_repeats);
     members_.push_back(name);
     return true;
   }
 
-  /// Throws: Error (data) for what has a meaning elsewhere, and none here.
+  /// Throws: Error (data) for a name that has a meaning elsewhere, and none here.
   void require_no_loss(const std::string& name) const {
     constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
-    constexpr std::array<std::string_view, 5> options{"equal-speed", "parameter", "metric", "extrapolate", "no-ease"};
     if (name == "tcb" || std::ranges::count(of_keys, role_of_name(name)) > 0) {
-      fail(fmt::format("{}: not in a key; expected in each of them; move it there", path()));
+      throw value_error(ErrorCode::setting_of_keys);
     }
     std::string option = name;
     std::ranges::replace(option, '_', '-');
-    if (std::ranges::count(options, option) > 0) {
-      fail(fmt::format("{}: an option, not a setting of a file; take it out, and give --{} where it is wanted", path(),
-                       option));
-    }
+    const auto known = std::ranges::find(options_only, option, [](const auto& row) { return row.first; });
+    if (known != options_only.end()) throw value_error(ErrorCode::setting_is_option).about(known->second);
   }
 
   bool on_number(const spline::Time<double>& value) override { return take(time_text(value)); }
-  bool on_other(std::string_view text) override {
-    if (member_ == "id" && is_quoted()) found.keys.id = '"' + std::string(text);
-    return member_ == "id" && is_quoted() ? true : take(text);
+  bool on_null() override { return take("null"); }
+  bool on_nested() override {
+    if (member_ == "id") throw value_error(ErrorCode::setting_id_expected);
+    return take("an object");
+  }
+  bool on_text(std::string_view text) override {
+    if (member_ != "id" || !is_quoted()) return take(text);
+    found.curve_info.id = '"' + std::string(text);
+    return true;
   }
 
   bool take(std::string_view text) {
     if (!known_) return true;
     const std::string value(text);
-    CurveSettings& settings = found.keys.settings;
-    if (member_ != "id") found.keys.places.emplace_back(member_, here());
+    CurveSettings& settings = found.curve_info.settings;
+    if (member_ != "id") found.curve_info.places.emplace_back(member_, value_position());
     if (member_ == "channels") take_channel(value);
     if (member_ == "preset") settings.preset = value;
     if (member_ == "tangents") settings.tangents = value;
     if (member_ == "ends") settings.ends = settings.ends && in_array() ? *settings.ends + "," + value : value;
     if (member_ == "period") settings.period = value;
-    if (member_ == "id") take_id(value);
+    if (member_ == "id") {
+      if (in_array()) throw value_error(ErrorCode::setting_id_expected);
+      found.curve_info.id = value == "null" ? "" : value;
+    }
     if (member_ != "closed") return true;
     if (is_quoted() || (text != "true" && text != "false")) {
-      fail(fmt::format("{}: {}; expected true or false; correct it", path(), shown(text)));
+      throw value_error(ErrorCode::setting_closed_expected, {value});
     }
     settings.closed = text == "true";
     return true;
   }
 
   void take_channel(const std::string& name) {
-    if (!in_array() || !is_quoted()) fail(fmt::format("{}: expected an array of names in quotes; correct it", path()));
+    if (!in_array() || !is_quoted()) throw value_error(ErrorCode::setting_channels_expected);
     found.channels.push_back(name);
   }
 
-  void take_id(const std::string& value) {
-    if (in_array() || value == "an object") fail(fmt::format("{}: expected a text or a number; correct it", path()));
-    found.keys.id = value == "null" ? "" : value;
-  }
-
   std::string member_;
-  bool known_ = false;  ///< the member says something
+  bool known_ = false;  ///< the member is a setting
   std::vector<std::string> members_;
 };
 
+/// The text without its rows.
+json without_rows(std::string_view text) {
+  const auto keep = [](int, json::parse_event_t event, json& parsed) {
+    return event != json::parse_event_t::key || (parsed != "rows" && parsed != "curves");
+  };
+  return json::parse(text, keep, false);
+}
+
+std::string_view last_line(std::string_view text) {
+  const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;
+  const std::size_t before = text.substr(0, end).find_last_of('\n');
+  return text.substr(0, end).substr(before == std::string_view::npos ? 0 : before + 1);
+}
+
+std::string text_of(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 }  // namespace
 
-JsonCurveInfo read_beside(const JsonPart& part) {
-  Reader reader(part);
+JsonCurveInfo read_curve_info(const JsonPart& part) {
+  SettingsReader reader(part);
   reader.parse_object();
   reader.found.path = part.chunk.path;
-  reader.found.place = {"", part.chunk.line, part.chunk.column};
+  reader.found.position = {"", part.chunk.line, part.chunk.column};
   return std::move(reader.found);
 }
 
@@ -111,10 +136,26 @@ std::vector<std::string> channels_before_keys(const JsonPart& part) {
   whole.gap = std::string::npos;
   whole.chunk.text += "[]}";
   try {
-    return read_beside(whole).channels;
+    return read_curve_info(whole).channels;
   } catch (const Error&) {
-    return {};  // it is said when the whole object is read
+    return {};  // thrown again when the whole object is read
   }
+}
+
+JsonProvenance read_json_provenance(std::string_view text) {
+  json whole = without_rows(text);
+  if (whole.is_discarded()) whole = without_rows(last_line(text));
+  if (!whole.is_object() || !whole.contains("meta") || !whole["meta"].is_object()) return {};
+  const json& object = whole["meta"];
+  JsonProvenance provenance;
+  provenance.program = text_of(object, "program");
+  for (const json& option : object.value("options", json::array())) {
+    if (option.is_string()) provenance.options.push_back(option.get<std::string>());
+  }
+  for (const json& input : object.value("inputs", json::array())) {
+    if (input.is_object()) provenance.inputs.emplace_back(text_of(input, "name"), text_of(input, "sha256"));
+  }
+  return provenance;
 }
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// Where the keys are in JSON text: it is cut between key objects, without looking into them.
+// Splitter of JSON text: it is cut between key objects, without parsing them.
 #include "input/json/splitter.hpp"
 
 #include <fmt/format.h>
@@ -12,28 +12,28 @@
 namespace tcb {
 namespace {
 
-bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+bool is_blank(std::string_view text) { return std::ranges::all_of(text, is_json_blank); }
 
 }  // namespace
 
 /// "curves[2]" and what is in it, or the latter alone.
 std::string JsonSplitter::path(const char* list) const {
-  if (shape_ != Shape::curves) return list;
+  if (shape_ != JsonShape::curves) return list;
   return fmt::format("curves[{}]{}{}", curve_, *list == '\0' ? "" : ".", list);
 }
 
-/// The keys or the curves begin behind the bracket at hand.
-void JsonSplitter::start_list(Shape shape) {
-  if (shape_ == Shape::unknown) shape_ = shape;
-  Chunk before = text_.take(text_.at);
+/// The keys or the curves begin after the current bracket.
+void JsonSplitter::start_list(JsonShape shape) {
+  if (!shape_) shape_ = shape;
+  Chunk before = scanner_.take(scanner_.at);
   depth_ = 0;
-  if (shape == Shape::curves) {
+  if (shape == JsonShape::curves) {
     outer_ = {std::move(before), true};
-    (void)text_.take(1);
+    (void)scanner_.take(1);
     stage_ = Stage::between;
     return;
   }
-  if (shape != Shape::list) object_ = {std::move(before), true};
+  if (shape != JsonShape::list) object_ = {std::move(before), true};
   stage_ = Stage::list;
   listed_ = first_cut_ = true;
   list_closed_ = false;
@@ -42,67 +42,67 @@ void JsonSplitter::start_list(Shape shape) {
 
 /// The keys are all cut off.
 void JsonSplitter::end_list() {
-  stage_ = shape_ == Shape::list ? Stage::behind : Stage::object;
+  stage_ = shape_ == JsonShape::list ? Stage::after_list : Stage::object;
   depth_ = 1;
   object_.chunk.text += "[]";
   object_.gap = object_.chunk.text.size();
-  object_.line = text_.line;
-  object_.column = text_.column;
+  object_.line = scanner_.line;
+  object_.column = scanner_.column;
 }
 
 bool JsonSplitter::scan_start() {
-  text_.skip_blanks();
-  if (text_.at_end()) return false;
-  if (text_.now() == '[') {
-    start_list(Shape::list);
-  } else if (text_.now() == '{') {
+  scanner_.skip_blanks();
+  if (scanner_.at_end()) return false;
+  if (scanner_.now() == '[') {
+    start_list(JsonShape::list);
+  } else if (scanner_.now() == '{') {
     stage_ = Stage::object;
   } else {
-    shape_ = Shape::lines;
+    shape_ = JsonShape::lines;
     stage_ = Stage::lines;
   }
   return true;
 }
 
-/// The array that begins here may be that of the keys, or of the curves.
+/// Begins a list, if the array that begins here is that of the keys or of the curves.
 bool JsonSplitter::begin_list() {
   const bool keys = !listed_ && (member_ == "keys\"" || member_ == "rows\"");
-  const bool curves = shape_ == Shape::unknown && member_ == "curves\"";
-  if (keys || curves) start_list(keys ? Shape::wrapped : Shape::curves);
+  const bool curves = !shape_ && member_ == "curves\"";
+  if (keys || curves) start_list(keys ? JsonShape::object : JsonShape::curves);
   return keys || curves;
 }
 
 /// Scans an object for its keys or curves, and to its end.
 bool JsonSplitter::scan_object() {
-  while (!text_.at_end()) {
-    const char c = text_.now();
-    if (text_.in_string) {
-      const std::size_t begin = text_.at;
-      const bool whole = text_.skip_string();
-      if (depth_ == 1) member_.append(text_.view().substr(begin, std::min<std::size_t>(text_.at - begin, 16)));
+  while (!scanner_.at_end()) {
+    const char c = scanner_.now();
+    if (scanner_.in_string) {
+      const std::size_t begin = scanner_.at;
+      const bool whole = scanner_.skip_string();
+      if (depth_ == 1) member_.append(scanner_.view().substr(begin, std::min<std::size_t>(scanner_.at - begin, 16)));
       if (!whole) return false;
       continue;
     }
     if (c == '"') {
-      text_.in_string = true;
+      scanner_.in_string = true;
       member_.clear();
     } else if (c == '[' && depth_ == 1 && begin_list()) {
       return true;
     } else if (c == '{' || c == '[') {
       ++depth_;
     } else if ((c == '}' || c == ']') && --depth_ == 0) {
-      ++text_.at;
-      if (shape_ == Shape::unknown) {
-        shape_ = Shape::lines;
+      ++scanner_.at;
+      if (!shape_) {
+        shape_ = JsonShape::lines;
         stage_ = Stage::lines;
         ++records_;
       }
-      if (shape_ == Shape::curves) boundary_ = text_.at;
-      if (shape_ != Shape::wrapped) return true;
-      depth_ = 1;  // what follows is for the parser to refuse
+      if (shape_ == JsonShape::curves) boundary_ = scanner_.at;
+      if (shape_ != JsonShape::object) return true;
+      depth_ = 1;  // what follows is an error that the parser finds
       continue;
     }
-    ++text_.at;
+    ++scanner_.at;
   }
   return false;
 }
@@ -110,20 +110,20 @@ bool JsonSplitter::scan_object() {
 /// Scans keys to the end of the text, or of their list.
 bool JsonSplitter::scan_keys() {
   const bool listed = stage_ == Stage::list;
-  for (; !text_.at_end(); ++text_.at) {
-    if (!text_.skip_to_telling()) return false;
-    switch (text_.now()) {
+  for (; !scanner_.at_end(); ++scanner_.at) {
+    if (!scanner_.skip_to_structure()) return false;
+    switch (scanner_.now()) {
       case '{':
-        if (depth_ == (listed ? 1U : 0U)) text_.skip_plain_object();
+        if (depth_ == (listed ? 1U : 0U)) scanner_.skip_plain_object();
         [[fallthrough]];
       case '[': ++depth_; break;
       case ',':
         if (!listed || depth_ != 1) break;
-        boundary_ = text_.at;
+        boundary_ = scanner_.at;
         ++records_;
         break;
       case '\n':
-        if (!listed && depth_ == 0) boundary_ = text_.at + 1;
+        if (!listed && depth_ == 0) boundary_ = scanner_.at + 1;
         break;
       default:  // a bracket is closed
         if (depth_ > 0) --depth_;
@@ -131,7 +131,7 @@ bool JsonSplitter::scan_keys() {
         ++records_;
         if (!listed) break;
         list_closed_ = true;
-        boundary_ = ++text_.at;
+        boundary_ = ++scanner_.at;
         return true;
     }
   }
@@ -140,10 +140,10 @@ bool JsonSplitter::scan_keys() {
 
 /// Between curves: nothing but commas, up to the next one or the end of their list.
 bool JsonSplitter::scan_between() {
-  text_.skip_blanks();
-  (void)text_.take(text_.at);
-  if (text_.at_end()) return false;
-  const char c = text_.now();
+  scanner_.skip_blanks();
+  (void)scanner_.take(scanner_.at);
+  if (scanner_.at_end()) return false;
+  const char c = scanner_.now();
   if (c == '{' && comma_) {
     stage_ = Stage::object;
     listed_ = comma_ = false;
@@ -151,25 +151,24 @@ bool JsonSplitter::scan_between() {
     return true;
   }
   if (c == ']' && (curve_ == 0 || !comma_)) {
-    (void)text_.take(1);
+    (void)scanner_.take(1);
     stage_ = Stage::object;
     depth_ = 1;
     listed_ = true;
     object_ = std::move(outer_);
-    shape_ = Shape::wrapped;  // from here on
+    shape_ = JsonShape::object;  // from here on
     end_list();
     return true;
   }
   if (c != ',' || comma_) {
-    text_.refuse(comma_ ? "no curve where one was expected; expected {…}; correct the text"
-                        : "expected a comma or the end of the curves; correct the text");
+    scanner_.refuse(comma_ ? ErrorCode::json_curve_expected : ErrorCode::json_comma_after_curve_expected);
   }
-  (void)text_.take(1);
+  (void)scanner_.take(1);
   comma_ = true;
   return true;
 }
 
-/// Goes on in the text at hand.
+/// Continues in the current text.
 bool JsonSplitter::scan() {
   switch (stage_) {
     case Stage::start: return scan_start();
@@ -177,19 +176,19 @@ bool JsonSplitter::scan() {
     case Stage::list:
     case Stage::lines: return scan_keys();
     case Stage::between: return scan_between();
-    case Stage::behind: break;
+    case Stage::after_list: break;
     case Stage::end: return false;
   }
-  text_.skip_blanks();
-  (void)text_.take(text_.at);
-  if (!text_.at_end()) text_.refuse("text after the end of the JSON array; expected nothing more; take it out");
+  scanner_.skip_blanks();
+  (void)scanner_.take(scanner_.at);
+  if (!scanner_.at_end()) scanner_.refuse(ErrorCode::json_text_after_array);
   return false;
 }
 
 /// The object that ends at `end`, without its keys.
 JsonPart JsonSplitter::take_object(std::size_t end) {
   boundary_ = 0;
-  Chunk rest = text_.take(end);
+  Chunk rest = scanner_.take(end);
   if (!object_.chunk.text.empty()) object_.chunk.text += rest.text;
   if (object_.chunk.text.empty()) object_ = {std::move(rest), true};
   object_.chunk.path = path("");
@@ -199,15 +198,15 @@ JsonPart JsonSplitter::take_object(std::size_t end) {
 
 /// The records up to the last boundary, as a JSON array or as lines; all that is left `at_end`.
 std::optional<JsonPart> JsonSplitter::cut(bool at_end) {
-  const std::size_t end = at_end ? text_.size() : boundary_;
-  if (stage_ == Stage::object && shape_ != Shape::unknown) {
+  const std::size_t end = at_end ? scanner_.size() : boundary_;
+  if (stage_ == Stage::object && shape_) {
     JsonPart part = take_object(end);
-    if (shape_ == Shape::curves) stage_ = Stage::between;
+    if (shape_ == JsonShape::curves) stage_ = Stage::between;
     return part;
   }
   if (end == 0) return std::nullopt;
   boundary_ = 0;
-  Chunk chunk = text_.take(end);
+  Chunk chunk = scanner_.take(end);
   chunk.first = std::exchange(records_cut_, records_);
   chunk.path = path("keys");
   if (stage_ != Stage::list) return JsonPart{std::move(chunk)};
@@ -230,16 +229,14 @@ std::optional<JsonPart> JsonSplitter::next() {
       if (auto part = cut(false)) return part;
       continue;
     }
-    if (text_.read_more(stage_ == Stage::object
-                            ? "an object of more than 64 MiB around the keys; expected less; shorten it"
-                            : "a key of more than 64 MiB; expected less; shorten it")) {
+    if (scanner_.read_more(stage_ == Stage::object ? ErrorCode::json_object_too_long : ErrorCode::json_key_too_long)) {
       continue;
     }
     if (stage_ == Stage::between) {
       object_ = std::move(outer_);
       stage_ = Stage::object;
     }
-    const bool inside = stage_ == Stage::object || !text_.is_blank();
+    const bool inside = stage_ == Stage::object || !scanner_.is_blank();
     auto part = inside ? cut(true) : std::nullopt;
     stage_ = Stage::end;
     return part;

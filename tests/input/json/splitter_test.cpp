@@ -15,7 +15,7 @@ struct Split {
   std::vector<std::string> texts;
   std::vector<std::string> places;  ///< "LINE:COLUMN PATH #FIRST"
   std::vector<JsonPart> beside;
-  JsonSplitter::Shape shape = JsonSplitter::Shape::unknown;
+  std::optional<JsonShape> shape;
 };
 
 Split split(const std::string& text, std::size_t piece = std::string::npos) {
@@ -23,8 +23,8 @@ Split split(const std::string& text, std::size_t piece = std::string::npos) {
   Split result;
   while (const auto part = splitter.next()) {
     const Chunk& chunk = part->chunk;
-    if (result.shape == JsonSplitter::Shape::unknown) result.shape = splitter.shape();
-    if (part->curve_info) {
+    if (!result.shape) result.shape = splitter.shape();
+    if (part->is_object) {
       result.beside.push_back(*part);
       continue;
     }
@@ -45,14 +45,14 @@ TEST(JsonSplit, an_array_is_cut_into_arrays) {
   const Split cut = split(" [{\"t\":0},\n é{\"t\":1}, {}]", 1);
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[\n é{\"t\":1}]", "[ {}]"));
   EXPECT_THAT(cut.places, ElementsAre("1:2 #0", "1:10 #1", "2:10 #2")) << "of the bracket or comma, in characters";
-  EXPECT_EQ(cut.shape, JsonSplitter::Shape::list);
+  EXPECT_EQ(cut.shape, JsonShape::list);
 }
 
 TEST(JsonSplit, keys_in_an_object_leave_an_envelope) {
   const Split cut = split("{\"a\":[1,{}],\n\"keys\": [{\"t\":0},{\"t\":1}],\"b\":2}\n", 1);
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[{\"t\":1}]"));
   EXPECT_THAT(cut.places, ElementsAre("2:9 #0", "2:17 #1"));
-  EXPECT_EQ(cut.shape, JsonSplitter::Shape::wrapped);
+  EXPECT_EQ(cut.shape, JsonShape::object);
   ASSERT_EQ(cut.beside.size(), 1U);
   EXPECT_EQ(shown_beside(cut.beside[0]), "{\"a\":[1,{}],\n\"keys\": [],\"b\":2}\n|2:26");
 }
@@ -126,7 +126,7 @@ TEST(JsonSplit, brackets_commas_and_quotes_in_strings_mean_nothing) {
 TEST(JsonSplit, a_member_that_only_holds_the_word_keys_is_not_the_list) {
   const Split cut = split(R"({"a":"keys","b":[{}],"c":{"keys":[1]},"keys":[{"t":0}]})", 1);
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]"));
-  EXPECT_EQ(cut.shape, JsonSplitter::Shape::wrapped);
+  EXPECT_EQ(cut.shape, JsonShape::object);
 }
 
 TEST(JsonSplit, every_byte_of_an_array_ends_up_in_a_chunk_at_its_place) {

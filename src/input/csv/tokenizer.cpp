@@ -1,7 +1,5 @@
-// Delimited records: where they end, and which cells they have.
-#include "input/csv/records.hpp"
-
-#include <fmt/format.h>
+// Tokenizer of delimited text: records and their cells.
+#include "input/csv/tokenizer.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -35,7 +33,7 @@ const char* find_one(const char* at, const char* end, char a, char b, char c) {
 
 }  // namespace
 
-Records::Records(const Chunk& chunk, const Dialect& dialect)
+Tokenizer::Tokenizer(const Chunk& chunk, const Dialect& dialect)
     : dialect_(dialect),
       begin_(chunk.text.data()),
       at_(begin_),
@@ -44,18 +42,18 @@ Records::Records(const Chunk& chunk, const Dialect& dialect)
       line_(chunk.line),
       record_line_(chunk.line) {}
 
-void Records::pass_line_end() {
+void Tokenizer::pass_line_end() {
   if (at_ != end_ && *at_ == '\r') ++at_;
   if (at_ != end_) ++at_;
   ++line_;
 }
 
-void Records::skip_line() {
+void Tokenizer::skip_line() {
   at_ = std::find(at_, end_, '\n');
   pass_line_end();
 }
 
-bool Records::skip_to_record() {
+bool Tokenizer::skip_to_record() {
   for (; at_ != end_; pass_line_end()) {
     record_ = at_;
     while (at_ != end_ && is_blank(*at_)) ++at_;
@@ -78,7 +76,7 @@ bool Records::skip_to_record() {
   return false;
 }
 
-bool Records::next(std::vector<std::string_view>& cells) {
+bool Tokenizer::next(std::vector<std::string_view>& cells) {
   cells.clear();
   comment_ = {};
   broken_ = follows_blank_ = false;
@@ -92,22 +90,19 @@ bool Records::next(std::vector<std::string_view>& cells) {
     if (cells.size() == most_cells) refuse_cells();
     cells.push_back(take_cell());
     if (at_line_end()) break;
-    ++at_;  // the delimiter, behind which there is another cell
+    ++at_;  // the delimiter, after which there is another cell
   }
   pass_line_end();
   return true;
 }
 
-void Records::refuse_cells() {
-  const TextPosition where = place({record_, 1});
+void Tokenizer::refuse_cells() {
+  const TextPosition where = position({record_, 1});
   skip_line();
-  throw Error(Exit::data, where,
-              fmt::format("a record of more than {} cells; expected fewer; correct the row, or give the delimiter with "
-                          "-d",
-                          most_cells));
+  throw Error(Exit::data, ErrorCode::too_many_cells, {std::uint64_t{most_cells}}).at(where);
 }
 
-std::string_view Records::take_cell() {
+std::string_view Tokenizer::take_cell() {
   const char* const start = at_;
   if (*start == '"') return take_quoted();
   const char delimiter = dialect_.delimiter, other = delimiter == ' ' ? '\t' : delimiter;
@@ -119,7 +114,7 @@ std::string_view Records::take_cell() {
   return {start, static_cast<std::size_t>(last - start)};
 }
 
-std::string_view Records::take_quoted() {
+std::string_view Tokenizer::take_quoted() {
   const char* const start = at_;
   for (++at_; at_ != end_; ++at_) {
     if (*at_ == '\n') ++line_;
@@ -128,21 +123,20 @@ std::string_view Records::take_quoted() {
     ++at_;
   }
   if (at_ == end_) {
-    throw Error(Exit::data, place({start, 1}), "a quoted cell is not closed; expected \" at its end; add it");
+    throw Error(Exit::data, ErrorCode::quote_not_closed).at(position({start, 1}));
   }
   const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
   const bool blanks = dialect_.delimiter == ' ';  // any of which delimits
   while (!blanks && !at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
   if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
-    const TextPosition where = place({at_, 1});
+    const TextPosition where = position({at_, 1});
     skip_line();
-    throw Error(Exit::data, where,
-                "text after a quoted cell; expected the delimiter or the line's end; double the quotes inside a cell");
+    throw Error(Exit::data, ErrorCode::text_after_quotes).at(where);
   }
   return cell;
 }
 
-TextPosition Records::place(std::string_view cell) const {
+TextPosition Tokenizer::position(std::string_view cell) const {
   const std::string_view before(record_, static_cast<std::size_t>(cell.data() - record_));
   return {"", record_line_ + count_lines(before), column_after(before, 1)};
 }

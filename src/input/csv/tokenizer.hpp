@@ -1,10 +1,10 @@
-// Delimited records: where they end, and which cells they have.
+// Tokenizer of delimited text: records and their cells.
 //
 // Source: RFC 4180 for quotes: a cell that begins with a quote ends with one, holds delimiters and line
 //   ends as they are, and doubles each quote inside.
 // Differs: LF or CRLF ends a record, the last may lack it; comment lines and blank lines are skipped;
 //   where the delimiter is a blank, runs of blanks and tabs count as one, and a blank line or one that
-//   begins with ">" sets curves apart.
+//   begins with ">" ends a curve.
 #pragma once
 
 #include <optional>
@@ -13,33 +13,33 @@
 #include <vector>
 
 #include "error.hpp"
-#include "input/csv/splitter.hpp"
+#include "input/csv/delimited_text.hpp"
 
 namespace tcb {
 
 inline constexpr std::size_t most_cells = std::size_t{1} << 20;  ///< of a record
 
-/// Walks over the records of a chunk.
-class Records {
+/// Reads the records of a chunk one after another.
+class Tokenizer {
  public:
-  Records(const Chunk& chunk, const Dialect& dialect);
+  Tokenizer(const Chunk& chunk, const Dialect& dialect);
 
-  /// The cells of the next record, as they stand in the text but for blanks around them; false at the
-  /// end. Comments and blank lines are skipped; the last comment skipped is in comment().
-  /// Throws: Error (data) for a quote out of place and for more than most_cells; the record is passed over by then.
+  /// The cells of the next record as written, without blanks around them; false at the end. Comments and blank lines
+  /// are skipped; the last comment skipped is in comment(). Throws: Error (data) for a misplaced quote and for more
+  /// than most_cells, after it has skipped the record.
   bool next(std::vector<std::string_view>& cells);
 
-  /// A line between the record before and this one, or at the end behind the last one, sets curves apart.
+  /// A line before this record, or at the end one after the last record, ends the curve.
   bool broken() const { return broken_; }
-  /// A blank line does.
+  /// There is a blank line before this record.
   bool follows_blank() const { return follows_blank_; }
 
   std::uint64_t line() const { return record_line_; }
   std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
   std::string_view comment() const { return comment_; }
 
-  /// The place of a cell of the current record: its line, and its column in characters.
-  TextPosition place(std::string_view cell) const;
+  /// The text position of a cell of the current record.
+  TextPosition position(std::string_view cell) const;
 
  private:
   bool skip_to_record();

@@ -1,0 +1,172 @@
+// Reader of delimited text: from records to keys.
+#include <algorithm>
+#include <memory>
+
+#include "error.hpp"
+#include "input/csv/delimited_text.hpp"
+#include "input/csv/tokenizer.hpp"
+#include "input/key_builder.hpp"
+#include "text/decimal_mark.hpp"
+#include "text/refusal.hpp"
+
+namespace tcb {
+namespace {
+
+/// A cell as a text of a key: a whole number as such, everything else as a string.
+std::string text_of(std::string_view cell) {
+  const std::string_view digits = cell.substr(cell.starts_with('-') ? 1 : 0);
+  const bool is_digits = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool whole = is_digits && (digits == "0" ? digits.size() == cell.size() : digits[0] != '0');
+  return (whole ? "" : "\"") + unquoted(cell);
+}
+
+/// The characters of a number, which may be in quotes.
+std::string_view bare(std::string_view cell) {
+  return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+/// The text with a point where it has a comma.
+std::string with_point(std::string_view text) {
+  std::string changed(text);
+  std::ranges::replace(changed, ',', '.');
+  return changed;
+}
+
+/// Reads the records of a chunk as keys.
+class RecordReader {
+ public:
+  RecordReader(const Chunk& chunk, const DelimitedHead& head)
+      : head_(head), tokenizer_(chunk, head.dialect), decimals_(head.decimal), keys_(head.columns, head.rules) {
+    const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
+    time_cell_ = static_cast<std::size_t>(time - head.columns.cells.begin());
+  }
+
+  KeyBlock read() {
+    while (!keys_.is_full() && next_record()) {
+    }
+    return keys_.finish();
+  }
+
+ private:
+  bool next_record() {
+    bool more = true, well_formed = true;
+    try {
+      more = tokenizer_.next(cells_);
+    } catch (const Error& error) {
+      keys_.add_fault(error);
+      well_formed = false;
+    }
+    if (tokenizer_.broken()) keys_.break_curve();
+    if (more && well_formed) add_key();
+    return more;
+  }
+
+  void add_key() {
+    const std::size_t expected = head_.columns.cells.size();
+    if (cells_.size() != expected) {
+      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1], ErrorCode::wrong_number_of_cells,
+                {std::uint64_t{cells_.size()}, std::uint64_t{expected}});
+      return;
+    }
+    keys_.begin_key();
+    for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], head_.columns.cells[i]);
+    if (!keys_.end_key()) return;
+    const bool timed = time_cell_ < expected;
+    keys_.set_position(tokenizer_.line(), timed ? tokenizer_.position(cells_[time_cell_]).column : 1);
+  }
+
+  void read_cell(std::string_view cell, const Columns::Column& column) {
+    switch (column.role) {
+      case Role::ignored: break;
+      case Role::group:
+      case Role::carry: read_text(cell, column); break;
+      case Role::time:
+        if (const auto time = decimals_.time(bare(cell))) {
+          keys_.set_time(*time);
+          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+        } else {
+          read_no_number(cell, column);
+        }
+        break;
+      default:
+        if (const auto number = decimals_.number(bare(cell))) {
+          keys_.number(column) = *number;
+          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+        } else {
+          read_no_number(cell, column);
+        }
+    }
+  }
+
+  void read_no_number(std::string_view cell, const Columns::Column& column) {
+    if (is_missing(bare(cell)) && keys_.miss(column)) return;
+    const std::string text = unquoted(cell);
+    add_fault(cell, why_not_number(text, head_.decimal), {head_.columns.name_of(column), text});
+  }
+
+  void read_text(std::string_view cell, const Columns::Column& column) {
+    std::string text = text_of(cell);
+    const std::size_t invalid = find_foreign(text);
+    if (invalid != std::string::npos) {
+      add_fault(cell, ErrorCode::cell_not_utf8,
+                {unquoted(cell), std::uint64_t{static_cast<unsigned char>(text[invalid])}});
+    }
+    if (content(text).empty() && !keys_.miss(column)) {
+      add_fault(cell, ErrorCode::empty_group, {head_.columns.name_of(column)});
+    }
+    keys_.set_text(column, std::move(text));
+  }
+
+  void add_fault(std::string_view cell, ErrorCode code, std::vector<ErrorValue> values) {
+    if (!keys_.is_full()) keys_.add_fault(Error(Exit::data, code, std::move(values)).at(tokenizer_.position(cell)));
+  }
+
+  const DelimitedHead& head_;
+  Tokenizer tokenizer_;
+  Decimals decimals_;
+  KeyBuilder keys_;
+  std::vector<std::string_view> cells_;
+  std::size_t time_cell_ = 0;
+};
+
+}  // namespace
+
+ErrorCode why_not_number(std::string_view cell, char decimal) {
+  if (is_missing(cell)) return cell.empty() ? ErrorCode::number_empty : ErrorCode::number_missing;
+  if (looks_numeric(cell) || (decimal != '.' && looks_numeric(with_point(cell)))) {
+    const bool has_point = decimal != '.' && cell.find('.') != std::string_view::npos;
+    return has_point ? ErrorCode::number_with_point : ErrorCode::number_too_large;
+  }
+  const bool has_comma = decimal == '.' && cell.find(',') != std::string_view::npos;
+  if (has_comma && parse_number(with_point(cell))) return ErrorCode::number_with_comma;
+  const std::size_t blank = cell.find_first_of(" \t");
+  const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
+  return several ? ErrorCode::several_numbers : ErrorCode::not_a_number;
+}
+
+KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
+
+Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
+  Beginning beginning;
+  if (options.delimiter) beginning.delimiter = *options.delimiter;
+  if (!options.delimiter) beginning = find_delimiter(bytes, options);
+  const Dialect dialect{beginning.delimiter, options.comment, options.samples.has_value()};
+  if (dialect.delimiter == options.decimal) throw Error(Exit::data, ErrorCode::decimal_comma_is_delimiter);
+  Source<Chunk> chunks =
+      split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
+  std::vector<Chunk> rest;
+  const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
+  for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
+  const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
+  Input input;
+  input.set_columns(head->columns);
+  input.keys = ordered_map(std::move(chunks), parse, options.threads);
+  input.facts.delimiter = dialect.delimiter;
+  input.facts.comment = dialect.comment;
+  input.facts.decimal = options.decimal;
+  input.may_miss = options.missing == Missing::skip_cell;
+  input.may_break = dialect.delimiter == ' ' || dialect.divided || options.missing == Missing::break_curve;
+  return input;
+}
+
+}  // namespace tcb

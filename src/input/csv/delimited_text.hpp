@@ -1,0 +1,72 @@
+// Delimited text: dialect, splitting into chunks of whole records, header, and records to keys.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/input.hpp"
+#include "stream/stream.hpp"
+
+namespace tcb {
+
+/// How records are written.
+struct Dialect {
+  char delimiter = ',';       ///< ' ' is any run of blanks and tabs
+  std::string comment = "#";  ///< the prefix of lines to skip; empty: none
+  bool divided = false;       ///< a blank line is between two curves, whatever the delimiter
+
+  static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+  bool is_comment(std::string_view line) const { return !comment.empty() && line.starts_with(comment); }
+  /// The line is between two curves.
+  bool is_divider(std::string_view line) const { return delimiter == ' ' && line.starts_with('>'); }
+};
+
+/// The delimiter of a record: the first of tab, ";", "," and blank that occurs in it outside quotes, or "," where none
+/// does; with a decimal comma "," comes last. Nothing if the text does not hold the whole record, with its line end.
+std::optional<char> delimiter_of(std::string_view record, char decimal);
+
+/// The beginning of delimited text.
+struct Beginning {
+  char delimiter = ',';
+  std::string text;        ///< that was read, from the first record on, or from a comment directly above it
+  std::uint64_t line = 1;  ///< of the first character
+};
+
+/// Reads until the first record is whole. Throws: Error (data) for a record over 64 MiB.
+Beginning find_delimiter(const Source<std::string>& bytes, const InputOptions& options);
+
+/// Cuts bytes into chunks of whole records. `line` is that of the first byte.
+/// Requires: the bytes have no byte order mark. Throws: Error (data) for a NUL, and for a record over 64 MiB, which
+/// hardly anything but a missing quote makes.
+Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line = 1);
+
+inline constexpr std::size_t longest_record = 64UL * 1024 * 1024;
+[[noreturn]] void refuse_long_record(std::uint64_t line);
+
+/// What the header and the first records determine.
+struct DelimitedHead {
+  Dialect dialect;
+  Columns columns;
+  KeyRules rules;
+  char decimal = '.';
+};
+
+/// Dialect and columns, from the header if there is one and the first two records after it; the text that was read is
+/// left in `rest`, from the first record of numbers on. Throws: Error (data).
+DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
+                        std::vector<Chunk>& rest);
+
+/// Why a cell is not a number where one was expected. `decimal` is the decimal mark.
+ErrorCode why_not_number(std::string_view cell, char decimal);
+
+/// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; ten at most.
+KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
+
+/// Opens delimited text whose delimiter is given, or else found in the first record.
+/// Requires: the bytes have no byte order mark. Throws: Error (data).
+Input open_delimited(Source<std::string> bytes, const InputOptions& options);
+
+}  // namespace tcb

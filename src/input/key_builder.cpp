@@ -1,0 +1,91 @@
+// Key builder: cells become keys, for delimited text and for JSON alike.
+#include "input/key_builder.hpp"
+
+#include <limits>
+
+namespace tcb {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The index of a column's number among the decimals of a key. Requires: the column holds numbers.
+std::size_t number_of_key(const Columns::Column& column) {
+  switch (column.role) {
+    case Role::time: return NumberOfKey::time;
+    case Role::tension: return NumberOfKey::tension;
+    case Role::continuity: return NumberOfKey::continuity;
+    case Role::bias: return NumberOfKey::bias;
+    case Role::ease_in: return NumberOfKey::ease_in;
+    case Role::ease_out: return NumberOfKey::ease_out;
+    default: return NumberOfKey::position + column.channel;
+  }
+}
+
+bool has_any(const Columns& columns, std::initializer_list<Role> roles) {
+  return std::ranges::any_of(roles, [&](Role role) { return columns.has(role); });
+}
+
+}  // namespace
+
+KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules)
+    : rules_(rules),
+      is_timed_(columns.has(Role::time)),
+      has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
+      has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
+      texts_(columns.texts()),
+      decimals_(rules.keeps_decimals ? NumberOfKey::position + columns.channels.size() : 0) {
+  block_.keys.channels = columns.channels.size();
+  block_.keys.common_tcb = rules.tcb;
+}
+
+void KeyBuilder::begin_key() {
+  position_ = block_.size() * block_.keys.channels;
+  block_.keys.positions.resize(position_);
+  block_.keys.positions.resize(position_ + block_.keys.channels, nan);
+  time_ = Time(nan);
+  tcb_ = rules_.tcb;
+  ease_ = {};
+  for (std::string& text : texts_) text.clear();
+  for (std::string& decimal : decimals_) decimal.clear();
+  is_missing_ = false;
+  faults_ = block_.faults.size();
+}
+
+void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal) {
+  decimals_[number_of_key(column)] = std::move(decimal);
+}
+
+bool KeyBuilder::miss(const Columns::Column& column) {
+  if (column.role == Role::ignored || column.role == Role::carry) return true;
+  const bool skips_cell = rules_.missing == Missing::skip_cell;
+  if (rules_.missing == Missing::error || (skips_cell && column.role == Role::time)) return false;
+  if (column.role == Role::group && rules_.missing != Missing::skip_row) return false;
+  is_missing_ = is_missing_ || !skips_cell;
+  return true;
+}
+
+bool KeyBuilder::end_key() {
+  const bool is_faulty = block_.faults.size() > faults_;
+  const bool is_gap = is_missing_ && rules_.missing == Missing::break_curve;
+  if (is_faulty || (is_missing_ && !is_gap)) {
+    if (!is_faulty) ++block_.skipped;
+    return false;
+  }
+  if (is_gap) block_.gaps.push_back(block_.size());
+  if (is_timed_) block_.keys.times.push_back(time_);
+  if (has_tcb_) block_.keys.tcbs.push_back(tcb_);
+  if (has_ease_) block_.keys.eases.push_back(ease_);
+  for (const std::string& text : texts_) block_.texts.add(text);
+  for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
+  if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.size());
+  return true;
+}
+
+KeyBlock KeyBuilder::finish(std::string path) {
+  block_.keys.positions.resize(block_.size() * block_.keys.channels);  // without a key that was not ended
+  block_.path = std::move(path);
+  block_.break_after = breaks_;
+  return std::move(block_);
+}
+
+}  // namespace tcb

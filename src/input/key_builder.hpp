@@ -1,0 +1,91 @@
+// Key builder: cells become keys, for delimited text and for JSON alike.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "error.hpp"
+#include "input/input.hpp"
+#include "text/number.hpp"
+
+namespace tcb {
+
+/// Builds a block of keys. A record is begin_key(), its cells in any order, and end_key(). A cell that is not set, or
+/// that may be missing, leaves what the key has without it: no position, the common tension, no ease, no text.
+class KeyBuilder {
+ public:
+  /// Requires: `columns` outlives it.
+  KeyBuilder(const Columns& columns, const KeyRules& rules);
+
+  /// Begins a key; one that was begun and not ended is dropped.
+  void begin_key();
+
+  /// Where the number of a cell goes. Requires: its role is position or one from tension to ease_out.
+  double& number(const Columns::Column& column) {
+    switch (column.role) {
+      case Role::tension: return tcb_.tension;
+      case Role::continuity: return tcb_.continuity;
+      case Role::bias: return tcb_.bias;
+      case Role::ease_in: return ease_.in;
+      case Role::ease_out: return ease_.out;
+      default: return block_.keys.positions[position_ + column.channel];
+    }
+  }
+  void set_time(const Time& time) { time_ = time; }
+  /// A text as in texts.hpp.
+  void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
+
+  bool keeps_decimals() const { return !decimals_.empty(); }
+  /// Keeps a number as written. Requires: keeps_decimals(); the column holds numbers.
+  void keep_decimal(const Columns::Column& column, std::string decimal);
+
+  /// The cell has no value. Answers whether that is allowed; where it is, the row may be skipped or be a gap.
+  bool miss(const Columns::Column& column);
+
+  /// Adds a fault; the key at hand is not kept.
+  void add_fault(Error fault) {
+    if (!is_full()) block_.faults.push_back(std::move(fault));
+  }
+  /// No more faults are wanted.
+  bool is_full() const { return block_.faults.size() >= most_faults; }
+  /// Nothing after the last fault can be read.
+  void set_unreadable() { block_.unreadable = true; }
+
+  /// Ends the key. Answers whether it is kept; if so, set_position() follows.
+  bool end_key();
+  /// The text position of the key that was kept last.
+  void set_position(std::uint64_t line, std::uint64_t column) {
+    block_.lines.push_back(line);
+    block_.columns.push_back(static_cast<std::uint32_t>(column));
+  }
+  /// Its number in its list.
+  void set_number(std::uint64_t number) { block_.numbers.push_back(number); }
+
+  /// The curve breaks off before the next key that is kept.
+  void break_curve() { breaks_ = true; }
+
+  /// The block, with the path of the list that the keys are in.
+  KeyBlock finish(std::string path = {});
+
+ private:
+  const KeyRules rules_;
+  const bool is_timed_, has_tcb_, has_ease_;
+  KeyBlock block_;
+  bool breaks_ = false;  ///< the curve breaks off before the next key
+  // Of the key at hand:
+  bool is_missing_ = false;   ///< a value is missing that a key needs
+  std::size_t position_ = 0;  ///< the index of its first position
+  std::size_t faults_ = 0;    ///< the number of faults before it
+  Time time_;
+  spline::Tcb<double> tcb_;
+  spline::Ease<double> ease_;
+  std::vector<std::string> texts_;
+  std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty where they are not kept
+};
+
+}  // namespace tcb

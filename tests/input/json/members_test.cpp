@@ -1,0 +1,59 @@
+// Members of JSON keys: roles and names, as the first key has them.
+#include <gmock/gmock.h>
+
+#include "input/json/json_input.hpp"
+#include "input/reading.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(JsonMembers, channels_name_the_positions_before_or_after_the_keys) {
+  const std::string expected = "t a b\n1: 0 1 2\n";
+  EXPECT_EQ(read(R"({"channels":["a","b"],"keys":[{"t":0,"position":[1,2]}]})"), expected);
+  EXPECT_EQ(read(R"({"keys":[{"t":0,"position":[1,2]}],"channels":["a","b"]})"), expected);
+  EXPECT_EQ(read(R"({"channels":["a","b","c"],"keys":[{"t":0,"position":[1,2]}]})"),
+            "f:1:35: error: \"channels\" names 3; expected 2, one for each number of \"position\"; correct it");
+}
+
+TEST(JsonMembers, requested_columns_have_priority) {
+  EXPECT_EQ(read(R"([{"t":9,"when":0,"a":1,"b":2}])", with_columns("time=when,position=b")), "when b\n1: 0 2\n");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1,2]}])", with_columns("position=y")), "t y\n1: 0 2\n");
+}
+
+TEST(JsonMembers, members_without_a_meaning_are_ignored) {
+  EXPECT_EQ(read(R"([{"id":7,"t":0,"position":[1],"name":"a","tags":[1,"b",[2]],"more":{"x":[3]},"ok":true},)"
+                 R"({"t":1,"position":[2],"name":null}])"),
+            "t x\n1: 0 1\n1: 1 2\n");
+}
+
+TEST(JsonMembers, a_repeated_member_in_the_first_key_is_an_error) {
+  EXPECT_THAT(read(R"([{"t":0,"x":1,"x":2}])"),
+              HasSubstr("keys[0].x: a second time in one key; expected once; take one out"));
+}
+
+TEST(JsonMembers, the_first_key_determines_the_members) {
+  const Chunk chunk{R"([{"t":0,"position":[1,2],"name":"a","T":1}])"};
+  const JsonColumns columns = find_members(chunk, {}, {"a", "b"});
+  ASSERT_GE(columns.members.size(), 4U);
+  EXPECT_TRUE(columns.members[1].array);
+  EXPECT_EQ(columns.members[1].cells, 2U);
+  EXPECT_EQ(columns.columns.cells[columns.members[2].cell].role, Role::ignored);
+  EXPECT_TRUE(columns.members[0].required && columns.members[1].required);
+  EXPECT_FALSE(columns.members[2].required || columns.members[3].required);
+  EXPECT_EQ(shown_key(parse_json(chunk, columns), 0), "1: 0 1 2 [1 0 0]\n");
+}
+
+TEST(JsonMembers, a_near_miss_of_a_known_member_is_an_error) {
+  const std::string what =
+      ": nearly \"tension\", but a channel by its name; expected tension, or another name; rename it";
+  EXPECT_THAT(read(R"([{"t":0,"position":[1],"tensoin":0.5}])"),
+              testing::StartsWith("f:1:24: error: keys[0].tensoin" + what));
+  EXPECT_THAT(read(R"([{"t":0,"tensoin":0.5}])"), testing::StartsWith("f:1:9: error: keys[0].tensoin" + what));
+  EXPECT_EQ(read(R"([{"t":0,"tensoin":0.5,"tension":1}])"), "t tensoin\n1: 0 0.5 [1 0 0]\n") << "it is there";
+  EXPECT_EQ(read(R"([{"t":0,"position":[1],"weight":0.5,"id":3}])"), "t x\n1: 0 1\n");
+}
+
+}  // namespace
+}  // namespace tcb
