@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/job.hpp"
+#include "curve/curve_spec.hpp"
 #include "curve/index.hpp"
 #include "curve/rows.hpp"
-#include "curve/curve_spec.hpp"
 #include "input/input.hpp"
 #include "keys/key_store.hpp"
 #include "sampling/request.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "curve/fields.hpp"
 #include "curve/curve_spec.hpp"
+#include "curve/fields.hpp"
 #include "io/formats.hpp"
 #include "text/notation.hpp"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "cli/validators.hpp"
-#include "curve/fields.hpp"
 #include "curve/curve_spec.hpp"
+#include "curve/fields.hpp"
 
 namespace tcb {
 namespace {

@@ -278,7 +278,8 @@ constexpr std::array all_words{
     Words{ErrorCode::no_provenance,
           "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
     // app
-    Words{ErrorCode::out_of_memory, "out of memory"}, Words{ErrorCode::unexpected, "{0}"},
+    Words{ErrorCode::out_of_memory, "out of memory"},
+    Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "
           "other columns with --columns"},

@@ -2,7 +2,7 @@
 #include "cli/plan.hpp"
 
 #include "cli/command_line.hpp"
-#include "input/roles.hpp"
+#include "input/columns.hpp"
 
 namespace tcb {
 namespace {
