@@ -73,7 +73,7 @@ bool names_a_file(std::string_view options) {
 }
 
 /// The request of a line of options, from standard input to standard output with few rows; nothing for other requests.
-std::optional<Job> parse(std::string_view line) {
+std::optional<Job> job_of(std::string_view line) {
   if (names_a_file(line) || find_foreign(line) != std::string_view::npos) return std::nullopt;
   std::vector<std::string> words{"tcbsample"};
   for (const std::string_view word : split(line, ' ')) {
@@ -82,15 +82,15 @@ std::optional<Job> parse(std::string_view line) {
   std::vector<const char*> arguments;
   for (const std::string& word : words) arguments.push_back(word.c_str());
   try {
-    Invocation request = parse(static_cast<int>(arguments.size()), arguments.data());
+    Invocation request = tcb::parse(static_cast<int>(arguments.size()), arguments.data());
     if (request.text) return std::nullopt;
-    request.plan.files = {"-"};
-    request.plan.output = "-";
-    request.plan.output_folder.reset();
-    request.plan.batch = {};
-    request.plan.verbosity = {.quiet = true};
-    request.plan.sampling.max_rows = std::min(request.plan.sampling.max_rows, most_rows);
-    return request.plan;
+    request.job.files = {"-"};
+    request.job.output = "-";
+    request.job.output_folder.reset();
+    request.job.batch = {};
+    request.job.verbosity = {.quiet = true};
+    request.job.sampling.max_rows = std::min(request.job.sampling.max_rows, most_rows);
+    return request.job;
   } catch (const Error& error) {
     require(error.exit() == Exit::usage, "options refused as if they were data", error_text(error));
     require(error_text(error).starts_with("tcbsample: error: "), "options refused elsewhere", error_text(error));
@@ -98,13 +98,13 @@ std::optional<Job> parse(std::string_view line) {
   }
 }
 
-/// parse() with a cache of recent lines, because parsing takes longer than everything else.
+/// job_of() with a cache of recent lines, because parsing takes longer than everything else.
 const std::optional<Job>& parsed(std::string_view line) {
   static std::map<std::string, std::optional<Job>, std::less<>> known;
   constexpr std::size_t most = 4096;
   if (const auto found = known.find(line); found != known.end()) return found->second;
   if (known.size() == most) known.clear();
-  return known.emplace(line, parse(line)).first->second;
+  return known.emplace(line, job_of(line)).first->second;
 }
 
 /// The result: rows, or an error.
@@ -118,7 +118,7 @@ Outcome run(Job plan, unsigned jobs, std::string_view input) {
   out.set("");
   plan.jobs = jobs;
   try {
-    require(resample(plan) == Exit::done, "a failure without a refusal", input);
+    require(resample(plan, {error_text, note_text}) == Exit::done, "a failure without a refusal", input);
     return {out.text(), {}};
   } catch (const Error& error) {
     require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error_text(error));
