@@ -59,7 +59,7 @@ void read(benchmark::State& state, const Values& values, const Read& parse) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(values.size()));
 }
 
-char* to_chars(double value, char* out) { return std::to_chars(out, out + number_room, value).ptr; }
+char* to_chars(double value, char* out) { return std::to_chars(out, out + tcb::number_room, value).ptr; }
 char* to_chars_fixed(double value, char* out) {
   return std::to_chars(out, out + 512, value, std::chars_format::fixed, 6).ptr;
 }
