@@ -17,13 +17,13 @@
 
 namespace tcb {
 
-/// Which files there are besides those named, and what is done with all of them.
+/// Files besides those of the command line, and how all of them are processed.
 struct BatchOptions {
   std::string list;        ///< a file that names files; "-": standard input; empty: none
   bool nul = false;        ///< the names in the list end in NUL, not in a new line
-  bool recursive = false;  ///< folders stand for the files in them
+  bool recursive = false;  ///< a folder means the files in it
   std::string suffix;      ///< of the outputs' names, before the ending
-  bool update = false;     ///< leaves out what has an output that is not older
+  bool update = false;     ///< skips files with outputs that are not older
   bool fail_fast = false;  ///< stops at the first file that fails
 };
 
@@ -46,10 +46,10 @@ struct GoldenOptions {
   Notation notation = {};  ///< in which the numbers are rounded
 };
 
-/// What is said on standard error besides errors.
+/// What is printed on standard error besides errors.
 struct Verbosity {
   bool quiet = false;     ///< nothing
-  bool notes = false;     ///< what may surprise
+  bool notes = false;     ///< about inputs, where a user may not expect it
   bool progress = false;  ///< how far the work is, once it takes a while
 };
 
@@ -65,16 +65,16 @@ struct Job {
   std::optional<Comparison> comparison;  ///< instead of printing samples
   FormatId output_format = FormatId::csv;
   std::optional<bool> output_header;
-  std::optional<GoldenOptions> golden;    ///< rows are worked out exactly
+  std::optional<GoldenOptions> golden;    ///< rows are exact, and rounded once
   Notation notation;                      ///< of numbers that may have a fraction
-  std::optional<ProvenanceRequest> meta;  ///< provenance goes with the rows
-  bool explain = false;                   ///< say what was found and would be done, and do not
+  std::optional<ProvenanceRequest> meta;  ///< the output has its provenance
+  bool explain = false;                   ///< print what was detected and would be done, no rows
   std::optional<unsigned> jobs;           ///< threads; nothing: all cores, one for a live pipe
   Verbosity verbosity;
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder
 
-  /// How many threads the work may take.
+  /// The number of threads to use.
   unsigned threads() const { return jobs.value_or(std::max(1U, std::thread::hardware_concurrency())); }
 };
 

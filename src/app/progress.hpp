@@ -21,7 +21,7 @@ enum class NoteCode {
   remainder,        ///< distance of the end from the last row
   step,             ///< the step, as text
   skipped_rows,     ///< number
-  made_times,       ///< the value of --parameter
+  made_times,       ///< the parameterization, as given
   other_program,    ///< the program of the earlier output, this program
 };
 

@@ -20,7 +20,7 @@ namespace tcb {
 using Keys = spline::Keys<double>;
 using Time = spline::Time<double>;
 
-/// What an input says of a whole curve.
+/// What an input has about a curve, besides its keys.
 struct CurveInfo {
   CurveSettings settings;
   std::vector<std::pair<std::string, TextPosition>> places = {};  ///< the text position of each setting

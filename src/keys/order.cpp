@@ -22,7 +22,7 @@ struct KeyLocation {
   std::string list_position;  ///< as KeyBlock::list_position()
 };
 
-/// The stage behind in_order().
+/// The stage of in_order().
 class Order {
  public:
   Order(Source<KeyBlock> blocks, Duplicates duplicates) : blocks_(std::move(blocks)), duplicates_(duplicates) {}

@@ -1,12 +1,11 @@
 // Output formats: layouts and texts of delimited text, JSON, JSON Lines, and NumPy files.
-#include "output/formats.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <limits>
 
 #include "input/texts.hpp"
+#include "output/layout.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {

@@ -9,8 +9,8 @@
 
 #include "input/input.hpp"
 #include "io/file.hpp"
-#include "output/frame.hpp"
 #include "output/labels.hpp"
+#include "output/layout.hpp"
 #include "output/provenance.hpp"
 
 namespace tcb {

@@ -25,10 +25,10 @@ Inputs numbered_files(int count) {
 
 /// Standard error of a batch, and its summary.
 template <class F>
-std::pair<std::string, Summary> run(F batch) {
+std::pair<std::string, Summary> run(F convert) {
   testing::internal::CaptureStderr();
   tcb::Report report({}, {tcb::error_text, tcb::note_text});
-  const Summary summary = batch(report);
+  const Summary summary = convert(report);
   return {testing::internal::GetCapturedStderr(), summary};
 }
 

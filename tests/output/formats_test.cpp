@@ -1,5 +1,4 @@
 // Output formats: layouts that can be read again, and the head, bytes and limits of NumPy files.
-#include "output/formats.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 
 #include "error.hpp"
 #include "input/reading.hpp"
+#include "output/layout.hpp"
 
 namespace tcb {
 namespace {

@@ -11,12 +11,12 @@ namespace {
 SampleBlock samples_on(std::vector<std::uint64_t> segments) {
   SampleBlock block;
   for (const std::uint64_t number : segments) {
-    CurveSegment piece;
-    piece.start = {static_cast<double>(number)};
-    piece.end = {static_cast<double>(number + 1)};
-    piece.number = number;
-    piece.end_key = number + 1;
-    block.parts.push_back({piece, 0, 1});
+    CurveSegment segment;
+    segment.start = {static_cast<double>(number)};
+    segment.end = {static_cast<double>(number + 1)};
+    segment.number = number;
+    segment.end_key = number + 1;
+    block.parts.push_back({segment, 0, 1});
   }
   return block;
 }
