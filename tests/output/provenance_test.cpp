@@ -3,7 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "error.hpp"
+#include "keys.hpp"
 
 namespace tcb {
 namespace {
@@ -61,6 +67,58 @@ TEST(Provenance, is_an_error_where_there_is_none) {
                            "{\"meta\":{\"options\":3,\"inputs\":[4]}}", "{\"me"}) {
     EXPECT_THROW(read(text), Error) << text;
   }
+}
+
+Source<std::string> bytes_of(const std::string& text) {
+  return [text, done = false]() mutable -> std::optional<std::string> {
+    return std::exchange(done, true) ? std::nullopt : std::optional(text);
+  };
+}
+
+/// SHA-256 of "abc", from FIPS 180-2.
+constexpr const char* abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+
+ErrorCode code_of(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return ErrorCode::unexpected;
+}
+
+TEST(ProvenanceRecorder, counts_what_is_read_and_the_rest) {
+  const std::optional<ProvenanceRequest> request(ProvenanceRequest{example(), {}, ""});
+  ProvenanceRecorder recorder(request);
+  (void)recorder.observe_bytes("abc.csv", bytes_of("abc"));
+  (void)recorder.observe_keys(keys_of("0 1\n1 2\n2 3\n", 1))();
+  recorder.end_curve();
+  recorder.end_input();
+  EXPECT_EQ(recorder.after_rows(FormatId::csv), "# input: k.csv\n# sha256: 0a\n# input: abc.csv\n# sha256: " +
+                                                    std::string(abc) + "\n# curves: 2\n# keys: 8\n# rows: 25\n");
+}
+
+TEST(ProvenanceRecorder, without_a_request_adds_nothing) {
+  const std::optional<ProvenanceRequest> none;
+  ProvenanceRecorder recorder(none);
+  EXPECT_EQ(recorder.observe_bytes("a", bytes_of("abc"))(), "abc");
+  recorder.end_input();
+  EXPECT_EQ(recorder.before_rows(FormatId::csv) + recorder.after_rows(FormatId::csv), "");
+}
+
+TEST(ProvenanceRecorder, requires_the_inputs_of_the_earlier_output) {
+  ProvenanceRequest request;
+  request.earlier.inputs = {{"first.csv", abc}};
+  const std::optional<ProvenanceRequest> made_from_one(request);
+  ProvenanceRecorder recorder(made_from_one);
+  EXPECT_EQ(code_of([&] { (void)recorder.after_rows(FormatId::csv); }), ErrorCode::made_from_more_inputs);
+  EXPECT_EQ(recorder.observe_bytes("other name.csv", bytes_of("abc"))(), "abc");
+  recorder.end_input();
+  EXPECT_THAT(recorder.after_rows(FormatId::csv), testing::StartsWith("# input: first.csv\n"));
+  EXPECT_EQ(code_of([&] { (void)recorder.observe_bytes("second.csv", bytes_of("abc")); }),
+            ErrorCode::made_from_fewer_inputs);
+  ProvenanceRecorder another(made_from_one);
+  EXPECT_EQ(code_of([&] { (void)another.observe_bytes("first.csv", bytes_of("abd")); }), ErrorCode::other_checksum);
 }
 
 }  // namespace
