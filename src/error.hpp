@@ -189,7 +189,7 @@ enum class ErrorCode {
   json_curve_without_keys,  ///< path of the curve
   json_curves_differ,       ///< path, time and channels, those of the first curve
   groups_of_curves,
-  setting_nearly_known,       ///< PATH, the words about the known name
+  setting_nearly_known,       ///< name, the known names, PATH
   setting_repeats,            ///< PATH
   setting_of_keys,            ///< PATH
   setting_is_option,          ///< PATH

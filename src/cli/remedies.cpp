@@ -66,9 +66,9 @@ constexpr std::array all_words{
           "the first row has {0} where the header has {1}; expected the same number; correct one of them, or give the "
           "delimiter with -d"},
     Words{ErrorCode::column_not_utf8,
-          "column {q0}: the byte {1:02X} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
+          "column {q0}: the byte {1} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
     Words{ErrorCode::cell_not_utf8,
-          "{q0}: the byte {1:02X} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
+          "{q0}: the byte {1} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
     Words{ErrorCode::wrong_number_of_cells,
           "the row has {0} where the rows above have {1}; expected the same number of cells; complete or correct the "
           "row, or give the delimiter with -d"},
@@ -111,12 +111,12 @@ constexpr std::array all_words{
     Words{ErrorCode::json_text_after_array, "text after the end of the JSON array; expected nothing more; take it out"},
     Words{ErrorCode::json_key_too_long, "a key of more than 64 MiB; expected less; shorten it"},
     Words{ErrorCode::json_object_too_long, "an object of more than 64 MiB around the keys; expected less; shorten it"},
-    Words{ErrorCode::json_curve_expected, "no curve where one was expected; expected {{…}}; correct the text"},
+    Words{ErrorCode::json_curve_expected, "no curve where one was expected; expected an object; correct the text"},
     Words{ErrorCode::json_comma_after_curve_expected, "expected a comma or the end of the curves; correct the text"},
-    Words{ErrorCode::json_key_missing, "nothing where a key was expected; expected {{…}}; take the comma out"},
-    Words{ErrorCode::json_value_for_key, "{0} where a key was expected; expected {{…}}; correct it"},
-    Words{ErrorCode::json_number_for_key, "a number where a key was expected; expected {{…}}; correct it"},
-    Words{ErrorCode::json_array_for_key, "an array where a key was expected; expected {{…}}; correct it"},
+    Words{ErrorCode::json_key_missing, "nothing where a key was expected; expected an object; take the comma out"},
+    Words{ErrorCode::json_value_for_key, "{0} where a key was expected; expected an object; correct it"},
+    Words{ErrorCode::json_number_for_key, "a number where a key was expected; expected an object; correct it"},
+    Words{ErrorCode::json_array_for_key, "an array where a key was expected; expected an object; correct it"},
     Words{ErrorCode::json_number_too_large,
           "{q0} is not a finite double; expected less than 1.8e308 in size; correct it"},
     Words{ErrorCode::json_member_repeats, "{0}: a second time in one key; expected once; take one out"},
@@ -147,7 +147,7 @@ constexpr std::array all_words{
           "{0}: keys with {1}, {2}; expected {3}, {4}, as in the first curve; correct them"},
     Words{ErrorCode::groups_of_curves,
           "{subject} has no meaning for an object with curves, which are separate already; take it out"},
-    Words{ErrorCode::setting_nearly_known, "{0}: not a setting{1}"},
+    Words{ErrorCode::setting_nearly_known, "{2}: not a setting{nearest}"},
     Words{ErrorCode::setting_repeats, "{0}: a second time in one object; expected once; take one out"},
     Words{ErrorCode::setting_of_keys, "{0}: not in a key; expected in each of them; move it there"},
     Words{ErrorCode::setting_is_option,
@@ -391,6 +391,16 @@ struct AddValue {
   void operator()(const auto& value) const { to.push_back(value); }
 };
 
+/// "; did you mean NAME?", or "".
+std::string nearest(const std::vector<ErrorValue>& values) {
+  const auto is_list = [](const ErrorValue& value) { return std::holds_alternative<std::vector<std::string>>(value); };
+  const auto list = std::ranges::find_if(values, is_list);
+  if (list == values.end() || !std::holds_alternative<std::string>(values[0])) return "";
+  const auto& names = std::get<std::vector<std::string>>(*list);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return did_you_mean(std::get<std::string>(values[0]), known);
+}
+
 /// Adds the other ways in which words may show the value with this index.
 struct AddNamed {
   FormatArguments& to;
@@ -406,16 +416,6 @@ struct AddNamed {
     to.push_back(fmt::arg(fmt::format("{}{}", kind, index).c_str(), text));
   }
 };
-
-/// "; did you mean NAME?", or "".
-std::string nearest(const std::vector<ErrorValue>& values) {
-  const auto is_list = [](const ErrorValue& value) { return std::holds_alternative<std::vector<std::string>>(value); };
-  const auto list = std::ranges::find_if(values, is_list);
-  if (list == values.end() || !std::holds_alternative<std::string>(values[0])) return "";
-  const auto& names = std::get<std::vector<std::string>>(*list);
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  return did_you_mean(std::get<std::string>(values[0]), known);
-}
 
 std::string line_of(const Error& error) {
   const TextPosition& position = error.position();

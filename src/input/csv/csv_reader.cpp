@@ -108,8 +108,7 @@ class RecordReader {
     std::string text = text_of(cell);
     const std::size_t invalid = find_foreign(text);
     if (invalid != std::string::npos) {
-      add_fault(cell, ErrorCode::cell_not_utf8,
-                {unquoted(cell), std::uint64_t{static_cast<unsigned char>(text[invalid])}});
+      add_fault(cell, ErrorCode::cell_not_utf8, {unquoted(cell), hexadecimal(text[invalid])});
     }
     if (content(text).empty() && !keys_.miss(column)) {
       add_fault(cell, ErrorCode::empty_group, {head_.columns.name_of(column)});
@@ -130,6 +129,12 @@ class RecordReader {
 };
 
 }  // namespace
+
+std::string hexadecimal(char byte) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  const auto code = static_cast<unsigned char>(byte);
+  return {digits[code / 16], digits[code % 16]};
+}
 
 ErrorCode why_not_number(std::string_view cell, char decimal) {
   if (is_missing(cell)) return cell.empty() ? ErrorCode::number_empty : ErrorCode::number_missing;

@@ -59,6 +59,9 @@ struct DelimitedHead {
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
                         std::vector<Chunk>& rest);
 
+/// A byte as two digits.
+std::string hexadecimal(char byte);
+
 /// Why a cell is not a number where one was expected. `decimal` is the decimal mark.
 ErrorCode why_not_number(std::string_view cell, char decimal);
 

@@ -103,9 +103,7 @@ void require_characters(const std::vector<std::string>& names, const TextPositio
   for (const std::string& name : names) {
     const std::size_t invalid = find_foreign(name);
     if (invalid == std::string::npos) continue;
-    throw Error(Exit::data, ErrorCode::column_not_utf8,
-                {name, std::uint64_t{static_cast<unsigned char>(name[invalid])}})
-        .at(position);
+    throw Error(Exit::data, ErrorCode::column_not_utf8, {name, hexadecimal(name[invalid])}).at(position);
   }
 }
 

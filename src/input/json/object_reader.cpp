@@ -29,6 +29,12 @@ ErrorCode syntax_code(const JsonFault& fault) {
   return ErrorCode::json_end_expected;
 }
 
+/// A token without its quotes.
+std::string token_text(std::string_view token) {
+  if (is_json_string(token)) token.remove_suffix(1);
+  return std::string(token.substr(token.starts_with('"') ? 1 : 0));
+}
+
 }  // namespace
 
 /// nlohmann-json's events, with its names.
@@ -220,13 +226,13 @@ void JsonObjectReader::refuse_syntax() const {
   if (has_more &&
       fault.token.data() >= reading_.now) {  // a string's characters, which find_json_fault() does not check
     fault = find_json_fault(read_text());
-    fail_at(reading_.now - 1, ErrorCode::json_character_in_string, {std::string(fault.token)});
+    fail_at(reading_.now - 1, ErrorCode::json_character_in_string, {token_text(fault.token)});
   }
   const bool value_expected = fault.expected == JsonExpected::value || fault.expected == JsonExpected::value_or_end;
   const bool at_key = key_depth_ == 1 && depth_ == 1 && value_expected && (fault.token == "," || fault.token == "]");
   if (at_key) fail_at(fault.token.data(), ErrorCode::json_key_missing);
   if (fault.token.empty()) fail_at(fault.token.data(), ErrorCode::json_ends_early);
-  fail_at(fault.token.data(), syntax_code(fault), {std::string(fault.token)});
+  fail_at(fault.token.data(), syntax_code(fault), {token_text(fault.token)});
 }
 
 void JsonObjectReader::fail_at(const char* where, ErrorCode code, std::vector<ErrorValue> values) const {

@@ -36,9 +36,9 @@ class SettingsReader : public JsonObjectReader {
     known_ = std::ranges::find(known, name) != known.end();
     require_no_loss(name);
     if (!known_) {
-      const std::string near = did_you_mean(name, known);
-      if (!near.empty()) throw value_error(ErrorCode::setting_nearly_known, {near});
-      return true;
+      if (did_you_mean(name, known).empty()) return true;
+      const std::vector<std::string> names(known.begin(), known.end());
+      throw Error(Exit::data, ErrorCode::setting_nearly_known, {name, names, path()}).at(value_position());
     }
     if (std::ranges::find(members_, name) != members_.end()) throw value_error(ErrorCode::setting_repeats);
     members_.push_back(name);

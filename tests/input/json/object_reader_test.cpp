@@ -106,14 +106,14 @@ TEST(ObjectReader, positions_are_those_in_the_file_that_the_chunk_is_from) {
 }
 
 TEST(ObjectReader, a_value_for_a_key_is_an_error_at_its_position) {
-  EXPECT_EQ(log("[{},5]"), "f:1:5: error: a number where a key was expected; expected {…}; correct it");
-  EXPECT_EQ(log("[{},true]"), "f:1:5: error: true where a key was expected; expected {…}; correct it");
-  EXPECT_EQ(log("[]"), "f:1:2: error: nothing where a key was expected; expected {…}; take the comma out");
-  EXPECT_EQ(log("{}\n5\n"), "f:2:1: error: a number where a key was expected; expected {…}; correct it");
+  EXPECT_EQ(log("[{},5]"), "f:1:5: error: a number where a key was expected; expected an object; correct it");
+  EXPECT_EQ(log("[{},true]"), "f:1:5: error: true where a key was expected; expected an object; correct it");
+  EXPECT_EQ(log("[]"), "f:1:2: error: nothing where a key was expected; expected an object; take the comma out");
+  EXPECT_EQ(log("{}\n5\n"), "f:2:1: error: a number where a key was expected; expected an object; correct it");
 }
 
 TEST(ObjectReader, an_array_for_a_key_is_an_error_at_its_bracket) {
-  EXPECT_EQ(log("[{},[0]]"), "f:1:5: error: an array where a key was expected; expected {…}; correct it");
+  EXPECT_EQ(log("[{},[0]]"), "f:1:5: error: an array where a key was expected; expected an object; correct it");
 }
 
 TEST(ObjectReader, the_first_wrong_token_is_an_error_with_what_was_expected) {
@@ -125,8 +125,8 @@ TEST(ObjectReader, the_first_wrong_token_is_an_error_with_what_was_expected) {
       {"{\"a\":1}{\"a\":2}", "f:1:8: error: not JSON: \"{\" after the last bracket"},
       {"[{\"a\":01}]", "f:1:7: error: not JSON: \"01\"; expected a value"},
       {"[{\"a\":1", "f:1:7: error: not JSON: the text ends early"},
-      {"[{\"a\":\"b}]", "f:1:7: error: not JSON: the string \"\"b}]\" is not closed"},
-      {"[{\"a\":\"b\\q\"}]", "f:1:10: error: not JSON: the last character of \"\"b\\q\""}};
+      {"[{\"a\":\"b}]", "f:1:7: error: not JSON: the string \"b}]\" is not closed"},
+      {"[{\"a\":\"b\\q\"}]", "f:1:10: error: not JSON: the last character of \"b\\q\""}};
   for (const auto& [text, start] : faults) {
     const std::string error = log(text);
     EXPECT_TRUE(error.starts_with(start)) << error;

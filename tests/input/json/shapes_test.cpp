@@ -167,16 +167,16 @@ TEST(Json, the_text_before_a_nul_is_read_first) {
 
 TEST(Json, a_text_that_looks_like_a_message_is_shown_as_text) {
   EXPECT_THAT(read("[{\"'; expected \xFF\":1}]"),
-              testing::StartsWith("f:1:16: error: not JSON: the last character of \"\"'; expected \\xFF\" may not"));
+              testing::StartsWith("f:1:16: error: not JSON: the last character of \"'; expected \\xFF\" may not"));
   EXPECT_THAT(read("[{\"a\":\"'; expected \xFF\"}]"),
-              testing::StartsWith("f:1:20: error: not JSON: the last character of \"\"'; expected \\xFF\" may not"));
+              testing::StartsWith("f:1:20: error: not JSON: the last character of \"'; expected \\xFF\" may not"));
 }
 
 TEST(Json, nothing_where_a_key_was_expected) {
   for (const std::size_t piece : {std::size_t{1}, std::string::npos}) {
     const auto refusal = [](int column) {
       return "f:1:" + std::to_string(column) +
-             ": error: nothing where a key was expected; expected {…}; take the comma out";
+             ": error: nothing where a key was expected; expected an object; take the comma out";
     };
     EXPECT_EQ(read(R"([,{"t":0,"x":1}])", {}, piece), refusal(2));
     EXPECT_EQ(read(R"([{"t":0,"x":1},,{"t":1,"x":1}])", {}, piece), refusal(16));
