@@ -113,6 +113,21 @@ enum class ErrorCode {
   legacy,  // its one value is the whole message; to be replaced by codes
   // text
   // io
+  cannot_open,            ///< the system's reason
+  cannot_read,            ///< the system's reason
+  input_is_folder,        ///< the system's reason
+  input_changed,          ///< while it was read
+  cannot_write,           ///< the system's reason
+  cannot_make_folder,     ///< the system's reason
+  cannot_make_temporary,  ///< the system's reason
+  cannot_read_temporary,  ///< the system's reason
+  cannot_read_folder,     ///< the system's reason
+  nul_in_list,
+  empty_list,
+  no_inputs_in_folders,  ///< how many other files there are
+  same_output,           ///< the output, the other input
+  output_is_input,       ///< the output
+  input_without_name,    ///< standard input, where each input has its own output
   // input
   npy_as_input,
   not_in_utf8,  ///< name of the encoding

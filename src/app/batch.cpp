@@ -36,7 +36,7 @@ FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& c
 
 Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Report& report, const Convert& convert) {
   Summary summary;
-  summary.ignored = inputs.left_alone;
+  summary.ignored = inputs.others;
   // No file from here on is begun. Those before a file that failed are, whichever thread was first.
   std::atomic<const InputFile*> stop = inputs.files.data() + inputs.files.size();
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {

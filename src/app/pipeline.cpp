@@ -25,6 +25,12 @@ InputOptions input_options(const Job& job, unsigned threads, bool live) {
   return options;
 }
 
+InputListOptions input_list_options(const Job& job) {
+  const BatchOptions& batch = job.batch;
+  const OutputPaths outputs{job.output, job.output_folder, batch.suffix, format_of(job.output_format).ending};
+  return {job.files, batch.list, batch.nul, batch.recursive, job.input.format.has_value(), batch.update, outputs};
+}
+
 /// The rules of a curve in words, after the preset that they are based on.
 Facts rules(const CurvePipeline& pipeline, const Wording& wording) {
   Facts facts{{"preset", std::string(name_of(pipeline.facts().spec.preset))}};
@@ -126,7 +132,8 @@ class JobRun {
         options_(writer_options(job)),
         threads_(job.threads()),
         limit_(threads_),
-        inputs_(find_inputs(job)),
+        files_(input_list_options(job)),
+        inputs_(find_inputs(files_)),
         report_(job.verbosity, wording) {}
 
   void explain() const {
@@ -152,7 +159,7 @@ class JobRun {
   Exit resample_each() {
     make_folder(*job_.output_folder);
     const auto convert = [this](const InputFile& file, unsigned threads) {
-      const std::string path = output_path(file, job_);
+      const std::string path = output_path(file, files_.outputs);
       if (file.inside > 0) make_folder(folder_of(path));
       Writer writer(options_, path);
       const std::uint64_t rows = FileRun(file.path, job_, wording_, report_, writer).run(threads);
@@ -160,7 +167,7 @@ class JobRun {
       return rows;
     };
     const InputFile& first = inputs_.files.front();
-    if (inputs_.files.size() + inputs_.left_alone == 1 && !first.is_current) {  // its errors are the program's
+    if (inputs_.files.size() + inputs_.others == 1 && !first.is_current) {  // its errors are the program's
       in_file(shown_name(first.path), [&] { convert(first, threads_); });
       return Exit::done;
     }
@@ -191,6 +198,7 @@ class JobRun {
   const WriterOptions options_;
   const unsigned threads_;
   const ThreadLimit limit_;
+  const InputListOptions files_;
   const Inputs inputs_;
   Report report_;
 };

@@ -20,6 +20,28 @@ constexpr std::array all_words{
     Words{ErrorCode::legacy, "{0}"},
     // text
     // io
+    Words{ErrorCode::cannot_open, "cannot be opened: {0}"}, Words{ErrorCode::cannot_read, "cannot be read: {0}"},
+    Words{ErrorCode::input_is_folder, "cannot be read: {0}; give --recursive and --output-dir for the files in it"},
+    Words{
+        ErrorCode::input_changed,
+        "it changed while it was read; expected a complete file; wait until it is written, or read what is there of it "
+        "from a pipe, as in cat FILE | tcbsample"},
+    Words{ErrorCode::cannot_write, "cannot be written: {0}"},
+    Words{ErrorCode::cannot_make_folder, "cannot be made: {0}"},
+    Words{ErrorCode::cannot_make_temporary, "needs a temporary file, which cannot be made: {0}"},
+    Words{ErrorCode::cannot_read_temporary, "cannot be read back from the temporary file: {0}"},
+    Words{ErrorCode::cannot_read_folder, "the folder cannot be read: {0}"},
+    Words{ErrorCode::nul_in_list,
+          "a NUL byte between the names of files; expected one name a line; give -0 for names that end in NUL"},
+    Words{ErrorCode::empty_list, "no names of files; expected one a line; add some"},
+    Words{
+        ErrorCode::no_inputs_in_folders,
+        "no files of keys among {0} in the folders; expected .csv, .tsv, .ssv, .json or .jsonl; give --input-format to "
+        "take all"},
+    Words{ErrorCode::same_output,
+          "its output {0} is that of {1} too; expected one for each; rename one of them, or use two folders"},
+    Words{ErrorCode::output_is_input, "its output {0} is an input too; expected two files; give another output"},
+    Words{ErrorCode::input_without_name, "standard input has no name; --output-dir needs files; give -o instead"},
     // input
     Words{ErrorCode::npy_as_input,
           "the file is one of NumPy's; expected text; convert it, for example with numpy.savetxt"},
@@ -278,8 +300,7 @@ constexpr std::array all_words{
     Words{ErrorCode::no_provenance,
           "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
     // app
-    Words{ErrorCode::out_of_memory, "out of memory"},
-    Words{ErrorCode::unexpected, "{0}"},
+    Words{ErrorCode::out_of_memory, "out of memory"}, Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "
           "other columns with --columns"},

@@ -1,7 +1,6 @@
-// Inputs: the files that are named, listed, or found in folders, and where the rows of each go.
+// Input lists: files that are named, listed, or found in folders, and the path of the output of each.
 #include "io/input_list.hpp"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -10,30 +9,32 @@
 #include <utility>
 
 #include "error.hpp"
-#include "io/file.hpp"
+#include "io/formats.hpp"
+#include "io/input_file.hpp"
 
 namespace tcb {
 namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void refuse(ErrorCode code, const std::string& file, std::vector<ErrorValue> values = {}) {
+  throw Error(Exit::usage, code, std::move(values)).in(file);
+}
+
 std::optional<struct stat> status_of(const std::string& path) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
-/// The names in a list; lines without any, and what a line may end in on other systems, are passed over.
-void append_listed(std::vector<std::string>& names, const BatchOptions& batch) {
-  const char end = batch.nul ? '\0' : '\n';
-  const Source<std::string> bytes = read_file(batch.list);
+/// The names in a list, without blank lines and carriage returns at the ends of lines.
+void append_listed(std::vector<std::string>& names, const InputListOptions& options) {
+  const char end = options.nul ? '\0' : '\n';
+  const Source<std::string> bytes = read_file(options.list);
   std::string name;
   const auto take = [&] {
-    if (!batch.nul && name.ends_with('\r')) name.pop_back();
-    const bool blank = !batch.nul && name.find_first_not_of(" \t") == std::string::npos;
-    if (name.find('\0') != std::string::npos) {
-      throw Error(Exit::usage, TextPosition{shown_name(batch.list)},
-                  "a NUL byte between the names of files; expected one name a line; give -0 for names that end in NUL");
-    }
+    if (!options.nul && name.ends_with('\r')) name.pop_back();
+    const bool blank = !options.nul && name.find_first_not_of(" \t") == std::string::npos;
+    if (name.find('\0') != std::string::npos) refuse(ErrorCode::nul_in_list, shown_name(options.list));
     if (!name.empty() && !blank) names.push_back(name);
     name.clear();
   };
@@ -49,19 +50,14 @@ void append_listed(std::vector<std::string>& names, const BatchOptions& batch) {
   take();
 }
 
-bool has_known_ending(const std::string& path) {
-  return std::ranges::any_of(formats,
-                             [&](const Format& format) { return format.can_read && path.ends_with(format.ending); });
-}
-
-/// Not a pipe or a device; a link that leads nowhere is an error for the reader to find.
+/// Not a pipe or a device; a link without a target is an error that reading it reports.
 bool is_or_should_be_regular(const fs::directory_entry& entry) {
   std::error_code none;
   return entry.is_regular_file(none) || !entry.exists(none);
 }
 
-/// The files below a folder, sorted; those below the output folder are no inputs.
-void append_folder(Inputs& inputs, const std::string& folder, const Job& plan) {
+/// The files below a folder, sorted; without those below the output folder.
+void append_folder(Inputs& inputs, const std::string& folder, const InputListOptions& options) {
   std::error_code error;
   const auto inside = static_cast<std::uint32_t>((fs::path(folder) / "").native().size());
   const std::size_t begin = inputs.files.size();
@@ -69,63 +65,58 @@ void append_folder(Inputs& inputs, const std::string& folder, const Job& plan) {
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code none;
     if (entry->is_directory(none)) {
-      if (fs::equivalent(entry->path(), *plan.output_folder, none)) entry.disable_recursion_pending();
-    } else if (is_or_should_be_regular(*entry) && (plan.input.format || has_known_ending(entry->path().native()))) {
+      if (fs::equivalent(entry->path(), *options.outputs.folder, none)) entry.disable_recursion_pending();
+    } else if (is_or_should_be_regular(*entry) && (options.any_ending || find_input_format(entry->path().native()))) {
       inputs.files.push_back({entry->path().native(), inside});
     } else {
-      ++inputs.left_alone;
+      ++inputs.others;
     }
   }
-  if (error)
-    throw Error(Exit::usage, TextPosition{folder}, fmt::format("the folder cannot be read: {}", error.message()));
+  if (error) refuse(ErrorCode::cannot_read_folder, folder, {error.message()});
   std::sort(inputs.files.begin() + static_cast<std::ptrdiff_t>(begin), inputs.files.end(),
             [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
 }
 
 /// Throws: Error (usage) where two files have the same output.
-void require_distinct_outputs(const std::vector<InputFile>& files, const Job& plan) {
+void require_distinct_outputs(const std::vector<InputFile>& files, const OutputPaths& outputs) {
   std::vector<std::pair<std::size_t, std::size_t>> by_hash;  // so that not all paths have to be kept
   by_hash.reserve(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
-    by_hash.emplace_back(std::hash<std::string>()(output_path(files[i], plan)), i);
+    by_hash.emplace_back(std::hash<std::string>()(output_path(files[i], outputs)), i);
   }
   std::ranges::sort(by_hash);
   for (std::size_t i = 0; i < by_hash.size(); ++i) {
     const InputFile& file = files[by_hash[i].second];
     for (std::size_t j = i; j-- > 0 && by_hash[j].first == by_hash[i].first;) {
       const InputFile& other = files[by_hash[j].second];
-      if (const std::string path = output_path(file, plan); path == output_path(other, plan)) {
-        throw Error(Exit::usage, TextPosition{file.path},
-                    fmt::format("its output {} is that of {} too; expected one for each; rename one of them, or use "
-                                "two folders",
-                                path, other.path));
+      if (const std::string path = output_path(file, outputs); path == output_path(other, outputs)) {
+        refuse(ErrorCode::same_output, file.path, {path, other.path});
       }
     }
   }
 }
 
-/// Which file a name leads to, however it is spelled.
+/// The file that a path leads to, however it is spelled.
 using Identity = std::pair<dev_t, ino_t>;
 
 /// Throws: Error (usage) where an output would take the place of an input.
 void require_not_over_inputs(const std::vector<InputFile>& files, const std::vector<Identity>& sorted_identities,
-                             const Job& plan) {
+                             const OutputPaths& outputs) {
   const auto check = [&](const std::string& output, const std::string& input) {
     const auto there = status_of(output);
     if (!there || !S_ISREG(there->st_mode)) return;
     if (!std::ranges::binary_search(sorted_identities, Identity(there->st_dev, there->st_ino))) return;
-    throw Error(Exit::usage, TextPosition{input},
-                fmt::format("its output {} is an input too; expected two files; give another output", output));
+    refuse(ErrorCode::output_is_input, input, {output});
   };
-  if (!plan.output_folder) {
-    check(plan.output, files.front().path);
+  if (!outputs.folder) {
+    check(outputs.file, files.front().path);
     return;
   }
-  for (const InputFile& file : files) check(output_path(file, plan), file.path);
+  for (const InputFile& file : files) check(output_path(file, outputs), file.path);
 }
 
-/// What the file system knows of the files, and whether their outputs are newer.
-std::vector<Identity> look_up(std::vector<InputFile>& files, const Job& plan) {
+/// Sets the sizes of the files, and whether their outputs are newer.
+std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOptions& options) {
   const auto newer = [](const timespec& a, const timespec& b) {
     return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
   };
@@ -135,51 +126,43 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const Job& plan) {
     if (!status || !S_ISREG(status->st_mode)) continue;
     file.size = static_cast<std::uintmax_t>(status->st_size);
     identities.emplace_back(status->st_dev, status->st_ino);
-    if (!plan.batch.update) continue;
-    const auto output = status_of(output_path(file, plan));
+    if (!options.update) continue;
+    const auto output = status_of(output_path(file, options.outputs));
     file.is_current = output && !newer(status->st_mtim, output->st_mtim);
   }
   std::ranges::sort(identities);
   return identities;
 }
 
-[[noreturn]] void refuse_none(const Inputs& inputs, const Job& plan) {
-  if (inputs.left_alone == 0 && !plan.batch.list.empty()) {
-    throw Error(Exit::usage, TextPosition{shown_name(plan.batch.list)},
-                "no names of files; expected one a line; add some");
-  }
-  throw Error(Exit::usage, fmt::format("no files of keys among {} in the folders; expected .csv, .tsv, .ssv, .json or "
-                                       ".jsonl; give --input-format to take all",
-                                       inputs.left_alone));
+[[noreturn]] void refuse_none(const Inputs& inputs, const InputListOptions& options) {
+  if (inputs.others == 0 && !options.list.empty()) refuse(ErrorCode::empty_list, shown_name(options.list));
+  refuse(ErrorCode::no_inputs_in_folders, "", {inputs.others});
 }
 
 }  // namespace
 
-std::string output_path(const InputFile& file, const Job& plan) {
-  if (file.path == "-") {
-    throw Error(Exit::usage, "standard input has no name; --output-dir needs files; give -o instead");
-  }
+std::string output_path(const InputFile& file, const OutputPaths& outputs) {
+  if (file.path == "-") refuse(ErrorCode::input_without_name, "");
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
-  return (fs::path(*plan.output_folder) / below / kept.stem()) +=
-         fmt::format("{}{}", plan.batch.suffix, format_of(plan.output_format).ending);
+  return (fs::path(*outputs.folder) / below / kept.stem()) += outputs.suffix + std::string(outputs.ending);
 }
 
-Inputs find_inputs(const Job& plan) {
-  std::vector<std::string> names = plan.files;
-  if (!plan.batch.list.empty()) append_listed(names, plan.batch);
+Inputs find_inputs(const InputListOptions& options) {
+  std::vector<std::string> names = options.files;
+  if (!options.list.empty()) append_listed(names, options);
   Inputs inputs;
   for (const std::string& name : names) {
     std::error_code none;
-    if (plan.batch.recursive && fs::is_directory(name, none)) {
-      append_folder(inputs, name, plan);
+    if (options.recursive && fs::is_directory(name, none)) {
+      append_folder(inputs, name, options);
     } else {
       inputs.files.push_back({name});
     }
   }
-  if (inputs.files.empty()) refuse_none(inputs, plan);
-  if (plan.output_folder) require_distinct_outputs(inputs.files, plan);
-  require_not_over_inputs(inputs.files, look_up(inputs.files, plan), plan);
+  if (inputs.files.empty()) refuse_none(inputs, options);
+  if (options.outputs.folder) require_distinct_outputs(inputs.files, options.outputs);
+  require_not_over_inputs(inputs.files, look_up(inputs.files, options), options.outputs);
   return inputs;
 }
 

@@ -1,34 +1,52 @@
-// Inputs: the files that are named, listed, or found in folders, and where the rows of each go.
+// Input lists: files that are named, listed, or found in folders, and the path of the output of each.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/job.hpp"
-
 namespace tcb {
+
+/// The paths of outputs: one for all inputs, or one for each.
+struct OutputPaths {
+  std::string file = "-";             ///< one output for all inputs, or
+  std::optional<std::string> folder;  ///< one for each, in this folder
+  std::string suffix;                 ///< of their names, before the ending
+  std::string_view ending;            ///< that of the format, with the point
+};
+
+struct InputListOptions {
+  std::vector<std::string> files;  ///< "-" is standard input
+  std::string list;                ///< a file that names more files; "-": standard input; empty: none
+  bool nul = false;                ///< the names in the list end in NUL, not in a new line
+  bool recursive = false;          ///< folders stand for the files in them; then outputs have a folder
+  bool any_ending = false;         ///< of the files in folders; otherwise those of formats that can be read
+  bool update = false;             ///< compare the times of inputs and their outputs
+  OutputPaths outputs;
+};
 
 /// A file of keys.
 struct InputFile {
   std::string path;          ///< "-" is standard input
-  std::uint32_t inside = 0;  ///< from where on the path is kept below the output folder; 0: its name alone is
-  bool is_current = false;   ///< with --update: its output is there, and not older
-  std::uintmax_t size = 0;   ///< in bytes; 0 where nobody can tell
+  std::uint32_t inside = 0;  ///< from where on the path is kept below the output folder; 0: only its name is
+  bool is_current = false;   ///< its output exists and is not older; set where `update` asks for it
+  std::uintmax_t size = 0;   ///< in bytes; 0 where that is unknown
 };
 
 struct Inputs {
   std::vector<InputFile> files;  ///< as named; those of a list in its order, those of a folder sorted by name
-  std::uint64_t left_alone = 0;  ///< files in folders whose ending is that of no format, pipes, devices
+  std::uint64_t others = 0;      ///< files in folders with the ending of no format, pipes, devices
 };
 
-/// Finds the files before any of them is read. What is wrong with one of them is left to its reading.
+/// Finds the files before any of them is read. Errors within one of them are left to its reader.
 /// Throws: Error (usage) where there are none, a folder cannot be read, or an output would take the place of an input
 /// or of another output.
-Inputs find_inputs(const Job& plan);
+Inputs find_inputs(const InputListOptions& options);
 
-/// Where the rows of a file go: its name below the output folder, with the suffix and the format's ending.
-/// Requires: plan.output_folder.
-std::string output_path(const InputFile& file, const Job& plan);
+/// The path of the output of a file: its name below the output folder, with the suffix and the format's ending.
+/// Requires: outputs.folder. Throws: Error (usage) for standard input.
+std::string output_path(const InputFile& file, const OutputPaths& outputs);
 
 }  // namespace tcb

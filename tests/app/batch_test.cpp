@@ -66,7 +66,7 @@ TEST(Batch, with_fail_fast_the_first_failure_ends_the_batch) {
 TEST(Batch, current_files_are_skipped) {
   Inputs inputs = numbered_files(6);
   for (const std::size_t i : {0UL, 3UL, 5UL}) inputs.files[i].is_current = true;
-  inputs.left_alone = 7;
+  inputs.others = 7;
   const auto [errors, summary] =
       run([&](tcb::Report& report) { return convert_all(inputs, false, 3, report, fail_at_threes); });
   EXPECT_EQ(errors, "");

@@ -1,4 +1,4 @@
-// Tests of the inputs: which files there are, and where the rows of each go.
+// Input lists: files of folders and lists, the paths of outputs, and outputs that would replace inputs.
 #include "io/input_list.hpp"
 #include "cli/remedies.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using tcb::find_inputs;
-using tcb::Job;
+using tcb::InputListOptions;
 using tcb::output_path;
 
 class Inputs : public testing::Test {
@@ -36,15 +36,16 @@ class Inputs : public testing::Test {
   }
 
   /// The files as "path -> output".
-  static std::vector<std::string> found(const Job& plan) {
+  static std::vector<std::string> found(const InputListOptions& options) {
     std::vector<std::string> texts;
-    for (const auto& file : find_inputs(plan).files) texts.push_back(file.path + " -> " + output_path(file, plan));
+    for (const auto& file : find_inputs(options).files)
+      texts.push_back(file.path + " -> " + output_path(file, options.outputs));
     return texts;
   }
 
-  static std::string refusal(const Job& plan) {
+  static std::string refusal(const InputListOptions& options) {
     try {
-      find_inputs(plan);
+      find_inputs(options);
     } catch (const tcb::Error& error) {
       return error_text(error);
     }
@@ -57,27 +58,29 @@ class Inputs : public testing::Test {
 
 TEST_F(Inputs, a_folder_is_mirrored) {
   for (const char* path : {"in/b.csv", "in/a/x.json", "in/a/x.png", "in/a/deep/y.csv"}) touch(path);
-  Job plan;
-  plan.files = {"in"};
-  plan.batch.recursive = true;
-  plan.output_folder = "out";
+  InputListOptions options;
+  options.files = {"in"};
+  options.recursive = true;
+  options.outputs.folder = "out";
+  options.outputs.ending = ".csv";
   const std::vector<std::string> expected{"in/a/deep/y.csv -> out/a/deep/y.csv", "in/a/x.json -> out/a/x.csv",
                                           "in/b.csv -> out/b.csv"};
-  EXPECT_EQ(found(plan), expected);
-  EXPECT_EQ(find_inputs(plan).left_alone, 1);
-  plan.files = {"./in//"};
-  EXPECT_EQ(found(plan).at(1), "./in//a/x.json -> out/a/x.csv");
-  plan.input.format = tcb::FormatId::csv;  // every file is one of this format
-  EXPECT_NE(refusal(plan).find("a/x.csv is that of"), std::string::npos);
+  EXPECT_EQ(found(options), expected);
+  EXPECT_EQ(find_inputs(options).others, 1);
+  options.files = {"./in//"};
+  EXPECT_EQ(found(options).at(1), "./in//a/x.json -> out/a/x.csv");
+  options.any_ending = true;  // the format of all files is given
+  EXPECT_NE(refusal(options).find("a/x.csv is that of"), std::string::npos);
 }
 
-TEST_F(Inputs, a_file_goes_by_its_name_alone) {
+TEST_F(Inputs, a_file_that_is_named_keeps_its_name_only) {
   touch("in/a.b.csv");
-  Job plan;
-  plan.files = {"in/a.b.csv"};
-  plan.output_folder = "out";
-  plan.batch.suffix = "-1";
-  EXPECT_EQ(found(plan).at(0), "in/a.b.csv -> out/a.b-1.csv");
+  InputListOptions options;
+  options.files = {"in/a.b.csv"};
+  options.outputs.folder = "out";
+  options.outputs.ending = ".csv";
+  options.outputs.suffix = "-1";
+  EXPECT_EQ(found(options).at(0), "in/a.b.csv -> out/a.b-1.csv");
 }
 
 TEST_F(Inputs, an_output_is_current_where_it_is_not_older) {
@@ -85,11 +88,12 @@ TEST_F(Inputs, an_output_is_current_where_it_is_not_older) {
   const auto now = fs::last_write_time("a.csv");
   fs::last_write_time("out/a.csv", now);
   fs::last_write_time("out/b.csv", fs::last_write_time("b.csv") - std::chrono::milliseconds(1));
-  Job plan;
-  plan.files = {"a.csv", "b.csv", "c.csv"};
-  plan.output_folder = "out";
-  plan.batch.update = true;
-  const auto inputs = find_inputs(plan);
+  InputListOptions options;
+  options.files = {"a.csv", "b.csv", "c.csv"};
+  options.outputs.folder = "out";
+  options.outputs.ending = ".csv";
+  options.update = true;
+  const auto inputs = find_inputs(options);
   EXPECT_TRUE(inputs.files[0].is_current);
   EXPECT_FALSE(inputs.files[1].is_current);
   EXPECT_FALSE(inputs.files[2].is_current);
@@ -99,13 +103,14 @@ TEST_F(Inputs, an_output_is_current_where_it_is_not_older) {
 TEST_F(Inputs, lists_name_more_files) {
   for (const char* path : {"a.csv", "b.csv"}) touch(path);
   std::ofstream("list") << "b.csv\n\na.csv";
-  Job plan;
-  plan.batch.list = "list";
-  plan.output_folder = "out";
+  InputListOptions options;
+  options.list = "list";
+  options.outputs.folder = "out";
+  options.outputs.ending = ".csv";
   const std::vector<std::string> expected{"b.csv -> out/b.csv", "a.csv -> out/a.csv"};
-  EXPECT_EQ(found(plan), expected);
-  plan.batch.nul = true;  // now it is one name, with line ends in it
-  EXPECT_EQ(found(plan).size(), 1);
+  EXPECT_EQ(found(options), expected);
+  options.nul = true;  // now it is one name, with line ends in it
+  EXPECT_EQ(found(options).size(), 1);
 }
 
 TEST_F(Inputs, no_output_takes_the_place_of_an_input) {
@@ -113,10 +118,11 @@ TEST_F(Inputs, no_output_takes_the_place_of_an_input) {
   fs::create_symlink("../b.csv", "link");
   fs::create_directory("out");
   fs::create_hard_link("b.csv", "out/a.csv");
-  Job plan;
-  plan.files = {"a.csv", "b.csv"};
-  plan.output_folder = "out";
-  EXPECT_EQ(refusal(plan),
+  InputListOptions options;
+  options.files = {"a.csv", "b.csv"};
+  options.outputs.folder = "out";
+  options.outputs.ending = ".csv";
+  EXPECT_EQ(refusal(options),
             "a.csv: error: its output out/a.csv is an input too; expected two files; give another output");
 }
 

@@ -1,5 +1,5 @@
-// Threads for streams: oneTBB's, and none of them until there is work for a second thread.
-#include "stream/stream.hpp"
+// Threads of ordered maps: those of oneTBB, started when there is work for a second thread.
+#include "stream/ordered_map.hpp"
 
 #include <tbb/global_control.h>
 #include <tbb/task_group.h>
@@ -10,11 +10,11 @@
 namespace tcb {
 namespace {
 
-std::mutex waiting_mutex;  ///< of all tasks that wait; taking one is quick
+std::mutex waiting_mutex;  ///< of all waiting tasks; taking one is quick
 
 }  // namespace
 
-/// oneTBB hears of it with the first work for a second thread, for it takes longer to set itself up than small work.
+/// Passed to oneTBB with the first work for a second thread, because its initialization takes longer than small work.
 struct ThreadLimit::Control {
   explicit Control(unsigned most) : threads(most) {}
 
@@ -41,9 +41,9 @@ void ThreadLimit::apply() {
   Control::current->limit.emplace(tbb::global_control::max_allowed_parallelism, Control::current->threads);
 }
 
-/// Tasks wait in a queue of our own, and oneTBB's task is to take one: the packaged library is not instrumented, so
-/// the thread sanitizer does not see what it hands from thread to thread, but it does see the lock. This file is
-/// not instrumented for it either: oneTBB's headers are in it.
+/// Tasks wait in a queue of our own, and each task of oneTBB takes one from it: the packaged library is not
+/// instrumented, so the thread sanitizer does not see the objects that it passes between threads, but it does see the
+/// lock. This file is compiled without the sanitizer, too, as it includes oneTBB's headers.
 struct Background::Group {
   void run_one() {
     std::function<void()> task;
@@ -73,7 +73,7 @@ void Background::run(std::function<void()> task) {
     if (!group_) {
       ThreadLimit::apply();
       auto group = std::make_unique<Group>();
-      group->tasks.wait();  // oneTBB sets itself up, and may lack the memory: better here than with a task half begun
+      group->tasks.wait();  // oneTBB allocates its memory here, and may fail: better now than within a task
       group_ = std::move(group);
     }
     {
@@ -81,7 +81,7 @@ void Background::run(std::function<void()> task) {
       group_->waiting.push_back(std::move(task));
     }
     group_->tasks.run([group = group_.get()] { group->run_one(); });
-  } catch (const std::exception&) {  // no memory, or no thread to be had
+  } catch (const std::exception&) {  // no memory, or no thread available
     has_threads_ = false;
   }
 }

@@ -1,0 +1,276 @@
+// Atomic outputs: temporary files with locks, which get their final name when they are complete; interruptions.
+#include "io/atomic_output.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "error.hpp"
+#include "io/input_file.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t write_size = 32UL * 1024;
+
+/// The names of all unfinished files; not destroyed, because a signal may come while the program ends.
+struct Names {
+  std::mutex mutex;
+  std::set<std::string> all;
+};
+Names& names() {
+  static Names& known = *new Names;
+  return known;
+}
+
+/// Threads: only this one gets the signals, so it may call any function.
+[[noreturn]] void wait_for_interruption(const sigset_t& signals) {
+  int signal = 0;
+  while (::sigwait(&signals, &signal) != 0) {
+  }
+  const std::lock_guard lock(names().mutex);
+  for (const std::string& name : names().all) ::unlink(name.c_str());
+  ::_exit(static_cast<int>(Exit::interrupted));
+}
+
+/// The names that an unfinished `path` may have: more than one, for processes that write the same file at the same
+/// time.
+std::string unfinished_name(const std::filesystem::path& path, int attempt) {
+  constexpr std::size_t longest = 200;  // file systems take 255 bytes
+  const std::string ending = attempt == 0 ? ".tcbsample" : ".tcbsample" + std::to_string(attempt);
+  return path.parent_path() / ("." + path.filename().string().substr(0, longest) + ending);
+}
+
+bool is_name_of(const std::string& name, int descriptor) {
+  struct stat named {};
+  struct stat opened {};
+  return ::lstat(name.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
+         named.st_ino == opened.st_ino;
+}
+
+/// Removes the file if no process holds a lock on it.
+void remove_abandoned(const std::string& name) {
+  constexpr int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  int descriptor = ::open(name.c_str(), O_RDWR | flags);  // some network file systems lock only what may be written
+  if (descriptor < 0) descriptor = ::open(name.c_str(), O_RDONLY | flags);
+  if (descriptor < 0) return;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_name_of(name, descriptor)) ::unlink(name.c_str());
+  ::close(descriptor);
+}
+
+/// A new file with a lock on it, or -1 with errno set, EEXIST if another process has the name. Another
+/// process may remove the file before it has the lock, as abandoned; then the name is lost to it.
+int create_locked(const std::string& name, mode_t permissions) {
+  const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+  if (descriptor < 0) return -1;
+  const bool lost = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;  // some systems have no locks
+  if (!lost && is_name_of(name, descriptor)) return descriptor;
+  ::close(descriptor);
+  errno = EEXIST;
+  return -1;
+}
+
+/// Creates a file in the folder of `path`, open for writing and with these permissions as far as the umask grants them.
+/// Returns its descriptor, or -1 with errno set. `name` becomes its name: that of `path` between a dot and
+/// ".tcbsample". The program holds a lock on it, so other processes do not touch it; a file without a lock was left by
+/// a process that was killed, and is replaced.
+int create_unfinished(const std::string& path, mode_t permissions, std::string& name) {
+  constexpr int most_attempts = 1000;
+  const std::lock_guard lock(names().mutex);
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    name = unfinished_name(path, attempt);
+    int descriptor = create_locked(name, permissions);
+    if (descriptor < 0 && errno == EEXIST) {
+      remove_abandoned(name);
+      descriptor = create_locked(name, permissions);
+    }
+    if (descriptor >= 0) names().all.insert(name);
+    if (descriptor >= 0) return descriptor;
+    if (errno != EEXIST) break;
+  }
+  name.clear();
+  return -1;
+}
+
+/// Gives the file its final name, in the place of any file that has it. The caller closes the descriptor.
+/// Promises: false with errno set if that cannot be done, or if writing it failed after all.
+bool finish(int descriptor, const std::string& name, const std::string& path) {
+  const int other = ::dup(descriptor);  // closing it reports what closing the file would, before that has its name
+  if (other < 0 || ::close(other) != 0) return false;
+  const std::lock_guard lock(names().mutex);
+  if (std::rename(name.c_str(), path.c_str()) != 0) return false;
+  names().all.erase(name);
+  return true;
+}
+
+/// Removes the file that create_unfinished() made. The caller closes the descriptor, which has the lock, afterwards.
+void discard(const std::string& name) {
+  const std::lock_guard lock(names().mutex);
+  ::unlink(name.c_str());
+  names().all.erase(name);
+}
+
+/// The number of a descriptor that the program inherited, from a name such as /dev/stdout or /dev/fd/3: writing
+/// continues at its offset, also where it is a file.
+std::optional<int> own_descriptor(std::string_view path) {
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    const std::string_view number = path.substr(folder.size());
+    int descriptor = -1;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+    if (error == std::errc() && end == number.data() + number.size()) return descriptor;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string folder_of(const std::string& path) { return std::filesystem::path(path).parent_path(); }
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw Error(Exit::usage, ErrorCode::cannot_make_folder, {error.message()}).in(path);
+}
+
+Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
+  open();
+  if (!begins_last || unfinished_) return;
+  spool_.reset(std::tmpfile());
+  if (spool_ == nullptr) fail(ErrorCode::cannot_make_temporary);
+}
+
+void Output::open() {
+  if (path_ == "-") return;
+  if (const auto own = own_descriptor(path_)) {
+    descriptor_ = ::dup(*own);
+    if (descriptor_ < 0) fail(ErrorCode::cannot_write);
+    return;
+  }
+  std::error_code none;
+  const auto kind = std::filesystem::status(path_, none).type();
+  if (kind == std::filesystem::file_type::regular)
+    path_ = std::filesystem::canonical(path_, none);  // the target of a link
+  const bool device = kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found;
+  if (device) {  // /dev/null or a pipe: written in place
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(ErrorCode::cannot_write);
+    return;
+  }
+  struct stat before {};
+  const bool replaces = ::stat(path_.c_str(), &before) == 0;  // it keeps the permissions of that file
+  descriptor_ = create_unfinished(path_, replaces ? S_IRUSR | S_IWUSR : 0666, temporary_);
+  unfinished_ = descriptor_ >= 0;
+  if (!unfinished_) fail(ErrorCode::cannot_write);
+  if (replaces && ::fchmod(descriptor_, before.st_mode & 07777U) != 0) {
+    const int reason = errno;
+    remove();
+    errno = reason;
+    fail(ErrorCode::cannot_write);
+  }
+}
+
+Output::~Output() { remove(); }
+
+void Output::remove() {
+  if (!temporary_.empty()) discard(temporary_);  // while it is locked
+  temporary_.clear();
+  if (descriptor_ > 2) ::close(std::exchange(descriptor_, -1));
+}
+
+void Output::fail(ErrorCode code) const {
+  const std::string name = path_ == "-" ? "standard output" : path_;
+  throw Error(Exit::usage, code, {std::string(std::strerror(errno))}).in(name);
+}
+
+void Output::write(std::string_view text) {
+  if (!live_ && text.size() < write_size) {
+    pending_ += text;
+    if (pending_.size() >= write_size) flush();
+    return;
+  }
+  flush();
+  put(text);
+}
+
+void Output::flush() {
+  put(pending_);
+  pending_.clear();
+}
+
+void Output::put(std::string_view text) { send(spool_ == nullptr ? descriptor_ : ::fileno(spool_.get()), text); }
+
+void Output::send(int descriptor, std::string_view bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && is_to_repeat(descriptor, POLLOUT)) continue;
+    if (count < 0) fail(ErrorCode::cannot_write);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void Output::write_beginning(std::string_view bytes) {
+  flush();
+  const int descriptor = spool_ == nullptr ? descriptor_ : ::fileno(spool_.get());
+  if (::lseek(descriptor, 0, SEEK_SET) < 0) fail(ErrorCode::cannot_write);
+  send(descriptor, bytes);
+  if (::lseek(descriptor, 0, SEEK_END) < 0) fail(ErrorCode::cannot_write);
+}
+
+void Output::send_spooled() {
+  const int spool = ::fileno(spool_.get());
+  if (::lseek(spool, 0, SEEK_SET) < 0) fail(ErrorCode::cannot_write);
+  std::string bytes(write_size, '\0');
+  for (ssize_t count = 1; count != 0;) {
+    count = ::read(spool, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) fail(ErrorCode::cannot_read_temporary);
+    if (count > 0) send(descriptor_, {bytes.data(), static_cast<std::size_t>(count)});
+  }
+  spool_.reset();
+}
+
+void Output::commit() {
+  flush();
+  if (spool_ != nullptr) send_spooled();
+  if (path_ == "-") return;
+  if (unfinished_) {
+    if (!finish(descriptor_, temporary_, path_)) fail(ErrorCode::cannot_write);
+    temporary_.clear();
+  }
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail(ErrorCode::cannot_write);
+}
+
+void end_when_interrupted() {
+  (void)std::signal(SIGPIPE, SIG_DFL);
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
+  }
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads created from here on
+  try {
+    std::thread(wait_for_interruption, signals).detach();
+  } catch (const std::system_error&) {
+    ::pthread_sigmask(SIG_UNBLOCK, &signals,
+                      nullptr);  // no thread to be had: the signals end the program without cleaning up
+  }
+}
+
+}  // namespace tcb

@@ -1,0 +1,64 @@
+// Atomic outputs: standard output, and files that appear under their names when they are complete.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "error.hpp"
+
+namespace tcb {
+
+/// The folder that a file of this name is in; "" where the name has none.
+std::string folder_of(const std::string& path);
+
+/// Makes a folder and those above it, where they do not exist. Throws: Error (usage).
+void make_folder(const std::string& path);
+
+/// An output: standard output, or a file that appears under its name only when it is complete.
+class Output {
+ public:
+  /// "-" is standard output. `begins_last`: the first bytes are final only when all others are written; an output
+  /// without random access gets all bytes then, from a temporary file. Throws: Error (usage) if it cannot be written.
+  explicit Output(std::string path, bool begins_last = false);
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  /// Removes what was written if commit() was not reached.
+  ~Output();
+
+  /// Text is written in large parts, or with each call once `live` is set.
+  void write(std::string_view text);
+  void set_live(bool live) { live_ = live; }
+
+  /// Writes the first bytes again, in their final form. Requires: `begins_last`.
+  void write_beginning(std::string_view bytes);
+
+  /// Writes what is pending and gives the file its name. Throws: Error (usage) if that fails.
+  void commit();
+
+ private:
+  void open();
+  void flush();
+  void put(std::string_view text);
+  void remove();
+  void send(int descriptor, std::string_view bytes) const;
+  void send_spooled();
+  [[noreturn]] void fail(ErrorCode code) const;
+
+  std::string path_;
+  std::string temporary_;    ///< its name until it is complete, if it needs one
+  bool unfinished_ = false;  ///< it gets its name in commit()
+  std::string pending_;
+  int descriptor_ = 1;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> spool_{nullptr,
+                                                         std::fclose};  ///< all bytes, until the first ones are final
+  bool live_ = false;
+};
+
+/// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, remove all unfinished files and end the
+/// program with Exit::interrupted. A closed pipe ends it quietly, whatever the caller ignores.
+/// Requires: no other thread runs yet.
+void end_when_interrupted();
+
+}  // namespace tcb

@@ -1,0 +1,100 @@
+// Input files: their bytes as they arrive, and what kind of file a path is.
+#include "io/input_file.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t read_size = 256UL * 1024;
+
+/// An open file that closes itself; standard input stays open.
+struct Descriptor {
+  int number = 0;
+  explicit Descriptor(int opened) : number(opened) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number > 2) ::close(number);
+  }
+};
+
+struct stat status_of(int descriptor) {
+  struct stat status {};
+  (void)::fstat(descriptor, &status);
+  return status;
+}
+
+bool is_same(const struct stat& a, const struct stat& b) {
+  return a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
+}
+
+/// Throws: Error (usage) with the system's reason.
+[[noreturn]] void fail(const std::string& path, ErrorCode code) {
+  throw Error(Exit::usage, code, {std::string(std::strerror(errno))}).in(shown_name(path));
+}
+
+int open_for_reading(const std::string& path) {
+  if (path == "-") return STDIN_FILENO;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, ErrorCode::cannot_open);
+  return descriptor;
+}
+
+}  // namespace
+
+bool is_to_repeat(int descriptor, short events) {
+  if (errno == EINTR) return true;
+  if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
+  pollfd ready{descriptor, events, 0};
+  (void)::poll(&ready, 1, -1);
+  return true;
+}
+
+void keep_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+bool is_live(const std::string& path) {
+  struct stat status {};
+  const int failed = path == "-" ? ::fstat(STDIN_FILENO, &status) : ::stat(path.c_str(), &status);
+  return failed == 0 && !S_ISREG(status.st_mode);
+}
+
+Source<std::string> read_file(const std::string& path) {
+  const auto file = std::make_shared<Descriptor>(open_for_reading(path));
+  const struct stat before = status_of(file->number);
+  const bool small = S_ISREG(before.st_mode) && static_cast<std::size_t>(before.st_size) < read_size;
+  const std::size_t room = small ? static_cast<std::size_t>(before.st_size) + 1 : read_size;
+  return [file, path, before, room]() -> std::optional<std::string> {
+    std::string bytes(room, '\0');
+    ssize_t count = 0;
+    do {
+      count = ::read(file->number, bytes.data(), bytes.size());
+    } while (count < 0 && is_to_repeat(file->number, POLLIN));
+    if (count < 0) fail(path, errno == EISDIR ? ErrorCode::input_is_folder : ErrorCode::cannot_read);
+    if (count == 0) {
+      const bool changed = S_ISREG(before.st_mode) && !is_same(before, status_of(file->number));
+      if (changed) throw Error(Exit::usage, ErrorCode::input_changed).in(shown_name(path));
+      return std::nullopt;
+    }
+    bytes.resize(static_cast<std::size_t>(count));
+    return bytes;
+  };
+}
+
+}  // namespace tcb

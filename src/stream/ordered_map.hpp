@@ -1,0 +1,151 @@
+// Ordered map: a pure function of the items of a source on several threads, the results in order.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// Limits the threads that the program uses, including the one that pulls, during its lifetime.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(unsigned threads);
+  ~ThreadLimit();
+
+  /// Puts the newest limit into force. Threads: any.
+  static void apply();
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
+
+/// Runs tasks on other threads, as far as the system provides them: a task may never be run, so whoever needs its
+/// result computes it itself. The destructor waits for the tasks that have begun.
+class Background {
+ public:
+  Background();
+  ~Background();
+  void run(std::function<void()> task);
+
+ private:
+  struct Group;
+  std::unique_ptr<Group> group_;
+  bool has_threads_ = true;
+};
+
+/// f(item), computed by the thread that claims it first.
+template <class In, class Out, class F>
+class Result {
+ public:
+  Result(In item, const F& f) : item_(std::move(item)), f_(f) {}
+
+  /// Computes it, unless another thread does or did.
+  bool claim_and_run() {
+    if (claimed_.exchange(true)) return false;
+    try {
+      out_.emplace(f_(std::move(*item_)));
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    item_.reset();
+    done_.store(true);
+    done_.notify_one();
+    return true;
+  }
+
+  bool is_done() const { return done_.load(); }
+
+  /// Waits for the thread that computes it. Throws: what f threw.
+  Out take() {
+    done_.wait(false);
+    if (error_) std::rethrow_exception(error_);
+    return std::move(*out_);
+  }
+
+ private:
+  std::optional<In> item_;
+  const F& f_;
+  std::optional<Out> out_;
+  std::exception_ptr error_;
+  std::atomic<bool> claimed_ = false, done_ = false;
+};
+
+/// The source of f(item), in order, computed on `threads` threads including the one that pulls: the only place where
+/// threads share data. Requires: f is a pure function. With more than one thread some items are pulled ahead.
+template <class In, class F>
+class OrderedMap {
+ public:
+  using Out = decltype(std::declval<const F&>()(std::declval<In>()));
+
+  OrderedMap(Source<In> source, F f, unsigned threads)
+      : source_(std::move(source)), f_(std::move(f)), ahead_(threads * std::size_t{2}) {}
+
+  std::optional<Out> next() {
+    fill();
+    if (results_.empty() && failure_) std::rethrow_exception(failure_);
+    if (results_.empty()) return std::nullopt;
+    const auto result = results_.front();
+    result->claim_and_run();
+    for (auto other = results_.begin() + 1; other != results_.end() && !result->is_done(); ++other) {
+      (*other)->claim_and_run();
+    }
+    results_.pop_front();
+    return result->take();
+  }
+
+ private:
+  using Slot = Result<In, Out, F>;
+
+  /// So many items are left to the thread that pulls: small work is done before another thread has started.
+  static constexpr std::size_t alone = 2;
+
+  /// The source's next item. What the source throws is rethrown after the items pulled before.
+  std::optional<In> pull() {
+    try {
+      return source_();
+    } catch (...) {
+      failure_ = std::current_exception();
+      return std::nullopt;
+    }
+  }
+
+  /// Pulls some items ahead.
+  void fill() {
+    while (!ended_ && results_.size() < ahead_) {
+      std::optional<In> item = pull();
+      ended_ = !item;
+      if (ended_) return;
+      results_.push_back(std::make_shared<Slot>(std::move(*item), f_));
+      ++pulled_;
+      if (pulled_ > alone) background_.run([result = results_.back()] { result->claim_and_run(); });
+    }
+  }
+
+  Source<In> source_;
+  F f_;
+  std::size_t ahead_;
+  std::size_t pulled_ = 0;
+  bool ended_ = false;
+  std::exception_ptr failure_;
+  std::deque<std::shared_ptr<Slot>> results_;
+  Background background_;  // destroyed first, so that no thread uses the others any more
+};
+
+template <class In, class F>
+auto ordered_map(Source<In> source, F f, unsigned threads) {
+  using Out = typename OrderedMap<In, F>::Out;
+  if (threads <= 1) return mapped(std::move(source), std::move(f));
+  const auto map = std::make_shared<OrderedMap<In, F>>(std::move(source), std::move(f), threads);
+  return Source<Out>([map] { return map->next(); });
+}
+
+}  // namespace tcb

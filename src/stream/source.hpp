@@ -1,0 +1,34 @@
+// Sources: streams that are pulled item by item.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace tcb {
+
+/// The next item, or nothing at the end. An item is made when it is asked for, not before, so memory
+/// stays bounded and a slow pipe shows each row as soon as it can be known.
+template <class T>
+using Source = std::function<std::optional<T>()>;
+
+/// A source with one more item in front.
+template <class T>
+Source<T> preceded_by(T item, Source<T> source) {
+  return [first = std::optional<T>(std::move(item)), source = std::move(source)]() mutable {
+    return first ? std::exchange(first, std::nullopt) : source();
+  };
+}
+
+/// The source of f(item), in order, on the thread that pulls.
+template <class In, class F>
+auto mapped(Source<In> source, F f) {
+  using Out = decltype(f(std::declval<In>()));
+  return Source<Out>([source = std::move(source), f = std::move(f)]() mutable -> std::optional<Out> {
+    std::optional<In> item = source();
+    if (!item) return std::nullopt;
+    return f(std::move(*item));
+  });
+}
+
+}  // namespace tcb

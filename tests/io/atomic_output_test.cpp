@@ -1,0 +1,104 @@
+// Atomic outputs: files that appear when they are complete, permissions, links, and errors.
+#include "io/atomic_output.hpp"
+
+#include <sys/stat.h>
+
+#include "io/file_fixture.hpp"
+
+namespace tcb {
+namespace {
+
+TEST_F(FileTest, folders_are_made_with_those_above) {
+  make_folder(path("a/b/c"));
+  EXPECT_TRUE(fs::is_directory(path("a/b/c")));
+  EXPECT_EQ(error_of([&] { make_folder(path("a/b")); }), "no error") << "it is there already";
+  made("file", "");
+  EXPECT_EQ(error_of([&] { make_folder(path("file/a")); }),
+            "usage: " + path("file/a") + ": error: cannot be made: Not a directory");
+}
+
+TEST_F(FileTest, an_output_appears_when_it_is_complete) {
+  {
+    Output output(path("out"));
+    output.write(std::string(1'000'000, 'a'));
+    EXPECT_FALSE(fs::exists(path("out")));
+    output.write("\n");
+    output.commit();
+    EXPECT_EQ(text_of(path("out")), std::string(1'000'000, 'a') + "\n");
+  }
+  EXPECT_EQ(entries(), 1U) << "nothing else is left";
+}
+
+TEST_F(FileTest, an_output_that_is_not_complete_leaves_nothing_and_changes_nothing) {
+  made("old", "before");
+  for (const char* name : {"old", "new"}) {
+    Output output(path(name));
+    output.set_live(true);
+    output.write("half");
+  }
+  EXPECT_EQ(text_of(path("old")), "before");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(FileTest, an_output_takes_the_place_of_a_file_and_of_what_a_link_points_to) {
+  made("old", "a longer text than the new one");
+  fs::create_symlink(path("old"), path("link"));
+  Output output(path("link"));
+  output.write("new");
+  output.commit();
+  EXPECT_EQ(text_of(path("old")), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+}
+
+TEST_F(FileTest, an_output_has_the_rights_of_any_new_file) {
+  const mode_t mask = ::umask(0027);
+  Output output(path("out"));
+  output.commit();
+  ::umask(mask);
+  EXPECT_EQ(fs::status(path("out")).permissions(), static_cast<fs::perms>(0640));
+}
+
+TEST_F(FileTest, an_output_that_cannot_be_written_is_refused_at_once) {
+  EXPECT_EQ(error_of([&] { Output output(path("none/out")); }),
+            "usage: " + path("none/out") + ": error: cannot be written: No such file or directory");
+  EXPECT_EQ(error_of([&] { Output output(folder_.string()); }),
+            "usage: " + folder_.string() + ": error: cannot be written: Is a directory");
+}
+
+TEST_F(FileTest, a_full_device_is_an_error) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  EXPECT_EQ(error_of([] {
+              Output output("/dev/full");
+              output.write("text");
+              output.commit();
+            }),
+            "usage: /dev/full: error: cannot be written: No space left on device");
+}
+
+TEST_F(FileTest, standard_output_gets_each_text_at_once_only_when_it_is_live) {
+  int ends[2] = {-1, -1};
+  ASSERT_EQ(::pipe2(ends, O_NONBLOCK), 0);
+  replace(1, ends[1]);
+  const auto arrived = [&] {
+    char text[64];
+    const ssize_t count = ::read(ends[0], text, sizeof text);
+    return std::string(text, count > 0 ? static_cast<std::size_t>(count) : 0);
+  };
+  Output output("-");
+  output.write("held, ");
+  const std::string before = arrived();
+  output.set_live(true);
+  output.write("live");
+  const std::string live = arrived();
+  output.set_live(false);
+  output.write("rest");
+  output.commit();
+  const std::string rest = arrived();
+  ::close(ends[0]);
+  EXPECT_EQ(before, "");
+  EXPECT_EQ(live, "held, live");
+  EXPECT_EQ(rest, "rest");
+}
+
+}  // namespace
+}  // namespace tcb

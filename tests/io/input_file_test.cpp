@@ -1,0 +1,64 @@
+// Input files: parts as they arrive, errors, and which paths are live.
+#include "io/input_file.hpp"
+
+#include <sys/stat.h>
+
+#include <optional>
+
+#include "io/file_fixture.hpp"
+
+namespace tcb {
+namespace {
+
+TEST_F(FileTest, all_bytes_come_in_pieces_of_256_kib_at_most) {
+  std::string text(600'000, '\0');
+  for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(i * 31 % 256);
+  const auto source = read_file(made("in", text));
+  std::string back;
+  while (const auto piece = source()) {
+    EXPECT_LE(piece->size(), 256U * 1024);
+    EXPECT_FALSE(piece->empty());
+    back += *piece;
+  }
+  EXPECT_EQ(back, text);
+  EXPECT_EQ(source(), std::nullopt);
+}
+
+TEST_F(FileTest, an_empty_file_has_no_pieces) { EXPECT_EQ(read_file(made("in", ""))(), std::nullopt); }
+
+TEST_F(FileTest, standard_input_gives_bytes_as_they_come) {
+  const int end = pipe_to_input();
+  const auto source = read_file("-");
+  ASSERT_EQ(::write(end, "0,1\n", 4), 4);
+  EXPECT_EQ(source(), "0,1\n") << "nothing waits for a full piece";
+  ASSERT_EQ(::write(end, "2", 1), 1);
+  EXPECT_EQ(source(), "2");
+  ::close(end);
+  EXPECT_EQ(source(), std::nullopt);
+  EXPECT_TRUE(is_live("-"));
+}
+
+TEST_F(FileTest, what_cannot_be_read_is_refused) {
+  EXPECT_EQ(error_of([&] { read_file(path("none")); }),
+            "usage: " + path("none") + ": error: cannot be opened: No such file or directory");
+  EXPECT_EQ(error_of([&] { read_file(folder_.string())(); }),
+            "usage: " + folder_.string() +
+                ": error: cannot be read: Is a directory; give --recursive and --output-dir for the files in it");
+}
+
+TEST_F(FileTest, names_for_messages) {
+  EXPECT_EQ(shown_name("-"), "standard input");
+  EXPECT_EQ(shown_name("a/b.csv"), "a/b.csv");
+}
+
+TEST_F(FileTest, pipes_are_live_and_files_are_not) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_TRUE(is_live(path("pipe")));
+  EXPECT_FALSE(is_live(made("file", "")));
+  EXPECT_FALSE(is_live(path("none")));
+  replace(0, ::open(path("file").c_str(), O_RDONLY));
+  EXPECT_FALSE(is_live("-")) << "a file as standard input";
+}
+
+}  // namespace
+}  // namespace tcb
