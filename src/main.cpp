@@ -8,8 +8,8 @@
 #include "cli/remedies.hpp"
 #include "compare/report.hpp"
 #include "error.hpp"
-#include "io/file.hpp"
-#include "io/unfinished.hpp"
+#include "io/atomic_output.hpp"
+#include "io/input_file.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "cli/remedies.hpp"
 #include "error.hpp"
 #include "input/input.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "app/pipeline.hpp"
-#include "stream/stream.hpp"
+#include "stream/ordered_map.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 namespace {

@@ -12,8 +12,8 @@
 #include "curve/fields.hpp"
 #include "input/input.hpp"
 #include "input/texts.hpp"
-#include "io/file.hpp"
-#include "text/number.hpp"
+#include "io/input_file.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

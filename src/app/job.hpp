@@ -13,7 +13,7 @@
 #include "keys/curves.hpp"
 #include "output/provenance.hpp"
 #include "sampling/request.hpp"
-#include "text/notation.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 

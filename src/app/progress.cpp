@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/file.hpp"
+#include "io/input_file.hpp"
 
 namespace tcb {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/job.hpp"
 #include "curve/rows.hpp"
 #include "error.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

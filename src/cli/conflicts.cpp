@@ -9,7 +9,7 @@
 #include "curve/curve_spec.hpp"
 #include "curve/fields.hpp"
 #include "io/formats.hpp"
-#include "text/notation.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

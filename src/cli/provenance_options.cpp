@@ -3,7 +3,7 @@
 
 #include "cli/help.hpp"
 #include "cli/plan.hpp"
-#include "io/file.hpp"
+#include "io/input_file.hpp"
 
 namespace tcb {
 namespace {

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "cli/options.hpp"
-#include "text/refusal.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -20,7 +20,8 @@ constexpr std::array all_words{
     Words{ErrorCode::legacy, "{0}"},
     // text
     // io
-    Words{ErrorCode::cannot_open, "cannot be opened: {0}"}, Words{ErrorCode::cannot_read, "cannot be read: {0}"},
+    Words{ErrorCode::cannot_open, "cannot be opened: {0}"},
+    Words{ErrorCode::cannot_read, "cannot be read: {0}"},
     Words{ErrorCode::input_is_folder, "cannot be read: {0}; give --recursive and --output-dir for the files in it"},
     Words{
         ErrorCode::input_changed,
@@ -227,7 +228,7 @@ constexpr std::array all_words{
           "last; scale the keys down"},
     Words{ErrorCode::tolerance_too_small, "{subject} {0} is too small: two rows would be the same; give a larger one"},
     // curve
-    Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{2}"},
+    Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
     Words{ErrorCode::velocity_missing, "{subject} {0}: expected a number for each channel, as in velocity=1:0"},
     Words{ErrorCode::unexpected_rule_value, "{subject} {0}: expected no value for this rule; take it out"},
     Words{ErrorCode::velocity_not_a_number, "{subject} {0}: \"{1}\" is not a number; expected velocity=V:V…"},
@@ -244,7 +245,7 @@ constexpr std::array all_words{
     Words{ErrorCode::ends_of_closed_curve,
           "{subject} has no effect on a closed curve, which has no ends; take one of them out"},
     Words{ErrorCode::unknown_metric_channel,
-          "{subject}: no channel \"{0}\"; expected some of {1}, or numbers from 1{2}"},
+          "{subject}: no channel \"{0}\"; expected some of {1}, or numbers from 1{nearest}"},
     Words{ErrorCode::repeated_metric_channel, "{subject}: channel \"{0}\" twice; expected each once; take one out"},
     Words{ErrorCode::ease_with_missing_cells,
           "ease_in and ease_out warp all channels of a segment, and some are missing where --missing skip-cell "
@@ -300,7 +301,8 @@ constexpr std::array all_words{
     Words{ErrorCode::no_provenance,
           "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
     // app
-    Words{ErrorCode::out_of_memory, "out of memory"}, Words{ErrorCode::unexpected, "{0}"},
+    Words{ErrorCode::out_of_memory, "out of memory"},
+    Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "
           "other columns with --columns"},

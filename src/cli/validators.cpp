@@ -8,8 +8,8 @@
 
 #include "curve/fields.hpp"
 #include "io/formats.hpp"
-#include "text/notation.hpp"
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
+#include "text/print_number.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

@@ -7,7 +7,7 @@
 #include "curve/index.hpp"
 #include "curve/rows.hpp"
 #include "input/texts.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

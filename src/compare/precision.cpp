@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compare/ranking.hpp"
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 
 namespace tcb {
 namespace {

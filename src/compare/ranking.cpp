@@ -10,7 +10,8 @@
 
 #include "curve/curve_spec.hpp"
 #include "error.hpp"
-#include "stream/stream.hpp"
+#include "stream/ordered_map.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 namespace {

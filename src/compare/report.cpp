@@ -8,10 +8,10 @@
 #include <array>
 #include <cmath>
 
-#include "io/file.hpp"
+#include "io/atomic_output.hpp"
 #include "output/layout.hpp"
-#include "stream/stream.hpp"
-#include "text/number.hpp"
+#include "stream/ordered_map.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

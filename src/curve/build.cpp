@@ -9,7 +9,7 @@
 #include "curve/keyed_curve.hpp"
 #include "error.hpp"
 #include "keys/parameterize.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

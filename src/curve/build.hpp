@@ -8,7 +8,7 @@
 
 #include "curve/curve_spec.hpp"
 #include "keys/key_store.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/window.hpp"
 #include "text/time.hpp"

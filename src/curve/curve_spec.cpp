@@ -10,7 +10,7 @@
 
 #include "error.hpp"
 #include "tcb/spline/rules.hpp"
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -29,8 +29,7 @@ const typename Table::value_type& named(Option option, const Table& table, std::
   if (found != table.end()) return *found;
   std::vector<std::string_view> known;
   std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
-  refuse(option, ErrorCode::unknown_rule,
-         {std::string(name), std::vector<std::string>(known.begin(), known.end()), did_you_mean(name, known)});
+  refuse(option, ErrorCode::unknown_rule, {std::string(name), std::vector<std::string>(known.begin(), known.end())});
 }
 
 /// One rule: a name, or name=V:V:… for one that takes a velocity.
@@ -95,8 +94,7 @@ std::size_t find_channel(const std::string& name, const std::vector<std::string>
   if (error == std::errc() && end == name.data() + name.size() && number >= 1 && number <= channels.size()) {
     return number - 1;
   }
-  const std::vector<std::string_view> known(channels.begin(), channels.end());
-  refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels, did_you_mean(name, known)});
+  refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
 }
 
 }  // namespace

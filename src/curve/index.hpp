@@ -8,7 +8,7 @@
 #include "curve/build.hpp"
 #include "curve/rows.hpp"
 #include "sampling/sampler.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

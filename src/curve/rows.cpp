@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

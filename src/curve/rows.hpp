@@ -11,7 +11,7 @@
 #include "curve/build.hpp"
 #include "curve/fields.hpp"
 #include "sampling/sampler.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 #include "exact/level.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 

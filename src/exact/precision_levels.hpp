@@ -12,7 +12,7 @@
 
 #include "curve/rows.hpp"
 #include "exact/exact_keys.hpp"
-#include "text/notation.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 

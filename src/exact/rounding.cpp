@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "text/large_rational.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "curve/fields.hpp"
-#include "text/notation.hpp"
+#include "text/print_number.hpp"
 #include "text/rational.hpp"
 
 namespace tcb {

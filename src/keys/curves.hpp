@@ -8,7 +8,7 @@
 
 #include "input/input.hpp"
 #include "keys/order.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "input/key_block.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

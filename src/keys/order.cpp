@@ -10,7 +10,7 @@
 
 #include "error.hpp"
 #include "input/key_block.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "input/key_block.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

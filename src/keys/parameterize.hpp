@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "input/key_block.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {

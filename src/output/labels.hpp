@@ -13,7 +13,7 @@
 
 #include "curve/rows.hpp"
 #include "input/key_block.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "text/number.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {

@@ -10,7 +10,7 @@
 #include "input/json/json_input.hpp"
 #include "io/sha256.hpp"
 #include "output/layout.hpp"
-#include "text/refusal.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {

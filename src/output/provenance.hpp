@@ -14,7 +14,7 @@
 #include "curve/rows.hpp"
 #include "input/key_block.hpp"
 #include "io/formats.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

@@ -24,7 +24,7 @@ std::optional<Time> parse_time(std::string_view text);
 Time whole_time(std::int64_t value);
 Time whole_time(std::uint64_t value);
 
-/// The cell stands for a missing number: empty, NA, nan or null, in any case.
+/// The cell is a missing number: empty, NA, nan or null, in upper or lower case.
 bool is_missing(std::string_view cell);
 
 /// The text belongs in a column of numbers: a number, a missing one, or an infinity (which is refused

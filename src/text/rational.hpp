@@ -94,8 +94,7 @@ Rational exact_time(const Time& time);
 /// The double nearest to a rational, ties to even.
 double nearest_double(const Rational& value);
 
-/// Whether that is a finite number; what is said of others.
-inline constexpr std::string_view double_range = "at most 1.7976931348623157e308 in size, as doubles are";
+/// Whether that is a finite number.
 bool within_doubles(const Rational& value);
 
 /// The time nearest to a rational, ties to even: a double, or beyond 2^53 the nearest whole number.

@@ -1,15 +1,10 @@
-// Names and values typed by people: looked up in tables, taken apart, refused with the nearest known one.
+// Suggestions: the distance between names.
 #include "text/suggest.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
-
-#include "error.hpp"
 
 namespace tcb {
 namespace {
@@ -32,15 +27,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
+std::string nearest_name(std::string_view name, std::span<const std::string_view> known) {
   const auto nearest =
       std::ranges::min_element(known, {}, [&](std::string_view other) { return edit_distance(name, other); });
   if (nearest == known.end() || edit_distance(name, *nearest) * 3 > std::max(name.size(), nearest->size())) return "";
-  return "; did you mean " + std::string(*nearest) + "?";
-}
-
-void refuse_value(std::string_view option, std::string_view value, std::string_view expected) {
-  throw Error(Exit::usage, fmt::format("{} \"{}\": expected {}", option, value, expected));
+  return std::string(*nearest);
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -51,13 +42,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     begin = end + 1;
   }
   return parts;
-}
-
-std::size_t find_name(std::string_view option, const std::vector<std::string_view>& known, std::string_view name) {
-  const auto found = std::ranges::find(known, name);
-  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  throw Error(Exit::usage, fmt::format("{}: unknown name \"{}\"; expected one of {}{}", option, name,
-                                       fmt::join(known, ", "), did_you_mean(name, known)));
 }
 
 }  // namespace tcb

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 #include "text/print_number.hpp"
 
 namespace {

@@ -1,5 +1,6 @@
 // Sources: pulled one item at a time, in order, and never earlier than asked for.
-#include "stream/stream.hpp"
+#include "stream/ordered_map.hpp"
+#include "stream/source.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,39 @@
+// UTF-8: lines and columns, invalid bytes, and quoting texts in messages.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tcb {
+
+/// How many line ends a text has.
+inline std::uint64_t count_lines(std::string_view text) {
+  return static_cast<std::uint64_t>(std::ranges::count(text, '\n'));
+}
+
+/// The column after a text that begins in the given one; columns count characters.
+std::uint64_t column_after(std::string_view text, std::uint64_t column);
+
+/// A line and a column in it, from 1.
+struct LinePosition {
+  std::uint64_t line = 1;
+  std::uint64_t column = 1;
+};
+
+/// The position after a text that begins in the given one.
+inline LinePosition position_after(std::string_view text, LinePosition position) {
+  return {position.line + count_lines(text), column_after(text, position.column)};
+}
+
+/// Where the first invalid byte of a text is, or npos.
+std::size_t find_invalid_utf8(std::string_view text);
+
+/// Text in quotes as messages show it: cut to a length that fits a line, with unprintable bytes as \xNN.
+std::string in_quotes(std::string_view text);
+
+/// Text with its control characters, which names of files and columns may have, as \xNN.
+std::string in_one_line(std::string_view text);
+
+}  // namespace tcb
