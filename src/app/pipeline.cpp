@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "input/input.hpp"
-#include "io/file.hpp"
+#include "io/atomic_output.hpp"
+#include "io/input_file.hpp"
 #include "output/writer.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

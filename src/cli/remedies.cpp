@@ -421,7 +421,8 @@ std::string nearest(const std::vector<ErrorValue>& values) {
   if (list == values.end() || !std::holds_alternative<std::string>(values[0])) return "";
   const auto& names = std::get<std::vector<std::string>>(*list);
   const std::vector<std::string_view> known(names.begin(), names.end());
-  return did_you_mean(std::get<std::string>(values[0]), known);
+  const std::string name = nearest_name(std::get<std::string>(values[0]), known);
+  return name.empty() ? "" : fmt::format("; did you mean {}?", name);
 }
 
 /// Adds the other ways in which words may show the value with this index.
@@ -431,7 +432,7 @@ struct AddNamed {
 
   void operator()(std::uint64_t number) const { add('c', fmt::format("column {}", number)); }
   void operator()(const std::string& text) const {
-    add('q', shown(text));
+    add('q', in_quotes(text));
     add('c', text);
   }
   void operator()(const auto&) const {}

@@ -5,9 +5,9 @@
 
 #include "curve/fields.hpp"
 #include "input/input.hpp"
-#include "io/file.hpp"
+#include "io/input_file.hpp"
 #include "keys/curves.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 namespace {

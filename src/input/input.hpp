@@ -13,9 +13,9 @@
 #include "input/columns.hpp"
 #include "input/key_block.hpp"
 #include "io/formats.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
-#include "text/text_position.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 

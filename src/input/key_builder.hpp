@@ -11,7 +11,7 @@
 
 #include "error.hpp"
 #include "input/input.hpp"
-#include "text/number.hpp"
+#include "text/time.hpp"
 
 namespace tcb {
 

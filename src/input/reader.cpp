@@ -66,7 +66,7 @@ void gather(std::vector<Error>& faults, KeyBlock& block) {
 
 bool TextBytes::append_to(std::string& text, LinePosition position) {
   if (at_nul_) {
-    const LinePosition nul = place_after(text, position);
+    const LinePosition nul = position_after(text, position);
     throw Error(Exit::data, ErrorCode::nul_byte).at({"", nul.line, nul.column});
   }
   const std::optional<std::string> more = bytes_();

@@ -10,7 +10,7 @@
 
 #include "curve/fields.hpp"
 #include "io/formats.hpp"
-#include "text/notation.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "input/input.hpp"
-#include "io/file.hpp"
+#include "io/atomic_output.hpp"
 #include "output/labels.hpp"
 #include "output/layout.hpp"
 #include "output/provenance.hpp"

@@ -12,12 +12,6 @@ namespace tcb {
 /// dropped or added. Upper and lower case are different letters.
 std::string nearest_name(std::string_view name, std::span<const std::string_view> known);
 
-/// On its way out: "; did you mean NAME?", or "".
-inline std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
-  const std::string nearest = nearest_name(name, known);
-  return nearest.empty() ? "" : "; did you mean " + nearest + "?";
-}
-
 /// The parts of a text between separators, one at least.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "text/refusal.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb::fuzz {
 
@@ -25,7 +25,7 @@ inline void require_same(std::string_view one, std::string_view other, std::stri
 
 /// An error fits a terminal: at most ten lines of UTF-8, each with the name of the file or the program.
 inline void require_refusal(std::string_view text, std::string_view file) {
-  require(find_foreign(text) == std::string_view::npos, "a refusal is not UTF-8", text);
+  require(find_invalid_utf8(text) == std::string_view::npos, "a refusal is not UTF-8", text);
   std::size_t lines = 0;
   for (std::string_view left = text; !left.empty(); ++lines) {
     const std::string_view line = left.substr(0, left.find('\n'));

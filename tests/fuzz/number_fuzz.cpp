@@ -13,8 +13,7 @@
 #include <string>
 
 #include "invariant.hpp"
-#include "text/decimal_mark.hpp"
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb::fuzz {

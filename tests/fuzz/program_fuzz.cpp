@@ -19,7 +19,7 @@
 #include "error.hpp"
 #include "input/input.hpp"
 #include "invariant.hpp"
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
@@ -74,7 +74,7 @@ bool names_a_file(std::string_view options) {
 
 /// The request of a line of options, from standard input to standard output with few rows; nothing for other requests.
 std::optional<Job> job_of(std::string_view line) {
-  if (names_a_file(line) || find_foreign(line) != std::string_view::npos) return std::nullopt;
+  if (names_a_file(line) || find_invalid_utf8(line) != std::string_view::npos) return std::nullopt;
   std::vector<std::string> words{"tcbsample"};
   for (const std::string_view word : split(line, ' ')) {
     if (!word.empty()) words.emplace_back(word.substr(0, word.find('\0')));

@@ -6,8 +6,8 @@
 #include "input/csv/delimited_text.hpp"
 #include "input/csv/tokenizer.hpp"
 #include "input/key_builder.hpp"
-#include "text/decimal_mark.hpp"
-#include "text/refusal.hpp"
+#include "text/parse_number.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -106,7 +106,7 @@ class RecordReader {
 
   void read_text(std::string_view cell, const Columns::Column& column) {
     std::string text = text_of(cell);
-    const std::size_t invalid = find_foreign(text);
+    const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string::npos) {
       add_fault(cell, ErrorCode::cell_not_utf8, {unquoted(cell), hexadecimal(text[invalid])});
     }

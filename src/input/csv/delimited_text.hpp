@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "input/input.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

@@ -6,8 +6,8 @@
 #include "error.hpp"
 #include "input/csv/delimited_text.hpp"
 #include "input/csv/tokenizer.hpp"
-#include "text/decimal_mark.hpp"
-#include "text/refusal.hpp"
+#include "text/parse_number.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -101,7 +101,7 @@ std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data, c
 /// Throws: Error (data) for a name that is not UTF-8, and so cannot be written to every format.
 void require_characters(const std::vector<std::string>& names, const TextPosition& position) {
   for (const std::string& name : names) {
-    const std::size_t invalid = find_foreign(name);
+    const std::size_t invalid = find_invalid_utf8(name);
     if (invalid == std::string::npos) continue;
     throw Error(Exit::data, ErrorCode::column_not_utf8, {name, hexadecimal(name[invalid])}).at(position);
   }

@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 #include "input/csv/delimited_text.hpp"
-#include "text/text_position.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {

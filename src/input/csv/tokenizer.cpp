@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "text/text_position.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "input/input.hpp"
 #include "input/json/splitter.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

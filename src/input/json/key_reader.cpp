@@ -6,7 +6,7 @@
 #include "input/json/json_input.hpp"
 #include "input/json/object_reader.hpp"
 #include "input/key_builder.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {

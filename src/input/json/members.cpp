@@ -7,7 +7,7 @@
 #include "error.hpp"
 #include "input/json/json_input.hpp"
 #include "input/json/object_reader.hpp"
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 
 namespace tcb {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "text/number.hpp"
+#include "text/parse_number.hpp"
 
 namespace tcb {
 namespace {
@@ -178,7 +178,7 @@ bool JsonObjectReader::close(bool object) {
 }
 
 LinePosition JsonObjectReader::key_position() {
-  counted_position_ = place_after({counted_, static_cast<std::size_t>(key_ - counted_)}, counted_position_);
+  counted_position_ = position_after({counted_, static_cast<std::size_t>(key_ - counted_)}, counted_position_);
   counted_ = key_;
   return counted_position_;
 }

@@ -11,7 +11,7 @@
 #include "input/input.hpp"
 #include "input/json/scanner.hpp"
 #include "input/json/splitter.hpp"
-#include "text/text_position.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "text/number.hpp"
-#include "text/text_position.hpp"
+#include "text/parse_number.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "error.hpp"
 #include "input/input.hpp"
-#include "stream/stream.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 

@@ -6,7 +6,7 @@
 #include "error.hpp"
 #include "input/json/json_input.hpp"
 #include "input/json/object_reader.hpp"
-#include "text/number.hpp"
+#include "text/print_number.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -36,7 +36,7 @@ class SettingsReader : public JsonObjectReader {
     known_ = std::ranges::find(known, name) != known.end();
     require_no_loss(name);
     if (!known_) {
-      if (did_you_mean(name, known).empty()) return true;
+      if (nearest_name(name, known).empty()) return true;
       const std::vector<std::string> names(known.begin(), known.end());
       throw Error(Exit::data, ErrorCode::setting_nearly_known, {name, names, path()}).at(value_position());
     }

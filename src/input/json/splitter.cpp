@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "text/text_position.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {

@@ -196,5 +196,16 @@ TEST(Csv, random_texts_give_their_keys_in_pieces_of_any_size) {
   }
 }
 
+TEST(Csv, a_cell_that_is_not_a_number_has_the_code_of_its_remedy) {
+  EXPECT_EQ(why_not_number("", '.'), ErrorCode::number_empty);
+  EXPECT_EQ(why_not_number("NA", '.'), ErrorCode::number_missing);
+  EXPECT_EQ(why_not_number("0,5", '.'), ErrorCode::number_with_comma);
+  EXPECT_EQ(why_not_number("1.234,5", '.'), ErrorCode::not_a_number) << "that is two marks";
+  EXPECT_EQ(why_not_number("1.5", ','), ErrorCode::number_with_point);
+  EXPECT_EQ(why_not_number("1,5e999", ','), ErrorCode::number_too_large);
+  EXPECT_EQ(why_not_number("1 2", '.'), ErrorCode::several_numbers);
+  EXPECT_EQ(why_not_number("0x1F", '.'), ErrorCode::not_a_number);
+}
+
 }  // namespace
 }  // namespace tcb

@@ -1,5 +1,0 @@
-// Files: a header on its way out; include the two below.
-#pragma once
-
-#include "io/atomic_output.hpp"
-#include "io/input_file.hpp"

@@ -1,5 +1,0 @@
-// Numbers as text: a header on its way out; include the two below.
-#pragma once
-
-#include "text/parse_number.hpp"
-#include "text/print_number.hpp"
