@@ -47,7 +47,7 @@ class KeyBuilder {
   /// The cell has no value. Answers whether that is allowed; where it is, the row may be skipped or be a gap.
   bool miss(const Columns::Column& column);
 
-  /// Adds a fault; the key at hand is not kept.
+  /// Adds a fault; the current key is not kept.
   void add_fault(Error fault) {
     if (!is_full()) block_.faults.push_back(std::move(fault));
   }
@@ -77,7 +77,7 @@ class KeyBuilder {
   const bool is_timed_, has_tcb_, has_ease_;
   KeyBlock block_;
   bool breaks_ = false;  ///< the curve breaks off before the next key
-  // Of the key at hand:
+  // Of the current key:
   bool is_missing_ = false;   ///< a value is missing that a key needs
   std::size_t position_ = 0;  ///< the index of its first position
   std::size_t faults_ = 0;    ///< the number of faults before it

@@ -1,4 +1,4 @@
-// Texts that keys carry: what groups them, and labels that go through to the rows.
+// Texts of keys: groups, and labels that the rows repeat.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace tcb {
 
-/// A text as it is kept: behind a quote where it is a string; otherwise as JSON writes it, a number or a word;
-/// empty where there is none. So whatever wrote it, it can be written as a cell and as JSON.
+/// A text of a key begins with a quote where it is a string; otherwise it is a number or a word of JSON, or empty where
+/// there is none. So it can be written as a cell and as JSON, whichever format it is from.
 inline bool is_string(std::string_view text) { return text.starts_with('"'); }
 
 /// Its characters.
@@ -30,12 +30,12 @@ class Texts {
     ends_.push_back(bytes_.size());
   }
 
-  /// The texts [first, last) of another list go behind these.
+  /// Appends the texts [first, last) of another list.
   void append(const Texts& other, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) add(other[i]);
   }
 
-  /// Leaves the first `size` texts. Requires: so many are there.
+  /// Keeps the first `size` texts. Requires: size <= size().
   void cut(std::size_t size) {
     ends_.resize(size);
     bytes_.resize(ends_.empty() ? 0 : ends_.back());

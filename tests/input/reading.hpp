@@ -1,4 +1,4 @@
-// Reads a whole input, cut into pieces of any size, and says what came of it as text.
+// Reads a whole input, cut into pieces of any size, and shows its keys or its error as text.
 #pragma once
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ inline std::string shown_time(const spline::DoubleDouble& time) {
   return std::to_string(static_cast<std::int64_t>(time.hi) + static_cast<std::int64_t>(time.lo));
 }
 
-/// Key i as "LINE: TIME POSITION…", with " [T C B]" behind where those are not all 0.
+/// Key i as "LINE: TIME POSITION…", with " [T C B]" at the end where those are not all 0.
 inline std::string shown_key(const KeyBlock& block, std::size_t i) {
   std::string text = fmt::format("{}: {}", block.lines.at(i), shown_time(block.keys.times.at(i)));
   for (const double value : block.keys.position(i)) text += fmt::format(" {}", value);
@@ -52,7 +52,7 @@ inline std::string shown_key(const KeyBlock& block, std::size_t i) {
   return text + "\n";
 }
 
-/// The columns' names and all keys, or the error. Names that the input does not give stand in brackets.
+/// The columns' names and all keys, or the error. Names that the input does not give are in brackets.
 inline std::string read(const std::string& text, const InputOptions& options = {},
                         std::size_t piece = std::string::npos, const std::string& path = "f") {
   std::string out;

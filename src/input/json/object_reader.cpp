@@ -93,8 +93,8 @@ struct JsonObjectReader::Adapter {
     return reader.value([this, &value] { return reader.on_number(value); });
   }
 
-  template <class Whole>
-  bool whole(Whole value) {
+  template <class Integer>
+  bool whole(Integer value) {
     reader.decimal_ = {};
     return number(whole_time(value));
   }

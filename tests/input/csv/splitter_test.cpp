@@ -124,7 +124,7 @@ TEST(SplitDelimited, a_record_is_handed_on_as_soon_as_its_line_ends) {
       },
       {});
   EXPECT_EQ(source()->text, "0,1\n");
-  EXPECT_EQ(arriving.size(), 2U) << "nothing more was asked for";
+  EXPECT_EQ(arriving.size(), 2U) << "nothing more was pulled";
   EXPECT_EQ(source()->text, "2,3\n");
   EXPECT_FALSE(source());
 }

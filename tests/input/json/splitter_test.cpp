@@ -14,7 +14,7 @@ using testing::ElementsAre;
 struct Split {
   std::vector<std::string> texts;
   std::vector<std::string> places;  ///< "LINE:COLUMN PATH #FIRST"
-  std::vector<JsonPart> beside;
+  std::vector<JsonPart> objects;
   std::optional<JsonShape> shape;
 };
 
@@ -25,7 +25,7 @@ Split split(const std::string& text, std::size_t piece = std::string::npos) {
     const Chunk& chunk = part->chunk;
     if (!result.shape) result.shape = splitter.shape();
     if (part->is_object) {
-      result.beside.push_back(*part);
+      result.objects.push_back(*part);
       continue;
     }
     result.texts.push_back(chunk.text);
@@ -35,8 +35,8 @@ Split split(const std::string& text, std::size_t piece = std::string::npos) {
   return result;
 }
 
-/// What stands beside keys, as "TEXT|LINE:COLUMN", where behind the bar is the place of what follows the keys.
-std::string shown_beside(const JsonPart& part) {
+/// The object around keys, as "TEXT|LINE:COLUMN" with the position of the text after the keys.
+std::string shown_object(const JsonPart& part) {
   return fmt::format("{}|{}:{}", part.chunk.text, part.line, part.column);
 }
 
@@ -53,8 +53,8 @@ TEST(JsonSplit, keys_in_an_object_leave_an_envelope) {
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[{\"t\":1}]"));
   EXPECT_THAT(cut.places, ElementsAre("2:9 #0", "2:17 #1"));
   EXPECT_EQ(cut.shape, JsonShape::object);
-  ASSERT_EQ(cut.beside.size(), 1U);
-  EXPECT_EQ(shown_beside(cut.beside[0]), "{\"a\":[1,{}],\n\"keys\": [],\"b\":2}\n|2:26");
+  ASSERT_EQ(cut.objects.size(), 1U);
+  EXPECT_EQ(shown_object(cut.objects[0]), "{\"a\":[1,{}],\n\"keys\": [],\"b\":2}\n|2:26");
 }
 
 TEST(JsonSplit, what_follows_the_keys_keeps_its_place) {
@@ -64,14 +64,14 @@ TEST(JsonSplit, what_follows_the_keys_keeps_its_place) {
       {"{\n\"keys\":[{\"t\":0},\n{}],\"b\":2}", "{\n\"keys\":[],\"b\":2}|3:4"}};
   for (const auto& [text, expected] : places) {
     for (std::size_t piece = 1; piece <= std::string(text).size(); ++piece) {
-      const auto beside = split(text, piece).beside;
-      ASSERT_EQ(beside.size(), 1U) << text;
-      EXPECT_EQ(shown_beside(beside[0]), expected);
+      const auto objects = split(text, piece).objects;
+      ASSERT_EQ(objects.size(), 1U) << text;
+      EXPECT_EQ(shown_object(objects[0]), expected);
     }
   }
 }
 
-TEST(JsonSplit, each_curve_has_its_keys_and_what_stands_beside_them) {
+TEST(JsonSplit, each_curve_has_its_keys_and_the_members_around_them) {
   const std::string text =
       "{\"v\":{\"curves\":[1]},\"curves\":[\n {\"id\":\"a\",\"keys\":[{\"t\":0},{\"t\":1}],\"closed\":true} ,\n"
       "{\"keys\":[{\"t\":5}]},{\"id\":2}],\"w\":[]}\n";
@@ -82,12 +82,12 @@ TEST(JsonSplit, each_curve_has_its_keys_and_what_stands_beside_them) {
     EXPECT_THAT(keys, testing::AnyOf("[{\"t\":0}][{\"t\":1}][{\"t\":5}]", "[{\"t\":0},{\"t\":1}][{\"t\":5}]"));
     EXPECT_EQ(cut.places.front(), "2:19 curves[0].keys #0");
     EXPECT_EQ(cut.places.back(), "3:9 curves[1].keys #0");
-    ASSERT_EQ(cut.beside.size(), 4U);
-    EXPECT_EQ(shown_beside(cut.beside[0]), "{\"id\":\"a\",\"keys\":[],\"closed\":true}|2:36");
-    EXPECT_EQ(shown_beside(cut.beside[1]), "{\"keys\":[]}|3:18");
-    EXPECT_EQ(cut.beside[2].chunk.text, "{\"id\":2}");
-    EXPECT_EQ(cut.beside[2].chunk.path, "curves[2]");
-    EXPECT_EQ(shown_beside(cut.beside[3]), "{\"v\":{\"curves\":[1]},\"curves\":[],\"w\":[]}\n|3:29");
+    ASSERT_EQ(cut.objects.size(), 4U);
+    EXPECT_EQ(shown_object(cut.objects[0]), "{\"id\":\"a\",\"keys\":[],\"closed\":true}|2:36");
+    EXPECT_EQ(shown_object(cut.objects[1]), "{\"keys\":[]}|3:18");
+    EXPECT_EQ(cut.objects[2].chunk.text, "{\"id\":2}");
+    EXPECT_EQ(cut.objects[2].chunk.path, "curves[2]");
+    EXPECT_EQ(shown_object(cut.objects[3]), "{\"v\":{\"curves\":[1]},\"curves\":[],\"w\":[]}\n|3:29");
   }
 }
 
@@ -148,7 +148,7 @@ TEST(JsonSplit, every_byte_of_an_array_ends_up_in_a_chunk_at_its_place) {
   }
 }
 
-TEST(JsonSplit, text_after_an_array_is_refused_where_it_stands) {
+TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
   for (std::size_t piece = 1; piece < 20; ++piece) {
     EXPECT_EQ(error_of([&] { split("[{\"é\":0}]\n \t]x", piece); }),
               "f:2:3: error: text after the end of the JSON array; expected nothing more; take it out");
