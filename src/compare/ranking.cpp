@@ -144,30 +144,16 @@ Error no_samples(const Identification& result) {
   return error;
 }
 
-/// Compares all conventions with samples, on all threads. A task is a block of conventions: handing over a task may
-/// take longer than comparing one convention with a few rows.
+/// Compares all conventions with samples, on all threads.
 std::vector<Candidate> compared(const Comparer& comparer, const std::vector<Convention>& conventions,
                                 const std::vector<GivenSamples>& samples, unsigned threads) {
-  constexpr std::size_t most_in_block = 64, blocks_per_thread = 8;
-  const std::size_t size =
-      std::clamp<std::size_t>(conventions.size() / (blocks_per_thread * threads), 1, most_in_block);
-  using Block = std::span<const Convention>;
-  Source<Block> blocks = [rest = Block(conventions), size]() mutable -> std::optional<Block> {
-    if (rest.empty()) return std::nullopt;
-    const Block block = rest.first(std::min(size, rest.size()));
-    rest = rest.subspan(block.size());
-    return block;
+  Source<Convention> source = [&conventions, next = std::size_t{0}]() mutable {
+    return next < conventions.size() ? std::optional(conventions[next++]) : std::nullopt;
   };
-  const auto compare_all = [&](Block block) {
-    std::vector<Candidate> candidates;
-    for (const Convention& convention : block) candidates.push_back(comparer.compare(convention, samples));
-    return candidates;
-  };
-  const auto answers = ordered_map(std::move(blocks), compare_all, threads);
+  const auto compare = [&](const Convention& convention) { return comparer.compare(convention, samples); };
+  const auto answers = ordered_map(std::move(source), compare, threads);
   std::vector<Candidate> candidates;
-  while (std::optional<std::vector<Candidate>> some = answers()) {
-    std::ranges::move(*some, std::back_inserter(candidates));
-  }
+  while (std::optional<Candidate> candidate = answers()) candidates.push_back(std::move(*candidate));
   return candidates;
 }
 
