@@ -18,29 +18,43 @@ using enum Relation;
 using O = Option;
 using Typed = TypedOptions;
 
-constexpr OptionSet modes = sampling_options;
-constexpr OptionSet modes_without_steps{O::count,     O::segments, O::per_segment, O::at,
-                                        O::arc_count, O::arc_at,   O::tolerance};
-constexpr OptionSet reports{O::check, O::identify};
+// Conditions on values.
 
-const Format& output_of(const Typed& typed) { return format_of(typed.job.output_format); }
-bool is_binary(const Typed& typed) { return output_of(typed).is_binary; }
-bool is_delimited(const Typed& typed) { return output_of(typed).has_header; }
-bool is_json_input(const Typed& typed) {
+bool is_comparison(const Typed& typed) { return typed.has(O::check) || typed.has(O::identify); }
+
+bool has_json_input(const Typed& typed) {
   return typed.job.input.format && !format_of(*typed.job.input.format).has_header;
 }
-bool is_comparison(const Typed& typed) { return typed.has(O::check) || typed.has(O::identify); }
+
+const Format& output_of(const Typed& typed) { return format_of(typed.job.output_format); }
+bool has_rows_as_report(const Typed& typed) { return typed.job.output_format != FormatId::json; }
+bool has_binary_output(const Typed& typed) { return output_of(typed).is_binary; }
+bool has_no_header(const Typed& typed) { return !output_of(typed).has_header; }
+bool has_no_provenance(const Typed& typed) { return !output_of(typed).has_provenance; }
+
+bool has_one_comma_for_two(const Typed& typed) {
+  return typed.job.input.decimal == ',' && typed.job.input.delimiter == ',';
+}
+
+bool has_more_digits_than_doubles(const Typed& typed) { return typed.notation.count > digits_of_double; }
 
 template <class Predicate>
 bool any_field(const Typed& typed, Predicate predicate) {
   return std::ranges::any_of(typed.job.fields, [&](std::size_t field) { return predicate(fields()[field]); });
 }
 
-bool makes_times_of_distances(const Typed& typed) {
-  return typed.has(O::parameter) && make_spec(typed.job.curve).parameter.value_or(0) != 0;
+bool has_rounded_field(const Typed& typed) {
+  return any_field(typed, [](const Field& field) { return !field.is_exact; });
 }
 
-bool needs_all_channels(const Typed& typed) { return typed.has(O::equal_speed) || makes_times_of_distances(typed); }
+bool needs_all_channels(const Typed& typed) {
+  const bool times_of_distances = typed.has(O::parameter) && make_spec(typed.job.curve).parameter.value_or(0) != 0;
+  return typed.has(O::equal_speed) || times_of_distances;
+}
+
+bool has_sparse_channels(const Typed& typed) {
+  return typed.job.input.missing == Missing::skip_cell && needs_all_channels(typed);
+}
 
 /// No length and no speed is asked for.
 bool needs_no_metric(const Typed& typed) {
@@ -61,7 +75,14 @@ bool stays_on_curve(const Typed& typed) {
   return typed.text(O::extrapolate) != "error" && !typed.has(O::at) && !given_range;
 }
 
-constexpr std::string_view in_report = ", which takes the samples of its file and prints a report";
+constexpr OptionSet modes = sampling_options;
+constexpr OptionSet modes_without_steps{O::count,     O::segments, O::per_segment, O::at,
+                                        O::arc_count, O::arc_at,   O::tolerance};
+constexpr OptionSet text_input{O::delimiter, O::header, O::no_header, O::comment, O::decimal};
+constexpr OptionSet rules{O::preset, O::tangents, O::ends, O::equal_speed, O::side};
+constexpr OptionSet notations{O::digits, O::fixed, O::hex};
+constexpr OptionSet reports{O::check, O::identify};
+constexpr std::string_view for_report = ", which takes the samples of its file and prints a report";
 
 constexpr std::array table{
     // files
@@ -72,34 +93,21 @@ constexpr std::array table{
     // comparison
     Conflict{{O::check, O::identify}, exclude},
     Conflict{{O::abs, O::rel, O::ulp}, need, {O::check}},
-    Conflict{modes | OptionSet{O::from, O::to, O::end, O::keys, O::max_rows}, idle, reports, in_report},
-    Conflict{{O::output_dir, O::files, O::explain, O::progress, O::meta}, idle, reports, in_report},
-    Conflict{{O::digits, O::fixed, O::hex, O::golden, O::exact_input, O::no_output_header}, idle, reports, in_report},
-    Conflict{{O::output_format},
-             idle,
-             reports,
-             ", whose report is text or json",
-             [](const Typed& typed) { return typed.text(O::output_format) != "json"; }},
-    Conflict{{O::preset, O::tangents, O::ends, O::equal_speed, O::side},
-             idle,
-             {O::identify},
-             ", which tries all rules on positions"},
+    Conflict{modes | OptionSet{O::from, O::to, O::end, O::keys, O::max_rows}, idle, reports, for_report},
+    Conflict{{O::output_dir, O::files, O::explain, O::progress, O::meta}, idle, reports, for_report},
+    Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header}, idle, reports, for_report},
+    Conflict{{O::output_format}, idle, reports, ", whose report is text or json", has_rows_as_report},
+    Conflict{rules, idle, {O::identify}, ", which tries all rules on positions"},
     // input
     Conflict{{O::header, O::no_header}, exclude},
-    Conflict{
-        {O::delimiter, O::header, O::no_header, O::comment, O::decimal}, idle, {O::input_format}, "", is_json_input},
-    Conflict{{O::decimal, O::delimiter},
-             exclude,
-             {},
-             "",
-             [](const Typed& typed) { return typed.job.input.decimal == ',' && typed.job.input.delimiter == ','; }},
+    Conflict{text_input, idle, {O::input_format}, "", has_json_input},
+    Conflict{{O::decimal, O::delimiter}, exclude, {}, "", has_one_comma_for_two},
     // curve
-    Conflict{
-        {O::missing},
-        exclude,
-        {O::equal_speed, O::parameter},
-        ", as all channels are needed at each key",
-        [](const Typed& typed) { return typed.job.input.missing == Missing::skip_cell && needs_all_channels(typed); }},
+    Conflict{{O::missing},
+             exclude,
+             {O::equal_speed, O::parameter},
+             ", as all channels are needed at each key",
+             has_sparse_channels},
     Conflict{{O::metric}, idle, {}, " where no length or speed is asked for", needs_no_metric},
     // sampling
     Conflict{modes, exclude},
@@ -109,36 +117,15 @@ constexpr std::array table{
     Conflict{{O::extrapolate}, idle, modes, " alone, whose samples are on the curve", stays_on_curve},
     // output
     Conflict{{O::side}, idle, {}, " on these fields, which are the same on both sides", has_no_side},
-    Conflict{{O::digits, O::fixed, O::hex}, exclude},
-    Conflict{
-        {O::digits, O::fixed, O::hex}, idle, {O::output_format}, ", which holds the doubles themselves", is_binary},
-    Conflict{{O::hex},
-             idle,
-             {O::output_format},
-             ", which has no hexadecimal numbers",
-             [](const Typed& typed) { return !is_delimited(typed); }},
-    Conflict{{O::no_output_header},
-             idle,
-             {O::output_format},
-             ", which has no line of names",
-             [](const Typed& typed) { return !is_delimited(typed); }},
+    Conflict{notations, exclude},
+    Conflict{notations, idle, {O::output_format}, ", which holds the doubles themselves", has_binary_output},
+    Conflict{{O::hex}, idle, {O::output_format}, ", which has no hexadecimal numbers", has_no_header},
+    Conflict{{O::no_output_header}, idle, {O::output_format}, ", which has no line of names", has_no_header},
     Conflict{{O::exact_input}, need, {O::golden}},
-    Conflict{{O::digits},
-             need,
-             {O::golden},
-             ", as a double has 17 significant digits",
-             [](const Typed& typed) { return typed.notation.count > digits_of_double; }},
-    Conflict{{O::golden},
-             exclude,
-             {O::fields},
-             ", as the exact s has no error",
-             [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
+    Conflict{{O::digits}, need, {O::golden}, ", as a double has 17 significant digits", has_more_digits_than_doubles},
+    Conflict{{O::golden}, exclude, {O::fields}, ", as the exact s has no error", has_rounded_field},
     Conflict{{O::meta}, idle, {O::explain}, ", which prints no rows"},
-    Conflict{{O::meta},
-             idle,
-             {O::output_format},
-             ", which has no comments",
-             [](const Typed& typed) { return !output_of(typed).has_provenance; }},
+    Conflict{{O::meta}, idle, {O::output_format}, ", which has no comments", has_no_provenance},
 };
 
 /// The first option of a set that is given, after `previous`.
@@ -152,7 +139,7 @@ std::optional<Option> first_given(const Typed& typed, const OptionSet& options,
 }
 
 /// The option that conflicts with the first one given, if any; for Relation::need, one that is missing.
-std::optional<Option> opponent(const Conflict& conflict, Option given, const Typed& typed) {
+std::optional<Option> other_option(const Conflict& conflict, Option given, const Typed& typed) {
   if (conflict.relation == need) {
     if (first_given(typed, conflict.others)) return std::nullopt;
     return std::ranges::find_if(option_table(), [&](const OptionRow& row) { return conflict.others.has(row.id); })->id;
@@ -186,7 +173,7 @@ void require_no_conflict(const TypedOptions& typed) {
   for (const Conflict& conflict : table) {
     const std::optional<Option> given = first_given(typed, conflict.options);
     if (!given) continue;
-    const std::optional<Option> other = opponent(conflict, *given, typed);
+    const std::optional<Option> other = other_option(conflict, *given, typed);
     const bool needs_other = conflict.relation != idle || !conflict.others.empty();
     if (needs_other && !other) continue;
     if (conflict.applies != nullptr && !conflict.applies(typed)) continue;

@@ -13,17 +13,17 @@
 namespace tcb {
 namespace {
 
-/// Lists that may be given in several options, as in --abs 1e-9 --abs x=1e-6.
+/// Flags, and the lists that several options may give, as in --abs 1e-9 --abs x=1e-6.
 bool may_repeat(const OptionRow& row) {
   return row.kind == ValueKind::flag || row.id == Option::abs || row.id == Option::rel || row.id == Option::ulp;
 }
 
-/// Checks and stores what was typed for an option.
+/// Checks and stores the value of an option, of which only the text is needed where a text is to be printed.
 void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::string>& values) {
-  const bool is_read = !typed.wants_text();
+  const bool wants_text = typed.wants_text();
   std::string& text = typed.texts[index_of(row.id)];
   text = row.kind == ValueKind::flag ? "true" : fmt::format("{}", fmt::join(values, ","));
-  if (!is_read) return;
+  if (wants_text) return;
   try {
     if (values.size() > 1 && !may_repeat(row)) throw Error(Exit::usage, ErrorCode::option_repeated);
     if (std::ranges::count(values, "") > 0) throw Error(Exit::usage, ErrorCode::empty_value);
@@ -48,7 +48,7 @@ void declare(CLI::App& app, TypedOptions& typed) {
   }
 }
 
-/// CLI11's error as one of ours. Of those that words alone can cause, three are left to it.
+/// CLI11's error as one of ours. It finds unknown options, flags with a value, and values that are missing at the end.
 [[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
   const auto name_of = [](const std::string& word) { return word.substr(0, word.find('=')); };
   std::vector<std::string> known, flags;
