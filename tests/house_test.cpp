@@ -51,11 +51,15 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"main", {"cli", "compare", "app", "io", "error"}},
 };
 
-/// Package -> where its headers may be included: a folder, or one file.
+/// Package, or a header of ours that includes one -> where it may be included: a folder, or one file.
 const std::map<std::string, std::vector<std::string>> packages{
-    {"nlohmann", {"input/json/"}}, {"boost", {"text/rational.cpp", "exact/"}},
-    {"fast_float", {"text/"}},     {"CLI", {"cli/"}},
-    {"tbb", {"stream/"}},          {"oneapi", {"stream/"}},
+    {"text/large_rational.hpp", {"text/rational.cpp", "exact/"}},
+    {"nlohmann", {"input/json/"}},
+    {"boost", {"text/rational.cpp", "text/large_rational.hpp", "exact/"}},
+    {"fast_float", {"text/"}},
+    {"CLI", {"cli/"}},
+    {"tbb", {"stream/"}},
+    {"oneapi", {"stream/"}},
     {"nettle", {"io/"}},
 };
 
@@ -72,10 +76,10 @@ const std::vector<std::string> retired{
 
 /// Names of code that are retired, as whole names; as words of prose they may be used.
 const std::set<std::string> retired_names{
-    "Path",   "Stretch", "WholeCurve", "Whole",  "over",     "BesideKeys",  "heard",    "joined",    "Few",   "few",
-    "Talk",   "Sides",   "sides",      "sift",   "judge",    "going_round", "left_out", "left_out_", "Twice", "twice",
-    "narrow", "bend",    "Lane",       "Ladder", "climb",    "foreign",     "slip",     "told",      "Piece", "piece",
-    "pieces", "piece_",  "pieces_",    "Typed",  "Recorder", "KeptKeys",    "Place",    "Meta",      "Batch", "Plan",
+    "Path",   "Stretch", "WholeCurve", "Whole",    "over",     "BesideKeys",  "heard",    "joined",    "Few",   "few",
+    "Talk",   "Sides",   "sides",      "sift",     "judge",    "going_round", "left_out", "left_out_", "Twice", "twice",
+    "narrow", "bend",    "Lane",       "Ladder",   "climb",    "foreign",     "slip",     "told",      "Piece", "piece",
+    "pieces", "piece_",  "pieces_",    "Recorder", "KeptKeys", "Place",       "Meta",     "Batch",     "Plan",
 };
 
 /// One message for all findings of a rule, so that the output is a list to work off.
@@ -142,7 +146,7 @@ TEST(House, includes_follow_the_table_of_folders) {
 
 TEST(House, packages_are_included_where_they_belong) {
   Findings findings("headers of packages outside their place");
-  const std::regex include(R"re(#include <[^>]+>)re");
+  const std::regex include(R"re(#include ["<][^">]+[">])re");
   for (const SourceFile& file : sources()) {
     each_match({1, file.code}, include, [&](int line, const std::string& match) {
       const std::string header = match.substr(10, match.size() - 11);
@@ -150,7 +154,8 @@ TEST(House, packages_are_included_where_they_belong) {
           header.find_first_of("/.") != std::string::npos) {
         findings.add(file, line, header + " is not of the standard library");
       }
-      const auto package = packages.find(header.substr(0, header.find('/')));
+      auto package = packages.find(header);
+      if (package == packages.end()) package = packages.find(header.substr(0, header.find('/')));
       if (package == packages.end()) return;
       const auto here = [&](const std::string& place) { return file.name.starts_with(place); };
       if (std::ranges::none_of(package->second, here)) findings.add(file, line, header);
@@ -170,10 +175,10 @@ TEST(House, options_are_spelled_in_cli_only) {
 }
 
 TEST(House, messages_are_not_data) {
-  Findings findings("what() used outside error.hpp, main.cpp, app/batch.cpp and cli/options");
+  Findings findings("what() used outside error.hpp, main.cpp, app/batch.cpp and cli/");
   for (const SourceFile& file : sources()) {
     if (file.name == "error.hpp" || file.name == "main.cpp" || file.name == "app/batch.cpp" ||
-        file.name.starts_with("cli/options")) {
+        room(file.name) == "cli") {
       continue;
     }
     each_match({1, file.code}, std::regex(R"re(\bwhat\(\))re"),
@@ -260,7 +265,8 @@ TEST(House, no_folder_or_file_is_a_drawer) {
   Findings findings("names that say nothing");
   const std::regex drawer("utils?|common|misc|types?|helpers?");
   for (const SourceFile& file : sources()) {
-    for (const fs::path& part : fs::path(file.name).replace_extension()) {
+    const fs::path name = fs::path(file.name).replace_extension();
+    for (const fs::path& part : name) {
       if (std::regex_match(part.string(), drawer)) findings.add(file, 1, part.string());
     }
   }

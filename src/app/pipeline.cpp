@@ -11,6 +11,7 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "output/writer.hpp"
+#include "stream/ordered_map.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {

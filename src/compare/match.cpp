@@ -7,6 +7,7 @@
 #include "curve/index.hpp"
 #include "curve/rows.hpp"
 #include "input/texts.hpp"
+#include "stream/ordered_map.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {

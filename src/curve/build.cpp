@@ -9,6 +9,7 @@
 #include "curve/keyed_curve.hpp"
 #include "error.hpp"
 #include "keys/parameterize.hpp"
+#include "stream/ordered_map.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {

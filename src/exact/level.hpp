@@ -73,13 +73,13 @@ class Level {
   }
 
   std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) {
-    measured_ = rows_.arc || std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
     outside_.reset();
     if constexpr (spline::has_roots<S>) {
       if (rows_.arc) place_by_length(row);
     }
     if (!rows_.arc) place_by_time(row);
-    point_.set(segment_, known_arc());
+    const bool measured = std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
+    point_.set(segment_, measured && !sample_.s ? measured_arc() : nullptr);
     point_.set(sample_, outside_ ? &*outside_ : nullptr);
     std::vector<Value> result;
     for (const std::size_t field : chosen) {
@@ -110,11 +110,12 @@ class Level {
     return *one.arc;
   }
 
-  /// The lengths of the sample's segment, where they are asked for.
-  const spline::ArcLength<S>* known_arc() {
+  /// Sets the length at the sample's segment, or at its end where the sample is there, and gives the lengths on it.
+  const spline::ArcLength<S>* measured_arc() {
     if constexpr (spline::has_roots<S>) {
-      const bool at_key = sample_.at.u == S(0) || sample_.at.w == S(0);
-      return measured_ && !at_key ? &arc(segment_.number) : nullptr;
+      const bool at_end = sample_.at.w == S(0);
+      (at_end ? segment_.s_end : segment_.s_start) = length_to(segment_.number + (at_end ? 1 : 0));
+      return at_end || sample_.at.u == S(0) ? nullptr : &arc(segment_.number);
     } else {
       return nullptr;
     }
@@ -135,10 +136,6 @@ class Level {
     const bool last = number + 1 == curve_->size();
     Segment segment{one.times[0], one.times[1], S(0),   S(0),   one[0], rows_.exact.rules.metric,
                     last,         one.warp(0),  cycle_, number, 0,      last && curve_->is_closed() ? 0 : number + 1};
-    if constexpr (spline::has_roots<S>) {
-      if (measured_) segment.s_start = length_to(number);
-      if (measured_) segment.s_end = length_to(number + 1);
-    }
     return segment;
   }
 
@@ -151,25 +148,23 @@ class Level {
     return from + (length_to(curve_->size()) - from) * S(row) / S(arc.intervals);
   }
 
-  /// The end of the segment where the fast path has a row at a key; next to one, rounding decides: a length that is
-  /// printed as that of a key is the key's.
-  std::optional<bool> end_by_length(const FastRow& row, const S& s) const {
-    if (row.number == Row::at_key) return false;
-    const auto printed = [](const S& length) { return nearest_double(rational_of(length)); };
-    const double shown = printed(s);
-    if (shown <= printed(segment_.s_start)) return false;
-    if (shown >= printed(segment_.s_end)) return true;
-    return std::nullopt;
+  void place_at_key(bool end, const S& s) {
+    sample_ = sample_at_key(segment_, end);
+    sample_.s = s;
   }
 
+  /// The fast path may have a row at a key, or next to one where rounding decides: a length that is printed as that of
+  /// a key is the key's. Lengths are computed only as far as they are needed.
   void place_by_length(const FastRow& row) {
+    const auto printed = [](const S& length) { return nearest_double(rational_of(length)); };
     segment_ = segment(row.segment.number);
-    const S s = row.number == Row::at_key ? segment_.s_start : arc_length(row.number);
-    if (const auto end = end_by_length(row, s)) {
-      sample_ = sample_at_key(segment_, *end);
-      sample_.s = *end ? segment_.s_end : segment_.s_start;
-      return;
-    }
+    segment_.s_start = length_to(segment_.number);
+    if (row.number == Row::at_key) return place_at_key(false, segment_.s_start);
+    const S s = arc_length(row.number);
+    const double shown = printed(s);
+    if (shown <= printed(segment_.s_start)) return place_at_key(false, segment_.s_start);
+    segment_.s_end = length_to(segment_.number + 1);
+    if (shown >= printed(segment_.s_end)) return place_at_key(true, segment_.s_end);
     spline::ArcInverse<S> inverse(arc(segment_.number), segment_.s_start, segment_.s_end);
     const auto at = inverse.at(s);
     sample_ = {time_at(segment_, S(segment_.end - segment_.start), at), at, s};
@@ -198,7 +193,6 @@ class Level {
   std::map<std::size_t, Known> known_;
   std::vector<S> lengths_;
   std::vector<S> cycle_;
-  bool measured_ = false;
   Segment segment_;
   SampleOf<S> sample_;
   std::optional<OutsideOf<S>> outside_;

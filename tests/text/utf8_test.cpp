@@ -10,7 +10,7 @@ TEST(InQuotes, unprintable_bytes_are_escaped) {
   EXPECT_EQ(in_quotes("a\tb"), "\"a\\x09b\"");
   EXPECT_EQ(in_quotes(std::string_view("\0x", 2)), "\"\\x00x\"");
   EXPECT_EQ(in_quotes("\xFC"
-                   "ber"),
+                      "ber"),
             "\"\\xFCber\"");
   EXPECT_EQ(in_quotes("\xC3\xBC\xE2\x82\xAC\xF0\x9F\x98\x80"), "\"\xC3\xBC\xE2\x82\xAC\xF0\x9F\x98\x80\"");
   EXPECT_EQ(in_quotes("\xE2\x82"), "\"\\xE2\\x82\"") << "a character that is cut off";

@@ -6,6 +6,7 @@
 #include "input/csv/delimited_text.hpp"
 #include "input/csv/tokenizer.hpp"
 #include "input/key_builder.hpp"
+#include "stream/ordered_map.hpp"
 #include "text/parse_number.hpp"
 #include "text/utf8.hpp"
 

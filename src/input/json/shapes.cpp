@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "input/json/json_input.hpp"
 #include "input/json/splitter.hpp"
+#include "stream/ordered_map.hpp"
 
 namespace tcb {
 namespace {
