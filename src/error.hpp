@@ -110,7 +110,6 @@ enum class Option {
 
 /// What can be wrong, folder by folder of the code that finds it. Each has its words in cli/remedies.
 enum class ErrorCode {
-  legacy,  // its one value is the whole message; to be replaced by codes
   // text
   // io
   cannot_open,            ///< the system's reason
@@ -342,16 +341,12 @@ inline constexpr std::size_t error_code_count = static_cast<std::size_t>(ErrorCo
 /// A value that the words of an error show.
 using ErrorValue = std::variant<std::string, double, std::uint64_t, std::vector<std::string>>;
 
-/// The one exception of the program, thrown by the layer that knows what is wrong; caught in main, or where the other
+/// The one exception of the program, thrown where something is wrong; caught in main, or where the other
 /// files of a batch go on.
 class Error : public std::exception {
  public:
   Error(Exit exit, ErrorCode code, std::vector<ErrorValue> values = {})
       : exit_(exit), code_(code), values_(std::move(values)) {}
-  Error(Exit exit, std::string message) : Error(exit, ErrorCode::legacy, {std::move(message)}) {}
-  Error(Exit exit, TextPosition position, std::string message) : Error(exit, std::move(message)) {
-    position_ = std::move(position);
-  }
 
   Exit exit() const { return exit_; }
   ErrorCode code() const { return code_; }
@@ -361,10 +356,8 @@ class Error : public std::exception {
   const std::string& member() const { return member_; }
   const std::vector<Error>& others() const { return others_; }
 
-  /// Whole only for ErrorCode::legacy; error_text() in cli/remedies is for people.
-  const char* what() const noexcept override {
-    return code_ == ErrorCode::legacy ? std::get<std::string>(values_[0]).c_str() : "tcb::Error";
-  }
+  /// Not for people: error_text() in cli/remedies is.
+  const char* what() const noexcept override { return "tcb::Error"; }
 
   /// What else is wrong with the same input.
   void add(Error other) { others_.push_back(std::move(other)); }
@@ -376,7 +369,7 @@ class Error : public std::exception {
     return error;
   }
 
-  /// The same error about the member of JSON that says what an option would.
+  /// The same error about the member of JSON that has the value of an option.
   Error about_member(Exit exit, std::string member) const {
     Error error = *this;
     error.exit_ = exit;

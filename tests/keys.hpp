@@ -15,7 +15,7 @@
 
 namespace tcb {
 
-/// Keys of one channel in blocks of `size`, from lines "TIME POSITION TEXT…", where line i stands on line i.
+/// Keys of one channel in blocks of `size`, from lines "TIME POSITION TEXT…", where line i has number i.
 /// A line "/" is no key: the curve breaks off there. "gap TIME" is a gap, "?" a position that is missing.
 inline Source<KeyBlock> keys_of(const std::string& lines, std::size_t size) {
   std::vector<KeyBlock> blocks(1);

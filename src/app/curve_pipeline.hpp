@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/job.hpp"
-#include "curve/curve_spec.hpp"
+#include "curve/build.hpp"
 #include "curve/index.hpp"
 #include "curve/rows.hpp"
 #include "input/input.hpp"

@@ -11,7 +11,7 @@
 #include "app/pipeline.hpp"
 #include "curve/fields.hpp"
 #include "input/input.hpp"
-#include "input/texts.hpp"
+#include "input/key_block.hpp"
 #include "io/input_file.hpp"
 #include "text/print_number.hpp"
 

@@ -7,7 +7,6 @@
 #include <thread>
 #include <vector>
 
-#include "input/curve_settings.hpp"
 #include "input/input.hpp"
 #include "io/formats.hpp"
 #include "keys/curves.hpp"

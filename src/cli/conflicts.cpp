@@ -1,12 +1,12 @@
 // Conflicts: the one table of options that exclude each other, need another, or have no effect.
-#include "cli/conflicts.hpp"
+#include "cli/options.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "curve/curve_spec.hpp"
+#include "curve/build.hpp"
 #include "curve/fields.hpp"
 #include "io/formats.hpp"
 #include "text/print_number.hpp"

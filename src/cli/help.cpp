@@ -1,5 +1,5 @@
 // Help: the texts made from the tables of options, presets and rules, for terminals, the manual page and shells.
-#include "cli/help.hpp"
+#include "cli/options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

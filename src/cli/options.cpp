@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "cli/validators.hpp"
 #include "sampling/extrapolation.hpp"
 #include "sampling/request.hpp"
 #include "tcb/spline/rules.hpp"

@@ -1,9 +1,13 @@
-// Options: the one table of the command line's options, and their typed values.
+// Options: the table of options, their typed values, validators and conflicts, and the texts made from the tables.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -83,5 +87,120 @@ struct Invocation {
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
 Invocation parse(int argc, const char* const* argv);
+
+/// The prose of the manual page, man/tcbsample.1.in, put into the program by the build.
+extern const char* const manual_template;
+
+/// The help, in 80 columns.
+std::string help_text();
+
+/// Presets, tangent rules and end rules with their formulas, in 80 columns.
+std::string presets_text();
+
+std::string version_text();
+
+/// The manual page, or a completion script.
+std::string generated_text(Generated kind);
+
+/// A set of options.
+class OptionSet {
+ public:
+  constexpr OptionSet() = default;
+  constexpr OptionSet(std::initializer_list<Option> options) {
+    for (const Option option : options) words_[index_of(option) / 64] |= bit(option);
+  }
+  constexpr bool has(Option option) const { return (words_[index_of(option) / 64] & bit(option)) != 0; }
+  constexpr bool empty() const { return *this == OptionSet{}; }
+  constexpr bool operator==(const OptionSet&) const = default;
+  constexpr OptionSet operator|(const OptionSet& other) const {
+    OptionSet both = *this;
+    for (std::size_t i = 0; i < words_.size(); ++i) both.words_[i] |= other.words_[i];
+    return both;
+  }
+
+ private:
+  static constexpr std::uint64_t bit(Option option) { return std::uint64_t{1} << index_of(option) % 64; }
+
+  std::array<std::uint64_t, (option_count + 63) / 64> words_{};
+};
+
+/// The options that place the samples.
+inline constexpr OptionSet sampling_options{Option::step,        Option::rate,     Option::count,    Option::segments,
+                                            Option::per_segment, Option::at,       Option::arc_step, Option::arc_count,
+                                            Option::arc_at,      Option::tolerance};
+
+enum class Relation {
+  exclude,  ///< at most one of `options`, or of `options` and `others`
+  need,     ///< each of `options` needs one of `others`
+  idle,     ///< each of `options` has no effect with any of `others`; without `others`, where `applies` holds
+};
+
+/// A conflict of options. To add one: a row of the table.
+struct Conflict {
+  OptionSet options;
+  Relation relation;
+  OptionSet others = {};
+  std::string_view reason = {};                          ///< goes on after the last option in the message
+  bool (*applies)(const TypedOptions& typed) = nullptr;  ///< a further condition on the values; none: always
+};
+
+std::span<const Conflict> conflict_table();
+
+/// Throws: Error (usage) for the first conflict of the options given.
+void require_no_conflict(const TypedOptions& typed);
+
+/// All throw Error (usage) for other texts; the caller adds the option.
+
+/// Above 0: a decimal or a ratio of two.
+Rational positive_ratio(const std::string& text);
+/// The step of a rate.
+Rational step_of_rate(const std::string& text);
+/// A decimal or a ratio of two.
+Rational ratio(const std::string& text);
+/// Numbers separated by commas.
+std::vector<Rational> ratios(const std::string& text);
+/// The same, or for @FILE the numbers in that file, as one text separated by commas.
+std::string listed_numbers(const std::string& text);
+/// In digits, from 1 to 2^63 - 1.
+std::uint64_t positive_count(const std::string& text);
+/// A whole number from `least` to `most`, also as 1e9.
+std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most);
+/// In digits alone.
+int digit_count(const std::string& text, int least);
+double positive_distance(const std::string& text);
+/// "1e-9", "x=1e-6", or several separated by commas.
+std::vector<Tolerance> tolerances(const std::string& text);
+char delimiter(const std::string& text);
+char decimal_mark(const std::string& text);
+spline::Tcb<double> tcb_values(const std::string& text);
+/// Columns by name or number, separated by commas.
+std::vector<std::string> column_list(const std::string& text);
+/// Indices into fields(), each once.
+std::vector<std::size_t> field_list(const std::string& text);
+/// A part of a file's name.
+std::string name_part(const std::string& text);
+FormatId input_format(const std::string& text);
+FormatId output_format(const std::string& text);
+
+/// The names of a table's rows, of the formats that can be read or written, and of the fields.
+template <const auto& table>
+std::vector<std::string_view> names_in() {
+  std::vector<std::string_view> names;
+  std::ranges::transform(table, std::back_inserter(names), [](const auto& row) { return row.name; });
+  return names;
+}
+std::vector<std::string_view> input_format_names();
+std::vector<std::string_view> output_format_names();
+std::vector<std::string_view> field_names();
+
+/// The row of a table by its name. Throws: Error (usage) with the nearest known name.
+template <class Table>
+const auto& named_row(const Table& table, std::string_view name) {
+  const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
+  if (found != std::ranges::end(table)) return *found;
+  std::vector<std::string> known;
+  for (const auto& row : table) known.emplace_back(row.name);
+  throw Error(Exit::usage, ErrorCode::unknown_name, {std::string(name), known});
+}
 
 }  // namespace tcb

@@ -1,15 +1,125 @@
-// Plan: from typed options to the job.
+// Plan: from arguments to typed options, from these to the job, and the options that provenance records.
 #include "cli/plan.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 
-#include "cli/validators.hpp"
-#include "curve/curve_spec.hpp"
+#include "cli/options.hpp"
+#include "curve/build.hpp"
 #include "curve/fields.hpp"
+#include "io/input_file.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
+
+namespace {
+
+/// Flags, and the lists that several options may give, as in --abs 1e-9 --abs x=1e-6.
+bool may_repeat(const OptionRow& row) {
+  return row.kind == ValueKind::flag || row.id == Option::abs || row.id == Option::rel || row.id == Option::ulp;
+}
+
+/// Checks and stores the value of an option, of which only the text is needed where a text is to be printed.
+void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::string>& values) {
+  const bool wants_text = typed.wants_text();
+  std::string& text = typed.texts[index_of(row.id)];
+  text = row.kind == ValueKind::flag ? "true" : fmt::format("{}", fmt::join(values, ","));
+  if (wants_text) return;
+  try {
+    if (values.size() > 1 && !may_repeat(row)) throw Error(Exit::usage, ErrorCode::option_repeated);
+    if (std::ranges::count(values, "") > 0) throw Error(Exit::usage, ErrorCode::empty_value);
+    row.store(typed, text);
+  } catch (const Error& error) {
+    throw error.about(row.id);
+  }
+}
+
+/// From the last to the first, so that an option for a text, such as --help, is stored before all others.
+void declare(CLI::App& app, TypedOptions& typed) {
+  app.set_help_flag();
+  app.add_option("FILE", typed.job.files);
+  for (std::size_t i = option_count; i-- > 0;) {
+    const OptionRow& row = option_table()[i];
+    CLI::Option* const option = app.add_option(std::string(row.names), [&row, &typed](const CLI::results_t& values) {
+      store(row, typed, values);
+      return true;
+    });
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    if (row.kind == ValueKind::flag) option->expected(0)->disable_flag_override();  // --hex=false is no option
+  }
+}
+
+/// CLI11's error as one of ours. It finds unknown options, flags with a value, and values that are missing at the end.
+[[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
+  const auto name_of = [](const std::string& word) { return word.substr(0, word.find('=')); };
+  std::vector<std::string> known, flags;
+  for (const OptionRow& row : option_table()) {
+    for (const std::string_view name : row.all_names()) {
+      known.emplace_back(name);
+      if (row.kind == ValueKind::flag) flags.emplace_back(name);
+    }
+  }
+  if (const auto unknown = app.remaining(); dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty()) {
+    throw Error(Exit::usage, ErrorCode::unknown_option, {name_of(unknown[0]), known});
+  }
+  for (const std::string& word : words) {
+    const std::string name = name_of(word);
+    if (name.size() < word.size() && std::ranges::count(flags, name) > 0) {
+      throw Error(Exit::usage, ErrorCode::flag_with_value, {name});
+    }
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && !words.empty()) {
+    throw Error(Exit::usage, ErrorCode::value_missing, {name_of(words.back())});
+  }
+  throw Error(Exit::usage, ErrorCode::wrong_command_line, {std::string(error.what())});
+}
+
+std::string asked_text(const TypedOptions& typed) {
+  if (typed.has(Option::help)) return help_text();
+  if (typed.has(Option::list_presets)) return presets_text();
+  if (typed.has(Option::version)) return version_text();
+  return generated_text(*typed.generated);
+}
+
+}  // namespace
+
+TypedOptions read_options(const std::vector<std::string>& words) {
+  TypedOptions typed;
+  CLI::App app;
+  declare(app, typed);
+  try {
+    app.parse(std::vector(words.rbegin(), words.rend()));  // CLI11 takes them from the back
+  } catch (const CLI::ParseError& error) {
+    refuse(error, app, words);
+  }
+  if (std::ranges::count(typed.job.files, "") > 0) throw Error(Exit::usage, ErrorCode::empty_file_name);
+  return typed;
+}
+
+Invocation parse(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  TypedOptions typed = read_options(words);
+  if (typed.wants_text()) return {asked_text(typed), {}};
+  std::optional<ProvenanceRequest> provenance;
+  if (typed.has(Option::from_meta)) {
+    provenance = earlier_provenance(typed);
+    words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
+    typed = read_options(words);
+  }
+  require_no_conflict(typed);
+  if (typed.has(Option::meta)) {
+    if (!provenance) provenance.emplace();
+    provenance->meta = new_provenance(typed);
+  }
+  Job job = make_job(typed);
+  job.meta = std::move(provenance);
+  return {std::nullopt, std::move(job)};
+}
+
 namespace {
 
 /// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
@@ -84,6 +194,58 @@ Job make_job(const TypedOptions& typed) {
   job.notation = typed.notation;
   if (typed.has(Option::golden)) job.golden = GoldenOptions{typed.has(Option::exact_input), typed.notation};
   return job;
+}
+
+namespace {
+
+/// An option as one word; numbers are listed in it, wherever they came from.
+std::string word(const OptionRow& row, const TypedOptions& typed) {
+  std::string word(row.long_name());
+  if (row.kind != ValueKind::flag) word += "=" + typed.text(row.id);
+  if (word.find_first_of("\r\n") != std::string::npos) {
+    throw Error(Exit::usage, ErrorCode::line_end_in_provenance).about(row.id);
+  }
+  return word;
+}
+
+/// Throws: Error unless all options of an earlier output are such that provenance has, --meta among them.
+void require_recorded(const std::vector<std::string>& words) {
+  const TypedOptions typed = read_options(words);
+  for (const OptionRow& row : option_table()) {
+    if (typed.has(row.id) && !row.changes_rows)
+      throw Error(Exit::data, ErrorCode::option_not_of_provenance).about(row.id);
+  }
+  if (!typed.job.files.empty()) throw Error(Exit::data, ErrorCode::file_in_provenance, {typed.job.files[0]});
+  if (!typed.has(Option::meta)) throw Error(Exit::data, ErrorCode::provenance_incomplete).about(Option::meta);
+}
+
+}  // namespace
+
+Provenance new_provenance(const TypedOptions& typed) {
+  Provenance provenance;
+  provenance.program = version_text();
+  for (const OptionRow& row : option_table()) {
+    if (row.changes_rows && typed.has(row.id)) provenance.options.push_back(word(row, typed));
+  }
+  return provenance;
+}
+
+ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
+  const std::string& from = typed.text(Option::from_meta);
+  for (const OptionRow& row : option_table()) {
+    if (!row.changes_rows || !typed.has(row.id)) continue;
+    throw Error(Exit::usage, ErrorCode::option_in_provenance, {from}).about(row.id);
+  }
+  ProvenanceRequest request;
+  request.from = from;
+  in_file(shown_name(from), [&] {
+    request.earlier = read_meta(read_file(from));
+    require_recorded(request.earlier.options);
+  });
+  const std::uint64_t files = std::max<std::size_t>(typed.job.files.size(), 1), before = request.earlier.inputs.size();
+  const bool counted = typed.job.batch.list.empty() && !typed.job.batch.recursive;
+  if (counted && files != before) throw Error(Exit::usage, ErrorCode::other_number_of_files, {from, before, files});
+  return request;
 }
 
 }  // namespace tcb

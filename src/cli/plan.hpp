@@ -1,10 +1,9 @@
-// Plan: from typed options to the job, and the options that an output's provenance has.
+// Plan: from arguments to typed options, from these to the job, and the options that provenance records.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "cli/conflicts.hpp"
 #include "cli/options.hpp"
 
 namespace tcb {

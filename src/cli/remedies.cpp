@@ -1,4 +1,4 @@
-// Words for errors: from codes, subjects and values to what was wrong, what was expected, and the remedy.
+// Words for errors and notes: from codes, subjects and values to sentences with the remedy.
 #include "cli/remedies.hpp"
 
 #include <fmt/args.h>
@@ -14,10 +14,10 @@
 #include "text/utf8.hpp"
 
 namespace tcb {
+
 namespace {
 
 constexpr std::array all_words{
-    Words{ErrorCode::legacy, "{0}"},
     // text
     // io
     Words{ErrorCode::cannot_open, "cannot be opened: {0}"},
@@ -262,14 +262,14 @@ constexpr std::array all_words{
           "this key closes the curve at the position of line {0}, but with another tension, continuity or bias;"
           " expected the same; correct one of the two"},
     Words{ErrorCode::closing_key_against_period,
-          "this key repeats the position of line {0} and so ends the period, but {subject} says another; take "
+          "this key repeats the position of line {0} and so ends the period, but {subject} is another; take "
           "one of them out"},
     Words{ErrorCode::period_too_short,
           "{subject}: the curve is closed before its last key, at time {0}; expected a longer period; correct "
           "it"},
     Words{ErrorCode::too_few_closed_keys, "a closed curve needs two distinct keys at least; add keys"},
     Words{ErrorCode::no_period,
-          "nothing says when the closed curve is back at its first key; expected --period, or a last row that "
+          "the period of the closed curve is not known; expected --period, or a last row that "
           "repeats the first position; give one"},
     Words{ErrorCode::row_beyond_doubles,
           "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; "
@@ -473,6 +473,43 @@ std::string error_text(const Error& error) {
   std::string text = line_of(error);
   for (const Error& other : error.others()) text += "\n" + error_text(other);
   return text;
+}
+
+namespace {
+
+/// {0}, {1}, … are the values of the note, lists joined by ", ".
+struct NoteWords {
+  NoteCode code;
+  std::string_view text;
+};
+
+constexpr std::array note_words{
+    NoteWords{NoteCode::no_time_column, "no time column; the times of the keys are 0, 1, 2, ..."},
+    NoteWords{NoteCode::ignored_columns, "columns of text are left out: {0}"},
+    NoteWords{NoteCode::remainder, "the last key is {0} after the last row; --end keep or --end fit includes it"},
+    NoteWords{NoteCode::step, "the step is {0}"},
+    NoteWords{NoteCode::skipped_rows, "rows left out for missing numbers: {0}"},
+    NoteWords{NoteCode::made_times, "none; made with --parameter {0}"},
+    NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose digits may differ"},
+};
+
+}  // namespace
+
+std::string note_text(const Note& note) {
+  const auto words = std::ranges::find(note_words, note.code, &NoteWords::code);
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  for (const ErrorValue& value : note.values) {
+    if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
+      values.push_back(fmt::format("{}", fmt::join(*list, ", ")));
+    } else if (const auto* text = std::get_if<std::string>(&value)) {
+      values.push_back(*text);
+    } else if (const auto* number = std::get_if<double>(&value)) {
+      values.push_back(*number);
+    } else {
+      values.push_back(std::get<std::uint64_t>(value));
+    }
+  }
+  return fmt::vformat(words->text, values);
 }
 
 }  // namespace tcb

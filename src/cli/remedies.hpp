@@ -1,4 +1,4 @@
-// Words for errors: from codes, subjects and values to what was wrong, what was expected, and the remedy.
+// Words for errors and notes: from codes, subjects and values to sentences with the remedy.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// Validators: from the text of an option's value to its type, or the error that says what was expected.
-#include "cli/validators.hpp"
+// Validators: from the text of an option's value to its type, or to an error.
+#include "cli/options.hpp"
 
 #include <array>
 #include <charconv>
@@ -29,9 +29,9 @@ Rational ratio_or(ErrorCode expected, std::string_view text) {
   return *value;
 }
 
-template <class Whole>
-std::optional<Whole> in_digits(std::string_view text) {
-  Whole value = 0;
+template <class Int>
+std::optional<Int> in_digits(std::string_view text) {
+  Int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }

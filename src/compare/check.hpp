@@ -1,13 +1,17 @@
-// Check: distances between given and computed numbers, limits for them, and the check of all samples.
+// Check: rows paired with curves, their distances from the computed numbers, and the limits for these.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/curve_pipeline.hpp"
 #include "app/job.hpp"
 #include "compare/inputs.hpp"
+#include "output/layout.hpp"
 
 namespace tcb {
 
@@ -66,5 +70,37 @@ struct Check : ComparisonSummary {
 /// Compares every number of the samples with the curve. Throws: Error where the keys make no curve, or there is nothing
 /// to compare.
 Check check(const Job& job);
+
+/// A curve and the rows that are given of it.
+struct Pair {
+  const KeptCurve* curve;
+  SampleRows rows;
+};
+
+struct Pairs {
+  std::vector<Pair> pairs;
+  std::vector<Error> problems;  ///< curves without rows, rows without a curve
+};
+
+/// Pairs curves and rows by their groups where both have them, else by their order; a single curve takes all rows.
+Pairs pair_up(const KeptCurves& kept, SampleTable& table);
+
+/// The parts of a result that every comparison has.
+ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs);
+
+/// The places of some rows on a curve.
+struct Places {
+  std::vector<std::size_t> rows;
+  std::vector<Time> places;        ///< of these rows
+  std::optional<Error> off_curve;  ///< where other rows are not on the curve: how many, and the first of them
+};
+
+/// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.
+Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
+                 const IndexedCurve& curve, const Limits& limits);
+
+/// Calls `use` for each of the rows, in order, with its cells. Throws: Error (data) for a number beyond the range.
+void for_each_row(const Places& places, const MatchedColumns& columns, const IndexedCurve& curve, bool from_left,
+                  unsigned threads, const std::function<void(std::size_t row, std::span<const Cell> cells)>& use);
 
 }  // namespace tcb

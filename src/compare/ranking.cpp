@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "curve/curve_spec.hpp"
+#include "curve/build.hpp"
 #include "error.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"

@@ -11,8 +11,7 @@
 
 #include "compare/check.hpp"
 #include "compare/inputs.hpp"
-#include "compare/match.hpp"
-#include "curve/curve_spec.hpp"
+#include "curve/build.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {

@@ -1,5 +1,5 @@
 // The meaning of curve settings: rules by index, texts as numbers.
-#include "curve/curve_spec.hpp"
+#include "curve/build.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "exact/exact_scalar.hpp"
+#include "exact/rounding.hpp"
 
 namespace tcb {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "curve/keyed_curve.hpp"
-#include "exact/exact_scalar.hpp"
+#include "exact/rounding.hpp"
 #include "input/input.hpp"
 #include "sampling/extrapolation.hpp"
 #include "tcb/spline/window.hpp"

@@ -1,9 +1,11 @@
-// Key blocks: successive keys with their text positions, texts, gaps and breaks, and the faults found among them.
+// Key blocks: successive keys with their texts, text positions, gaps and faults, and the settings of their curve.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,14 +13,81 @@
 #include <vector>
 
 #include "error.hpp"
-#include "input/curve_settings.hpp"
-#include "input/texts.hpp"
 #include "tcb/spline/key.hpp"
 
 namespace tcb {
 
+/// A text of a key begins with a quote where it is a string; otherwise it is a number or a word of JSON, or empty where
+/// there is none. So it can be written as a cell and as JSON, whichever format it is from.
+inline bool is_string(std::string_view text) { return text.starts_with('"'); }
+
+/// Its characters.
+inline std::string_view content(std::string_view text) { return is_string(text) ? text.substr(1) : text; }
+
+/// Many texts in one string.
+class Texts {
+ public:
+  std::size_t size() const { return ends_.size(); }
+  bool empty() const { return ends_.empty(); }
+  std::string_view operator[](std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+    return std::string_view(bytes_).substr(begin, ends_[i] - begin);
+  }
+
+  void add(std::string_view text) {
+    bytes_ += text;
+    ends_.push_back(bytes_.size());
+  }
+
+  /// Appends the texts [first, last) of another list.
+  void append(const Texts& other, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) add(other[i]);
+  }
+
+  /// Keeps the first `size` texts. Requires: size <= size().
+  void cut(std::size_t size) {
+    ends_.resize(size);
+    bytes_.resize(ends_.empty() ? 0 : ends_.back());
+  }
+
+ private:
+  std::string bytes_;
+  std::vector<std::size_t> ends_;
+};
+
 using Keys = spline::Keys<double>;
 using Time = spline::Time<double>;
+
+/// Settings of a curve as values of options or JSON members, before names are looked up.
+struct CurveSettings {
+  std::optional<std::string> preset;
+  std::optional<std::string> tangents;
+  std::optional<std::string> ends;  ///< RULE[,RULE]
+  std::optional<bool> closed;
+  std::optional<std::string> period;     ///< a decimal or a ratio; implies closed
+  std::optional<std::string> parameter;  ///< for keys without times: uniform, chordal, centripetal, or an exponent
+  std::optional<std::string> extrapolate;
+  std::optional<std::string> metric;  ///< names or numbers of channels, separated by commas
+  bool equal_speed = false;
+  bool no_ease = false;
+};
+
+/// The member of a JSON object that has the value of an option.
+struct SettingMember {
+  Option option;
+  std::string_view name;
+};
+inline constexpr std::array setting_members{
+    SettingMember{Option::preset, "preset"}, SettingMember{Option::tangents, "tangents"},
+    SettingMember{Option::ends, "ends"},     SettingMember{Option::closed, "closed"},
+    SettingMember{Option::period, "period"},
+};
+constexpr std::string_view setting_member(Option option) {
+  for (const SettingMember& member : setting_members) {
+    if (member.option == option) return member.name;
+  }
+  return "";
+}
 
 /// What an input has about a curve, besides its keys.
 struct CurveInfo {

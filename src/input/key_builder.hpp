@@ -11,7 +11,7 @@
 
 #include "error.hpp"
 #include "input/input.hpp"
-#include "text/time.hpp"
+#include "text/rational.hpp"
 
 namespace tcb {
 

@@ -1,11 +1,14 @@
-// Input files: their bytes as they arrive, and what kind of file a path is.
+// Input files: their bytes as they arrive, what kind of file a path is, and SHA-256 of bytes.
 #include "io/input_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <nettle/sha2.h>
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -14,6 +17,7 @@
 #include "error.hpp"
 
 namespace tcb {
+
 namespace {
 
 constexpr std::size_t read_size = 256UL * 1024;
@@ -95,6 +99,27 @@ Source<std::string> read_file(const std::string& path) {
     bytes.resize(static_cast<std::size_t>(count));
     return bytes;
   };
+}
+
+struct Sha256::State {
+  sha256_ctx context;
+};
+
+Sha256::Sha256() : state_(std::make_unique<State>()) { sha256_init(&state_->context); }
+Sha256::Sha256(Sha256&&) noexcept = default;
+Sha256& Sha256::operator=(Sha256&&) noexcept = default;
+Sha256::~Sha256() = default;
+
+void Sha256::add(std::string_view bytes) {
+  sha256_update(&state_->context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+}
+
+std::string Sha256::digest() {
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+  sha256_digest(&state_->context, digest.size(), digest.data());
+  std::string text;
+  for (const std::uint8_t byte : digest) text += fmt::format("{:02x}", byte);
+  return text;
 }
 
 }  // namespace tcb

@@ -1,7 +1,11 @@
-// Input files: their bytes as they arrive, and what kind of file a path is.
+// Input files: their bytes as they arrive, what kind of file a path is, and SHA-256 of bytes.
+//
+// Source: FIPS 180-4; computed by Nettle.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 
 #include "stream/source.hpp"
 
@@ -23,5 +27,22 @@ bool is_live(const std::string& path);
 /// Whether a read or write that failed, by errno, is to be repeated; waits until it may succeed.
 /// `events`: those of poll() to wait for.
 bool is_to_repeat(int descriptor, short events);
+
+class Sha256 {
+ public:
+  Sha256();
+  Sha256(Sha256&&) noexcept;
+  Sha256& operator=(Sha256&&) noexcept;
+  ~Sha256();
+
+  void add(std::string_view bytes);
+
+  /// In 64 hexadecimal digits, of all bytes so far; the next ones begin anew.
+  std::string digest();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace tcb

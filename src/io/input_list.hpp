@@ -21,7 +21,7 @@ struct InputListOptions {
   std::vector<std::string> files;  ///< "-" is standard input
   std::string list;                ///< a file that names more files; "-": standard input; empty: none
   bool nul = false;                ///< the names in the list end in NUL, not in a new line
-  bool recursive = false;          ///< folders stand for the files in them; then outputs have a folder
+  bool recursive = false;          ///< a folder means the files in it; then outputs have a folder
   bool any_ending = false;         ///< of the files in folders; otherwise those of formats that can be read
   bool update = false;             ///< compare the times of inputs and their outputs
   OutputPaths outputs;

@@ -1,16 +1,49 @@
-// Curves: the keys of an input split into curves, one after another.
+// Curves: the keys of an input split into groups, ordered by time, and split into curves.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/input.hpp"
-#include "keys/order.hpp"
+#include "input/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+/// What is done with keys of equal times.
+enum class Duplicates { error, first, last, break_curve };
+
+struct DuplicatesName {
+  std::string_view name;
+  Duplicates value;
+};
+inline constexpr std::array duplicates_names{
+    DuplicatesName{"error", Duplicates::error}, DuplicatesName{"first", Duplicates::first},
+    DuplicatesName{"last", Duplicates::last}, DuplicatesName{"break", Duplicates::break_curve}};
+
+/// How grouped() arranges keys.
+struct Grouping {
+  std::size_t groups = 0;   ///< number of texts, from a key's first, that identify its curve
+  bool sort = false;        ///< by time; the sort is stable
+  bool own_curves = false;  ///< a curve begins with each block that has curve_info
+};
+
+/// The keys of one curve after another, in order of first appearance, with a break before each. The first call reads
+/// the source to its end: the last row of an input may belong to its first curve.
+/// Memory: some hundred bytes a curve, and 16 bytes a key besides its numbers.
+Source<KeyBlock> grouped(Source<KeyBlock> blocks, const Grouping& grouping);
+
+/// The same keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
+Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
+
+/// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are
+/// faults of the block. Duplicates::last delays one key until the next is read.
+Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates);
 
 /// How the keys of an input make curves.
 struct CurveOptions {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "keys/order.hpp"
+#include "keys/curves.hpp"
 
 namespace tcb {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 #include "input/json/json_input.hpp"
-#include "io/sha256.hpp"
+#include "io/input_file.hpp"
 #include "output/layout.hpp"
 #include "text/utf8.hpp"
 

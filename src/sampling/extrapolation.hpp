@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "tcb/spline/scalar.hpp"
-#include "text/time.hpp"
+#include "text/rational.hpp"
 
 namespace tcb {
 
@@ -54,9 +55,29 @@ WholePeriods<S> divide_by_period(const spline::Time<S>& t, const spline::Time<S>
   return {periods, floor(S(periods / S(2))) * S(2) != periods, passed - periods * period};
 }
 
+inline WholePeriods<double> divide_exactly(const Rational& t, const Rational& period) {
+  const Rational periods = floor(t / period);
+  return {nearest_double(periods), floor(periods / 2) * 2 != periods, nearest_time(t - periods * period)};
+}
+
 /// For doubles: by double-double arithmetic where it is certain, else by exact rationals.
 template <>
-WholePeriods<double> divide_by_period<double>(const Time& t, const Time& first, const Time& period);
+inline WholePeriods<double> divide_by_period<double>(const Time& t, const Time& first, const Time& period) {
+  const Time passed = t - first;
+  const double quotient = (passed / period).hi;
+  constexpr double certain = 0x1p40;  // below, the quotient is off by one at most
+  if (std::abs(quotient) >= certain) return divide_exactly(exact_time(t) - exact_time(first), exact_time(period));
+  double periods = std::floor(quotient);
+  Time rest = passed - Time(periods) * period;
+  if (rest < Time(0.0)) {
+    periods -= 1;
+    rest = rest + period;
+  } else if (rest >= period) {
+    periods += 1;
+    rest = rest - period;
+  }
+  return {periods, std::floor(periods / 2) * 2 != periods, rest};
+}
 
 /// Requires: first < last; kind is not error, or t lies on the curve.
 template <class S>

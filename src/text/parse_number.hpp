@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "text/time.hpp"
+#include "text/rational.hpp"
 
 namespace tcb {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "text/time.hpp"
+#include "text/rational.hpp"
 
 namespace tcb {
 

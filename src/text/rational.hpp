@@ -15,9 +15,11 @@
 #include <string_view>
 #include <utility>
 
-#include "text/time.hpp"
+#include "tcb/spline/scalar.hpp"
 
 namespace tcb {
+
+using Time = spline::Time<double>;
 
 class Rational {
  public:

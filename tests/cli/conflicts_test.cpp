@@ -1,5 +1,5 @@
 // Conflicts: each row of the table refuses the options that it is about.
-#include "cli/conflicts.hpp"
+#include "cli/options.hpp"
 
 #include "cli/command_line.hpp"
 

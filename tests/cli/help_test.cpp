@@ -1,5 +1,4 @@
 // Help: every text shows every option of the table.
-#include "cli/help.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-// Validators: the values that options take, and what is said of others.
-#include "cli/validators.hpp"
+// Validators: the values that options take, and the errors for others.
+#include "cli/options.hpp"
 
 #include "cli/command_line.hpp"
 

@@ -47,7 +47,7 @@ Error error_of(F f) {
     return error;
   }
   ADD_FAILURE() << "no error";
-  return {Exit::done, ErrorCode::legacy, {std::string()}};
+  return {Exit::done, ErrorCode::unexpected, {std::string()}};
 }
 
 /// The names that a value of an error lists.

@@ -95,7 +95,7 @@ TEST(Close, keys_without_times_need_one_step_more) {
 TEST(Close, refuses_what_makes_no_closed_curve) {
   EXPECT_EQ(
       close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
-      "f: error: nothing says when the closed curve is back at its first key; expected --period, or a last row that "
+      "f: error: the period of the closed curve is not known; expected --period, or a last row that "
       "repeats the first position; give one");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
             "f:3: error: this key closes the curve at the position of line 1, but with another tension, continuity or "
@@ -105,7 +105,7 @@ TEST(Close, refuses_what_makes_no_closed_curve) {
       "f: error: --period: the curve is closed before its last key, at time 2; expected a longer period; correct it");
   EXPECT_EQ(
       close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
-      "f:3: error: this key repeats the position of line 1 and so ends the period, but --period says another; take "
+      "f:3: error: this key repeats the position of line 1 and so ends the period, but --period is another; take "
       "one of them out");
   EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
             "f: error: a closed curve needs two distinct keys at least; add keys");

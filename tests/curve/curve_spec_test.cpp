@@ -1,5 +1,5 @@
 // The settings of a curve: what names and texts become, and what is refused.
-#include "curve/curve_spec.hpp"
+#include "curve/build.hpp"
 
 #include <gtest/gtest.h>
 

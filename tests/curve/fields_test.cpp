@@ -1,4 +1,4 @@
-// Fields: the table has unique names, and rows have the cells that it says, with and without columns.
+// Fields: the table has unique names, and rows have the cells of its columns, with and without columns.
 #include "curve/fields.hpp"
 
 #include <gtest/gtest.h>

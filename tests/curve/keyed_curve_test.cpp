@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "curve/build.hpp"
-#include "exact/exact_scalar.hpp"
+#include "exact/rounding.hpp"
 #include "keys.hpp"
 
 namespace tcb {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "exact/exact_scalar.hpp"
+#include "exact/rounding.hpp"
 
 namespace tcb {
 namespace {

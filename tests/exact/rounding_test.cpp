@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "curve/fields.hpp"
-#include "exact/exact_scalar.hpp"
 
 namespace tcb {
 namespace {

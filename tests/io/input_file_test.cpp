@@ -1,6 +1,7 @@
 // Input files: parts as they arrive, errors, and which paths are live.
 #include "io/input_file.hpp"
 
+#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <optional>
@@ -8,6 +9,7 @@
 #include "io/file_fixture.hpp"
 
 namespace tcb {
+
 namespace {
 
 TEST_F(FileTest, all_bytes_come_in_pieces_of_256_kib_at_most) {
@@ -60,5 +62,24 @@ TEST_F(FileTest, pipes_are_live_and_files_are_not) {
   EXPECT_FALSE(is_live("-")) << "a file as standard input";
 }
 
+// Source: FIPS 180-4, examples by NIST.
+constexpr const char* abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+constexpr const char* nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
+
+TEST(Sha256, is_that_of_the_standard) {
+  Sha256 sha256;
+  EXPECT_EQ(sha256.digest(), nothing);
+  sha256.add("abc");
+  EXPECT_EQ(sha256.digest(), abc);
+}
+
+TEST(Sha256, takes_bytes_in_parts_and_begins_anew) {
+  Sha256 sha256;
+  for (const char* part : {"a", "", "bc"}) sha256.add(part);
+  EXPECT_EQ(sha256.digest(), abc);
+  EXPECT_EQ(sha256.digest(), nothing);
+}
+
 }  // namespace
+
 }  // namespace tcb

@@ -102,7 +102,7 @@ class RandomDoubles {
 
   std::uint64_t bits() { return random_(); }
 
-  /// Any double but infinities and what is no number.
+  /// Any double but infinities and NaN.
   double any() {
     for (;;) {
       const auto value = std::bit_cast<double>(random_());

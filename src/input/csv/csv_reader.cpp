@@ -4,7 +4,6 @@
 
 #include "error.hpp"
 #include "input/csv/delimited_text.hpp"
-#include "input/csv/tokenizer.hpp"
 #include "input/key_builder.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/parse_number.hpp"

@@ -1,4 +1,10 @@
 // Delimited text: dialect, splitting into chunks of whole records, header, and records to keys.
+//
+// Source: RFC 4180 for quotes: a cell that begins with a quote ends with one, holds delimiters and line
+//   ends as they are, and doubles each quote inside.
+// Differs: LF or CRLF ends a record, the last may lack it; comment lines and blank lines are skipped;
+//   where the delimiter is a blank, runs of blanks and tabs count as one, and a blank line or one that
+//   begins with ">" ends a curve.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "error.hpp"
 #include "input/input.hpp"
 #include "stream/source.hpp"
 
@@ -71,5 +78,51 @@ KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
 /// Opens delimited text whose delimiter is given, or else found in the first record.
 /// Requires: the bytes have no byte order mark. Throws: Error (data).
 Input open_delimited(Source<std::string> bytes, const InputOptions& options);
+
+inline constexpr std::size_t most_cells = std::size_t{1} << 20;  ///< of a record
+
+/// Reads the records of a chunk one after another.
+class Tokenizer {
+ public:
+  Tokenizer(const Chunk& chunk, const Dialect& dialect);
+
+  /// The cells of the next record as written, without blanks around them; false at the end. Comments and blank lines
+  /// are skipped; the last comment skipped is in comment(). Throws: Error (data) for a misplaced quote and for more
+  /// than most_cells, after it has skipped the record.
+  bool next(std::vector<std::string_view>& cells);
+
+  /// A line before this record, or at the end one after the last record, ends the curve.
+  bool broken() const { return broken_; }
+  /// There is a blank line before this record.
+  bool follows_blank() const { return follows_blank_; }
+
+  std::uint64_t line() const { return record_line_; }
+  std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
+  std::string_view comment() const { return comment_; }
+
+  /// The text position of a cell of the current record.
+  TextPosition position(std::string_view cell) const;
+
+ private:
+  bool skip_to_record();
+  void skip_line();
+  [[noreturn]] void refuse_cells();
+  std::string_view take_cell();
+  std::string_view take_quoted();
+  bool at_line_end() const {
+    return at_ == end_ || *at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] == '\n'));
+  }
+  void pass_line_end();
+
+  const Dialect& dialect_;
+  const char *begin_, *at_, *end_;
+  const char* record_;
+  std::uint64_t line_, record_line_;
+  std::string_view comment_;
+  bool broken_ = false, follows_blank_ = false;
+};
+
+/// The text of a cell without its quotes.
+std::string unquoted(std::string_view cell);
 
 }  // namespace tcb

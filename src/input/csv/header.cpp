@@ -5,7 +5,6 @@
 
 #include "error.hpp"
 #include "input/csv/delimited_text.hpp"
-#include "input/csv/tokenizer.hpp"
 #include "text/parse_number.hpp"
 #include "text/utf8.hpp"
 

@@ -1,5 +1,5 @@
 // Tokenizer of delimited text: records and their cells.
-#include "input/csv/tokenizer.hpp"
+#include "input/csv/delimited_text.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -9,8 +9,8 @@
 
 #include "error.hpp"
 #include "input/input.hpp"
+#include "input/json/json_input.hpp"
 #include "input/json/scanner.hpp"
-#include "input/json/splitter.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

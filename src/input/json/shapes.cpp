@@ -6,7 +6,6 @@
 
 #include "error.hpp"
 #include "input/json/json_input.hpp"
-#include "input/json/splitter.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {

@@ -1,5 +1,5 @@
 // Splitter of JSON text: it is cut between key objects, without parsing them.
-#include "input/json/splitter.hpp"
+#include "input/json/json_input.hpp"
 
 #include <fmt/format.h>
 

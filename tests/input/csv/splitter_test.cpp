@@ -1,7 +1,7 @@
 // Splitter: the delimiter of the first record, and chunks of whole records, however the bytes arrive.
 #include <gmock/gmock.h>
 
-#include "input/csv/tokenizer.hpp"
+#include "input/csv/delimited_text.hpp"
 
 #include "input/reading.hpp"
 

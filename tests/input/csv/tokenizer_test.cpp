@@ -1,5 +1,5 @@
 // Tokenizer: records, their cells and text positions.
-#include "input/csv/tokenizer.hpp"
+#include "input/csv/delimited_text.hpp"
 
 #include <gmock/gmock.h>
 

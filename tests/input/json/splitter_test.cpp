@@ -1,5 +1,5 @@
 // Splitting JSON: chunks of whole keys in every shape, with their places, however the bytes arrive.
-#include "input/json/splitter.hpp"
+#include "input/json/json_input.hpp"
 
 #include <gmock/gmock.h>
 
