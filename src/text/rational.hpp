@@ -121,6 +121,7 @@ inline std::optional<Time> rounded_once(const Time& near, double doubt) {
 template <>
 struct std::numeric_limits<tcb::Rational> {
   static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = true;
-  static constexpr bool is_bounded = false, has_infinity = false, has_quiet_NaN = false;
+  static constexpr bool is_bounded = false, has_infinity = false;
+  static constexpr bool has_quiet_NaN = false;  // NOLINT(readability-identifier-naming): a name of the standard
   static constexpr int digits = std::numeric_limits<int>::max(), digits10 = digits;
 };
