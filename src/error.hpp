@@ -307,7 +307,10 @@ enum class ErrorCode {
   expected_ratio,
   expected_ratios,
   expected_rate,
-  expected_a_number,
+  expected_range,
+  endless_range,
+  range_too_long,  ///< text, the largest number of places
+  list_without_numbers,
   unreadable_list,
   expected_count,
   expected_whole_number,  ///< text, least, most

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     const tcb::Invocation invocation = tcb::parse(argc, argv);
     if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job, tcb::error_message));
     if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job, {tcb::error_text, tcb::note_text}));
+    if (invocation.exit != tcb::Exit::done) return refuse(invocation.exit, *invocation.text);
     print(*invocation.text);
     return static_cast<int>(tcb::Exit::done);
   } catch (const tcb::Error& error) {

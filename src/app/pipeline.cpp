@@ -1,4 +1,5 @@
-// Pipeline: the stages from the bytes of keys to the bytes of samples, in the order of the flow, for each file of a batch.
+// Pipeline: the stages from the bytes of keys to the bytes of samples, in the order of the flow, for each file of a
+// batch.
 #include "app/pipeline.hpp"
 
 #include <fmt/format.h>
@@ -53,6 +54,7 @@ class FileRun {
 
   /// The stages of the flow, with their observers. Returns the number of rows.
   std::uint64_t run(unsigned threads) {
+    if (is_terminal(path_)) report_.note(path_, {NoteCode::reads_terminal});
     ProvenanceRecorder& provenance = writer_.recorder();
     const auto bytes = provenance.observe_bytes(shown_name(path_), report_.observe_bytes(read_file(path_)));
     const Input input = open_input(path_, bytes, input_options(job_, threads, live_));  // split, parse

@@ -16,6 +16,7 @@ namespace tcb {
 
 /// Something about an input or its curves that a user may not expect, with values as errors have them.
 enum class NoteCode {
+  reads_terminal,
   no_time_column,
   ignored_columns,  ///< names
   remainder,        ///< distance of the end from the last row

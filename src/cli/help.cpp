@@ -57,16 +57,26 @@ std::string description(const OptionRow& row) {
   return std::string(row.text) + (row.default_value.empty() ? "" : fmt::format("; default {}", row.default_value));
 }
 
+/// Calls begin(group) and then show(row) for each of its options, in the order in which a reader needs the groups.
+template <class Begin, class Show>
+void for_each_group(Begin begin, Show show) {
+  for (const std::string_view group : {"Sampling", "Curve", "Input", "Output", "Many files", "Comparison", "About"}) {
+    begin(group);
+    for (const OptionRow& row : option_table()) {
+      if (row.group == group) show(row);
+    }
+  }
+}
+
 std::string manual_options() {
   std::string out;
-  std::string_view group;
-  for (const OptionRow& row : option_table()) {
-    if (row.group != group) out += fmt::format(".SS {}\n", group = row.group);
+  const auto show = [&out](const OptionRow& row) {
     std::vector<std::string> names;
     for (const std::string_view name : row.all_names()) names.push_back("\\fB" + escaped(name) + "\\fR");
     const std::string value = row.value.empty() ? "" : " \\fI" + escaped(row.value) + "\\fR";
     out += fmt::format(".TP\n{}{}\n{}.\n", fmt::join(names, ", "), value, escaped(description(row)));
-  }
+  };
+  for_each_group([&out](std::string_view group) { out += fmt::format(".SS {}\n", group); }, show);
   return out;
 }
 
@@ -197,6 +207,42 @@ std::string fish_completion() {
 
 }  // namespace
 
+std::string usage_text() {
+  return "Usage: tcbsample [OPTION]... [FILE]...\n"
+         "Reads keyframes (CSV or JSON: time, position and, if there are any, tension,\n"
+         "continuity, bias) and prints samples of the spline through them.\n"
+         "\n"
+         "  tcbsample --step 0.1 keys.csv            a sample every 0.1 of time\n"
+         "  tcbsample -n 200 < keys.json             200 samples, both ends included\n"
+         "  tcbsample --arc-step 5 path.csv          equal distances along the curve\n"
+         "\n"
+         "-h shows the commonest options, --help all of them, man tcbsample the manual.";
+}
+
+std::string short_help_text() {
+  return "Usage: tcbsample [OPTION]... [FILE]...\n"
+         "Prints samples of the Kochanek-Bartels (TCB) spline through the keys of each\n"
+         "FILE, or of standard input.\n"
+         "\n"
+         "Where the samples are (one of these):\n"
+         "  -s, --step H        every H of time: 0.1, 1/24\n"
+         "      --fps HZ        HZ samples per second: 24, 30000/1001\n"
+         "  -n, --count N       N samples, both ends included\n"
+         "  -a, --arc-step H    every H of arc length\n"
+         "      --at T,...      at these times; @FILE: those in a file\n"
+         "      --tolerance D   as few as keep the polyline within D of the curve\n"
+         "\n"
+         "The most used of the other options:\n"
+         "      --preset NAME   the curve of a product, see --list-presets\n"
+         "      --columns ROLE=NAME,...  what the columns mean\n"
+         "  -o, --output FILE   instead of standard output\n"
+         "      --output-dir DIR  a file for each input file\n"
+         "      --fields FIELD,...  time,position,velocity,curvature,...\n"
+         "      --explain       what was detected and would be done\n"
+         "\n"
+         "--help lists all options, man tcbsample is the manual.";
+}
+
 std::string help_text() {
   std::string out =
       "Usage: tcbsample [OPTION]... [FILE]...\n"
@@ -208,12 +254,11 @@ std::string help_text() {
       "  tcbsample -n 200 < keys.csv              200 samples, both ends included\n"
       "  tcbsample --arc-step 5 path.csv          equal distances along the curve\n"
       "  tcbsample -s 0.1 --output-dir out *.csv  a file for each file\n";
-  std::string_view group;
-  for (const OptionRow& row : option_table()) {
-    if (row.group != group) out += fmt::format("\n{}:\n", group = row.group);
+  const auto show = [&out](const OptionRow& row) {
     out += fmt::format("  {}{}{}\n", fmt::join(row.all_names(), ", "), row.value.empty() ? "" : " ", row.value);
     out += wrapped(description(row), 6);
-  }
+  };
+  for_each_group([&out](std::string_view group) { out += fmt::format("\n{}:\n", group); }, show);
   out +=
       "\nExit status: 0 done, 1 the data was rejected or differs, 2 wrong usage or a\n"
       "file that cannot be opened or written.";

@@ -147,8 +147,10 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.count = positive_count(text);
      }},
     {Option::at, "--at", "T,...", sampling,
-     "These times, in this order; @FILE: those in a file, separated by whitespace, commas or lines", "", other, recorded,
+     "These times, in this order; A:B:H: from A to B in steps of H; @FILE: those in a file, separated by whitespace, "
+     "commas or lines; -: those of standard input", "", other, recorded,
      [](Typed& to, Text text) {
+       to.places_from_input = text == "-";
        to.texts[index_of(Option::at)] = listed_numbers(text);
        to.job.sampling.mode = Mode::at;
        to.job.sampling.places = ratios(to.text(Option::at));
@@ -165,9 +167,10 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.mode = Mode::arc_count;
        to.job.sampling.count = positive_count(text);
      }},
-    {Option::arc_at, "--arc-at", "S,...", sampling, "These arc lengths, in this order; @FILE: those in a file", "",
+    {Option::arc_at, "--arc-at", "S,...", sampling, "These arc lengths, in the same forms as times", "",
      other, recorded,
      [](Typed& to, Text text) {
+       to.places_from_input = text == "-";
        to.texts[index_of(Option::arc_at)] = listed_numbers(text);
        to.job.sampling.mode = Mode::arc_at;
        to.job.sampling.places = ratios(to.text(Option::arc_at));
@@ -299,7 +302,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::list_presets, "--list-presets", "", about, "Prints the presets and the rules with their formulas", "",
      flag, unrecorded, [](Typed&, Text) {}},
     {Option::version, "-V,--version", "", about, "Prints the version", "", flag, unrecorded, [](Typed&, Text) {}},
-    {Option::help, "-h,--help", "", about, "Prints this help", "", flag, unrecorded, [](Typed&, Text) {}},
+    {Option::help, "-h,--help", "", about, "Prints the commonest options; --help prints all", "", flag, unrecorded, [](Typed&, Text) {}},
 }};
 
 }  // namespace

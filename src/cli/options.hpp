@@ -41,6 +41,7 @@ struct TypedOptions {
   Comparison comparison;
   Notation notation;
   std::optional<Generated> generated;
+  bool places_from_input = false;  ///< the times or arc lengths are read from standard input
 
   const std::string& text(Option option) const { return texts[index_of(option)]; }
   bool has(Option option) const { return !text(option).empty(); }
@@ -82,7 +83,8 @@ TypedOptions read_options(const std::vector<std::string>& words);
 /// What the program is asked for: a text to print, or else a job.
 struct Invocation {
   std::optional<std::string> text;
-  Job job;
+  Job job = {};
+  Exit exit = Exit::done;  ///< after the text; where it is another one, the text is an error message
 };
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
@@ -91,7 +93,9 @@ Invocation parse(int argc, const char* const* argv);
 /// The prose of the manual page, man/tcbsample.1.in, put into the program by the build.
 extern const char* const manual_template;
 
-/// The help, in 80 columns.
+/// What is shown where nothing is asked for, the help on one screen, and all of it, in 80 columns.
+std::string usage_text();
+std::string short_help_text();
 std::string help_text();
 
 /// Presets, tangent rules and end rules with their formulas, in 80 columns.
@@ -157,9 +161,9 @@ Rational positive_ratio(const std::string& text);
 Rational step_of_rate(const std::string& text);
 /// A decimal or a ratio of two.
 Rational ratio(const std::string& text);
-/// Numbers separated by commas.
+/// Numbers, and ranges FIRST:LAST:STEP, separated by commas.
 std::vector<Rational> ratios(const std::string& text);
-/// The same, or for @FILE the numbers in that file, as one text separated by commas.
+/// The same; for @FILE the numbers in that file, for "-" those of standard input, as one text separated by commas.
 std::string listed_numbers(const std::string& text);
 /// In digits, from 1 to 2^63 - 1.
 std::uint64_t positive_count(const std::string& text);

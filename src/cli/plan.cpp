@@ -78,8 +78,9 @@ void declare(CLI::App& app, TypedOptions& typed) {
   throw Error(Exit::usage, ErrorCode::wrong_command_line, {std::string(error.what())});
 }
 
-std::string asked_text(const TypedOptions& typed) {
-  if (typed.has(Option::help)) return help_text();
+std::string asked_text(const TypedOptions& typed, const std::vector<std::string>& words) {
+  const bool is_long = std::ranges::count(words, row_of(Option::help).long_name()) > 0;
+  if (typed.has(Option::help)) return is_long ? help_text() : short_help_text();
   if (typed.has(Option::list_presets)) return presets_text();
   if (typed.has(Option::version)) return version_text();
   return generated_text(*typed.generated);
@@ -102,8 +103,9 @@ TypedOptions read_options(const std::vector<std::string>& words) {
 
 Invocation parse(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() && ::isatty(STDIN_FILENO) != 0) return {usage_text(), {}, Exit::usage};
   TypedOptions typed = read_options(words);
-  if (typed.wants_text()) return {asked_text(typed), {}};
+  if (typed.wants_text()) return {asked_text(typed, words)};
   std::optional<ProvenanceRequest> provenance;
   if (typed.has(Option::from_meta)) {
     provenance = earlier_provenance(typed);
@@ -117,7 +119,7 @@ Invocation parse(int argc, const char* const* argv) {
   }
   Job job = make_job(typed);
   job.meta = std::move(provenance);
-  return {std::nullopt, std::move(job)};
+  return {{}, std::move(job)};
 }
 
 namespace {
@@ -146,6 +148,8 @@ void require_one_reader(const TypedOptions& typed) {
     if (reads_twice) throw Error(Exit::usage, ErrorCode::standard_input_twice).about(option);
   };
   require(typed.text(Option::files) == "-" && keys_from_input, Option::files);
+  const Option places = typed.has(Option::at) ? Option::at : Option::arc_at;
+  require(typed.places_from_input && (keys_from_input || no_files), places);
   require(typed.text(Option::check) == "-" && (keys_from_input || no_files), Option::check);
   require(typed.text(Option::identify) == "-" && (keys_from_input || no_files), Option::identify);
 }

@@ -355,7 +355,12 @@ constexpr std::array all_words{
     Words{ErrorCode::expected_ratios,
           "{subject} \"{0}\": expected decimals or ratios, separated by commas, such as 0,0.5,7/24"},
     Words{ErrorCode::expected_rate, "{subject} \"{0}\": expected a rate whose step is a double, less than 1.8e308"},
-    Words{ErrorCode::expected_a_number, "{subject} \"{0}\": the file is empty; expected one number at least"},
+    Words{ErrorCode::expected_range, "{subject} \"{0}\": expected a range FIRST:LAST:STEP, such as 0:10:0.5"},
+    Words{ErrorCode::endless_range,
+          "{subject} \"{0}\": the range does not end; expected a step that leads from its first place to its last"},
+    Words{ErrorCode::range_too_long,
+          "{subject} \"{0}\": a range of more than {1} places; expected fewer; give --from, --to and --step"},
+    Words{ErrorCode::list_without_numbers, "no number for {subject}; expected one at least"},
     Words{ErrorCode::unreadable_list, "cannot be read for {subject}; expected a file of numbers"},
     Words{ErrorCode::expected_count, "{subject} \"{0}\": expected a whole number from 1 to 2^63 - 1, in digits"},
     Words{ErrorCode::expected_whole_number, "{subject} \"{0}\": expected a whole number from {1} to {2}"},
@@ -484,6 +489,7 @@ struct NoteWords {
 };
 
 constexpr std::array note_words{
+    NoteWords{NoteCode::reads_terminal, "keys are read from the terminal; end them with Ctrl-D, or name a file"},
     NoteWords{NoteCode::no_time_column, "no time column; the times of the keys are 0, 1, 2, ..."},
     NoteWords{NoteCode::ignored_columns, "columns of text are left out: {0}"},
     NoteWords{NoteCode::remainder, "the last key is {0} after the last row; --end keep or --end fit includes it"},

@@ -73,6 +73,8 @@ void keep_standard_streams() {
 
 std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
+bool is_terminal(const std::string& path) { return path == "-" && ::isatty(STDIN_FILENO) != 0; }
+
 bool is_live(const std::string& path) {
   struct stat status {};
   const int failed = path == "-" ? ::fstat(STDIN_FILENO, &status) : ::stat(path.c_str(), &status);

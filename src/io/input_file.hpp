@@ -21,6 +21,9 @@ void keep_standard_streams();
 /// The name of a file for messages.
 std::string shown_name(const std::string& path);
 
+/// It is standard input, and a person types there.
+bool is_terminal(const std::string& path);
+
 /// Reads from a pipe, a socket or a terminal: rows should be written as soon as they are computed.
 bool is_live(const std::string& path);
 

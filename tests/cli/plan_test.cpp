@@ -40,8 +40,10 @@ TEST(CommandLine, a_flag_may_be_repeated_and_tolerances_are_joined) {
 
 TEST(CommandLine, a_text_is_printed_whatever_other_values_are) {
   EXPECT_THAT(parsed({"--help"}).text.value_or(""), StartsWith("Usage: tcbsample"));
-  EXPECT_EQ(parsed({"-h"}).text, parsed({"--help", "a.csv", "--step", "x", "--version"}).text);
-  EXPECT_EQ(parsed({"-h"}).text, parsed({"--generate", "x", "--help"}).text);
+  EXPECT_EQ(parsed({"--help"}).text, parsed({"--help", "a.csv", "--step", "x", "--version"}).text);
+  EXPECT_EQ(parsed({"--help"}).text, parsed({"--generate", "x", "--help"}).text);
+  EXPECT_EQ(parsed({"-h"}).text, short_help_text());
+  EXPECT_EQ(parsed({"-qh", "--count=0"}).text, short_help_text());
   EXPECT_THAT(parsed({"-V", "--count=0"}).text.value_or(""), StartsWith("tcbsample "));
   EXPECT_THAT(parsed({"--generate", "fish"}).text.value_or(""), StartsWith("complete "));
   EXPECT_THAT(parsed({"--list-presets"}).text.value_or(""), StartsWith("PRESET "));
