@@ -102,7 +102,7 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
 /// From which time to which the keys are a curve.
 Extent CurvePipeline::extent(KeyStore& keys) const {
   if (keys.are_sparse() && !keys.key(0).eases.empty()) throw Error(Exit::data, ErrorCode::ease_with_missing_cells);
-  Extent extent{keys.key(0).times[0], {}, {}, spec_.closed};
+  Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
   extent.last = spec_.closed ? close(keys, spec_, timed_) : keys.key(keys.size() - 1).times[0];
   return extent;
 }
@@ -151,13 +151,13 @@ PlacedCurve CurvePipeline::place_on_grid(const KeyStore& keys, Extent& extent) c
 std::vector<Time> CurvePipeline::grid_times(const Extent& extent) const {
   const auto spacing = tcb::spacing(request_, extent);
   const bool single = spacing.grid.step() == 0;
-  if (!single) require_resolution(spacing.grid, *spacing.end);
-  const std::uint64_t rows = single ? spacing.rows : std::min(spacing.rows, spacing.grid.rows_through(*spacing.end));
+  const int digits = extent.decimals;
+  const Time end = nearest_time(*spacing.end, digits);
+  if (!single) require_resolution(spacing.grid, end, digits);
+  const std::uint64_t rows = single ? spacing.rows : std::min(spacing.rows, spacing.grid.rows_through(end, digits));
   std::vector<Time> times;
-  for (std::uint64_t row = 0; row < rows; ++row) times.push_back(spacing.grid.time(row));
-  if (request_.end == EndPolicy::keep && (times.empty() || times.back() < *spacing.end)) {
-    times.push_back(*spacing.end);
-  }
+  for (std::uint64_t row = 0; row < rows; ++row) times.push_back(spacing.grid.time(row, digits));
+  if (request_.end == EndPolicy::keep && (times.empty() || times.back() < end)) times.push_back(end);
   return times;
 }
 
@@ -170,11 +170,15 @@ std::vector<Time> CurvePipeline::places(const CurveIndex& curve, const Extent& e
   } else if (request_.places.empty()) {
     places = grid_times(extent);
   } else {
-    std::ranges::transform(request_.places, std::back_inserter(places), nearest_time);
+    const int digits = request_.mode == Mode::at ? extent.decimals : 0;
+    std::ranges::transform(request_.places, std::back_inserter(places),
+                           [&](const Rational& place) { return nearest_time(place, digits); });
   }
   if (!request_.keys) return places;
-  const Time to = request_.to ? nearest_time(*request_.to) : *extent.last;
-  return with_keys(places, curve, places.front(), to);
+  const auto bound = [&](const std::optional<Rational>& given, const Time& end) {
+    return given ? nearest_time(*given, extent.decimals) : end;
+  };
+  return with_keys(places, curve, bound(request_.from, extent.first), bound(request_.to, *extent.last));
 }
 
 /// Rows at places in any order, also outside the curve.

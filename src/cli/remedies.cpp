@@ -289,7 +289,8 @@ constexpr std::array all_words{
           "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, such as "
           "csv"},
     Words{ErrorCode::time_beyond_doubles,
-          "time {0} has more digits than a double; expected less than 2^53, or a format of text; choose one, such as "
+          "time {0} has more digits than a double; expected one that a double holds, or a format of text; choose one, "
+          "such as "
           "csv"},
     Words{ErrorCode::other_columns,
           "its rows have the columns {0}; expected {1}, as in the files before; give --output-dir to write an output "

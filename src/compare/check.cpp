@@ -13,6 +13,7 @@
 #include "error.hpp"
 #include "input/key_block.hpp"
 #include "stream/ordered_map.hpp"
+#include "text/decimal_time.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
@@ -114,7 +115,9 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
   std::uint64_t off_curve = 0;
   std::pair<std::size_t, Time> first_off;
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    Time place = columns.place ? Time(rows.numbers[row * width + *columns.place]) : rows.times[row];
+    Time place = columns.place               ? Time(rows.numbers[row * width + *columns.place])
+                 : curve.extent.decimals > 0 ? with_all_digits(rows.times[row])
+                                             : as_double(rows.times[row]);
     const bool on_curve = place >= first && place <= last;
     const Time end = place < first ? first : last;
     if (place == place && !on_curve && !anywhere && limits.admit(distance(place.hi, end.hi))) place = end;

@@ -10,6 +10,7 @@
 #include "error.hpp"
 #include "keys/parameterize.hpp"
 #include "stream/ordered_map.hpp"
+#include "text/decimal_time.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
@@ -82,8 +83,8 @@ Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
 bool same_position(const Keys& a, const Keys& b) { return std::ranges::equal(a.position(0), b.position(0)); }
 
 /// The end that the period gives. Requires: a period.
-Time end_by_period(const Keys& first, const Keys& last, const Rational& period) {
-  const Time end = nearest_time(exact_time(first.times[0]) + period);
+Time end_by_period(const Keys& first, const Keys& last, const Rational& period, int decimals) {
+  const Time end = nearest_time(exact_time(first.times[0]) + period, decimals);
   if (end > last.times[0]) return end;
   throw Error(Exit::data, ErrorCode::period_too_short, {time_text(last.times[0])}).about(Option::period);
 }
@@ -125,13 +126,13 @@ Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
   const Keys first = keys.key(0);
   Keys last = keys.key(keys.size() - 1);
   std::optional<Time> end;
-  if (spec.period) end = end_by_period(first, first, *spec.period);
+  if (spec.period) end = end_by_period(first, first, *spec.period, keys.decimals());
   if (keys.size() > 1 && same_position(first, last)) {
     end = end_by_last_key(first, last, keys, end);
     keys.drop_last();
     if (keys.size() > 0) last = keys.key(keys.size() - 1);
   } else if (end) {
-    end = end_by_period(first, last, *spec.period);
+    end = end_by_period(first, last, *spec.period, keys.decimals());
   } else if (!timed) {
     const double step = parameter_step<double, double>(last.position(0), first.position(0), spec.parameter.value_or(0),
                                                        spec.rules.metric);

@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "text/decimal_time.hpp"
+
 namespace tcb {
 namespace {
 
@@ -49,6 +51,7 @@ CurveIndex::CurveIndex(const Source<SegmentBlock>& segments, std::vector<std::si
       s_error_.push_back(s_error_.back() + (block->lengths.empty() ? 0 : block->lengths[i].error));
       s_.push_back(block->lengths.empty() ? DoubleDouble() : s_.back() + DoubleDouble(block->lengths[i].value));
     }
+    for (const Time& time : block->segments.times) decimals_ = std::max(decimals_, decimals_of(time));
     first_numbers_.push_back(first_numbers_.back() + size);
     blocks_.push_back(std::move(*block));
   }
@@ -75,7 +78,8 @@ CurveSegment CurveIndex::segment(std::uint64_t number) const {
           cycle_,
           number,
           s_error_[number + 1],
-          closes ? 0 : number + 1};
+          closes ? 0 : number + 1,
+          decimals_};
 }
 
 std::uint64_t CurveIndex::find_time(const Time& t, bool left) const {

@@ -54,6 +54,7 @@ class CurveIndex {
   std::vector<double> s_error_;               ///< bounds on the errors of these
   std::vector<std::size_t> metric_;
   std::vector<double> cycle_;  ///< last key - first key
+  int decimals_ = 0;           ///< of the times
 };
 
 /// The times with those of the curve's keys in the range; a time within a billionth of a step of a key is dropped.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "text/decimal_time.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
@@ -69,6 +70,8 @@ class Placer {
                          number_++,
                          s_error_};
     if (last && block_->closes) segment.end_key = 0;
+    decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
+    segment.decimals = decimals_;
     const Run run = sampler_->place(segment);
     if (run.key) placed_.push_back({segment, Row::at_key, Row::at_key + 1});
     if (run.first < run.last) placed_.push_back({segment, run.first, run.last});
@@ -85,6 +88,7 @@ class Placer {
   std::size_t most_parts_ = 0;            ///< of the blocks so far
   spline::DoubleDouble s_;
   double s_error_ = 0;
+  int decimals_ = 0;  ///< of the times so far
   bool first_ = true;
 };
 

@@ -7,6 +7,7 @@
 
 #include "error.hpp"
 #include "exact/rounding.hpp"
+#include "text/decimal_time.hpp"
 
 namespace tcb {
 namespace {
@@ -58,7 +59,7 @@ Rational cycle(const ExactCurve& exact, std::size_t channel) {
 }  // namespace
 
 Rational exact_number(const Time& time, bool decimal) {
-  return decimal ? exact_time(time) : Rational(Rational(time.hi) + Rational(time.lo));
+  return decimal || is_long_decimal(time) ? exact_time(time) : Rational(Rational(time.hi) + Rational(time.lo));
 }
 
 spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules, bool decimal) {

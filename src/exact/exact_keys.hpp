@@ -16,7 +16,8 @@
 
 namespace tcb {
 
-/// A double's own value; with `decimal` its shortest decimal. Whole numbers of times are what they are.
+/// A double's own value; with `decimal` its shortest decimal. Whole numbers and long decimals of times are what they
+/// are.
 Rational exact_number(const Time& time, bool decimal);
 
 /// The rules with exact numbers.

@@ -91,8 +91,9 @@ class ExactRows::Evaluation {
     std::vector<Value> exact;
     std::vector<Printed> cells;
     for (std::size_t i = 0; i < fine.size(); ++i) {
-      const Rounding rounding(notation_, columns[i].kind);
-      auto cell = rounding.between(rough[i], fine[i]);
+      const Rounding rounding(notation_, columns[i].kind, row.segment.decimals);
+      const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && row.sample.t.lo != 0;
+      auto cell = is_known ? rounding.exactly({exact_time(row.sample.t)}) : rounding.between(rough[i], fine[i]);
       if (!cell && columns[i].rational) {
         if (exact.empty()) exact = values(rational_, row, chosen);
         cell = rounding.exactly(exact[i]);

@@ -9,6 +9,7 @@
 
 #include "curve/fields.hpp"
 #include "keys/parameterize.hpp"
+#include "text/decimal_time.hpp"
 #include "text/large_rational.hpp"
 #include "text/print_number.hpp"
 #include "text/rational.hpp"
@@ -74,7 +75,9 @@ struct Printed {
 
 class Rounding {
  public:
-  Rounding(const Notation& notation, CellKind kind) : notation_(notation), kind_(kind) {}
+  /// `decimals`: of times, as nearest_time() has them.
+  Rounding(const Notation& notation, CellKind kind, int decimals = 0)
+      : notation_(notation), kind_(kind), decimals_(decimals) {}
 
   /// An exact value, or the root of one.
   Printed exactly(const Value& value) const;
@@ -95,6 +98,7 @@ class Rounding {
 
   Notation notation_;
   CellKind kind_;
+  int decimals_;
 };
 
 /// As printf("%.*g", count, value) and printf("%.*f", decimals, value) write a double, for any exact number.

@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "input/input.hpp"
 #include "input/key_block.hpp"
+#include "text/decimal_time.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
@@ -47,9 +48,9 @@ class Order {
  private:
   bool is_in_order(const KeyBlock& block) const {
     const auto& times = block.keys.times;
-    if (before_ && !times.empty() && !block.begins_curve(0) && !(before_->time < times[0])) return false;
+    if (before_ && !times.empty() && !block.begins_curve(0) && !is_earlier(before_->time, times[0])) return false;
     for (std::size_t i = 1; i < times.size(); ++i) {
-      if (!(times[i - 1] < times[i]) && !block.begins_curve(i)) return false;
+      if (!is_earlier(times[i - 1], times[i]) && !block.begins_curve(i)) return false;
     }
     return true;
   }
@@ -83,8 +84,8 @@ class Order {
   bool keeps(const KeyBlock& block, std::size_t key, bool begins_curve, std::vector<Error>& faults,
              std::vector<std::size_t>& kept, std::vector<std::size_t>& breaks) const {
     const Time time = block.keys.times[key];
-    if (begins_curve || !before_ || before_->time < time) return true;
-    const bool equal = before_->time == time;
+    if (begins_curve || !before_ || is_earlier(before_->time, time)) return true;
+    const bool equal = !is_earlier(time, before_->time);
     if (equal && duplicates_ == Duplicates::first) return false;
     if (equal && duplicates_ == Duplicates::break_curve) {
       breaks.push_back(kept.size());
@@ -156,6 +157,17 @@ Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates) {
   return [order] { return order->next(); };
 }
 
+Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks) {
+  return mapped(std::move(blocks), [many = false](KeyBlock block) mutable {
+    std::vector<Time>& times = block.keys.times;
+    many = many || std::ranges::any_of(times, has_many_digits);
+    for (Time& time : times) {
+      if (many || time.lo != 0) time = many ? with_all_digits(time) : as_double(time);
+    }
+    return block;
+  });
+}
+
 namespace {
 
 void require_times(const CurveOptions& options) {
@@ -167,7 +179,7 @@ void require_times(const CurveOptions& options) {
 
 /// The keys in order, without faults.
 Source<KeyBlock> arranged(const Input& input, const CurveOptions& options, bool live) {
-  Source<KeyBlock> blocks = input.keys;
+  Source<KeyBlock> blocks = input.timed ? with_time_digits(input.keys) : input.keys;
   const bool by_text = !input.groups.empty() && !input.own_curves;
   if (!input.timed) require_times(options);
   if (by_text || options.sort) {

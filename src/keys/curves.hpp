@@ -38,6 +38,10 @@ struct Grouping {
 /// Memory: some hundred bytes a curve, and 16 bytes a key besides its numbers.
 Source<KeyBlock> grouped(Source<KeyBlock> blocks, const Grouping& grouping);
 
+/// The same keys. Up to the block with the first time of more than 17 digits, times are doubles or whole numbers; from
+/// there on each is its decimal.
+Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
+
 /// The same keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
 

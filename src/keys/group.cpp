@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "keys/curves.hpp"
+#include "text/decimal_time.hpp"
 
 namespace tcb {
 namespace {
@@ -139,7 +140,7 @@ class Groups {
       const auto last = std::find_if(first + 1, keys_.end(),
                                      [&](const KeyReference& key) { return key.curve != first->curve || key.breaks; });
       const bool breaks = std::exchange(first->breaks, false);
-      std::ranges::stable_sort(first, last, {}, time);
+      std::ranges::stable_sort(first, last, is_earlier, time);
       first->breaks = breaks;
       first = last;
     }

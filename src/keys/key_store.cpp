@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "text/decimal_time.hpp"
+
 namespace tcb {
 
 void KeyStore::Columns::append(const Keys& keys) {
@@ -53,6 +55,14 @@ void KeyStore::drop_last() {
   columns.positions.resize(columns.times.size() * columns.channels);
   if (!columns.tcbs.empty()) columns.tcbs.pop_back();
   if (!columns.eases.empty()) columns.eases.pop_back();
+}
+
+int KeyStore::decimals() const {
+  int most = 0;
+  for (std::size_t i = 0; i < columns_->low_parts.size(); ++i) {
+    most = std::max(most, decimals_of({columns_->times[i], columns_->low_parts[i]}));
+  }
+  return most;
 }
 
 bool KeyStore::are_sparse() const {

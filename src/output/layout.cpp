@@ -99,7 +99,7 @@ char* write_text(char* out, std::string_view text) {
 
 /// The length of the longest row.
 std::size_t longest_row(const Layout& layout) {
-  std::size_t length = layout.between_rows.size() + layout.row_end.size();
+  std::size_t length = layout.between_rows.size() + layout.row_end.size() + longest_time;
   const std::size_t cell = std::max(longest_number_in(layout.notation), layout.empty.size());
   for (const std::string& before : layout.before) length += before.size() + cell;
   return length;

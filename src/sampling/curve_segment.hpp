@@ -9,6 +9,7 @@
 
 #include "sampling/extrapolation.hpp"
 #include "tcb/spline/ease.hpp"
+#include "text/decimal_time.hpp"
 
 namespace tcb {
 
@@ -25,6 +26,7 @@ struct CurveSegmentOf {
   std::uint64_t number = 0;                  ///< of the segment, from 0
   double s_error = 0;                        ///< bound on the error of s_end
   std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 where a closed curve is back
+  int decimals = 0;                          ///< of times on it that a double does not hold; 0: there are none
 };
 using CurveSegment = CurveSegmentOf<double>;
 
@@ -44,8 +46,10 @@ SampleOf<S> sample_at_key(const CurveSegmentOf<S>& segment, bool end) {
   return {segment.start, {S(0), S(-1)}};
 }
 
-/// A time that was computed from a place on a segment, rounded once: to a double, or beyond 2^53 to a whole number.
-inline Time rounded_time(const Time& t) {
+/// A time that was computed from a place on a segment, rounded once: to a double, beyond 2^53 to a whole number, or to
+/// the segment's decimals.
+inline Time rounded_time(const Time& t, int decimals) {
+  if (decimals > 0) return rounded_to(Rational(t.hi) + Rational(t.lo), decimals);
   constexpr double whole_from = 9007199254740992.0;  // 2^53
   if (std::abs(t.hi) < whole_from) return {t.hi};
   constexpr double round_to_whole = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
@@ -56,9 +60,9 @@ inline Time rounded_time(const Time& t) {
 template <class S>
 spline::Time<S> time_at(const CurveSegmentOf<S>& segment, const spline::Time<S>& duration,
                         const spline::LocalParameter<S>& at) {
-  const auto rounded = [](const spline::Time<S>& t) {
+  const auto rounded = [&](const spline::Time<S>& t) {
     if constexpr (std::is_same_v<S, double>) {
-      return rounded_time(t);
+      return rounded_time(t, segment.decimals);
     } else {
       return t;
     }

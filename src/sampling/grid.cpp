@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tcb/spline/detail/double_pair.hpp"
+#include "text/print_number.hpp"
 
 namespace tcb {
 namespace {
@@ -54,8 +55,7 @@ std::string shown(const Rational& rows) {
 
 }  // namespace
 
-Grid::Grid(const Rational& start, const Rational& step)
-    : start_(start), step_(step), first_time_(nearest_time(start)), is_single_(step == 0) {
+Grid::Grid(const Rational& start, const Rational& step) : start_(start), step_(step), is_single_(step == 0) {
   near_start_ = nearest_double_double(start);
   near_step_ = nearest_double_double(step);
   const Rational common = least_common_multiple(denominator(start), denominator(step));
@@ -83,7 +83,8 @@ D Grid::doubt(const D& near) const {
   return (std::abs(near_start_.hi) + abs(near)) * 0x1p-98;
 }
 
-Time Grid::time(std::uint64_t j) const {
+Time Grid::time(std::uint64_t j, int decimals) const {
+  if (decimals > 0) return nearest_time(start_ + step_ * j, decimals);
   // Numerator and denominator are whole numbers below 2^53, so the one division rounds once.
   const auto row = static_cast<double>(j);
   if (j <= double_rows_ && double_rows_ > 0) return {(double_first_ + double_increment_ * row) / double_denominator_};
@@ -94,11 +95,11 @@ Time Grid::time(std::uint64_t j) const {
   return nearest_time(start_ + step_ * j);
 }
 
-void Grid::set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const {
+void Grid::set_times(std::uint64_t first, std::uint64_t last, int decimals, std::vector<Time>& times) const {
   using spline::DoublePair;
   times.clear();
   std::uint64_t row = first;
-  const bool near_is_enough = double_rows_ == 0 && last < static_cast<std::uint64_t>(whole_from);
+  const bool near_is_enough = decimals == 0 && double_rows_ == 0 && last < static_cast<std::uint64_t>(whole_from);
   for (; near_is_enough && last - row >= 2; row += 2) {
     const auto number = static_cast<double>(row);
     const auto near = near_time(DoublePair(number, number + 1));
@@ -108,7 +109,7 @@ void Grid::set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>&
       times.push_back(rounded ? *rounded : time(row + i));
     }
   }
-  for (; row != last; ++row) times.push_back(time(row));
+  for (; row != last; ++row) times.push_back(time(row, decimals));
 }
 
 std::uint64_t Grid::estimate(const Time& t) const {
@@ -129,26 +130,26 @@ std::optional<std::uint64_t> Grid::rows_if_clear(const Time& t) const {
   return whole + 1;
 }
 
-std::uint64_t Grid::rows_before(const Time& t) const {
+std::uint64_t Grid::rows_before(const Time& t, int decimals) const {
   if (const auto rows = rows_if_clear(t)) return *rows;
   std::uint64_t rows = estimate(t);
-  while (rows > 0 && time(rows - 1) >= t) --rows;
-  while (time(rows) < t) ++rows;
+  while (rows > 0 && time(rows - 1, decimals) >= t) --rows;
+  while (time(rows, decimals) < t) ++rows;
   return rows;
 }
 
-std::uint64_t Grid::rows_through(const Time& t) const {
+std::uint64_t Grid::rows_through(const Time& t, int decimals) const {
   if (const auto rows = rows_if_clear(t)) return *rows;
   std::uint64_t rows = estimate(t);
-  while (rows > 0 && time(rows - 1) > t) --rows;
-  while (time(rows) <= t) ++rows;
+  while (rows > 0 && time(rows - 1, decimals) > t) --rows;
+  while (time(rows, decimals) <= t) ++rows;
   return rows;
 }
 
-bool Grid::resolves(const Time& t) const {
+bool Grid::resolves(const Time& t, int decimals) const {
   const double largest = std::max(std::abs(t.hi), std::abs(near_start_.hi));
   if (near_step_.hi > largest * 0x1p-51) return true;
-  return time(1) > time(0) && nearest_time(exact_time(t) + step_) > t;
+  return time(1, decimals) > time(0, decimals) && nearest_time(exact_time(t) + step_, decimals) > t;
 }
 
 Rational steps_between(const Rational& from, const Rational& to, const Rational& step) { return (to - from) / step; }
@@ -172,24 +173,24 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   if (to && !std::isfinite(nearest_double(*to - from))) {
     throw Error(Exit::data, ErrorCode::samples_beyond_doubles);
   }
-  const auto end = to ? std::optional(nearest_time(*to)) : std::nullopt;
-
   if (request.mode == Mode::step || request.mode == Mode::arc_step) {
-    if (!to) return {Grid(from, request.step), Spacing::unlimited, end};
+    if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
     const Rational steps = steps_between(from, *to, request.step);
     require_rows(steps, request.max_rows);
-    if (!needs_end(request) || *to <= from) return {Grid(from, request.step), Spacing::unlimited, end};
+    if (!needs_end(request) || *to <= from) return {Grid(from, request.step), Spacing::unlimited, to};
     const Rational fitted = fitted_steps(request.end, steps);
-    return {Grid(from, (*to - from) / fitted), whole_number(fitted) + 1, end};
+    return {Grid(from, (*to - from) / fitted), whole_number(fitted) + 1, to};
   }
   const bool seam_once = extent.closed && request.mode != Mode::segments && !request.from && !request.to;
   const std::uint64_t intervals = request.mode == Mode::segments || seam_once ? request.count : request.count - 1;
   const std::uint64_t rows = seam_once ? request.count : intervals + 1;
   require_rows(Rational(rows) - 1, request.max_rows);
-  return {Grid(from, intervals == 0 ? 0 : (*to - from) / intervals), rows, end};
+  return {Grid(from, intervals == 0 ? 0 : (*to - from) / intervals), rows, to};
 }
 
 std::string text(const Rational& value) {
+  const Time decimal = nearest_time(value, 1);
+  if (has_many_digits(decimal) && exact_time(decimal) == value) return time_text(decimal);
   const Time time = nearest_time(value);
   return time.lo == 0 ? fmt::format("{}", time.hi) : whole_text(Rational(time.hi) + Rational(time.lo));
 }
@@ -207,8 +208,8 @@ void require_not_after(Option option, const Rational& value, const Bound& bound)
   if (value > bound.value) refuse(option, value, bound);
 }
 
-void require_resolution(const Grid& grid, const Time& end) {
-  if (grid.resolves(end)) return;
+void require_resolution(const Grid& grid, const Time& end, int decimals) {
+  if (grid.resolves(end, decimals)) return;
   throw Error(Exit::usage, ErrorCode::step_too_small, {text(grid.step()), text(exact_time(end))});
 }
 

@@ -11,7 +11,7 @@
 
 #include "error.hpp"
 #include "sampling/request.hpp"
-#include "text/rational.hpp"
+#include "text/decimal_time.hpp"
 
 namespace tcb {
 
@@ -20,26 +20,25 @@ class Grid {
   /// Requires: step >= 0; a step of 0 makes sense for a single row only.
   Grid(const Rational& start, const Rational& step);
 
-  /// start + j step, rounded once.
-  Time time(std::uint64_t j) const;
+  /// start + j step, rounded once. `decimals`: as nearest_time() has them.
+  Time time(std::uint64_t j, int decimals = 0) const;
 
   /// Replaces `times` with those of the rows from first to before last.
-  void set_times(std::uint64_t first, std::uint64_t last, std::vector<Time>& times) const;
+  void set_times(std::uint64_t first, std::uint64_t last, int decimals, std::vector<Time>& times) const;
 
   /// The number of rows before t, and of those at or before it. Requires: step > 0.
-  std::uint64_t rows_before(const Time& t) const;
-  std::uint64_t rows_through(const Time& t) const;
+  std::uint64_t rows_before(const Time& t, int decimals = 0) const;
+  std::uint64_t rows_through(const Time& t, int decimals = 0) const;
 
   /// Row 0 and row 1 differ, and so do neighbouring rows at t.
-  bool resolves(const Time& t) const;
+  bool resolves(const Time& t, int decimals = 0) const;
 
   /// The number of rows up to t, to a few units in the last place.
   double rough_rows(const Time& t) const { return ((t - near_start_) / near_step_).hi + 1; }
 
   const Rational& start() const { return start_; }
   const Rational& step() const { return step_; }
-  const Time& first() const { return first_time_; }  ///< row 0
-  bool is_single() const { return is_single_; }      ///< the step is 0
+  bool is_single() const { return is_single_; }  ///< the step is 0
 
  private:
   /// The time of a row in double-double precision, or those of two rows.
@@ -57,7 +56,6 @@ class Grid {
   std::uint64_t estimate(const Time& t) const;
 
   Rational start_, step_;
-  Time first_time_;
   bool is_single_;
   std::uint64_t double_rows_ = 0;  ///< up to this row, (first + j increment) / denominator is of exact doubles
   double double_first_{}, double_increment_{}, double_denominator_{};
@@ -70,6 +68,7 @@ struct Extent {
   std::optional<Time> last;      ///< needed where needs_end(request)
   std::optional<double> length;  ///< needed where needs_end(request) and by_length(mode)
   bool closed = false;           ///< counted rows do not repeat the first
+  int decimals = 0;              ///< of times that a double does not hold; 0: there are none
 };
 
 struct Spacing {
@@ -77,7 +76,7 @@ struct Spacing {
 
   Grid grid;
   std::uint64_t rows = unlimited;  ///< at most; fewer where the curve ends before
-  std::optional<Time> end;         ///< the last place that a row may have, where it is known
+  std::optional<Rational> end;     ///< the last place that a row may have, where it is known
 };
 
 /// Requires: a mode of equal steps. Throws: Error (usage) for more than max_rows rows, where that is known.
@@ -89,7 +88,7 @@ Rational steps_between(const Rational& from, const Rational& to, const Rational&
 /// Throws: Error (usage) with the number of rows, if there are more than allowed; `at_least`: and more may come.
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least = false);
 
-/// A rational for people: the nearest double, shortest.
+/// A rational for people: a decimal of 31 digits at most in full, otherwise the nearest double, shortest.
 std::string text(const Rational& value);
 
 /// An end of the curve, in time or in arc length.
@@ -108,6 +107,6 @@ void require_not_before(Option option, const Rational& value, const Bound& bound
 void require_not_after(Option option, const Rational& value, const Bound& bound);
 
 /// Throws: Error (usage) where neighbouring rows of the grid would be the same double at `end`.
-void require_resolution(const Grid& grid, const Time& end);
+void require_resolution(const Grid& grid, const Time& end, int decimals = 0);
 
 }  // namespace tcb

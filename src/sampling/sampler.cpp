@@ -29,22 +29,30 @@ class OnGrid : public Sampler {
   virtual Range range(const CurveSegment& segment) const = 0;
   virtual Bound lower(const Range& range) const = 0;
   virtual Bound upper(const Range& range) const = 0;
+  /// How many decimals the coordinate has there, where doubles do not hold them.
+  virtual int decimals(const CurveSegment& segment) const = 0;
 
   /// Replaces `coordinates` with those of some rows on this segment.
   void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                        std::vector<Time>& coordinates) const;
 
  private:
+  /// Row 0 of the grid, and the end that the request has of its own.
+  Time first(int decimals) const { return decimals > 0 ? spacing_.grid.time(0, decimals) : first_; }
+  Time end(int decimals) const { return decimals > 0 ? nearest_time(*spacing_.end, decimals) : *end_; }
+
   void require_bounds(const CurveSegment& segment, const Range& on) const;
   std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
-  void add_keys(Run& run, const Range& on, const Time& stop, bool final) const;
-  void finish(const Run& run, const Time& stop);
+  void add_keys(Run& run, const Range& on, const Time& stop, bool final, int decimals) const;
+  void finish(const Run& run, const Time& stop, int decimals);
 
   Spacing spacing_;
   EndPolicy policy_;
   bool keys_, from_left_;
   std::uint64_t max_rows_;
-  bool cut_;   ///< the request has an end of its own
+  bool cut_;    ///< the request has an end of its own
+  Time first_;  ///< row 0, and the end, in doubles
+  std::optional<Time> end_;
   Time near_;  ///< a row this near to a key is that key
   std::uint64_t next_ = 0;
   bool done_ = false;
@@ -61,6 +69,7 @@ class ByTime : public OnGrid {
   Range range(const CurveSegment& segment) const override { return {segment.start, segment.end}; }
   Bound lower(const Range& range) const override { return first_key(range.start); }
   Bound upper(const Range& range) const override { return last_key(range.end); }
+  int decimals(const CurveSegment& segment) const override { return segment.decimals; }
 };
 
 /// Samples on a grid of arc lengths: each at the smallest time at which the curve has that length.
@@ -73,6 +82,7 @@ class ByLength : public OnGrid {
   Range range(const CurveSegment& segment) const override { return {{segment.s_start.hi}, {segment.s_end.hi}}; }
   Bound lower(const Range&) const override { return curve_start(); }
   Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
+  int decimals(const CurveSegment&) const override { return 0; }
 };
 
 /// Samples at equal intervals within every segment: the inbetweens of the paper.
@@ -96,6 +106,8 @@ OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
       from_left_(request.from_left),
       max_rows_(request.max_rows),
       cut_(request.to.has_value()),
+      first_(spacing_.grid.time(0)),
+      end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
       near_(nearest_time(spacing_.grid.step()) * Time(1e-9)) {}
 
 void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
@@ -103,61 +115,64 @@ void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const 
   if (segment.number == 0) require_not_before(Option::from, from, lower(on));
   if (!segment.last) return;
   require_not_after(Option::from, from, upper(on));
-  if (cut_) require_not_after(Option::to, exact_time(*spacing_.end), upper(on));
+  if (cut_) require_not_after(Option::to, exact_time(end(decimals(segment))), upper(on));
 }
 
 /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
 /// last, if nothing lies between its ends, or if rows are looked at from the left.
 std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
   const Grid& grid = spacing_.grid;
+  const int digits = decimals(segment);
+  const Time start = first(digits);
   const bool with_end = final || from_left_ || on.start == on.end;
   if (grid.is_single()) {
-    const bool here = with_end ? grid.first() <= stop : grid.first() < stop;
+    const bool here = with_end ? start <= stop : start < stop;
     return here ? spacing_.rows : 0;
   }
-  if (stop < grid.first()) return 0;
+  if (stop < start) return 0;
   if (spacing_.rows == Spacing::unlimited) {
     if (grid.rough_rows(stop) > static_cast<double>(max_rows_) * 0.99) {
       require_rows(steps_between(grid.start(), exact_time(stop), grid.step()), max_rows_, !final);
     }
-    require_resolution(grid, stop);
+    require_resolution(grid, stop, digits);
   } else if (segment.last) {
-    require_resolution(grid, stop);
+    require_resolution(grid, stop, digits);
   }
-  return std::min(spacing_.rows, with_end ? grid.rows_through(stop) : grid.rows_before(stop));
+  return std::min(spacing_.rows, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits));
 }
 
 /// Every key in the range becomes a row, and no other row is left near it.
-void OnGrid::add_keys(Run& run, const Range& on, const Time& stop, bool final) const {
+void OnGrid::add_keys(Run& run, const Range& on, const Time& stop, bool final, int decimals) const {
   const Grid& grid = spacing_.grid;
   const auto is_near = [&](std::uint64_t row, const Time& key) {
-    const Time distance = grid.time(row) - key;
+    const Time distance = grid.time(row, decimals) - key;
     return distance <= near_ && -distance <= near_;
   };
-  run.key = on.start >= grid.first() - near_ && on.start <= stop;
+  run.key = on.start >= first(decimals) - near_ && on.start <= stop;
   if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
   if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
   if (final && on.end <= stop + near_) run.end = true;
 }
 
 /// Notes the remainder of the steps, and keeps the end where that is wanted.
-void OnGrid::finish(const Run& run, const Time& stop) {
+void OnGrid::finish(const Run& run, const Time& stop, int decimals) {
   if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
-  const Time last = spacing_.grid.time(next_ - 1);
+  const Time last = spacing_.grid.time(next_ - 1, decimals);
   if (last < stop) remainder_ = exact_time(stop) - exact_time(last);
 }
 
 Run OnGrid::place(const CurveSegment& segment) {
   const Range on = range(segment);
   require_bounds(segment, on);
-  const bool ends_here = cut_ && *spacing_.end <= on.end;
-  const Time stop = ends_here ? *spacing_.end : on.end;
+  const int digits = decimals(segment);
+  const bool ends_here = cut_ && end(digits) <= on.end;
+  const Time stop = ends_here ? end(digits) : on.end;
   const bool final = segment.last || ends_here;
   Run run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
   next_ = run.last;
-  if (keys_) add_keys(run, on, stop, final);
+  if (keys_) add_keys(run, on, stop, final, digits);
   if (final) {
-    finish(run, stop);
+    finish(run, stop, digits);
     run.end = run.end || (policy_ == EndPolicy::keep && remainder_);
     if (run.end) remainder_.reset();
   }
@@ -167,9 +182,10 @@ Run OnGrid::place(const CurveSegment& segment) {
 
 void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                              std::vector<Time>& coordinates) const {
-  if (first < Row::at_key) return spacing_.grid.set_times(first, last, coordinates);
+  const int digits = decimals(segment);
+  if (first < Row::at_key) return spacing_.grid.set_times(first, last, digits, coordinates);
   const Range on = range(segment);
-  const Time end = cut_ ? std::min(*spacing_.end, on.end) : on.end;
+  const Time end = cut_ ? std::min(this->end(digits), on.end) : on.end;
   coordinates.assign(1, first == Row::at_key ? on.start : end);
 }
 
@@ -202,7 +218,7 @@ Run PerSegment::place(const CurveSegment& segment) {
   require_rows(Rational(segment.number + 1) * intervals_, max_rows_, !segment.last);
   const Rational start = exact_time(segment.start);
   const Grid grid(start, (exact_time(segment.end) - start) / intervals_);
-  if (segment.start < segment.end) require_resolution(grid, segment.end);
+  if (segment.start < segment.end) require_resolution(grid, segment.end, segment.decimals);
   return {1, intervals_, true, segment.last};
 }
 
@@ -213,7 +229,7 @@ void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::u
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     if (row == Row::at_key) return {segment.start, {0, -1}};
     if (row == Row::at_end) return {segment.end, {1, 0}};
-    const Time t = nearest_time(start + step * row);
+    const Time t = nearest_time(start + step * row, segment.decimals);
     return {t, locate(t)};
   });
 }

@@ -217,7 +217,7 @@ std::vector<Time> times_within_tolerance(const CurveSegments& segments, double t
   times.push_back(place.t);
   while (!walker.is_end(place)) {
     place = walker.next(place);
-    times.push_back(rounded_time(place.t));
+    times.push_back(rounded_time(place.t, segments.segment(place.segment).decimals));
     require_rows(Rational(times.size() - 1), max_rows);
   }
   return times;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "text/decimal_time.hpp"
+
 namespace tcb {
 namespace {
 
@@ -60,7 +62,10 @@ std::optional<Time> parse_time(std::string_view text) {
     if (result.ec == std::errc() && result.ptr == end) return whole_time(whole);
   }
   const auto value = parse_number(text);
-  return value ? std::optional(Time(*value)) : std::nullopt;
+  if (!value) return std::nullopt;
+  if (text.size() <= always_exact) return Time(*value);
+  const auto decimal = parse_long_time(text, *value);
+  return decimal ? *decimal : Time(*value);
 }
 
 Time whole_time(std::int64_t value) {

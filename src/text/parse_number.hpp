@@ -17,7 +17,7 @@ namespace tcb {
 /// for a double.
 std::optional<double> parse_number(std::string_view text);
 
-/// A time: as parse_number, but a whole number below 2^63 keeps all its digits.
+/// A time: as parse_number, but a decimal of 16 digits or more keeps 31 of them, and a whole number below 2^63 all.
 std::optional<Time> parse_time(std::string_view text);
 
 /// A whole number as a time, exactly.

@@ -223,12 +223,16 @@ char* write_number(double value, const Notation& notation, char* out) {
 
 char* write_time(const Time& time, const Notation& notation, char* out) {
   constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
-  const bool plain =
-      notation.kind == Notation::Kind::shortest || (notation.is_text() && std::abs(time.hi) >= whole_from);
+  const bool rounds = notation.kind == Notation::Kind::fixed || notation.kind == Notation::Kind::digits;
+  if (is_long_decimal(time) && time.lo != std::trunc(time.lo) && rounds)
+    return write_decimal(decimal_of(time), notation, out);
+  const bool plain = notation.kind == Notation::Kind::shortest ||
+                     (notation.is_text() && (std::abs(time.hi) >= whole_from || time.lo != 0));
   return plain ? write_time(time, out) : write_number(time.hi, notation, out);
 }
 
 char* write_time(const Time& time, char* out) {
+  if (is_long_decimal(time)) return write_decimal(decimal_of(time), {}, out);
   if (!(time.hi >= -two_to_63 && time.hi <= two_to_63)) return write_shortest(time.hi, out);
   if (time.hi == two_to_63) {
     return write_whole((std::uint64_t{1} << 63) + static_cast<std::uint64_t>(static_cast<std::int64_t>(time.lo)), out);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "text/rational.hpp"
+#include "text/decimal_time.hpp"
 
 namespace tcb {
 
@@ -31,8 +31,11 @@ inline constexpr int digits_of_double = 17;
 /// So many digits or decimals can be asked for.
 inline constexpr int most_digits = 100;
 
-/// The length of the longest text below but for the last two.
+/// The length of the longest text below but for times and the last three.
 inline constexpr std::size_t longest_number = 24;
+
+/// The length of the longest time in the shortest notation.
+inline constexpr std::size_t longest_time = 38;
 
 /// Bytes after the longest text that may be written, too.
 inline constexpr std::size_t spare_room = 16;
@@ -48,7 +51,7 @@ std::size_t longest_number_in(const Notation& notation);
 /// The shortest text that reads back as the same double, as std::to_chars writes it.
 char* write_shortest(double value, char* out);
 
-/// A time: whole numbers below 2^63 with all their digits, others as write_shortest.
+/// A time: long decimals and whole numbers with all their digits, others as write_shortest.
 char* write_time(const Time& time, char* out);
 
 char* write_whole(std::uint64_t value, char* out);
@@ -68,8 +71,12 @@ char* write_hex(double value, char* out);
 /// A finite number in a notation.
 char* write_number(double value, const Notation& notation, char* out);
 
-/// A time in a notation. In text, a whole number from 2^53 up has all its digits.
+/// A time in a notation. In text, a whole number from 2^53 up has all its digits, and in hexadecimal so has a long
+/// decimal.
 char* write_time(const Time& time, const Notation& notation, char* out);
+
+/// A long decimal: shortest, or rounded as printf's %.*f and %.*g would.
+char* write_decimal(LongDecimal decimal, const Notation& notation, char* out);
 
 /// The same texts appended to a string.
 

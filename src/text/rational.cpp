@@ -9,6 +9,7 @@
 #include <numeric>
 #include <string>
 
+#include "text/decimal_time.hpp"
 #include "text/large_rational.hpp"
 #include "text/shortest_decimal.hpp"
 
@@ -220,6 +221,8 @@ std::optional<Rational> parse_rational(std::string_view text) {
 }
 
 Rational exact_time(const Time& time) {
+  const bool is_whole = time.lo == std::trunc(time.lo) && std::abs(time.hi) >= whole_from;
+  if (time.lo != 0 && !is_whole) return decimal_of(time).value();
   if (std::abs(time.hi) >= whole_from) return Rational(time.hi) + Rational(time.lo);
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), time.hi).ptr;
@@ -239,7 +242,9 @@ double nearest_double(const Rational& value) {
 bool within_doubles(const Rational& value) { return std::isfinite(nearest_double(value)); }
 
 Time nearest_time(const Rational& value) {
-  if (abs(value) < std::int64_t{1} << 53) return {nearest_double(value)};
+  constexpr double digits_end = 1e31;  // from here on a whole number has more digits than a time
+  const double nearest = nearest_double(value);
+  if (std::abs(nearest) >= digits_end || abs(value) < std::int64_t{1} << 53) return {nearest};
   const Time time = whole_time(nearest_whole(integer(abs(numerator(value))), integer(denominator(value))));
   return value < 0 ? -time : time;
 }

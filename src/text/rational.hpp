@@ -90,7 +90,8 @@ std::uint64_t whole_number(const Rational& whole);
 /// Exponents beyond 10,000 are refused: no time needs them, and they would fill the memory.
 std::optional<Rational> parse_rational(std::string_view text);
 
-/// The exact value of a time: a whole number as it is, any other double as its shortest decimal.
+/// The exact value of a time: a whole number as it is, any other double as its shortest decimal, and any other time as
+/// its decimal of 31 digits at most.
 Rational exact_time(const Time& time);
 
 /// The double nearest to a rational, ties to even.
@@ -99,7 +100,7 @@ double nearest_double(const Rational& value);
 /// Whether that is a finite number.
 bool within_doubles(const Rational& value);
 
-/// The time nearest to a rational, ties to even: a double, or beyond 2^53 the nearest whole number.
+/// The time nearest to a rational, ties to even: a double, or from 2^53 to 10^31 the nearest whole number.
 Time nearest_time(const Rational& value);
 
 /// The time nearest to a number that is within `doubt` of `near`; nothing where that leaves a choice.

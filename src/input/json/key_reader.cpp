@@ -6,6 +6,7 @@
 #include "input/json/json_input.hpp"
 #include "input/json/object_reader.hpp"
 #include "input/key_builder.hpp"
+#include "text/parse_number.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
@@ -132,7 +133,7 @@ class KeyReader : public JsonObjectReader {
       case Role::ignored: return;
       case Role::group:
       case Role::carry: keys_.set_text(column, time_text(value)); return;
-      case Role::time: keys_.set_time(value); break;
+      case Role::time: keys_.set_time(decimal().empty() ? value : parse_time(decimal()).value_or(value)); break;
       case Role::tension: store_once(0, column, value.hi); break;
       case Role::continuity: store_once(1, column, value.hi); break;
       case Role::bias: store_once(2, column, value.hi); break;
