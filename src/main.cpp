@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   tcb::end_when_interrupted();
   try {
     const tcb::Invocation invocation = tcb::parse(argc, argv);
+    if (invocation.job.writes_files()) tcb::remove_unfinished_when_interrupted();
     if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job, tcb::error_message));
     if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job, {tcb::error_text, tcb::note_text}));
     if (invocation.exit != tcb::Exit::done) return refuse(invocation.exit, *invocation.text);

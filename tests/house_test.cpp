@@ -57,9 +57,6 @@ const std::map<std::string, std::vector<std::string>> packages{
     {"nlohmann", {"input/json/"}},
     {"boost", {"text/rational.cpp", "text/large_rational.hpp", "exact/"}},
     {"fast_float", {"text/"}},
-    {"CLI", {"cli/"}},
-    {"tbb", {"stream/"}},
-    {"oneapi", {"stream/"}},
     {"nettle", {"io/"}},
 };
 

@@ -1,10 +1,8 @@
 // Everything that one run of the program is to do.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "input/input.hpp"
@@ -12,6 +10,7 @@
 #include "keys/curves.hpp"
 #include "output/provenance.hpp"
 #include "sampling/request.hpp"
+#include "stream/ordered_map.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
@@ -73,8 +72,10 @@ struct Job {
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder
 
+  /// Outputs are files, which are unfinished for a while.
+  bool writes_files() const { return output != "-" || output_folder; }
   /// The number of threads to use.
-  unsigned threads() const { return jobs.value_or(std::max(1U, std::thread::hardware_concurrency())); }
+  unsigned threads() const { return jobs.value_or(available_threads()); }
 };
 
 }  // namespace tcb

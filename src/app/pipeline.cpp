@@ -139,7 +139,7 @@ class JobRun {
         wording_(wording),
         options_(writer_options(job)),
         threads_(job.threads()),
-        limit_(threads_),
+        pool_(threads_),
         files_(input_list_options(job)),
         inputs_(find_inputs(files_)),
         report_(job.verbosity, wording) {}
@@ -205,7 +205,7 @@ class JobRun {
   const Wording& wording_;
   const WriterOptions options_;
   const unsigned threads_;
-  const ThreadLimit limit_;
+  const ThreadPool pool_;
   const InputListOptions files_;
   const Inputs inputs_;
   Report report_;

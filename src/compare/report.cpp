@@ -208,7 +208,7 @@ Exit write(const Job& job, const std::string& report, bool agrees) {
 }  // namespace
 
 Exit compare(const Job& job, ErrorWords words) {
-  const ThreadLimit limit(job.threads());
+  const ThreadPool pool(job.threads());
   const bool as_json = job.output_format == FormatId::json;
   if (job.comparison->identify) {
     const Identification result = identify(job);

@@ -37,6 +37,17 @@ Names& names() {
   return known;
 }
 
+/// The signals that interrupt the program: of these three, those that its caller does not ignore.
+sigset_t interruptions() {
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
+  }
+  return signals;
+}
+
 /// Threads: only this one gets the signals, so it may call any function.
 [[noreturn]] void wait_for_interruption(const sigset_t& signals) {
   int signal = 0;
@@ -258,18 +269,21 @@ void Output::commit() {
 
 void end_when_interrupted() {
   (void)std::signal(SIGPIPE, SIG_DFL);
-  sigset_t signals;
-  ::sigemptyset(&signals);
+  struct sigaction action {};
+  action.sa_handler = [](int) { ::_exit(static_cast<int>(Exit::interrupted)); };
+  const sigset_t signals = interruptions();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
+    if (::sigismember(&signals, signal) == 1) ::sigaction(signal, &action, nullptr);
   }
+}
+
+void remove_unfinished_when_interrupted() {
+  const sigset_t signals = interruptions();
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads created from here on
   try {
     std::thread(wait_for_interruption, signals).detach();
   } catch (const std::system_error&) {
-    ::pthread_sigmask(SIG_UNBLOCK, &signals,
-                      nullptr);  // no thread to be had: the signals end the program without cleaning up
+    ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // no thread to be had: they end the program without cleaning up
   }
 }
 

@@ -56,9 +56,12 @@ class Output {
   bool live_ = false;
 };
 
-/// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, remove all unfinished files and end the
-/// program with Exit::interrupted. A closed pipe ends it quietly, whatever the caller ignores.
-/// Requires: no other thread runs yet.
+/// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, end the program with Exit::interrupted. A
+/// closed pipe ends it quietly, whatever the caller ignores.
 void end_when_interrupted();
+
+/// From here on a thread waits for these signals, and removes all unfinished files before the program ends.
+/// Requires: no other thread runs yet.
+void remove_unfinished_when_interrupted();
 
 }  // namespace tcb

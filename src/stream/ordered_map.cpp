@@ -1,88 +1,127 @@
-// Threads of ordered maps: those of oneTBB, started when there is work for a second thread.
+// Threads of ordered maps: a pool, whose threads are started when there are tasks for them.
 #include "stream/ordered_map.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/task_group.h>
+#include <sched.h>
 
+#include <algorithm>
+#include <condition_variable>
 #include <mutex>
-#include <optional>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace tcb {
 namespace {
 
-std::mutex waiting_mutex;  ///< of all waiting tasks; taking one is quick
+std::mutex newest_mutex;
 
 }  // namespace
 
-/// Passed to oneTBB with the first work for a second thread, because its initialization takes longer than small work.
-struct ThreadLimit::Control {
-  explicit Control(unsigned most) : threads(most) {}
-
-  static inline std::mutex mutex;
-  static inline Control* current = nullptr;
-
-  unsigned threads;
-  std::optional<tbb::global_control> limit;
-};
-
-ThreadLimit::ThreadLimit(unsigned threads) : control_(std::make_unique<Control>(threads)) {
-  const std::lock_guard lock(Control::mutex);
-  Control::current = control_.get();
+/// std::thread::hardware_concurrency() reads a file, which takes longer than small work.
+unsigned available_threads() {
+#ifdef CPU_COUNT  // Linux
+  cpu_set_t set;
+  if (::sched_getaffinity(0, sizeof set, &set) == 0) return static_cast<unsigned>(CPU_COUNT(&set));
+#endif
+  return std::max(1U, std::thread::hardware_concurrency());
 }
 
-ThreadLimit::~ThreadLimit() {
-  const std::lock_guard lock(Control::mutex);
-  if (Control::current == control_.get()) Control::current = nullptr;
-}
+/// Threads, and the tasks that wait for one, each with its owner. Threads: any.
+class ThreadPool::Threads {
+ public:
+  explicit Threads(unsigned working) : most_(std::max(working, 1U) - 1) {}
 
-void ThreadLimit::apply() {
-  const std::lock_guard lock(Control::mutex);
-  if (Control::current == nullptr || Control::current->limit) return;
-  Control::current->limit.emplace(tbb::global_control::max_allowed_parallelism, Control::current->threads);
-}
-
-/// Tasks wait in a queue of our own, and each task of oneTBB takes one from it: the packaged library is not
-/// instrumented, so the thread sanitizer does not see the objects that it passes between threads, but it does see the
-/// lock. This file is compiled without the sanitizer, too, as it includes oneTBB's headers.
-struct Background::Group {
-  void run_one() {
-    std::function<void()> task;
-    {
-      const std::lock_guard lock(waiting_mutex);
-      task = std::move(waiting.front());
-      waiting.pop_front();
-    }
-    task();
+  ~Threads() {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+    task_comes_.notify_all();
   }
 
-  std::deque<std::function<void()>> waiting;
-  tbb::task_group tasks;
+  /// Adds a task, and starts a thread for it if all are busy. Promises: false if there is no thread at all.
+  bool add(const Background& owner, std::function<void()> run) {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() >= all_.size() - running_.size() && all_.size() < most_) start_thread();
+    if (all_.empty()) return false;
+    waiting_.push_back({&owner, std::move(run)});
+    task_comes_.notify_one();
+    return true;
+  }
+
+  /// Drops the owner's tasks that have not begun, and waits for the others.
+  void finish(const Background& owner) {
+    std::unique_lock lock(mutex_);
+    std::erase_if(waiting_, [&](const Task& task) { return task.owner == &owner; });
+    task_ends_.wait(lock, [&] { return std::ranges::count(running_, &owner) == 0; });
+  }
+
+  static inline Threads* newest = nullptr;
+
+ private:
+  struct Task {
+    const Background* owner;
+    std::function<void()> run;
+  };
+
+  void start_thread() {
+    running_.reserve(all_.size() + 1);  // so that no thread of ours runs out of memory
+    try {
+      all_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      most_ = all_.size();  // the system has no more
+    }
+  }
+
+  /// What each thread does.
+  void work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      task_comes_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+      if (ending_) return;
+      Task task = std::move(waiting_.front());
+      waiting_.pop_front();
+      running_.push_back(task.owner);
+      lock.unlock();
+      task.run();
+      task.run = nullptr;  // what it refers to may end with its owner
+      lock.lock();
+      running_.erase(std::ranges::find(running_, task.owner));
+      task_ends_.notify_all();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable task_comes_, task_ends_;
+  std::deque<Task> waiting_;
+  std::vector<const Background*> running_;  ///< the owner of each task that has begun
+  std::size_t most_;
+  bool ending_ = false;
+  std::vector<std::jthread> all_;  // destroyed first, which waits for their ends
 };
 
-Background::Background() = default;
+ThreadPool::ThreadPool(unsigned threads) : threads_(std::make_unique<Threads>(threads)) {
+  const std::lock_guard lock(newest_mutex);
+  Threads::newest = threads_.get();
+}
+
+ThreadPool::~ThreadPool() {
+  const std::lock_guard lock(newest_mutex);
+  if (Threads::newest == threads_.get()) Threads::newest = nullptr;
+}
+
+Background::Background() {
+  const std::lock_guard lock(newest_mutex);
+  threads_ = ThreadPool::Threads::newest;
+}
 
 Background::~Background() {
-  if (!group_) return;
-  group_->tasks.cancel();
-  group_->tasks.wait();
+  if (threads_ != nullptr) threads_->finish(*this);
 }
 
 void Background::run(std::function<void()> task) {
-  if (!has_threads_) return;
+  if (threads_ == nullptr) return;
   try {
-    if (!group_) {
-      ThreadLimit::apply();
-      auto group = std::make_unique<Group>();
-      group->tasks.wait();  // oneTBB allocates its memory here, and may fail: better now than within a task
-      group_ = std::move(group);
-    }
-    {
-      const std::lock_guard lock(waiting_mutex);
-      group_->waiting.push_back(std::move(task));
-    }
-    group_->tasks.run([group = group_.get()] { group->run_one(); });
-  } catch (const std::exception&) {  // no memory, or no thread available
-    has_threads_ = false;
+    if (!threads_->add(*this, std::move(task))) threads_ = nullptr;
+  } catch (const std::bad_alloc&) {  // the caller does the work
   }
 }
 

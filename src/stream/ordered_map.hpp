@@ -14,32 +14,36 @@
 
 namespace tcb {
 
-/// Limits the threads that the program uses, including the one that pulls, during its lifetime.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(unsigned threads);
-  ~ThreadLimit();
+/// How many threads the machine runs for this process at the same time.
+unsigned available_threads();
 
-  /// Puts the newest limit into force. Threads: any.
-  static void apply();
+/// The threads that ordered maps share during its lifetime: the newest pool is the one in use. A thread is started when
+/// there is a task for it, so small work has none.
+class ThreadPool {
+ public:
+  /// `threads`: the most that work at a time, including the one that pulls.
+  explicit ThreadPool(unsigned threads);
+  /// Requires: no ordered map that uses the pool is left.
+  ~ThreadPool();
 
  private:
-  struct Control;
-  std::unique_ptr<Control> control_;
+  friend class Background;
+  class Threads;
+  std::unique_ptr<Threads> threads_;
 };
 
-/// Runs tasks on other threads, as far as the system provides them: a task may never be run, so whoever needs its
-/// result computes it itself. The destructor waits for the tasks that have begun.
+/// Runs tasks on the threads of the pool, as far as the system provides them: a task may never be run, so whoever needs
+/// its result computes it itself. The destructor waits for the tasks that have begun.
 class Background {
  public:
   Background();
   ~Background();
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
   void run(std::function<void()> task);
 
  private:
-  struct Group;
-  std::unique_ptr<Group> group_;
-  bool has_threads_ = true;
+  ThreadPool::Threads* threads_;  ///< null: none
 };
 
 /// f(item), computed by the thread that claims it first.

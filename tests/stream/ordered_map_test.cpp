@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -82,14 +84,37 @@ TEST(OrderedMap, answers_in_order_for_any_number_of_threads) {
   std::vector<int> squares;
   for (int i = 1; i <= 500; ++i) squares.push_back(i * i);
   for (const unsigned threads : {1U, 2U, 3U, 8U, 16U}) {
-    const ThreadLimit limit(threads);
+    const ThreadPool pool(threads);
     int asked = 0;
     EXPECT_EQ(all(ordered_map(numbers(500, asked), slowly_squared, threads)), squares) << threads;
   }
 }
 
+/// The threads that worked on these items, the one that pulls not counted.
+std::size_t other_threads(unsigned limit, int items) {
+  std::mutex mutex;
+  std::set<std::thread::id> ids;
+  const ThreadPool pool(limit);
+  int asked = 0;
+  const std::thread::id pulling = std::this_thread::get_id();
+  const auto note_thread = [&](int item) {
+    const std::lock_guard lock(mutex);
+    if (std::this_thread::get_id() != pulling) ids.insert(std::this_thread::get_id());
+    return item;
+  };
+  EXPECT_EQ(all(ordered_map(numbers(items, asked), note_thread, 8)).size(), static_cast<std::size_t>(items));
+  return ids.size();
+}
+
+TEST(OrderedMap, small_work_has_no_thread_and_other_work_at_most_those_of_the_pool) {
+  EXPECT_EQ(other_threads(8, 2), 0U);
+  EXPECT_EQ(other_threads(1, 1000), 0U);
+  EXPECT_LE(other_threads(3, 1000), 2U);
+  EXPECT_GE(available_threads(), 1U);
+}
+
 TEST(OrderedMap, maps_may_follow_one_another) {
-  const ThreadLimit limit(4);
+  const ThreadPool pool(4);
   int asked = 0;
   const auto squares = ordered_map(numbers(100, asked), slowly_squared, 4);
   const auto roots = all(ordered_map(
@@ -100,7 +125,7 @@ TEST(OrderedMap, maps_may_follow_one_another) {
 }
 
 TEST(OrderedMap, an_error_comes_after_the_answers_before_it) {
-  const ThreadLimit limit(4);
+  const ThreadPool pool(4);
   for (const bool in_source : {false, true}) {
     int asked = 0;
     const auto fail_at_ten = [](int item) {
@@ -115,7 +140,7 @@ TEST(OrderedMap, an_error_comes_after_the_answers_before_it) {
 }
 
 TEST(OrderedMap, may_be_left_before_its_end) {
-  const ThreadLimit limit(4);
+  const ThreadPool pool(4);
   int asked = 0;
   {
     const auto items = ordered_map(numbers(1000, asked), slowly_squared, 4);
