@@ -294,6 +294,7 @@ enum class ErrorCode {
   lengths_off_curve,   ///< the same of arc lengths
   rows_without_place,  ///< number of rows, line of the first one
   // cli
+  wrong_command_line,  ///< in the words of CLI11
   unknown_option,      ///< name, names of all options
   option_repeated,
   flag_with_value,  ///< name

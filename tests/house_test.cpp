@@ -57,6 +57,7 @@ const std::map<std::string, std::vector<std::string>> packages{
     {"nlohmann", {"input/json/"}},
     {"boost", {"text/rational.cpp", "text/large_rational.hpp", "exact/"}},
     {"fast_float", {"text/"}},
+    {"CLI", {"cli/"}},
     {"nettle", {"io/"}},
 };
 

@@ -4,12 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
-#include <deque>
-#include <string_view>
-#include <utility>
 
 #include "cli/options.hpp"
 #include "curve/build.hpp"
@@ -41,72 +38,54 @@ void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::str
   }
 }
 
-/// The arguments of a command line by what they are.
-struct Arguments {
-  std::array<std::vector<std::string>, option_count> values;  ///< of each option, one for each time that it is given
-  std::vector<std::string> files;
-  std::vector<std::string> unknown;  ///< names of options that do not exist
-};
-
-const OptionRow* find_option(std::string_view name) {
-  const auto table = option_table();
-  const auto row =
-      std::ranges::find_if(table, [&](const OptionRow& one) { return std::ranges::count(one.all_names(), name) > 0; });
-  return row == table.end() ? nullptr : &*row;
+/// Whether a word of the command line may name the option: it begins with its long name, or is a group of short names.
+bool may_name(const std::string& word, const OptionRow& row) {
+  return std::ranges::any_of(row.all_names(), [&word](std::string_view name) {
+    if (name.starts_with("--")) return word.starts_with(name);
+    return word.starts_with('-') && !word.starts_with("--") && word.find(name[1]) != std::string::npos;
+  });
 }
 
-/// It begins with a dash and is not a number: -1 is an option only if there is one of this name.
-bool is_option(std::string_view word) {
-  if (word.size() < 2 || word[0] != '-') return false;
-  return word[1] < '0' || word[1] > '9' || find_option(word.substr(0, 2)) != nullptr;
-}
-
-/// Takes an option from the front, with its value: --step=1, --step 1, -s1 or -s 1. The other letters of a word such
-/// as -qs1 stay in front, as -s1.
-void take_option(std::deque<std::string>& words, Arguments& arguments) {
-  const std::string word = words.front();
-  const bool is_long = word.starts_with("--");
-  const std::string name = word.substr(0, is_long ? word.find('=') : 2);
-  std::string value = word.substr(std::min(name.size() + (is_long ? 1 : 0), word.size()));
-  words.pop_front();
-  const OptionRow* const row = find_option(name);
-  if (row == nullptr) {
-    arguments.unknown.push_back(word.substr(0, word.find('=')));
-    return;
+/// From the last to the first, so that an option for a text, such as --help, is stored before all others. CLI11
+/// compares each new option with all others, so only those that the words may name are declared.
+void declare(CLI::App& app, TypedOptions& typed, const std::vector<std::string>& words) {
+  app.set_help_flag();
+  app.add_option("FILE", typed.job.files);
+  for (std::size_t i = option_count; i-- > 0;) {
+    const OptionRow& row = option_table()[i];
+    if (std::ranges::none_of(words, [&row](const std::string& word) { return may_name(word, row); })) continue;
+    CLI::Option* const option = app.add_option(std::string(row.names), [&row, &typed](const CLI::results_t& values) {
+      store(row, typed, values);
+      return true;
+    });
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    if (row.kind == ValueKind::flag) option->expected(0)->disable_flag_override();  // --hex=false is no option
   }
-  if (row->kind == ValueKind::flag) {
-    if (is_long && !value.empty()) throw Error(Exit::usage, ErrorCode::flag_with_value, {name});
-    if (!value.empty()) words.push_front("-" + value);
-    value = "true";
-  } else if (value.empty()) {
-    if (words.empty()) throw Error(Exit::usage, ErrorCode::value_missing, {name});
-    value = std::move(words.front());
-    words.pop_front();
-  }
-  arguments.values[index_of(row->id)].push_back(std::move(value));
 }
 
-/// Throws: Error (usage) for a flag with a value, and for a value that is missing.
-Arguments arguments_of(std::deque<std::string> words) {
-  Arguments arguments;
-  while (!words.empty() && words.front() != "--") {
-    if (is_option(words.front())) {
-      take_option(words, arguments);
-    } else {
-      arguments.files.push_back(std::move(words.front()));
-      words.pop_front();
+/// CLI11's error as one of ours. It finds unknown options, flags with a value, and values that are missing at the end.
+[[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
+  const auto name_of = [](const std::string& word) { return word.substr(0, word.find('=')); };
+  std::vector<std::string> known, flags;
+  for (const OptionRow& row : option_table()) {
+    for (const std::string_view name : row.all_names()) {
+      known.emplace_back(name);
+      if (row.kind == ValueKind::flag) flags.emplace_back(name);
     }
   }
-  if (!words.empty()) arguments.files.insert(arguments.files.end(), words.begin() + 1, words.end());
-  return arguments;
-}
-
-[[noreturn]] void refuse_unknown(const std::string& name) {
-  std::vector<std::string> known;
-  for (const OptionRow& row : option_table()) {
-    for (const std::string_view own : row.all_names()) known.emplace_back(own);
+  if (const auto unknown = app.remaining(); dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty()) {
+    throw Error(Exit::usage, ErrorCode::unknown_option, {name_of(unknown[0]), known});
   }
-  throw Error(Exit::usage, ErrorCode::unknown_option, {name, known});
+  for (const std::string& word : words) {
+    const std::string name = name_of(word);
+    if (name.size() < word.size() && std::ranges::count(flags, name) > 0) {
+      throw Error(Exit::usage, ErrorCode::flag_with_value, {name});
+    }
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && !words.empty()) {
+    throw Error(Exit::usage, ErrorCode::value_missing, {name_of(words.back())});
+  }
+  throw Error(Exit::usage, ErrorCode::wrong_command_line, {std::string(error.what())});
 }
 
 std::string asked_text(const TypedOptions& typed, const std::vector<std::string>& words) {
@@ -121,13 +100,13 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
 
 TypedOptions read_options(const std::vector<std::string>& words) {
   TypedOptions typed;
-  const Arguments arguments = arguments_of({words.begin(), words.end()});
-  typed.job.files = arguments.files;
-  for (std::size_t i = option_count;
-       i-- > 0;) {  // from the last, so that one for a text, such as --help, is stored first
-    if (!arguments.values[i].empty()) store(option_table()[i], typed, arguments.values[i]);
+  CLI::App app;
+  declare(app, typed, words);
+  try {
+    app.parse(std::vector(words.rbegin(), words.rend()));  // CLI11 takes them from the back
+  } catch (const CLI::ParseError& error) {
+    refuse(error, app, words);
   }
-  if (!arguments.unknown.empty()) refuse_unknown(arguments.unknown[0]);
   if (std::ranges::count(typed.job.files, "") > 0) throw Error(Exit::usage, ErrorCode::empty_file_name);
   return typed;
 }

@@ -339,6 +339,7 @@ constexpr std::array all_words{
           "{3}"},
     Words{ErrorCode::rows_without_place, "rows without a time or arc length: {0}; the first is in line {1}"},
     // cli
+    Words{ErrorCode::wrong_command_line, "{0}; see --help"},
     Words{ErrorCode::unknown_option, "unknown option {0}{nearest} (--help lists all options)"},
     Words{ErrorCode::option_repeated, "{subject} is given more than once; expected it once; take one out"},
     Words{ErrorCode::flag_with_value, "{0} takes no value; take the value out"},
