@@ -10,7 +10,7 @@ made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
 for locale in "$@"; do
   localedef -i "$locale" -f UTF-8 "$made/$locale.UTF-8" 2>"$made/complaints" || {
-    echo "skipped: the locale $locale cannot be made: $(head -1 "$made/complaints")"
+    echo "skipped: the locale $locale cannot be created: $(head -1 "$made/complaints")"
     continue
   }
   [ "$(LOCPATH=$made LC_ALL=$locale.UTF-8 locale decimal_point)" = , ]

@@ -108,7 +108,7 @@ constexpr std::array table{
              {O::equal_speed, O::parameter},
              ", as all channels are needed at each key",
              has_sparse_channels},
-    Conflict{{O::metric}, idle, {}, " where no length or speed is asked for", needs_no_metric},
+    Conflict{{O::metric}, idle, {}, ", as no length or speed is requested", needs_no_metric},
     // sampling
     Conflict{modes, exclude},
     Conflict{{O::from, O::to}, idle, {O::per_segment, O::at, O::arc_at, O::tolerance}},

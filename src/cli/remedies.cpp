@@ -23,32 +23,30 @@ constexpr std::array all_words{
     Words{ErrorCode::cannot_open, "cannot be opened: {0}"},
     Words{ErrorCode::cannot_read, "cannot be read: {0}"},
     Words{ErrorCode::input_is_folder, "cannot be read: {0}; give --recursive and --output-dir for the files in it"},
-    Words{
-        ErrorCode::input_changed,
-        "it changed while it was read; expected a complete file; wait until it is written, or read what is there of it "
-        "from a pipe, as in cat FILE | tcbsample"},
+    Words{ErrorCode::input_changed,
+          "it changed while it was read; expected a complete file; wait until it is written, or read what is already "
+          "in it through a pipe, as in cat FILE | tcbsample"},
     Words{ErrorCode::cannot_write, "cannot be written: {0}"},
-    Words{ErrorCode::cannot_make_folder, "cannot be made: {0}"},
-    Words{ErrorCode::cannot_make_temporary, "needs a temporary file, which cannot be made: {0}"},
+    Words{ErrorCode::cannot_make_folder, "cannot be created: {0}"},
+    Words{ErrorCode::cannot_make_temporary, "needs a temporary file, which cannot be created: {0}"},
     Words{ErrorCode::cannot_read_temporary, "cannot be read back from the temporary file: {0}"},
     Words{ErrorCode::cannot_read_folder, "the folder cannot be read: {0}"},
     Words{ErrorCode::nul_in_list,
-          "a NUL byte between the names of files; expected one name a line; give -0 for names that end in NUL"},
-    Words{ErrorCode::empty_list, "no names of files; expected one a line; add some"},
-    Words{
-        ErrorCode::no_inputs_in_folders,
-        "no files of keys among {0} in the folders; expected .csv, .tsv, .ssv, .json or .jsonl; give --input-format to "
-        "take all"},
+          "a NUL byte in the list of files; expected one name per line; give -0 for names that end in NUL"},
+    Words{ErrorCode::empty_list, "no file names; expected one per line; add some"},
+    Words{ErrorCode::no_inputs_in_folders,
+          "no input among {0} in the folders; expected .csv, .tsv, .ssv, .json or .jsonl; give --input-format to take "
+          "all"},
     Words{ErrorCode::same_output,
-          "its output {0} is that of {1} too; expected one for each; rename one of them, or use two folders"},
-    Words{ErrorCode::output_is_input, "its output {0} is an input too; expected two files; give another output"},
+          "its output {0} is also that of {1}; expected one for each; rename one of them, or use two folders"},
+    Words{ErrorCode::output_is_input, "its output {0} is also an input; expected two files; give another output"},
     Words{ErrorCode::input_without_name, "standard input has no name; --output-dir needs files; give -o instead"},
     // input
     Words{ErrorCode::npy_as_input,
-          "the file is one of NumPy's; expected text; convert it, for example with numpy.savetxt"},
+          "the file is in a format of NumPy; expected text; convert it, for example with numpy.savetxt"},
     Words{ErrorCode::not_in_utf8,
           "the text is {0}; expected UTF-8; convert it, for example with iconv -f {0} -t UTF-8"},
-    Words{ErrorCode::two_byte_order_marks, "a byte order mark twice; expected one at most; take it out"},
+    Words{ErrorCode::two_byte_order_marks, "two byte order marks; expected at most one; remove one"},
     Words{ErrorCode::nul_byte,
           "a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8"},
     Words{ErrorCode::same_column_names,
@@ -62,8 +60,8 @@ constexpr std::array all_words{
           "no position column; expected at least one column of numbers besides the time; name it with --columns "
           "position=NAME"},
     Words{ErrorCode::column_nearly_role,
-          "column \"{0}\" is nearly \"{1}\", but a channel by its name; expected {1}, or another name; rename it, or "
-          "give --columns {1}={0} or position=NAME:NAME"},
+          "column \"{0}\" is close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename "
+          "it, or give --columns {1}={0} or position=NAME:NAME"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
           "continuity=, bias=, ease_in=, ease_out=, group= or carry=; for example --columns time=frame,position=px:py"},
@@ -75,7 +73,7 @@ constexpr std::array all_words{
           "a record of more than {0} cells; expected fewer; correct the row, or give the delimiter with -d"},
     Words{ErrorCode::quote_not_closed, "a quoted cell is not closed; expected \" at its end; add it"},
     Words{ErrorCode::text_after_quotes,
-          "text after a quoted cell; expected the delimiter or the line's end; double the quotes inside a cell"},
+          "text after a quoted cell; expected the delimiter or the end of the line; double the quotes inside a cell"},
     Words{ErrorCode::empty_input, "no keys: the input is empty; expected a row for each key; see --help"},
     Words{ErrorCode::header_without_rows,
           "no keys: there is a header and no row; expected a row for each key; see --help"},
@@ -83,8 +81,8 @@ constexpr std::array all_words{
           "no keys: there is one line, with carriage returns in it; expected a line for each key; change them to line "
           "feeds, for example with tr"},
     Words{ErrorCode::header_unclear,
-          "the first record has text, {q0}, and a number, {q1}; expected names or numbers alone; give --header if they "
-          "are names, --no-header if they are not"},
+          "the first record has text, {q0}, and a number, {q1}; expected only names or only numbers; give --header if "
+          "they are names, --no-header if they are not"},
     Words{ErrorCode::row_unlike_header,
           "the first row has {0} where the header has {1}; expected the same number; correct one of them, or give the "
           "delimiter with -d"},
@@ -103,7 +101,7 @@ constexpr std::array all_words{
     Words{ErrorCode::number_missing,
           "{c0}: {q1} where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
     Words{ErrorCode::number_with_point,
-          "{c0}: {q1} has a point; expected a decimal comma; correct the cell, or take --decimal out"},
+          "{c0}: {q1} has a point; expected a decimal comma; correct the cell, or remove --decimal"},
     Words{ErrorCode::number_with_comma,
           "{c0}: {q1} is not a number; expected a decimal point; give --decimal , if this is a decimal comma"},
     Words{ErrorCode::number_too_large,
@@ -113,11 +111,10 @@ constexpr std::array all_words{
     Words{ErrorCode::not_a_number,
           "{c0}: {q1} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell"},
     Words{ErrorCode::decimal_comma_is_delimiter,
-          "--decimal , cannot be where the delimiter is , too; expected another one; give it with -d, or take "
-          "--decimal out"},
+          "--decimal , excludes the delimiter , ; expected another one; give it with -d, or remove --decimal"},
     // input/json
     Words{ErrorCode::text_options_on_json,
-          "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; take them out, or give "
+          "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; remove them, or give "
           "the format with -i"},
     Words{ErrorCode::empty_json, "no keys: the input is empty; expected an object for each key; see --help"},
     Words{ErrorCode::json_value_expected, "not JSON: {q0}; expected a value; correct the text"},
@@ -125,32 +122,32 @@ constexpr std::array all_words{
     Words{ErrorCode::json_colon_expected, "not JSON: {q0}; expected a colon after the name; correct the text"},
     Words{ErrorCode::json_comma_or_bracket_expected, "not JSON: {q0}; expected a comma or ]; correct the text"},
     Words{ErrorCode::json_comma_or_brace_expected, "not JSON: {q0}; expected a comma or }}; correct the text"},
-    Words{ErrorCode::json_end_expected, "not JSON: {q0} after the last bracket; expected nothing more; take it out"},
+    Words{ErrorCode::json_end_expected, "not JSON: {q0} after the last bracket; expected nothing more; remove it"},
     Words{ErrorCode::json_string_not_closed, "not JSON: the string {q0} is not closed; expected \" at its end; add it"},
     Words{ErrorCode::json_character_in_string,
           "not JSON: the last character of {q0} may not be in a string; expected UTF-8 without control characters, and "
           "the escapes of JSON; correct the text"},
     Words{ErrorCode::json_ends_early, "not JSON: the text ends early; expected the rest of the value; complete it"},
-    Words{ErrorCode::json_text_after_array, "text after the end of the JSON array; expected nothing more; take it out"},
+    Words{ErrorCode::json_text_after_array, "text after the end of the JSON array; expected nothing more; remove it"},
     Words{ErrorCode::json_key_too_long, "a key of more than 64 MiB; expected less; shorten it"},
     Words{ErrorCode::json_object_too_long, "an object of more than 64 MiB around the keys; expected less; shorten it"},
     Words{ErrorCode::json_curve_expected, "no curve where one was expected; expected an object; correct the text"},
     Words{ErrorCode::json_comma_after_curve_expected, "expected a comma or the end of the curves; correct the text"},
-    Words{ErrorCode::json_key_missing, "nothing where a key was expected; expected an object; take the comma out"},
+    Words{ErrorCode::json_key_missing, "nothing where a key was expected; expected an object; remove the comma"},
     Words{ErrorCode::json_value_for_key, "{0} where a key was expected; expected an object; correct it"},
     Words{ErrorCode::json_number_for_key, "a number where a key was expected; expected an object; correct it"},
     Words{ErrorCode::json_array_for_key, "an array where a key was expected; expected an object; correct it"},
     Words{ErrorCode::json_number_too_large,
           "{q0} is not a finite double; expected less than 1.8e308 in size; correct it"},
-    Words{ErrorCode::json_member_repeats, "{0}: a second time in one key; expected once; take one out"},
+    Words{ErrorCode::json_member_repeats, "{0}: repeated in one key; expected once; remove one"},
     Words{ErrorCode::json_member_unknown,
           "{0}: not in the first key; expected the same members in every key; add it there"},
     Words{ErrorCode::json_member_missing,
           "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row, skip-cell "
           "or break"},
     Words{ErrorCode::json_member_nearly_role,
-          "{0}: nearly \"{1}\", but a channel by its name; expected {1}, or another name; rename it, or give --columns "
-          "{1}={2} or position=NAME:NAME"},
+          "{0}: close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename it, or give "
+          "--columns {1}={2} or position=NAME:NAME"},
     Words{ErrorCode::json_not_a_number, "{0}: {q1} is not a number; expected one without quotes; correct it"},
     Words{ErrorCode::json_null_number,
           "{0}: null where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
@@ -159,54 +156,54 @@ constexpr std::array all_words{
     Words{ErrorCode::json_text_expected, "{0}: expected a text or a number, as in the first key; correct it"},
     Words{ErrorCode::json_array_expected, "{0}: expected an array of numbers, as in the first key; correct it"},
     Words{ErrorCode::json_array_size, "{0}: an array of {1}; expected {2} numbers, as in the first key; correct it"},
-    Words{ErrorCode::json_tcb_twice, "{0}: also in \"tcb\"; expected one of them; take one out"},
+    Words{ErrorCode::json_tcb_twice, "{0}: also in \"tcb\"; expected one of them; remove one"},
     Words{ErrorCode::json_tcb_array_expected, "{0}: expected an array [T,C,B]; correct it"},
     Words{ErrorCode::json_single_number_expected, "{0}: expected a number; correct it"},
     Words{ErrorCode::json_channel_count,
           "\"channels\" names {0}; expected {1}, one for each number of \"position\"; correct it"},
-    Words{ErrorCode::json_without_keys, "no keys; expected two at least; add them"},
-    Words{ErrorCode::json_curve_without_keys, "{0}: no keys; expected two at least; add them, or take the curve out"},
+    Words{ErrorCode::json_without_keys, "no keys; expected at least two; add them"},
+    Words{ErrorCode::json_curve_without_keys, "{0}: no keys; expected at least two; add them, or remove the curve"},
     Words{ErrorCode::json_curves_differ,
           "{0}: keys with {1}, {2}; expected {3}, {4}, as in the first curve; correct them"},
     Words{ErrorCode::groups_of_curves,
-          "{subject} has no meaning for an object with curves, which are separate already; take it out"},
+          "{subject} has no meaning for an object with curves, which are separate already; remove it"},
     Words{ErrorCode::setting_nearly_known, "{2}: not a setting{nearest}"},
-    Words{ErrorCode::setting_repeats, "{0}: a second time in one object; expected once; take one out"},
+    Words{ErrorCode::setting_repeats, "{0}: repeated in one object; expected once; remove one"},
     Words{ErrorCode::setting_of_keys, "{0}: not in a key; expected in each of them; move it there"},
     Words{ErrorCode::setting_is_option,
-          "{0}: an option, not a setting of a file; take it out, and give {subject} where it is wanted"},
+          "{0}: an option, not a setting of a file; remove it, and give {subject} instead"},
     Words{ErrorCode::setting_outside_curves, "{0}: outside the curves; expected in each of them; move it there"},
     Words{ErrorCode::setting_closed_expected, "{0}: {q1}; expected true or false; correct it"},
     Words{ErrorCode::setting_channels_expected, "{0}: expected an array of names in quotes; correct it"},
     Words{ErrorCode::setting_id_expected, "{0}: expected a text or a number; correct it"},
     // keys
     Words{ErrorCode::equal_times,
-          "time {0} repeats the time {1} in line {2}; expected times that increase; take one of them out, or give "
+          "time {0} repeats the time {1} in line {2}; expected increasing times; remove one of them, or give "
           "--duplicates first, last or break"},
     Words{ErrorCode::equal_times_in_list,
-          "{3}: time {0} repeats the time {1} of {2}; expected times that increase; take one of them out, or give "
+          "{3}: time {0} repeats the time {1} of {2}; expected increasing times; remove one of them, or give "
           "--duplicates first, last or break"},
     Words{ErrorCode::decreasing_times,
-          "time {0} is less than the time {1} in line {2}; expected times that increase; sort the rows by time, or "
-          "give --sort"},
+          "time {0} is less than the time {1} in line {2}; expected increasing times; sort the rows by time, or give "
+          "--sort"},
     Words{ErrorCode::decreasing_times_in_list,
-          "{3}: time {0} is less than the time {1} of {2}; expected times that increase; sort the rows by time, or "
-          "give --sort"},
+          "{3}: time {0} is less than the time {1} of {2}; expected increasing times; sort the rows by time, or give "
+          "--sort"},
     Words{ErrorCode::sort_without_times,
-          "--sort orders rows by time, and there is no time column; take it out, or name the column with --columns "
+          "--sort orders rows by time, and there is no time column; remove it, or name the column with --columns "
           "time=NAME"},
     Words{ErrorCode::duplicates_without_times,
-          "--duplicates is about equal times, and there is no time column; take it out, or name the column with "
+          "--duplicates is about equal times, and there is no time column; remove it, or name the column with "
           "--columns time=NAME"},
-    Words{ErrorCode::no_keys, "only 0 keys; a curve needs two at least; add keys"},
-    Words{ErrorCode::single_key, "only 1 key; a curve needs two at least; add keys"},
+    Words{ErrorCode::no_keys, "only 0 keys; a curve needs at least two; add keys"},
+    Words{ErrorCode::single_key, "only 1 key; a curve needs at least two; add keys"},
     Words{ErrorCode::ease_out_of_range, "{0} is {1}; expected 0 to 1; correct it, or give --no-ease"},
     Words{ErrorCode::position_repeats,
-          "the position repeats that in line {0}; times are made from distances, and here the distance is 0; take one "
-          "of the rows out, or give --parameter uniform"},
+          "the position repeats that of line {0}; times are made from distances, and here the distance is 0; remove "
+          "one of the rows, or give --parameter uniform"},
     Words{ErrorCode::parameter_step_lost,
           "the distance makes a step of {0}, which is lost when it is added to the time {1}; expected times that "
-          "doubles distinguish; give --parameter a smaller exponent"},
+          "doubles distinguish; give a smaller exponent to --parameter"},
     // sampling
     Words{ErrorCode::before_first_key,
           "{subject} {0} lies before the first key, at {1}; give one within the curve, or --extrapolate"},
@@ -217,20 +214,20 @@ constexpr std::array all_words{
           "{subject} {0} lies beyond the curve's length, at {1}; give one within the curve"},
     Words{ErrorCode::step_too_small,
           "the step {0} is too small: near {1} two rows would get the same number; give a larger step"},
-    Words{ErrorCode::too_many_rows, "{0} rows are asked for; expected {1} at most; ask for fewer, or raise --max-rows"},
+    Words{ErrorCode::too_many_rows, "{0} rows are requested; expected at most {1}; request fewer, or raise --max-rows"},
     Words{ErrorCode::too_many_rows_or_more,
-          "{0} rows or more are asked for; expected {1} at most; ask for fewer, or raise --max-rows"},
+          "at least {0} rows are requested; expected at most {1}; request fewer, or raise --max-rows"},
     Words{ErrorCode::end_before_start,
-          "{subject} {0} is before {1}, where samples begin unless --from is given; expected it after; give a "
-          "later one, or --from"},
+          "{subject} {0} is before {1}, where samples begin unless --from is given; expected a later one; correct it, "
+          "or give --from"},
     Words{ErrorCode::samples_beyond_doubles,
-          "the samples lie farther apart than doubles reach; expected less than 1.8e308 from the first to the "
-          "last; scale the keys down"},
+          "the distances between samples are beyond the range of doubles; expected less than 1.8e308 from the first to "
+          "the last; scale the keys down"},
     Words{ErrorCode::tolerance_too_small, "{subject} {0} is too small: two rows would be the same; give a larger one"},
     // curve
     Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
     Words{ErrorCode::velocity_missing, "{subject} {0}: expected a number for each channel, as in velocity=1:0"},
-    Words{ErrorCode::unexpected_rule_value, "{subject} {0}: expected no value for this rule; take it out"},
+    Words{ErrorCode::unexpected_rule_value, "{subject} {0}: expected no value for this rule; remove it"},
     Words{ErrorCode::velocity_not_a_number, "{subject} {0}: \"{1}\" is not a number; expected velocity=V:V…"},
     Words{ErrorCode::velocity_of_other_size,
           "{subject}: a velocity of {0} numbers; expected {1}, one for each of {2}; correct it"},
@@ -240,51 +237,49 @@ constexpr std::array all_words{
     Words{ErrorCode::period_not_positive, "{subject} \"{0}\": expected a decimal or a ratio above 0, such as 7.5"},
     Words{ErrorCode::period_beyond_doubles,
           "{subject} \"{0}\": expected at most 1.7976931348623157e308 in size, as doubles are"},
-    Words{ErrorCode::period_of_open_curve,
-          "{subject}: false, but a period makes the curve closed; take one of them out"},
+    Words{ErrorCode::period_of_open_curve, "{subject}: false, but a period makes the curve closed; remove one of them"},
     Words{ErrorCode::ends_of_closed_curve,
-          "{subject} has no effect on a closed curve, which has no ends; take one of them out"},
+          "{subject} has no effect on a closed curve, which has no ends; remove one of them"},
     Words{ErrorCode::unknown_metric_channel,
           "{subject}: no channel \"{0}\"; expected some of {1}, or numbers from 1{nearest}"},
-    Words{ErrorCode::repeated_metric_channel, "{subject}: channel \"{0}\" twice; expected each once; take one out"},
+    Words{ErrorCode::repeated_metric_channel, "{subject}: channel \"{0}\" is repeated; expected each once; remove one"},
     Words{ErrorCode::ease_with_missing_cells,
-          "ease_in and ease_out warp all channels of a segment, and some are missing where --missing skip-cell "
-          "left cells out; expected numbers in all; fill them in, or give --no-ease"},
+          "ease_in and ease_out warp all channels of a segment, and some are missing because --missing skip-cell "
+          "skipped cells; expected numbers in all; fill them in, or give --no-ease"},
     Words{ErrorCode::tangents_beyond_doubles,
-          "the curve from time {0} to {1} has tangents beyond the range of doubles; expected less than 1.8e308 "
-          "in size; scale the keys down"},
+          "the curve from time {0} to {1} has tangents beyond the range of doubles; expected less than 1.8e308 in "
+          "size; scale the keys down"},
     Words{ErrorCode::length_beyond_doubles,
-          "up to time {0} the curve is longer than doubles reach; expected less than 1.8e308; scale the keys "
-          "down"},
+          "up to time {0} the length of the curve is beyond the range of doubles; expected less than 1.8e308; scale "
+          "the keys down"},
     Words{ErrorCode::channel_without_numbers,
-          "{0}: no key has a number; expected one at least; fill one in, or leave the column out with --columns"},
+          "{0}: no key has a number; expected at least one; fill one in, or leave the column out with --columns"},
     Words{ErrorCode::closing_key_differs,
-          "this key closes the curve at the position of line {0}, but with another tension, continuity or bias;"
-          " expected the same; correct one of the two"},
-    Words{ErrorCode::closing_key_against_period,
-          "this key repeats the position of line {0} and so ends the period, but {subject} is another; take "
-          "one of them out"},
+          "this key closes the curve at the position of line {0}, but with another tension, continuity or bias; "
+          "expected the same; correct one of the two"},
+    Words{
+        ErrorCode::closing_key_against_period,
+        "this key repeats the position of line {0} and so ends the period, but {subject} differs; remove one of them"},
     Words{ErrorCode::period_too_short,
-          "{subject}: the curve is closed before its last key, at time {0}; expected a longer period; correct "
-          "it"},
-    Words{ErrorCode::too_few_closed_keys, "a closed curve needs two distinct keys at least; add keys"},
+          "{subject}: the curve is closed before its last key, at time {0}; expected a longer period; correct it"},
+    Words{ErrorCode::too_few_closed_keys, "a closed curve needs at least two distinct keys; add keys"},
     Words{ErrorCode::no_period,
-          "the period of the closed curve is not known; expected --period, or a last row that "
-          "repeats the first position; give one"},
+          "the period of the closed curve is unknown; expected --period, or a last row that repeats the first "
+          "position; give one"},
     Words{ErrorCode::row_beyond_doubles,
-          "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; "
-          "scale the keys down"},
+          "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the "
+          "keys down"},
     // exact
     Words{ErrorCode::decimal_too_long,
-          "a decimal of more digits than --exact-input takes; expected 10,000 at most; shorten it, or take "
-          "--exact-input out"},
+          "a decimal of more digits than --exact-input takes; expected at most 10,000; shorten it, or remove "
+          "--exact-input"},
     Words{ErrorCode::row_needs_more_digits,
-          "the row at time {0} has a number that cannot be worked out to so many digits; expected fewer; give a"
-          " smaller number to --digits or --fixed"},
+          "the row at time {0} has a number that cannot be computed to so many digits; expected fewer; give a smaller "
+          "number to --digits or --fixed"},
     // output
     Words{ErrorCode::text_in_binary_format,
-          "column \"{0}\" holds texts, and {1} holds numbers only; expected a format with texts, such as csv; choose "
-          "another one, or take the column out"},
+          "column \"{0}\" holds text, and {1} holds only numbers; expected a format with text, such as csv; choose "
+          "another one, or remove the column"},
     Words{ErrorCode::several_curves_in_one_table,
           "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, such as "
           "csv"},
@@ -293,7 +288,7 @@ constexpr std::array all_words{
           "such as "
           "csv"},
     Words{ErrorCode::other_columns,
-          "its rows have the columns {0}; expected {1}, as in the files before; give --output-dir to write an output "
+          "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an output "
           "for each file"},
     Words{ErrorCode::other_checksum,
           "its SHA-256 is {0}; expected {1}, that of the keys that {2} was made from; give that file"},
@@ -305,7 +300,7 @@ constexpr std::array all_words{
     Words{ErrorCode::out_of_memory, "out of memory"},
     Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
-          "{subject} makes times, but column \"{0}\" has them; expected one of the two; take {subject} out, or choose "
+          "{subject} makes times, but column \"{0}\" has them; expected one of the two; remove {subject}, or choose "
           "other columns with --columns"},
     // compare: errors
     Words{ErrorCode::nothing_to_compare,
@@ -313,8 +308,7 @@ constexpr std::array all_words{
     Words{ErrorCode::repeated_column, "two columns are called \"{0}\"; expected different names; rename one"},
     Words{ErrorCode::samples_without_places,
           "no column of times or arc lengths: the columns are {0}; expected {1}, or s for arc lengths; add one, or "
-          "rename "
-          "it"},
+          "rename it"},
     Words{ErrorCode::unnamed_sample_columns,
           "{0} columns without names; expected {1}: {2}; name them in a first row, or list their fields with --fields"},
     Words{ErrorCode::fields_without_places,
@@ -334,19 +328,19 @@ constexpr std::array all_words{
     Words{ErrorCode::curve_counts, "number of curves: {0} in the rows, {1} in the keys, {2} compared"},
     Words{ErrorCode::times_off_curve,
           "rows outside the curve: {0}; the first, in line {1}, has time {2}; the nearest time of the curve is {3}"},
-    Words{ErrorCode::lengths_off_curve,
-          "rows outside the curve: {0}; the first, in line {1}, has arc length {2}; the nearest one of the curve is "
-          "{3}"},
+    Words{
+        ErrorCode::lengths_off_curve,
+        "rows outside the curve: {0}; the first, in line {1}, has arc length {2}; the nearest one of the curve is {3}"},
     Words{ErrorCode::rows_without_place, "rows without a time or arc length: {0}; the first is in line {1}"},
     // cli
     Words{ErrorCode::wrong_command_line, "{0}; see --help"},
     Words{ErrorCode::unknown_option, "unknown option {0}{nearest} (--help lists all options)"},
-    Words{ErrorCode::option_repeated, "{subject} is given more than once; expected it once; take one out"},
-    Words{ErrorCode::flag_with_value, "{0} takes no value; take the value out"},
-    Words{ErrorCode::value_missing, "{0}: its value is missing; expected one as in --help; give it after the option"},
+    Words{ErrorCode::option_repeated, "{subject} is given more than once; expected once; remove one"},
+    Words{ErrorCode::flag_with_value, "{0} takes no value; remove the value"},
+    Words{ErrorCode::value_missing, "{0}: its value is missing; expected one after the option; see --help"},
     Words{ErrorCode::empty_value,
-          "{subject}: an empty value; expected one as in --help; give it, or take the option out"},
-    Words{ErrorCode::empty_file_name, "an empty file name; expected a file, or - for standard input; take it out"},
+          "{subject}: an empty value; expected one as in --help; give it, or remove the option"},
+    Words{ErrorCode::empty_file_name, "an empty file name; expected a file, or - for standard input; remove it"},
     Words{ErrorCode::unknown_name, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
     Words{ErrorCode::expected_within_doubles,
           "{subject} \"{0}\": expected at most 1.7976931348623157e308 in size, as doubles are"},
@@ -367,39 +361,37 @@ constexpr std::array all_words{
     Words{ErrorCode::expected_whole_number, "{subject} \"{0}\": expected a whole number from {1} to {2}"},
     Words{ErrorCode::expected_distance, "{subject} \"{0}\": expected a distance above 0, such as 0.01"},
     Words{ErrorCode::expected_tolerance,
-          "{subject} \"{0}\": expected a distance from 0 up, for all columns or as COLUMN=DISTANCE, such as 1e-9 or "
-          "x=1e-6"},
+          "{subject} \"{0}\": expected a distance of at least 0, for all columns or as COLUMN=DISTANCE, such as 1e-9 "
+          "or x=1e-6"},
     Words{ErrorCode::expected_delimiter,
-          "{subject} \"{0}\": expected one character that is no part of a number, or tab, comma, semicolon, space or "
-          "pipe"},
+          "{subject} \"{0}\": expected one character that cannot be part of a number, or tab, comma, semicolon, space "
+          "or pipe"},
     Words{ErrorCode::expected_decimal_mark, "{subject} \"{0}\": expected a comma or a point"},
     Words{ErrorCode::expected_tcb, "{subject} \"{0}\": expected three numbers T,C,B, such as 0,0.5,-0.25"},
     Words{ErrorCode::expected_columns, "{subject} \"{0}\": expected columns by name or number, separated by commas"},
     Words{ErrorCode::expected_name_part, "{subject} \"{0}\": expected a part of a file name, without /"},
-    Words{ErrorCode::field_repeated, "{subject}: {0} twice; expected each field once; take one out"},
-    Words{ErrorCode::options_exclude, "{0} and {1} exclude each other{2}; expected one of them; take one out"},
+    Words{ErrorCode::field_repeated, "{subject}: {0} is repeated; expected each field once; remove one"},
+    Words{ErrorCode::options_exclude, "{0} and {1} exclude each other{2}; expected one of them; remove one"},
     Words{ErrorCode::option_needs, "{0} needs {1}{2}; give both, or neither"},
-    Words{ErrorCode::option_idle_with, "{0} has no effect with {1}{2}; take it out"},
-    Words{ErrorCode::option_idle, "{0} has no effect{1}; take it out"},
+    Words{ErrorCode::option_idle_with, "{0} has no effect with {1}{2}; remove it"},
+    Words{ErrorCode::option_idle, "{0} has no effect{1}; remove it"},
     Words{ErrorCode::no_sampling_option,
           "no sampling option given; expected one of {0}; for example tcbsample --step 0.1 keys.csv"},
-    Words{ErrorCode::range_backwards, "--to {0} is before --from {1}; expected it after; swap them"},
+    Words{ErrorCode::range_backwards, "--to {0} is before --from {1}; expected a later one; swap them"},
     Words{ErrorCode::standard_input_twice,
           "{subject} - and the keys are both standard input; expected one of them; give the other by its file name"},
-    Words{ErrorCode::comparison_of_several_files,
-          "{subject} compares with the curves of one file of keys; {0} are given; take the others out"},
+    Words{ErrorCode::comparison_of_several_files, "{subject} takes one file of keys; {0} are given; remove the others"},
     Words{ErrorCode::line_end_in_provenance,
-          "{subject}: --meta cannot hold a value with a line end; expected one without; take --meta out, or rename "
+          "{subject}: --meta cannot hold a value with a line end; expected one without; remove --meta, or rename "
           "columns"},
     Words{ErrorCode::option_not_of_provenance,
-          "the provenance has {subject}, which does not change the rows; expected options that do; correct it"},
+          "the provenance has {subject}, which does not affect the rows; expected options that do; correct it"},
     Words{ErrorCode::file_in_provenance,
           "the provenance has the file {0} among its options; expected options; correct it"},
     Words{ErrorCode::provenance_incomplete, "the provenance lacks the option --meta; expected all options; add it"},
     Words{ErrorCode::option_in_provenance,
-          "{subject} is given with --from-meta, which takes every option from {0}; take it out"},
-    Words{ErrorCode::other_number_of_files,
-          "{0} was made from another number of files of keys, {1}; {2} given; give as many"},
+          "{subject} is given with --from-meta, which takes every option from {0}; remove it"},
+    Words{ErrorCode::other_number_of_files, "{0} was made from {1} files of keys; {2} given; give as many"},
 };
 
 /// The further remedy of an error about the roles of columns whose words do not show the option.
@@ -492,12 +484,12 @@ struct NoteWords {
 constexpr std::array note_words{
     NoteWords{NoteCode::reads_terminal, "keys are read from the terminal; end them with Ctrl-D, or name a file"},
     NoteWords{NoteCode::no_time_column, "no time column; the times of the keys are 0, 1, 2, ..."},
-    NoteWords{NoteCode::ignored_columns, "columns of text are left out: {0}"},
+    NoteWords{NoteCode::ignored_columns, "ignored columns of text: {0}"},
     NoteWords{NoteCode::remainder, "the last key is {0} after the last row; --end keep or --end fit includes it"},
     NoteWords{NoteCode::step, "the step is {0}"},
-    NoteWords{NoteCode::skipped_rows, "rows left out for missing numbers: {0}"},
+    NoteWords{NoteCode::skipped_rows, "rows skipped for missing numbers: {0}"},
     NoteWords{NoteCode::made_times, "none; made with --parameter {0}"},
-    NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose digits may differ"},
+    NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose last digits may differ"},
 };
 
 }  // namespace

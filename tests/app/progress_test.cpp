@@ -39,9 +39,10 @@ std::string errors_of(const tcb::Verbosity& verbosity) {
 }
 
 TEST(Report, notes_and_warnings_depend_on_the_verbosity) {
-  const std::string warning = "old.csv: warning: made by tcbsample 1; this is tcbsample 2, whose digits may differ\n";
+  const std::string warning =
+      "old.csv: warning: made by tcbsample 1; this is tcbsample 2, whose last digits may differ\n";
   EXPECT_EQ(errors_of({}), warning);
-  EXPECT_EQ(errors_of({.notes = true}), "a.csv: note: columns of text are left out: note, extra, b\n" + warning);
+  EXPECT_EQ(errors_of({.notes = true}), "a.csv: note: ignored columns of text: note, extra, b\n" + warning);
   EXPECT_EQ(errors_of({.quiet = true}), "");
 }
 

@@ -73,31 +73,31 @@ TEST(Conflicts, an_option_that_needs_another_is_refused_alone) {
 
 TEST(Conflicts, have_one_form_of_message) {
   EXPECT_EQ(stepped_refusal({"--arc-count=3"}),
-            "--step and --arc-count exclude each other; expected one of them; take one out");
+            "--step and --arc-count exclude each other; expected one of them; remove one");
   EXPECT_EQ(stepped_refusal({"--exact-input"}), "--exact-input needs --golden; give both, or neither");
-  EXPECT_EQ(refusal({"--at=1", "--keys"}), "--keys has no effect with --at; take it out");
+  EXPECT_EQ(refusal({"--at=1", "--keys"}), "--keys has no effect with --at; remove it");
   EXPECT_EQ(stepped_refusal({"--check=a"}),
-            "--step has no effect with --check, which takes the samples of its file and prints a report; take it out");
+            "--step has no effect with --check, which takes the samples of its file and prints a report; remove it");
 }
 
 TEST(Conflicts, that_depend_on_values_show_them) {
   EXPECT_EQ(stepped_refusal({"--decimal=,", "--delimiter=comma"}),
-            "--delimiter comma and --decimal , exclude each other; expected one of them; take one out");
+            "--delimiter comma and --decimal , exclude each other; expected one of them; remove one");
   EXPECT_EQ(stepped_refusal({"-f", "npy", "--fixed", "3"}),
-            "--fixed 3 has no effect with --output-format npy, which holds the doubles themselves; take it out");
+            "--fixed 3 has no effect with --output-format npy, which holds the doubles themselves; remove it");
   EXPECT_EQ(stepped_refusal({"-f", "jsonl", "--hex"}),
-            "--hex has no effect with --output-format jsonl, which has no hexadecimal numbers; take it out");
+            "--hex has no effect with --output-format jsonl, which has no hexadecimal numbers; remove it");
   EXPECT_EQ(stepped_refusal({"--digits", "18"}),
             "--digits 18 needs --golden, as a double has 17 significant digits; give both, or neither");
   EXPECT_EQ(stepped_refusal({"--fields", "time,arc_error", "--golden"}),
             "--golden and --fields time,arc_error exclude each other, as the exact s has no error; expected one of "
-            "them; take one out");
+            "them; remove one");
 }
 
 TEST(Conflicts, of_the_format_of_the_input_are_refused) {
   for (const char* option : {"--delimiter=;", "--header", "--no-header", "--comment=%", "--decimal=,"}) {
     EXPECT_THAT(stepped_refusal({option, "-i", "json"}),
-                HasSubstr(" has no effect with --input-format json; take it out"));
+                HasSubstr(" has no effect with --input-format json; remove it"));
     EXPECT_EQ(stepped_refusal({option, "-i", "csv"}), "") << option;
   }
 }
@@ -113,15 +113,14 @@ TEST(Conflicts, of_the_format_of_the_output_are_refused) {
 TEST(Conflicts, missing_cells_exclude_what_needs_all_channels) {
   EXPECT_EQ(stepped_refusal({"--missing", "skip-cell", "--equal-speed"}),
             "--missing skip-cell and --equal-speed exclude each other, as all channels are needed at each key; "
-            "expected one of them; take one out");
+            "expected one of them; remove one");
   EXPECT_THAT(stepped_refusal({"--missing", "skip-cell", "--parameter=0.5"}), HasSubstr("exclude each other"));
   EXPECT_EQ(stepped_refusal({"--missing", "skip-cell", "--parameter=uniform"}), "");
   EXPECT_EQ(stepped_refusal({"--missing", "skip-row", "--equal-speed"}), "");
 }
 
 TEST(Conflicts, a_metric_needs_lengths_or_speeds) {
-  EXPECT_EQ(stepped_refusal({"--metric=x"}),
-            "--metric x has no effect where no length or speed is asked for; take it out");
+  EXPECT_EQ(stepped_refusal({"--metric=x"}), "--metric x has no effect, as no length or speed is requested; remove it");
   for (const char* use : {"--fields=speed", "--fields=s", "--equal-speed", "--parameter=chordal"}) {
     EXPECT_EQ(stepped_refusal({"--metric=x", use}), "") << use;
   }
@@ -132,7 +131,7 @@ TEST(Conflicts, a_metric_needs_lengths_or_speeds) {
 
 TEST(Conflicts, a_side_needs_fields_that_differ) {
   EXPECT_EQ(stepped_refusal({"--side=left"}),
-            "--side left has no effect on these fields, which are the same on both sides; take it out");
+            "--side left has no effect on these fields, which are the same on both sides; remove it");
   EXPECT_EQ(stepped_refusal({"--side=left", "--fields=velocity"}), "");
   EXPECT_EQ(refusal({"--side=left", "--check=a"}), "") << "the file may have any field";
   EXPECT_NE(refusal({"--side=left", "--check=a", "--fields=time,position"}), "");
@@ -140,7 +139,7 @@ TEST(Conflicts, a_side_needs_fields_that_differ) {
 
 TEST(Conflicts, an_extrapolation_needs_times_that_may_be_outside) {
   EXPECT_EQ(stepped_refusal({"--extrapolate=hold"}),
-            "--extrapolate hold has no effect with --step 1 alone, whose samples are on the curve; take it out");
+            "--extrapolate hold has no effect with --step 1 alone, whose samples are on the curve; remove it");
   EXPECT_EQ(stepped_refusal({"--extrapolate=hold", "--from=-1"}), "");
   EXPECT_EQ(stepped_refusal({"--extrapolate=error"}), "");
   EXPECT_EQ(refusal({"--extrapolate=hold", "--at=1"}), "");

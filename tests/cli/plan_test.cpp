@@ -58,9 +58,9 @@ TEST(CommandLine, an_unknown_option_is_refused_with_the_nearest_one) {
 }
 
 TEST(CommandLine, errors_of_syntax_name_the_option) {
-  EXPECT_EQ(refusal({"--step"}), "--step: its value is missing; expected one as in --help; give it after the option");
-  EXPECT_EQ(refusal({"-s", "1", "-s", "2"}), "--step is given more than once; expected it once; take one out");
-  EXPECT_EQ(refusal({"-n", "2", "--hex=false"}), "--hex takes no value; take the value out");
+  EXPECT_EQ(refusal({"--step"}), "--step: its value is missing; expected one after the option; see --help");
+  EXPECT_EQ(refusal({"-s", "1", "-s", "2"}), "--step is given more than once; expected once; remove one");
+  EXPECT_EQ(refusal({"-n", "2", "--hex=false"}), "--hex takes no value; remove the value");
   EXPECT_THAT(refusal({"-n", "2", ""}), StartsWith("an empty file name;"));
 }
 
@@ -126,7 +126,7 @@ TEST(Plan, the_range_is_exact_and_goes_forward) {
   EXPECT_EQ(job.sampling.from, Rational(-7, 24));
   EXPECT_EQ(job.sampling.to, Rational(1, 10));
   EXPECT_EQ(stepped_refusal({"--from", "-7/24", "--to", "-1"}),
-            "--to -1 is before --from -7/24; expected it after; swap them");
+            "--to -1 is before --from -7/24; expected a later one; swap them");
   EXPECT_EQ(stepped_refusal({"--from", "1", "--to", "1"}), "") << "a single time is a range";
 }
 
@@ -200,8 +200,7 @@ TEST(Plan, a_comparison_has_its_file_and_all_columns_unless_fields_are_given) {
 }
 
 TEST(Plan, a_comparison_is_with_one_file_of_keys) {
-  EXPECT_EQ(refusal({"--check", "a", "b", "c"}),
-            "--check compares with the curves of one file of keys; 2 are given; take the others out");
+  EXPECT_EQ(refusal({"--check", "a", "b", "c"}), "--check takes one file of keys; 2 are given; remove the others");
 }
 
 using testing::ElementsAre;

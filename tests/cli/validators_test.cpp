@@ -82,7 +82,7 @@ TEST(Validators, delimiters_are_names_or_characters_that_no_number_has) {
   for (const char* text : {"1", "e", "E", ".", "-", "+", "\"", "\n", "\r", "tabs", ",,", "é"}) {
     EXPECT_EQ(stepped_refusal({"--delimiter", text}),
               expected("--delimiter", text,
-                       "one character that is no part of a number, or tab, comma, semicolon, space or pipe"));
+                       "one character that cannot be part of a number, or tab, comma, semicolon, space or pipe"));
   }
 }
 
@@ -108,7 +108,7 @@ TEST(Validators, fields_are_chosen_in_order_each_once) {
             "--fields: unknown name \"positon\"; expected one of time, position, s, velocity, acceleration, jerk, "
             "speed, tangent, curvature, torsion, segment, u, key, arc_error; did you mean position?");
   EXPECT_EQ(stepped_refusal({"--fields", "time,s,time"}),
-            "--fields: time twice; expected each field once; take one out");
+            "--fields: time is repeated; expected each field once; remove one");
 }
 
 TEST(Validators, formats_are_those_that_can_be_read_or_written) {

@@ -93,22 +93,20 @@ TEST(Close, keys_without_times_need_one_step_more) {
 }
 
 TEST(Close, refuses_what_makes_no_closed_curve) {
-  EXPECT_EQ(
-      close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
-      "f: error: the period of the closed curve is not known; expected --period, or a last row that "
-      "repeats the first position; give one");
+  EXPECT_EQ(close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
+            "f: error: the period of the closed curve is unknown; expected --period, or a last row that "
+            "repeats the first position; give one");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
             "f:3: error: this key closes the curve at the position of line 1, but with another tension, continuity or "
             "bias; expected the same; correct one of the two");
   EXPECT_EQ(
       close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
       "f: error: --period: the curve is closed before its last key, at time 2; expected a longer period; correct it");
-  EXPECT_EQ(
-      close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
-      "f:3: error: this key repeats the position of line 1 and so ends the period, but --period is another; take "
-      "one of them out");
+  EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
+            "f:3: error: this key repeats the position of line 1 and so ends the period, but --period is another; take "
+            "one of them out");
   EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
-            "f: error: a closed curve needs two distinct keys at least; add keys");
+            "f: error: a closed curve needs at least two distinct keys; add keys");
 }
 
 TEST(PeriodicExtension, the_last_key_is_before_the_first_and_the_first_two_are_after) {

@@ -58,10 +58,10 @@ TEST(MakeSpec, unknown_names_are_refused_with_the_nearest) {
 TEST(MakeSpec, contradictions_are_refused) {
   CurveSettings settings = ends("zero");
   settings.closed = true;
-  EXPECT_EQ(refusal(settings), "--ends has no effect on a closed curve, which has no ends; take one of them out");
+  EXPECT_EQ(refusal(settings), "--ends has no effect on a closed curve, which has no ends; remove one of them");
   EXPECT_EQ(refusal(ends("zero,zero,zero")),
             "--ends zero,zero,zero: 3 rules; expected one, or one for the start and one for the end");
-  EXPECT_EQ(refusal(ends("zero=3")), "--ends zero=3: expected no value for this rule; take it out");
+  EXPECT_EQ(refusal(ends("zero=3")), "--ends zero=3: expected no value for this rule; remove it");
   settings = {};
   settings.period = "-1";
   EXPECT_EQ(refusal(settings), "--period \"-1\": expected a decimal or a ratio above 0, such as 7.5");

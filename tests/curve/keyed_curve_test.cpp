@@ -125,7 +125,7 @@ TEST(Sparse, a_channel_without_any_number_is_refused) {
   EXPECT_EQ(refusal_of([] {
               joined(keys({{0, 0, none}, {1, 1, none}}));
             }),
-            "f: error: y: no key has a number; expected one at least; fill one in, or leave the column out with "
+            "f: error: y: no key has a number; expected at least one; fill one in, or leave the column out with "
             "--columns");
 }
 

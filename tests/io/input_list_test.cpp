@@ -123,7 +123,7 @@ TEST_F(Inputs, no_output_takes_the_place_of_an_input) {
   options.outputs.folder = "out";
   options.outputs.ending = ".csv";
   EXPECT_EQ(refusal(options),
-            "a.csv: error: its output out/a.csv is an input too; expected two files; give another output");
+            "a.csv: error: its output out/a.csv is also an input; expected two files; give another output");
 }
 
 }  // namespace

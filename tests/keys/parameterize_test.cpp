@@ -37,7 +37,7 @@ TEST(Checked, requires_as_many_keys_as_the_request_needs) {
   EXPECT_EQ(refusal_of([] {
               drain(checked(blocks({{0, 1}}, 1), 2));
             }),
-            "f:1: error: only 1 key; a curve needs two at least; add keys");
+            "f:1: error: only 1 key; a curve needs at least two; add keys");
   EXPECT_EQ(refusal_of([] { drain(checked(blocks({{0, 1}}, 1), 1)); }), "nothing");
 }
 
@@ -82,7 +82,7 @@ TEST(Parameterized, refuses_a_step_that_rounding_loses) {
               drain(parameterized(blocks({{0, 0}, {0, 1e300}, {0, 0}, {0, 1}}, 1, false), 1, {}));
             }),
             "f:4: error: the distance makes a step of 1, which is lost when it is added to the time 2e+300; expected "
-            "times that doubles distinguish; give --parameter a smaller exponent");
+            "times that doubles distinguish; give a smaller exponent to --parameter");
 }
 
 TEST(WithoutEase, drops_the_ease_of_all_keys) {

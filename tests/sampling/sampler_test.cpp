@@ -163,10 +163,10 @@ TEST(Sampler, rows_at_keys_are_on_the_side_that_is_asked_for) {
 TEST(Sampler, counts_the_rows_that_it_refuses) {
   SamplingRequest asked = request(Mode::step, "1e-300");
   EXPECT_EQ(refusal(asked, {1, 5}),
-            "4.00e300 rows are asked for; expected 1000000000 at most; ask for fewer, or raise --max-rows");
+            "4.00e300 rows are requested; expected at most 1000000000; request fewer, or raise --max-rows");
   asked = request(Mode::count, "", 12);
   asked.max_rows = 11;
-  EXPECT_EQ(refusal(asked, {1, 5}), "12 rows are asked for; expected 11 at most; ask for fewer, or raise --max-rows");
+  EXPECT_EQ(refusal(asked, {1, 5}), "12 rows are requested; expected at most 11; request fewer, or raise --max-rows");
 }
 
 TEST(Sampler, refuses_to_leave_the_curve) {

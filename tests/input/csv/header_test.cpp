@@ -35,7 +35,7 @@ TEST(Header, the_first_record_is_a_header_if_a_cell_in_it_is_not_a_number) {
 TEST(Header, a_first_record_of_text_and_numbers_without_a_known_name_is_an_error) {
   EXPECT_EQ(
       read("0,1x\n1,2\n"),
-      "f:1:1: error: the first record has text, \"1x\", and a number, \"0\"; expected names or numbers alone; give "
+      "f:1:1: error: the first record has text, \"1x\", and a number, \"0\"; expected only names or only numbers; give "
       "--header if they are names, --no-header if they are not");
   EXPECT_EQ(read("t,2019,2020\n0,1,2\n"), "t 2019 2020\n2: 0 1 2\n") << "years are names where there is a known one";
   EXPECT_EQ(read("a,2019\n0,1\n", with_columns("time=a")), "a 2019\n2: 0 1\n") << "or a requested one";

@@ -58,7 +58,7 @@ TEST(JsonKeys, a_missing_new_or_repeated_member_is_an_error) {
   EXPECT_EQ(second(first, R"({"t":1,"x":2,"y":3})"),
             "f:2:18: error: keys[1].y: not in the first key; expected the same members in every key; add it there");
   EXPECT_EQ(second(first, R"({"t":1,"x":2,"x":3})"),
-            "f:2:14: error: keys[1].x: a second time in one key; expected once; take one out");
+            "f:2:14: error: keys[1].x: repeated in one key; expected once; remove one");
 }
 
 TEST(JsonKeys, tension_continuity_and_bias_are_never_dropped_silently) {

@@ -29,8 +29,7 @@ TEST(JsonMembers, members_without_a_meaning_are_ignored) {
 }
 
 TEST(JsonMembers, a_repeated_member_in_the_first_key_is_an_error) {
-  EXPECT_THAT(read(R"([{"t":0,"x":1,"x":2}])"),
-              HasSubstr("keys[0].x: a second time in one key; expected once; take one out"));
+  EXPECT_THAT(read(R"([{"t":0,"x":1,"x":2}])"), HasSubstr("keys[0].x: repeated in one key; expected once; remove one"));
 }
 
 TEST(JsonMembers, the_first_key_determines_the_members) {
@@ -47,7 +46,7 @@ TEST(JsonMembers, the_first_key_determines_the_members) {
 
 TEST(JsonMembers, a_near_miss_of_a_known_member_is_an_error) {
   const std::string what =
-      ": nearly \"tension\", but a channel by its name; expected tension, or another name; rename it";
+      ": close to \"tension\", but its name makes it a channel; expected tension, or another name; rename it";
   EXPECT_THAT(read(R"([{"t":0,"position":[1],"tensoin":0.5}])"),
               testing::StartsWith("f:1:24: error: keys[0].tensoin" + what));
   EXPECT_THAT(read(R"([{"t":0,"tensoin":0.5}])"), testing::StartsWith("f:1:9: error: keys[0].tensoin" + what));

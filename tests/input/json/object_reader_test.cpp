@@ -108,7 +108,7 @@ TEST(ObjectReader, positions_are_those_in_the_file_that_the_chunk_is_from) {
 TEST(ObjectReader, a_value_for_a_key_is_an_error_at_its_position) {
   EXPECT_EQ(log("[{},5]"), "f:1:5: error: a number where a key was expected; expected an object; correct it");
   EXPECT_EQ(log("[{},true]"), "f:1:5: error: true where a key was expected; expected an object; correct it");
-  EXPECT_EQ(log("[]"), "f:1:2: error: nothing where a key was expected; expected an object; take the comma out");
+  EXPECT_EQ(log("[]"), "f:1:2: error: nothing where a key was expected; expected an object; remove the comma");
   EXPECT_EQ(log("{}\n5\n"), "f:2:1: error: a number where a key was expected; expected an object; correct it");
 }
 

@@ -39,7 +39,7 @@ TEST(Json, an_input_without_keys_is_an_error) {
   for (const char* text : {"", " \n", "[]", "[ ]\n"}) {
     EXPECT_EQ(read(text, json), "f: error: no keys: the input is empty; expected an object for each key; see --help");
   }
-  EXPECT_EQ(read("{\"keys\":[]}", json), "f:1:1: error: no keys; expected two at least; add them");
+  EXPECT_EQ(read("{\"keys\":[]}", json), "f:1:1: error: no keys; expected at least two; add them");
 }
 
 TEST(Json, faults_after_the_keys_have_their_position) {
@@ -176,7 +176,7 @@ TEST(Json, nothing_where_a_key_was_expected) {
   for (const std::size_t piece : {std::size_t{1}, std::string::npos}) {
     const auto refusal = [](int column) {
       return "f:1:" + std::to_string(column) +
-             ": error: nothing where a key was expected; expected an object; take the comma out";
+             ": error: nothing where a key was expected; expected an object; remove the comma";
     };
     EXPECT_EQ(read(R"([,{"t":0,"x":1}])", {}, piece), refusal(2));
     EXPECT_EQ(read(R"([{"t":0,"x":1},,{"t":1,"x":1}])", {}, piece), refusal(16));

@@ -151,9 +151,9 @@ TEST(JsonSplit, every_byte_of_an_array_ends_up_in_a_chunk_at_its_place) {
 TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
   for (std::size_t piece = 1; piece < 20; ++piece) {
     EXPECT_EQ(error_of([&] { split("[{\"é\":0}]\n \t]x", piece); }),
-              "f:2:3: error: text after the end of the JSON array; expected nothing more; take it out");
+              "f:2:3: error: text after the end of the JSON array; expected nothing more; remove it");
     EXPECT_EQ(error_of([&] { split("[{\"é\":0}] [", piece); }),
-              "f:1:11: error: text after the end of the JSON array; expected nothing more; take it out");
+              "f:1:11: error: text after the end of the JSON array; expected nothing more; remove it");
   }
 }
 
