@@ -52,11 +52,6 @@ std::string escaped(std::string_view text) {
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-/// What an option does, and its default.
-std::string description(const OptionRow& row) {
-  return std::string(row.text) + (row.default_value.empty() ? "" : fmt::format("; default {}", row.default_value));
-}
-
 /// Calls begin(group) and then show(row) for each of its options, in the order in which a reader needs the groups.
 template <class Begin, class Show>
 void for_each_group(Begin begin, Show show) {
@@ -74,7 +69,7 @@ std::string manual_options() {
     std::vector<std::string> names;
     for (const std::string_view name : row.all_names()) names.push_back("\\fB" + escaped(name) + "\\fR");
     const std::string value = row.value.empty() ? "" : " \\fI" + escaped(row.value) + "\\fR";
-    out += fmt::format(".TP\n{}{}\n{}.\n", fmt::join(names, ", "), value, escaped(description(row)));
+    out += fmt::format(".TP\n{}{}\n{}.\n", fmt::join(names, ", "), value, escaped(row.description()));
   };
   for_each_group([&out](std::string_view group) { out += fmt::format(".SS {}\n", group); }, show);
   return out;
@@ -119,90 +114,6 @@ std::string manual() {
   fill("@TANGENTS@\n", manual_tangents());
   fill("@ENDS@\n", manual_ends());
   return page.substr(0, page.find_last_not_of('\n') + 1);
-}
-
-std::vector<std::string_view> known_names(const OptionRow& row) {
-  return row.known == nullptr ? std::vector<std::string_view>{} : row.known();
-}
-
-std::string bash_completion() {
-  std::vector<std::string_view> names;
-  std::string values;
-  for (const OptionRow& row : option_table()) {
-    const auto own = row.all_names();
-    names.insert(names.end(), own.begin(), own.end());
-    if (row.kind != ValueKind::name) continue;
-    values += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return;;\n", fmt::join(own, "|"),
-                          fmt::join(known_names(row), " "));
-  }
-  return fmt::format(
-      "_tcbsample() {{\n"
-      "  local word=${{COMP_WORDS[COMP_CWORD]}}\n"
-      "  case ${{COMP_WORDS[COMP_CWORD-1]}} in\n"
-      "{}"
-      "  esac\n"
-      "  if [[ $word == -* ]]; then\n"
-      "    COMPREPLY=($(compgen -W '{}' -- \"$word\"))\n"
-      "  fi\n"
-      "}}\n"
-      "complete -o default -F _tcbsample tcbsample",
-      values, fmt::join(names, " "));
-}
-
-/// Text inside single quotes of a shell, without the characters that mean something to it.
-std::string plain(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string_view("'[]:").find(c) == std::string_view::npos) out += c;
-  }
-  return out;
-}
-
-/// What zsh offers for the value of an option.
-std::string zsh_value(const OptionRow& row) {
-  switch (row.kind) {
-    case ValueKind::flag: return "";
-    case ValueKind::name: return fmt::format(":{}:({})", plain(row.value), fmt::join(known_names(row), " "));
-    case ValueKind::file: return fmt::format(":{}:_files", plain(row.value));
-    case ValueKind::folder: return fmt::format(":{}:_files -/", plain(row.value));
-    case ValueKind::other: return fmt::format(":{}: ", plain(row.value));
-  }
-  return "";
-}
-
-std::string zsh_completion() {
-  std::string out = "#compdef tcbsample\n_arguments \\\n";
-  for (const OptionRow& row : option_table()) {
-    for (const std::string_view name : row.all_names()) {
-      out += fmt::format("  '{}[{}]{}' \\\n", name, plain(description(row)), zsh_value(row));
-    }
-  }
-  return out + "  '*:file:_files'";
-}
-
-/// What fish offers for the value of an option.
-std::string fish_value(const OptionRow& row) {
-  switch (row.kind) {
-    case ValueKind::flag: return "";
-    case ValueKind::name: return fmt::format(" -x -a '{}'", fmt::join(known_names(row), " "));
-    case ValueKind::file: return " -r -F";
-    case ValueKind::folder: return " -x -a '(__fish_complete_directories)'";
-    case ValueKind::other: return " -x";
-  }
-  return "";
-}
-
-std::string fish_completion() {
-  std::string out;
-  for (const OptionRow& row : option_table()) {
-    out += out.empty() ? "complete -c tcbsample" : "\ncomplete -c tcbsample";
-    for (const std::string_view name : row.all_names()) {
-      const bool is_long = name.starts_with("--");
-      out += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
-    }
-    out += fmt::format("{} -d '{}'", fish_value(row), plain(description(row)));
-  }
-  return out;
 }
 
 }  // namespace
@@ -256,7 +167,7 @@ std::string help_text() {
       "  tcbsample -s 0.1 --output-dir out *.csv  a file for each file\n";
   const auto show = [&out](const OptionRow& row) {
     out += fmt::format("  {}{}{}\n", fmt::join(row.all_names(), ", "), row.value.empty() ? "" : " ", row.value);
-    out += wrapped(description(row), 6);
+    out += wrapped(row.description(), 6);
   };
   for_each_group([&out](std::string_view group) { out += fmt::format("\n{}:\n", group); }, show);
   out +=

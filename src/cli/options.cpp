@@ -316,6 +316,10 @@ std::string_view OptionRow::long_name() const {
 
 std::vector<std::string_view> OptionRow::all_names() const { return split(names, ','); }
 
+std::string OptionRow::description() const {
+  return std::string(text) + (default_value.empty() ? "" : "; default " + std::string(default_value));
+}
+
 bool TypedOptions::wants_text() const {
   return std::ranges::any_of(std::array{Option::help, Option::list_presets, Option::version, Option::generate},
                              [&](Option option) { return has(option); });

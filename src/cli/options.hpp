@@ -69,6 +69,8 @@ struct OptionRow {
   /// With its dashes.
   std::string_view long_name() const;
   std::vector<std::string_view> all_names() const;
+  /// What it does, and its default.
+  std::string description() const;
 };
 
 /// All options in the order of the help, which is that of enum class Option.
@@ -102,6 +104,11 @@ std::string help_text();
 std::string presets_text();
 
 std::string version_text();
+
+/// Scripts that complete options and their values in a shell.
+std::string bash_completion();
+std::string zsh_completion();
+std::string fish_completion();
 
 /// The manual page, or a completion script.
 std::string generated_text(Generated kind);
