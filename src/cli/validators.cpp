@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 #include <fstream>
-#include <iostream>
+#include <sstream>
 #include <utility>
 
 #include "curve/fields.hpp"
@@ -116,7 +116,13 @@ std::vector<Rational> ratios(const std::string& text) {
 }
 
 std::string listed_numbers(const std::string& text) {
-  if (text == "-") return numbers_in(std::cin, "-");
+  if (text == "-") {
+    std::string bytes;
+    const Source<std::string> parts = read_file(text);
+    while (const auto part = parts()) bytes += *part;
+    std::istringstream input(bytes);
+    return numbers_in(input, text);
+  }
   if (!text.starts_with('@')) return text;
   std::ifstream file(text.substr(1));
   if (!file) throw Error(Exit::usage, ErrorCode::unreadable_list).in(text.substr(1));
