@@ -37,9 +37,11 @@ enum class Option {
   comment,
   columns,
   tcb,
+  tcb_scale,
   decimal,
   group,
   missing,
+  na,
   duplicates,
   sort,
   // curve
@@ -83,6 +85,7 @@ enum class Option {
   from_meta,
   hex,
   no_output_header,
+  file_column,
   // files
   output_dir,
   files,
@@ -129,7 +132,9 @@ enum class ErrorCode {
   input_without_name,    ///< standard input, where each input has its own output
   // input
   npy_as_input,
-  not_in_utf8,  ///< name of the encoding
+  compressed_input,       ///< name of the compression, command that decompresses
+  input_of_other_format,  ///< what it is
+  not_in_utf8,            ///< name of the encoding
   two_byte_order_marks,
   nul_byte,
   same_column_names,      ///< the name
@@ -139,6 +144,7 @@ enum class ErrorCode {
   two_columns_for_role,   ///< role, name of the second column
   no_channel_column,
   column_nearly_role,    ///< name, role
+  times_unclear,         ///< name of the column that may be the time
   invalid_role_request,  ///< part of the option's text
   // input/csv
   record_too_long,
@@ -148,14 +154,18 @@ enum class ErrorCode {
   empty_input,
   header_without_rows,
   lines_end_in_carriage_returns,
+  single_column,          ///< delimiter, the character that each row has, its name for -d
   header_unclear,         ///< text, number
   row_unlike_header,      ///< number of cells, number of names
   column_not_utf8,        ///< name, byte
   cell_not_utf8,          ///< cell, byte
   wrong_number_of_cells,  ///< number, expected number
   empty_group,            ///< column
+  number_in_text_column,  ///< number of the column, cell
   number_empty,           ///< column: its name or number
   number_missing,         ///< column, cell
+  time_empty,             ///< column
+  time_missing,           ///< column, cell
   number_with_point,      ///< column, cell
   number_with_comma,      ///< column, cell
   number_too_large,       ///< column, cell
@@ -186,10 +196,16 @@ enum class ErrorCode {
   json_number_too_large,        ///< number
   json_member_repeats,          ///< PATH
   json_member_unknown,          ///< PATH
+  json_array_unused,            ///< PATH, name
+  json_object_unused,           ///< PATH, name
   json_member_missing,          ///< name
+  json_time_missing,            ///< name
   json_member_nearly_role,      ///< PATH, role, name
   json_not_a_number,            ///< PATH, text
   json_null_number,             ///< PATH
+  json_null_time,               ///< PATH
+  json_missing_number,          ///< PATH, text
+  json_missing_time,            ///< PATH, text
   json_null_group,              ///< PATH
   json_number_expected,         ///< PATH
   json_text_expected,           ///< PATH
@@ -212,14 +228,19 @@ enum class ErrorCode {
   setting_channels_expected,  ///< PATH
   setting_id_expected,        ///< PATH
   // keys
-  equal_times,               ///< time, the time before and its line
-  equal_times_in_list,       ///< time, the time before, the positions of both keys in the list
-  decreasing_times,          ///< as equal_times
-  decreasing_times_in_list,  ///< as equal_times_in_list
+  equal_times,                 ///< time, the time before and its line
+  equal_times_in_list,         ///< time, the time before, the positions of both keys in the list
+  decreasing_times,            ///< as equal_times
+  decreasing_times_in_list,    ///< as equal_times_in_list
+  curves_interleaved,          ///< time, the time before and its line, column of labels
+  curves_interleaved_in_list,  ///< as equal_times_in_list, and column of labels
+  sort_interleaves,            ///< column of labels
   sort_without_times,
   duplicates_without_times,
   no_keys,
   single_key,
+  tcb_from_0_to_50,     ///< name of the role, value
+  tcb_in_percent,       ///< as tcb_from_0_to_50
   ease_out_of_range,    ///< name of the role, value
   position_repeats,     ///< line of the key before
   parameter_step_lost,  ///< step, time
@@ -266,6 +287,8 @@ enum class ErrorCode {
   several_curves_in_one_table,  ///< format
   time_beyond_doubles,          ///< time
   other_columns,                ///< columns, columns of the files before
+  file_column_taken,            ///< name
+  name_not_utf8,                ///< byte
   other_checksum,               ///< checksum, the expected one, the earlier output
   made_from_fewer_inputs,       ///< the earlier output, number of its inputs
   made_from_more_inputs,        ///< as made_from_fewer_inputs
@@ -327,6 +350,9 @@ enum class ErrorCode {
   option_idle_with,  ///< as options_exclude
   option_idle,       ///< option, reason
   no_sampling_option,
+  output_of_other_format,  ///< file, format of its ending, format that is given
+  output_not_written,      ///< file, its ending
+  binary_to_terminal,
   range_backwards,  ///< to, from
   standard_input_twice,
   comparison_of_several_files,  ///< number of files

@@ -2,6 +2,7 @@
 #include "app/curve_pipeline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "curve/build.hpp"
@@ -25,6 +26,14 @@ const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::ve
   }
 }
 
+/// What tension, continuity and bias beyond 5 are, where the preset's product shows another scale than the formulas.
+std::optional<ErrorCode> scale_fault(spline::Preset preset) {
+  using enum spline::Preset;
+  constexpr std::array with_0_to_50{max3ds, nel, gamebryo, lib3ds1, lib3ds2};
+  if (std::ranges::count(with_0_to_50, preset) > 0) return ErrorCode::tcb_from_0_to_50;
+  return preset == lightwave ? std::optional(ErrorCode::tcb_in_percent) : std::nullopt;
+}
+
 }  // namespace
 
 CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings& settings,
@@ -35,6 +44,8 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       fields_(std::move(fields)),
       golden_(golden),
       timed_(input.timed),
+      may_be_timed_(input.may_be_timed),
+      has_tcb_scale_(input.has_tcb_scale),
       threads_(input.threads),
       may_miss_(input.may_miss),
       channels_(input.channels) {
@@ -55,7 +66,10 @@ bool CurvePipeline::needs_lengths() const {
 
 /// The keys with times, checked.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks) const {
+  if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
+  const auto other_scale = has_tcb_scale_ ? std::nullopt : scale_fault(spec_.preset);
+  if (other_scale) blocks = within_tcb_scale(std::move(blocks), *other_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
   return checked(std::move(blocks), is_single() ? 1 : 2);
 }

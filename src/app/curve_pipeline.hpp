@@ -89,7 +89,7 @@ class CurvePipeline {
   CurveSpec spec_;
   std::vector<std::size_t> fields_;
   std::optional<GoldenOptions> golden_;
-  bool timed_;
+  bool timed_, may_be_timed_, has_tcb_scale_;
   unsigned threads_;
   bool may_miss_;
   std::vector<std::string> channels_;

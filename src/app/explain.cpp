@@ -13,6 +13,7 @@
 #include "input/input.hpp"
 #include "input/key_block.hpp"
 #include "io/input_file.hpp"
+#include "output/layout.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
@@ -115,6 +116,7 @@ struct CurveOutcome {
   std::optional<Time> first, last;  ///< times of the keys, where they are known
   PlacementFacts facts;
   std::optional<Rational> remainder;
+  bool ends_at_key = true;  ///< the end of the range is the last key
 
   void add(const KeyBlock& block) {
     keys += block.size();
@@ -153,7 +155,8 @@ Facts lines_of(const CurveOutcome& outcome, const Wording& wording) {
   if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
   if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
   lines.emplace_back("rows", fmt::format("{}", outcome.rows));
-  if (outcome.remainder) lines.emplace_back("note", wording.note(remainder_note(*outcome.remainder)));
+  if (outcome.remainder)
+    lines.emplace_back("note", wording.note(remainder_note(*outcome.remainder, outcome.ends_at_key)));
   return lines;
 }
 
@@ -182,6 +185,7 @@ class Explainer {
       append(intended_, intentions(job_, input_));
     }
     last_ = outcome_of(pipeline, curve);
+    last_.ends_at_key = !job_.sampling.to && !pipeline.facts().spec.closed;
     keys_ += last_.keys;
     rows_ += last_.rows;
     if (count_ < most_curves) curves_.emplace_back(title(input_, curve, count_), line_of(last_));
@@ -214,6 +218,17 @@ class Explainer {
   std::uint64_t rows_ = 0;
 };
 
+/// The explanation as an object in a line, whose members are texts.
+std::string as_object(const Facts& lines) {
+  std::string out = "{";
+  for (const auto& [name, value] : lines) {
+    out += (out.size() > 1 ? "," : "") + json_text(name) + ":" + json_text(value);
+  }
+  return out + "}\n";
+}
+
+bool is_json(FormatId format) { return format == FormatId::json || format == FormatId::jsonl; }
+
 }  // namespace
 
 Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
@@ -231,20 +246,23 @@ Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
   return words;
 }
 
-Note remainder_note(const Rational& remainder) { return {NoteCode::remainder, {nearest_time(remainder).hi}}; }
+Note remainder_note(const Rational& remainder, bool at_key) {
+  return {at_key ? NoteCode::remainder : NoteCode::range_remainder, {nearest_time(remainder).hi}};
+}
 
 std::string explanation(const std::string& path, const Job& job, const Wording& wording) {
   const Input input = open_input(path, read_file(path), job.input);
   Curves curves(input, job.curves, is_live(path));
   Explainer explainer(input, job, wording);
   while (const std::optional<CurveKeys> curve = curves.next()) explainer.add(*curve);
-  std::string out = fmt::format("file: {}\n", shown_name(path));
-  const auto print = [&out](const Facts& lines) {
-    for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);
-  };
-  print(input_facts(input));
-  print(explainer.lines());
-  if (curves.skipped() > 0) out += fmt::format("rows left out: {}\n", curves.skipped());
+  Facts lines{{"file", shown_name(path)}};
+  const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };
+  append(input_facts(input));
+  append(explainer.lines());
+  if (curves.skipped() > 0) lines.emplace_back("rows left out", fmt::format("{}", curves.skipped()));
+  std::string out;
+  if (is_json(job.output_format)) return as_object(lines);
+  for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);
   return out;
 }
 

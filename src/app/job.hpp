@@ -69,6 +69,7 @@ struct Job {
   bool explain = false;                   ///< print what was detected and would be done, no rows
   std::optional<unsigned> jobs;           ///< threads; nothing: all cores, one for a live pipe
   Verbosity verbosity;
+  std::optional<std::string> file_column;    ///< the name of a column with the name of the input
   std::string output = "-";                  ///< one output for all files, or
   std::optional<std::string> output_folder;  ///< one for each, in this folder
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <new>
@@ -23,7 +24,7 @@ namespace tcb {
 namespace {
 
 WriterOptions writer_options(const Job& job) {
-  return {job.output_format, job.output_header, job.notation, job.fields, job.meta};
+  return {job.output_format, job.output_header, job.notation, job.fields, job.meta, job.file_column};
 }
 
 InputOptions input_options(const Job& job, unsigned threads, bool live) {
@@ -72,6 +73,7 @@ class FileRun {
       note_curve(placed);
     }
     provenance.end_input();
+    if (remainders_ > 1) report_.note(path_, {NoteCode::more_remainders, {remainders_ - 1}});
     if (curves.skipped() > 0) report_.note(path_, {NoteCode::skipped_rows, {curves.skipped()}});
     return rows_;
   }
@@ -82,7 +84,7 @@ class FileRun {
     if (curve.curve_info != curve_info_) {
       pipeline_.emplace(job_.sampling, job_.curve, job_.fields, job_.golden, input, *curve.curve_info);
     }
-    if (curve_info_ == nullptr) writer_.begin(input, live_, rules(*pipeline_, wording_));
+    if (curve_info_ == nullptr) writer_.begin(input, live_, rules(*pipeline_, wording_), shown_name(path_));
     curve_info_ = curve.curve_info;
     writer_.begin_curve(curve.group);
   }
@@ -110,11 +112,15 @@ class FileRun {
 
   void note_input(const Input& input) {
     if (!input.timed && !job_.curve.parameter) report_.note(path_, {NoteCode::no_time_column});
-    if (!input.ignored.empty()) report_.note(path_, {NoteCode::ignored_columns, {input.ignored}});
+    const bool chosen = std::ranges::count(job_.input.roles, Role::position, &RoleRequest::role) > 0;
+    if (input.ignored.empty()) return;
+    report_.note(path_, {chosen ? NoteCode::unchosen_columns : NoteCode::ignored_columns, {input.ignored}});
   }
 
   void note_curve(const PlacedCurve& placed) {
-    if (const auto remainder = placed.remainder()) report_.note(path_, remainder_note(*remainder));
+    const auto remainder = placed.remainder();
+    const bool ends_at_key = !job_.sampling.to && !pipeline_->facts().spec.closed;
+    if (remainder && remainders_++ == 0) report_.note(path_, remainder_note(*remainder, ends_at_key));
     if (placed.facts.step && job_.sampling.end != EndPolicy::drop) {
       report_.note(path_, {NoteCode::step, {time_text(*placed.facts.step)}});
     }
@@ -129,6 +135,7 @@ class FileRun {
   std::shared_ptr<const CurveInfo> curve_info_;  ///< of the curve before
   std::optional<CurvePipeline> pipeline_;
   std::uint64_t rows_ = 0;
+  std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
 };
 
 /// The files of a job, and what all of them share.

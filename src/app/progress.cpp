@@ -66,7 +66,11 @@ std::string progress_text(std::uint64_t files, std::uint64_t all_files, std::uin
 Report::~Report() { clear(); }
 
 void Report::note(const std::string& path, const Note& note) {
-  if (verbosity_.notes) print(fmt::format("{}: note: {}", shown_name(path), wording_.note(note)));
+  constexpr std::array losses{NoteCode::ignored_columns, NoteCode::remainder, NoteCode::range_remainder,
+                              NoteCode::more_remainders};
+  const bool is_loss = std::ranges::count(losses, note.code) > 0;
+  if (is_loss ? !verbosity_.quiet : verbosity_.notes)
+    print(fmt::format("{}: note: {}", shown_name(path), wording_.note(note)));
 }
 
 void Report::warning(const std::string& path, const Note& note) {

@@ -18,12 +18,15 @@ namespace tcb {
 enum class NoteCode {
   reads_terminal,
   no_time_column,
-  ignored_columns,  ///< names
-  remainder,        ///< distance of the end from the last row
-  step,             ///< the step, as text
-  skipped_rows,     ///< number
-  made_times,       ///< the parameterization, as given
-  other_program,    ///< the program of the earlier output, this program
+  ignored_columns,   ///< names
+  unchosen_columns,  ///< the same, where the positions were chosen
+  remainder,         ///< distance of the end from the last row
+  range_remainder,   ///< the same, where the range does not end at a key
+  more_remainders,   ///< number of further curves with one
+  step,              ///< the step, as text
+  skipped_rows,      ///< number
+  made_times,        ///< the parameterization, as given
+  other_program,     ///< the program of the earlier output, this program
 };
 
 struct Note {
@@ -53,6 +56,7 @@ class Report {
   /// Removes the progress from the terminal.
   ~Report();
 
+  /// Notes of what the rows lack are always printed, unless it is quiet; others only on a terminal.
   void note(const std::string& path, const Note& note);
   void warning(const std::string& path, const Note& note);
   void error(const Error& error);

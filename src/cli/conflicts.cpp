@@ -95,7 +95,8 @@ constexpr std::array table{
     Conflict{{O::abs, O::rel, O::ulp}, need, {O::check}},
     Conflict{modes | OptionSet{O::from, O::to, O::end, O::keys, O::max_rows}, idle, reports, for_report},
     Conflict{{O::output_dir, O::files, O::explain, O::progress, O::meta}, idle, reports, for_report},
-    Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header}, idle, reports, for_report},
+    Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header, O::file_column}, idle, reports,
+             for_report},
     Conflict{{O::output_format}, idle, reports, ", whose report is text or json", has_rows_as_report},
     Conflict{rules, idle, {O::identify}, ", which tries all rules on positions"},
     // input

@@ -59,6 +59,12 @@ constexpr std::array<OptionRow, option_count> table{{
      }},
     {Option::tcb, "--tcb", "T,C,B", input, "Tension, continuity and bias of keys that have none", "0,0,0", other,
      recorded, [](Typed& to, Text text) { to.job.input.tcb = tcb_values(text); }},
+    {Option::tcb_scale, "--tcb-scale", "SCALE", input,
+     "How tension, continuity and bias are given: 3dsmax, from 0 to 50 with 25 for 0; none, as they are, whatever their "
+     "size; by default as they are, and numbers beyond 5 are refused with presets of products that show 0 to 50 or "
+     "percent",
+     "", name, recorded, [](Typed& to, Text text) { to.job.input.tcb_scale = named_row(tcb_scales, text).scale; },
+     names_in<tcb_scales>},
     {Option::decimal, "--decimal", "MARK", input, "The decimal mark of numbers, a point or a comma", ".", other,
      recorded, [](Typed& to, Text text) { to.job.input.decimal = decimal_mark(text); }},
     {Option::group, "-g,--group", "COL[,COL]", input,
@@ -69,11 +75,14 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.input.roles.push_back({Role::group, column_list(text), Option::group});
      }},
     {Option::missing, "--missing", "POLICY", input,
-     "For a cell that is empty, NA, nan or null: error refuses it; skip-row leaves the key out; skip-cell interpolates "
+     "For a cell that is empty or a sign of a missing number, such as NA: error refuses it; skip-row leaves the key out; skip-cell interpolates "
      "that channel through its other keys; break begins a new curve after it",
      "error", name, recorded,
      [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).way; },
      names_in<missing_names>},
+    {Option::na, "--na", "TEXT,...", input,
+     "Further signs of a missing number, besides NA, N/A, nan, null, None, missing, - and the like", "", other, recorded,
+     [](Typed& to, Text text) { to.job.input.signs = column_list(text); }},
     {Option::duplicates, "--duplicates", "POLICY", input,
      "For keys with equal times: error refuses them; first or last keeps that one; break begins a new curve with the "
      "second",
@@ -203,7 +212,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "Writes to FILE, which appears when it is complete; -: standard output", "", file, unrecorded,
      [](Typed& to, Text text) { to.job.output = text; }},
     {Option::output_format, "-f,--output-format", "FORMAT", output,
-     "csv, tsv, ssv, json, jsonl, or npy (an array for NumPy)", "csv", name, recorded,
+     "csv, tsv, ssv, json, jsonl, or npy (an array for NumPy); by default the format of FILE's ending, else csv", "", name, recorded,
      [](Typed& to, Text text) { to.job.output_format = output_format(text); }, output_format_names},
     {Option::fields, "--fields", "FIELD,...", output,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
@@ -245,6 +254,9 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::no_output_header, "--no-output-header", "", output,
      "No names above the rows; the default where the input has none", "", flag, recorded,
      [](Typed& to, Text) { to.job.output_header = false; }},
+    {Option::file_column, "--file-column", "[=NAME]", output,
+     "Adds the input's name as the first column, called NAME; without a blank line between files", "file", other,
+     recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
 
     {Option::output_dir, "--output-dir", "DIR", files,
      "Writes a file for each input into this folder, with the format's ending", "", folder, unrecorded,

@@ -71,6 +71,8 @@ struct OptionRow {
   std::vector<std::string_view> all_names() const;
   /// What it does, and its default.
   std::string description() const;
+  /// It may be left out, and is the default then.
+  bool has_optional_value() const { return value.starts_with("[="); }
 };
 
 /// All options in the order of the help, which is that of enum class Option.
@@ -192,6 +194,9 @@ std::vector<std::size_t> field_list(const std::string& text);
 std::string name_part(const std::string& text);
 FormatId input_format(const std::string& text);
 FormatId output_format(const std::string& text);
+
+/// The format that an output's ending names, if it does. Throws: Error (usage) for the ending of other files.
+std::optional<FormatId> format_by_ending(const std::string& path);
 
 /// The names of a table's rows, of the formats that can be read or written, and of the fields.
 template <const auto& table>

@@ -96,9 +96,24 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   return generated_text(*typed.generated);
 }
 
+/// The option whose value may be left out has it in the same word, so that it does not take the name of a file.
+/// Throws: Error (usage) for one without the value that its = announces, and for an empty value.
+std::vector<std::string> with_values(std::vector<std::string> words) {
+  const OptionRow& row = row_of(Option::file_column);
+  const std::string name(row.long_name());
+  for (auto word = words.begin(); word != words.end() && *word != "--"; ++word) {
+    if (*word == name + "=") throw Error(Exit::usage, ErrorCode::value_missing, {name});
+    if (*word != name) continue;
+    if (word + 1 != words.end() && word[1].empty()) throw Error(Exit::usage, ErrorCode::empty_value).about(row.id);
+    *word += fmt::format("={}", row.default_value);
+  }
+  return words;
+}
+
 }  // namespace
 
-TypedOptions read_options(const std::vector<std::string>& words) {
+TypedOptions read_options(const std::vector<std::string>& given) {
+  const std::vector<std::string> words = with_values(given);
   TypedOptions typed;
   CLI::App app;
   declare(app, typed, words);
@@ -122,6 +137,7 @@ Invocation parse(int argc, const char* const* argv) {
     words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
     typed = read_options(words);
   }
+  set_output_format(typed, provenance.has_value());
   require_no_conflict(typed);
   if (typed.has(Option::meta)) {
     if (!provenance) provenance.emplace();
@@ -203,6 +219,15 @@ Job make_job(const TypedOptions& typed) {
   (void)make_spec(job.curve);  // refuses rules that do not fit each other
   job.input.timeless = job.curve.parameter.has_value();
   job.input.keeps_decimals = typed.has(Option::exact_input);
+  if (typed.has(Option::tcb) && job.input.tcb_scale == TcbScale::max3ds) {
+    for (double* const value : {&job.input.tcb.tension, &job.input.tcb.continuity, &job.input.tcb.bias}) {
+      *value = nearest_double(from_0_to_50(exact_time(Time(*value))));
+    }
+  }
+  const bool to_terminal = job.output == "-" && !job.output_folder && ::isatty(STDOUT_FILENO) != 0;
+  if (to_terminal && format_of(job.output_format).is_binary && !job.explain) {
+    throw Error(Exit::usage, ErrorCode::binary_to_terminal);
+  }
   set_side(job, typed);
   set_verbosity(job, typed);
   job.notation = typed.notation;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 #include "cli/options.hpp"
@@ -44,6 +45,10 @@ constexpr std::array all_words{
     // input
     Words{ErrorCode::npy_as_input,
           "the file is in a format of NumPy; expected text; convert it, for example with numpy.savetxt"},
+    Words{ErrorCode::compressed_input,
+          "the file is compressed with {0}; expected text; decompress it, as in {1} FILE | tcbsample"},
+    Words{ErrorCode::input_of_other_format,
+          "this is {0}; expected text with a key in each row, or JSON; export the keys as CSV or JSON"},
     Words{ErrorCode::not_in_utf8,
           "the text is {0}; expected UTF-8; convert it, for example with iconv -f {0} -t UTF-8"},
     Words{ErrorCode::two_byte_order_marks, "two byte order marks; expected at most one; remove one"},
@@ -62,6 +67,9 @@ constexpr std::array all_words{
     Words{ErrorCode::column_nearly_role,
           "column \"{0}\" is close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename "
           "it, or give --columns {1}={0} or position=NAME:NAME"},
+    Words{ErrorCode::times_unclear,
+          "no time column, and column \"{0}\" may be it; expected a column called time; give --columns time={0}, or "
+          "--parameter uniform if the keys have no times"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
           "continuity=, bias=, ease_in=, ease_out=, group= or carry=; for example --columns time=frame,position=px:py"},
@@ -80,6 +88,8 @@ constexpr std::array all_words{
     Words{ErrorCode::lines_end_in_carriage_returns,
           "no keys: there is one line, with carriage returns in it; expected a line for each key; change them to line "
           "feeds, for example with tr"},
+    Words{ErrorCode::single_column,
+          "one column, as there is no {q0}, but each row has {q1}; expected cells between delimiters; give -d {2}"},
     Words{ErrorCode::header_unclear,
           "the first record has text, {q0}, and a number, {q1}; expected only names or only numbers; give --header if "
           "they are names, --no-header if they are not"},
@@ -96,10 +106,18 @@ constexpr std::array all_words{
     Words{ErrorCode::empty_group,
           "{0}: an empty cell; expected the name of a curve; fill it in, or give --missing skip-row"},
     Words{
+        ErrorCode::number_in_text_column,
+        "{c0}: {q1} is a number in a column of text; expected numbers or text alone; give the text that marks missing "
+        "numbers to --na, or leave the column out with --columns position=NAME:NAME"},
+    Words{
         ErrorCode::number_empty,
         "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
     Words{ErrorCode::number_missing,
           "{c0}: {q1} where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
+    Words{ErrorCode::time_empty,
+          "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row or break"},
+    Words{ErrorCode::time_missing,
+          "{c0}: {q1} where a number was expected; fill it in, or give --missing skip-row or break"},
     Words{ErrorCode::number_with_point,
           "{c0}: {q1} has a point; expected a decimal comma; correct the cell, or remove --decimal"},
     Words{ErrorCode::number_with_comma,
@@ -142,15 +160,31 @@ constexpr std::array all_words{
     Words{ErrorCode::json_member_repeats, "{0}: repeated in one key; expected once; remove one"},
     Words{ErrorCode::json_member_unknown,
           "{0}: not in the first key; expected the same members in every key; add it there"},
+    Words{ErrorCode::json_array_unused,
+          "{0}: an array that is not used; expected \"position\" as the name of an array of positions; rename it, or "
+          "give "
+          "--columns position={1}, or position=NAME:NAME for the members to take"},
+    Words{
+        ErrorCode::json_object_unused,
+        "{0}: numbers in an object, or in arrays in an array, are not used; expected an array of numbers, or a member "
+        "for each number; write them so, or give --columns position=NAME:NAME for the members to take"},
     Words{ErrorCode::json_member_missing,
           "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row, skip-cell "
           "or break"},
+    Words{ErrorCode::json_time_missing,
+          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row or break"},
     Words{ErrorCode::json_member_nearly_role,
           "{0}: close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename it, or give "
           "--columns {1}={2} or position=NAME:NAME"},
     Words{ErrorCode::json_not_a_number, "{0}: {q1} is not a number; expected one without quotes; correct it"},
     Words{ErrorCode::json_null_number,
           "{0}: null where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
+    Words{ErrorCode::json_null_time,
+          "{0}: null where a number was expected; fill it in, or give --missing skip-row or break"},
+    Words{ErrorCode::json_missing_number,
+          "{0}: {q1} where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
+    Words{ErrorCode::json_missing_time,
+          "{0}: {q1} where a number was expected; fill it in, or give --missing skip-row or break"},
     Words{ErrorCode::json_null_group, "{0}: null where a text was expected; fill it in, or give --missing skip-row"},
     Words{ErrorCode::json_number_expected, "{0}: expected a number, as in the first key; correct it"},
     Words{ErrorCode::json_text_expected, "{0}: expected a text or a number, as in the first key; correct it"},
@@ -189,6 +223,17 @@ constexpr std::array all_words{
     Words{ErrorCode::decreasing_times_in_list,
           "{3}: time {0} is less than the time {1} of {2}; expected increasing times; sort the rows by time, or give "
           "--sort"},
+    Words{
+        ErrorCode::curves_interleaved,
+        "time {0} does not increase after {1} in line {2}, but it does for each value of \"{3}\"; expected the rows of "
+        "one curve; give --group {3} for a curve each"},
+    Words{
+        ErrorCode::curves_interleaved_in_list,
+        "{3}: time {0} does not increase after {1} of {2}, but it does for each value of \"{4}\"; expected the keys of "
+        "one curve; give --group {4} for a curve each"},
+    Words{ErrorCode::sort_interleaves,
+          "--sort would mix rows with different values of \"{0}\" in one curve; expected the rows of one curve; give "
+          "--group {0} for a curve each, or --columns carry={0} if it does not distinguish curves"},
     Words{ErrorCode::sort_without_times,
           "--sort orders rows by time, and there is no time column; remove it, or name the column with --columns "
           "time=NAME"},
@@ -197,6 +242,14 @@ constexpr std::array all_words{
           "--columns time=NAME"},
     Words{ErrorCode::no_keys, "only 0 keys; a curve needs at least two; add keys"},
     Words{ErrorCode::single_key, "only 1 key; a curve needs at least two; add keys"},
+    Words{ErrorCode::tcb_from_0_to_50,
+          "{0} is {1}, and 3ds Max shows 0 to 50 with 25 for 0, as does what was made for it; expected -1 to 1 as a "
+          "rule; "
+          "give --tcb-scale 3dsmax, or --tcb-scale none if the number is meant as it is"},
+    Words{ErrorCode::tcb_in_percent,
+          "{0} is {1}, and the product shows percent; expected -1 to 1 as a rule; divide by 100, or give --tcb-scale "
+          "none "
+          "if the number is meant as it is"},
     Words{ErrorCode::ease_out_of_range, "{0} is {1}; expected 0 to 1; correct it, or give --no-ease"},
     Words{ErrorCode::position_repeats,
           "the position repeats that of line {0}; times are made from distances, and here the distance is 0; remove "
@@ -290,6 +343,10 @@ constexpr std::array all_words{
     Words{ErrorCode::other_columns,
           "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an output "
           "for each file"},
+    Words{ErrorCode::file_column_taken,
+          "there is a column \"{0}\" already; expected another name for that of files; give --file-column=NAME"},
+    Words{ErrorCode::name_not_utf8,
+          "the byte {0} of the file's name is not UTF-8; expected UTF-8 for --file-column; rename the file"},
     Words{ErrorCode::other_checksum,
           "its SHA-256 is {0}; expected {1}, that of the keys that {2} was made from; give that file"},
     Words{ErrorCode::made_from_fewer_inputs, "{0} was made from fewer files of keys, {1}; give as many"},
@@ -378,6 +435,14 @@ constexpr std::array all_words{
     Words{ErrorCode::no_sampling_option,
           "no sampling option given; expected one of {0}; for example tcbsample --step 0.1 keys.csv"},
     Words{ErrorCode::range_backwards, "--to {0} is before --from {1}; expected a later one; swap them"},
+    Words{ErrorCode::output_of_other_format,
+          "--output {0} names {1} by its ending, but --output-format is {2}; expected the same; change one of them"},
+    Words{
+        ErrorCode::output_not_written,
+        "--output {0}: {1} is no format of the output; expected .csv, .tsv, .ssv, .json, .jsonl or .npy; give another "
+        "ending, and convert the file afterwards"},
+    Words{ErrorCode::binary_to_terminal,
+          "npy is not text, and standard output is a terminal; expected a file or a pipe; give -o FILE.npy"},
     Words{ErrorCode::standard_input_twice,
           "{subject} - and the keys are both standard input; expected one of them; give the other by its file name"},
     Words{ErrorCode::comparison_of_several_files, "{subject} takes one file of keys; {0} are given; remove the others"},
@@ -412,14 +477,52 @@ struct AddValue {
   void operator()(const auto& value) const { to.push_back(value); }
 };
 
+/// A name as it is compared: in lower case, without the dashes of an option.
+std::string compared(std::string_view name) {
+  name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
+  std::string text(name);
+  std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; });
+  return text;
+}
+
+/// The last option that has this name among its values, with it, as in "--extrapolate hold"; or "".
+std::string option_with_value(std::string_view name) {
+  std::string found;
+  for (const OptionRow& row : option_table()) {
+    const auto names = row.known == nullptr ? std::vector<std::string_view>{} : row.known();
+    if (std::ranges::count(names, name) > 0) found = fmt::format("{} {}", row.long_name(), name);
+  }
+  return found;
+}
+
+/// The name that is meant: the nearest one, else the only one that begins with the text, or has it inside.
+std::string meant(const std::string& text, const std::vector<std::string>& names) {
+  const std::string wanted = compared(text);
+  if (text.starts_with("--")) {
+    if (const std::string option = option_with_value(wanted); !option.empty()) return option;
+  }
+  std::vector<std::string> all;
+  std::ranges::transform(names, std::back_inserter(all), compared);
+  const std::string nearest = nearest_name(wanted, std::vector<std::string_view>(all.begin(), all.end()));
+  auto found = nearest.empty() ? all.end() : std::ranges::find(all, nearest);
+  const auto only = [&](const auto& is_it) {
+    return std::ranges::count_if(all, is_it) == 1 ? std::ranges::find_if(all, is_it) : all.end();
+  };
+  const auto begins = [&](const std::string& name) { return wanted.size() > 1 && name.starts_with(wanted); };
+  const auto has = [&](const std::string& name) { return wanted.size() > 2 && name.find(wanted) != std::string::npos; };
+  const auto same_letters = [&](const std::string& name) { return std::ranges::is_permutation(name, wanted); };
+  if (nearest.empty() && text.starts_with("--")) found = only(same_letters);
+  if (nearest.empty() && found == all.end()) found = only(begins);
+  if (found == all.end()) found = only(has);
+  return found == all.end() ? "" : names[static_cast<std::size_t>(found - all.begin())];
+}
+
 /// "; did you mean NAME?", or "".
 std::string nearest(const std::vector<ErrorValue>& values) {
   const auto is_list = [](const ErrorValue& value) { return std::holds_alternative<std::vector<std::string>>(value); };
   const auto list = std::ranges::find_if(values, is_list);
   if (list == values.end() || !std::holds_alternative<std::string>(values[0])) return "";
-  const auto& names = std::get<std::vector<std::string>>(*list);
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  const std::string name = nearest_name(std::get<std::string>(values[0]), known);
+  const std::string name = meant(std::get<std::string>(values[0]), std::get<std::vector<std::string>>(*list));
   return name.empty() ? "" : fmt::format("; did you mean {}?", name);
 }
 
@@ -484,8 +587,13 @@ struct NoteWords {
 constexpr std::array note_words{
     NoteWords{NoteCode::reads_terminal, "keys are read from the terminal; end them with Ctrl-D, or name a file"},
     NoteWords{NoteCode::no_time_column, "no time column; the times of the keys are 0, 1, 2, ..."},
-    NoteWords{NoteCode::ignored_columns, "ignored columns of text: {0}"},
+    NoteWords{NoteCode::ignored_columns,
+              "ignored: {0}; --columns gives them roles, as in carry=NAME or position=NAME:NAME"},
+    NoteWords{NoteCode::unchosen_columns, "ignored, as --columns chooses others: {0}"},
     NoteWords{NoteCode::remainder, "the last key is {0} after the last row; --end keep or --end fit includes it"},
+    NoteWords{NoteCode::range_remainder,
+              "the end of the range is {0} after the last row; --end keep or --end fit includes it"},
+    NoteWords{NoteCode::more_remainders, "the same in {0} more curves, with their own distances"},
     NoteWords{NoteCode::step, "the step is {0}"},
     NoteWords{NoteCode::skipped_rows, "rows skipped for missing numbers: {0}"},
     NoteWords{NoteCode::made_times, "none; made with --parameter {0}"},

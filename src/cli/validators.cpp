@@ -220,6 +220,13 @@ std::string name_part(const std::string& text) {
 }
 
 FormatId input_format(const std::string& text) { return named_format(text, &Format::can_read); }
+std::optional<FormatId> format_by_ending(const std::string& path) {
+  const std::optional<FormatId> named = find_output_format(path);
+  const std::string other(other_ending(path));
+  if (!named && !other.empty()) throw Error(Exit::usage, ErrorCode::output_not_written, {path, other});
+  return named;
+}
+
 FormatId output_format(const std::string& text) { return named_format(text, &Format::can_write); }
 std::vector<std::string_view> input_format_names() { return format_names(&Format::can_read); }
 std::vector<std::string_view> output_format_names() { return format_names(&Format::can_write); }

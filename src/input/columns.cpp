@@ -13,56 +13,6 @@
 namespace tcb {
 namespace {
 
-struct RoleName {
-  std::string_view name;
-  Role role;
-  bool any_case;
-  bool in_header = true;  ///< a column of that name has that role
-};
-
-/// Names that give a column its role. The first ones, in the order of Role, are also the names of the roles.
-constexpr std::array role_names{
-    RoleName{"time", Role::time, true},          RoleName{"position", Role::position, true},
-    RoleName{"tension", Role::tension, true},    RoleName{"continuity", Role::continuity, true},
-    RoleName{"bias", Role::bias, true},          RoleName{"ease_in", Role::ease_in, true},
-    RoleName{"ease_out", Role::ease_out, true},  RoleName{"group", Role::group, true, false},
-    RoleName{"carry", Role::carry, true, false}, RoleName{"t", Role::time, false},
-    RoleName{"frame", Role::time, true},         RoleName{"timestamp", Role::time, true},
-    RoleName{"seconds", Role::time, true},       RoleName{"T", Role::tension, false},
-    RoleName{"C", Role::continuity, false},      RoleName{"B", Role::bias, false},
-};
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
-bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
-
-/// A name such as "timestamp [ns]" or "time (s)" without its unit.
-std::string_view without_unit(std::string_view name) {
-  const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
-  if (begin == 0 || begin == std::string_view::npos) return name;
-  return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
-}
-
-/// Whether `longer` is `shorter` with one letter more.
-bool is_with_a_letter(std::string_view longer, std::string_view shorter) {
-  if (longer.size() != shorter.size() + 1) return false;
-  std::size_t at = 0;
-  while (at < shorter.size() && lower(longer[at]) == lower(shorter[at])) ++at;
-  return is_letter(longer[at]) && same_in_any_case(longer.substr(at + 1), shorter.substr(at));
-}
-
-/// Whether `name` is a near miss of `known`.
-bool is_near(std::string_view name, std::string_view known) {
-  if (is_with_a_letter(name, known) || is_with_a_letter(known, name)) return true;
-  if (name.size() != known.size()) return false;
-  std::size_t at = 0;
-  while (at < name.size() && lower(name[at]) == lower(known[at])) ++at;
-  if (at + 1 >= name.size()) return at < name.size() && known.size() > 4;
-  const bool changed = same_in_any_case(name.substr(at + 1), known.substr(at + 1));
-  const bool swapped = lower(name[at]) == lower(known[at + 1]) && lower(name[at + 1]) == lower(known[at]) &&
-                       same_in_any_case(name.substr(at + 2), known.substr(at + 2));
-  return swapped || (changed && known.size() > 4);
-}
-
 [[noreturn]] void refuse_same_names(const std::string& name) {
   throw Error(Exit::data, ErrorCode::same_column_names, {name});
 }
@@ -108,6 +58,31 @@ void number_texts(Columns& columns) {
   }
 }
 
+/// For each column, whether it is the time by one of the usual names, among which those of columns of numbers come
+/// first. None is where a time is requested, or a column has a name such as "time".
+std::vector<bool> usual_times(const Columns& columns, std::span<const std::string> header,
+                              const std::vector<bool>& numeric) {
+  std::vector<bool> numbers(header.size()), texts(header.size());
+  bool any_numbers = false;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const Role role = columns.cells[cell].role;
+    if (role == Role::time || role_of_name(header[cell]) == Role::time) return std::vector<bool>(header.size());
+    texts[cell] = role == Role::ignored && is_usual_time(header[cell]);
+    numbers[cell] = texts[cell] && numeric[cell];
+    any_numbers = any_numbers || numbers[cell];
+  }
+  return any_numbers ? numbers : texts;
+}
+
+/// Whether the first channel comes first among the columns of numbers, and might be the time.
+bool may_be_timed(const Columns& columns, std::span<const std::string> header) {
+  if (header.empty() || columns.has(Role::time) || columns.channels.size() < 2) return false;
+  const auto first = std::ranges::find_if(columns.cells, [](const auto& column) {
+    return column.role != Role::ignored && column.role != Role::group && column.role != Role::carry;
+  });
+  return first->role == Role::position && !is_coordinate(columns.channels[0]);
+}
+
 /// Roles by name, or without a header time first; positions only where none were requested.
 void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
                      bool timeless) {
@@ -117,12 +92,15 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
   for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
   const auto is_text = [](const auto& column) { return column.role == Role::group || column.role == Role::carry; };
   const auto front = static_cast<std::size_t>(std::ranges::find_if_not(requested, is_text) - requested.begin());
+  const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
   std::unordered_set<std::string_view> names;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (requested[cell].role != Role::ignored) continue;
     const bool first = cell == front && !timeless && !columns.has(Role::time);
-    const Role role = !header.empty() ? role_of_name(header[cell]) : first ? Role::time : Role::position;
+    const bool is_time = header.empty() ? first : usual[cell];
+    const Role role = is_time ? Role::time : header.empty() ? Role::position : role_of_name(header[cell]);
     const bool has_request = is_requested[static_cast<std::size_t>(role)];
+    columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
     if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
     if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
       refuse_same_names(header[cell]);
@@ -132,35 +110,6 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
 }
 
 }  // namespace
-
-bool same_in_any_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
-
-std::string_view role_name(Role role) { return role_names[static_cast<std::size_t>(role) - 1].name; }
-
-std::optional<Role> find_role(std::string_view name) {
-  const auto known = std::ranges::find(role_names, name, &RoleName::name);
-  return known == role_names.end() ? std::nullopt : std::optional(known->role);
-}
-
-Role role_of_name(std::string_view name) {
-  const auto role_of = [](std::string_view written) {
-    const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
-      return known.in_header && (known.any_case ? same_in_any_case(written, known.name) : written == known.name);
-    });
-    return row == role_names.end() ? Role::position : row->role;
-  };
-  const std::string_view alone = without_unit(name);
-  return alone.size() < name.size() && role_of(alone) == Role::time ? Role::time : role_of(name);
-}
-
-std::optional<Role> near_role(std::string_view name) {
-  if (role_of_name(name) != Role::position) return std::nullopt;
-  const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
-    const bool counts = known.any_case && known.in_header && known.role != Role::position;
-    return counts && is_near(without_unit(name), known.name);
-  });
-  return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
-}
 
 bool Columns::has(Role role) const {
   return std::ranges::any_of(cells, [&](const Column& column) { return column.role == role; });
@@ -214,8 +163,14 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   }
   assign_the_rest(columns, header, numeric, timeless);
   number_texts(columns);
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (columns.cells[cell].role == Role::ignored) columns.ignored.push_back(header[cell]);
+  const bool positions_given = std::ranges::count(requests, Role::position, &RoleRequest::role) > 0;
+  columns.may_be_timed = !timeless && !positions_given && may_be_timed(columns, header);
+  for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
+    if (columns.cells[cell].role != Role::ignored) continue;
+    columns.cells[cell].channel = columns.ignored.size();
+    columns.ignored.push_back(header.empty() ? fmt::format("column {}", cell + 1) : header[cell]);
+    if (columns.marks.size() == most_marks) continue;
+    columns.marks.push_back({header.empty() ? fmt::format("{}", cell + 1) : header[cell], !numeric[cell]});
   }
   if (columns.channels.empty()) {
     throw Error(Exit::data, ErrorCode::no_channel_column);
@@ -247,6 +202,13 @@ Columns find_sample_columns(std::span<const std::string> header, const std::vect
   if (header.empty()) return find_columns(header, numeric, requests, timeless);
   std::ptrdiff_t time = place([&](const auto& name) { return name == names.time; });
   if (time == cells) time = place([](const auto& name) { return role_of_name(name) == Role::time; });
+  const bool has_lengths = std::ranges::count(header, "s") > 0;
+  for (std::ptrdiff_t cell = 0; time == cells && !has_lengths && cell < cells; ++cell) {
+    const auto at = static_cast<std::size_t>(cell);
+    if (!numeric[at] || !is_usual_time(header[at])) continue;
+    time = cell;
+    break;
+  }
   if (time < cells) request(Role::time, time);
   for (std::ptrdiff_t cell = 0; cell < cells; ++cell) {
     const auto at = static_cast<std::size_t>(cell);

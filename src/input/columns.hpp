@@ -30,6 +30,18 @@ Role role_of_name(std::string_view name);
 /// of four letters, a changed letter makes other words, such as tide, and no near miss. Nothing for all other names.
 std::optional<Role> near_role(std::string_view name);
 
+/// Whether a name is a usual one of times, such as "Frame Number", "time_ms" or "header.stamp".
+bool is_usual_time(std::string_view name);
+
+/// Whether a name is a usual one of positions with several coordinates, such as "pos" or "translation".
+bool is_usual_position(std::string_view name);
+
+/// Whether a name is a usual one of what distinguishes curves, such as "id" or "track_id".
+bool is_usual_label(std::string_view name);
+
+/// Whether a name is that of a coordinate, such as "x", "pos_y" or "p3".
+bool is_coordinate(std::string_view name);
+
 /// Whether two names are the same, whatever the case of their letters.
 bool same_in_any_case(std::string_view a, std::string_view b);
 
@@ -43,11 +55,22 @@ struct RoleRequest {
 /// "time=frame,position=px:py:pz". Throws: Error (usage).
 std::vector<RoleRequest> parse_roles(std::string_view text);
 
+/// A column without a role, whose cells may distinguish curves.
+struct Mark {
+  std::string column;    ///< as it can be requested
+  bool is_text = false;  ///< it holds texts
+};
+
+/// At most so many of them are compared.
+inline constexpr std::size_t most_marks = 4;
+
 /// The meaning of the cells of all records of an input.
 struct Columns {
   struct Column {
     Role role = Role::ignored;
-    std::size_t channel = 0;  ///< of positions; of groups and labels, the index among the texts of a key
+    std::size_t channel =
+        0;  ///< of positions; of groups and labels, the index among the texts of a key; of others, among the marks
+    bool is_text = false;  ///< it has no role because it holds texts
   };
   std::vector<Column> cells;          ///< one a cell of a record
   bool named = false;                 ///< the input names its columns
@@ -56,6 +79,8 @@ struct Columns {
   std::vector<std::string> groups;    ///< names of the group columns
   std::vector<std::string> carried;   ///< names of the columns of labels
   std::vector<std::string> ignored;   ///< names of the columns without a role
+  std::vector<Mark> marks;            ///< the first of them
+  bool may_be_timed = false;          ///< the first channel may be the time, by its place and its name
 
   bool has(Role role) const;
   /// Those of tension to ease_out that a column has.
@@ -66,7 +91,8 @@ struct Columns {
 };
 
 /// The columns of records. `header` is empty where the input has no names; numeric[i]: column i holds numbers.
-/// Without a header the first column is the time, unless `timeless`.
+/// Without a header the first column is the time, unless `timeless`. Where no column has a name such as "time", one
+/// with another usual name of times is it.
 /// Throws: Error (data) for a column that does not exist, that has two roles, or whose role another column has.
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                      std::span<const RoleRequest> requests, bool timeless = false);

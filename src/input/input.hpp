@@ -1,17 +1,17 @@
 // Input: options of its reading, chunks of its text, and an input opened with its columns, its facts and its keys.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "error.hpp"
 #include "input/columns.hpp"
 #include "input/key_block.hpp"
+#include "input/missing.hpp"
+#include "input/tcb_scale.hpp"
 #include "io/formats.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
@@ -19,23 +19,13 @@
 
 namespace tcb {
 
-/// The treatment of cells without a value.
-enum class Missing { error, skip_row, skip_cell, break_curve };
-
-/// The names of the treatments.
-struct MissingName {
-  std::string_view name;
-  Missing way;
-};
-inline constexpr std::array missing_names{
-    MissingName{"error", Missing::error}, MissingName{"skip-row", Missing::skip_row},
-    MissingName{"skip-cell", Missing::skip_cell}, MissingName{"break", Missing::break_curve}};
-
 /// How cells become keys.
 struct KeyRules {
   spline::Tcb<double> tcb = {};  ///< of keys that have none
   Missing missing = Missing::error;
-  bool keeps_decimals = false;  ///< keys keep their numbers as written
+  bool keeps_decimals = false;          ///< keys keep their numbers as written
+  std::vector<std::string> signs = {};  ///< of missing cells, besides the common ones
+  TcbScale tcb_scale = TcbScale::none;  ///< of keys
 };
 
 /// Options of the reading of an input.
@@ -53,7 +43,11 @@ struct InputOptions {
   std::optional<SampleNames> samples;  ///< the records are samples of a curve, not keys
   bool keeps_decimals = false;         ///< keys keep their numbers as written
 
-  KeyRules key_rules() const { return {tcb, missing, keeps_decimals}; }
+  std::vector<std::string> signs;  ///< of missing cells, besides the common ones
+
+  TcbScale tcb_scale = TcbScale::unknown;
+
+  KeyRules key_rules() const { return {tcb, missing, keeps_decimals, signs, tcb_scale}; }
 };
 
 /// Whole records of an input, as text.
@@ -102,11 +96,14 @@ struct Input {
   Source<KeyBlock> keys;
   InputFacts facts = {};
   std::vector<std::string> ignored = {};  ///< names of the columns without a role
+  std::vector<Mark> marks = {};           ///< the first of them
   std::vector<std::string> groups = {};   ///< names of the group columns
   std::vector<std::string> carried = {};  ///< names of the columns of labels
   unsigned threads = 1;                   ///< at most
   bool may_break = false;                 ///< a curve may end before the input does
   bool may_miss = false;                  ///< positions may be missing
+  bool has_tcb_scale = false;             ///< that of tension, continuity and bias is given
+  bool may_be_timed = false;              ///< its first channel may be the time
   bool own_curves = false;                ///< blocks have the beginnings of curves, and their information
 
   /// Takes over the columns of the input.

@@ -46,6 +46,7 @@ void KeyBlock::append(const KeyBlock& from, std::size_t first, std::size_t last)
   copy(lines, from.lines, first, last);
   copy(columns, from.columns, first, last);
   copy(numbers, from.numbers, first, last);
+  copy(marks, from.marks, first * from.marks_per_key(), last * from.marks_per_key());
   copy(texts, from.texts, from.size(), first, last);
   copy(decimals, from.decimals, from.size(), first, last);
   path = from.path;
@@ -76,6 +77,7 @@ KeyBlock KeyBlock::split_last() {
     breaks.pop_back();
   }
   if (last == 0) one.curve_info = std::move(curve_info);
+  marks.resize(marks_per_key() * last);
   texts.cut(texts_per_key() * last);
   decimals.cut(decimals.size() / size() * last);
   drop_last(keys.times);

@@ -114,6 +114,8 @@ struct KeyBlock {
   Texts texts = {};                         ///< of each key: what groups it, then its labels
   Texts decimals = {};                      ///< of each key in the order of NumberOfKey: its numbers as written
 
+  std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of Input::marks
+
   // Indices of keys, increasing:
   std::vector<std::size_t> gaps = {};    ///< entries that are no keys, where the curve breaks off
   std::vector<std::size_t> breaks = {};  ///< keys before which the curve breaks off
@@ -127,6 +129,7 @@ struct KeyBlock {
 
   std::size_t size() const { return lines.size(); }
   bool empty() const { return lines.empty(); }
+  std::size_t marks_per_key() const { return empty() ? 0 : marks.size() / size(); }
   std::size_t texts_per_key() const { return empty() ? 0 : texts.size() / size(); }
   std::string_view text(std::size_t key, std::size_t i) const { return texts[key * texts_per_key() + i]; }
 

@@ -32,6 +32,7 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules)
       is_timed_(columns.has(Role::time)),
       has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
+      marks_(columns.marks.size()),
       texts_(columns.texts()),
       decimals_(rules.keeps_decimals ? NumberOfKey::position + columns.channels.size() : 0) {
   block_.keys.channels = columns.channels.size();
@@ -45,6 +46,7 @@ void KeyBuilder::begin_key() {
   time_ = Time(nan);
   tcb_ = rules_.tcb;
   ease_ = {};
+  std::ranges::fill(marks_, 0);
   for (std::string& text : texts_) text.clear();
   for (std::string& decimal : decimals_) decimal.clear();
   is_missing_ = false;
@@ -53,6 +55,12 @@ void KeyBuilder::begin_key() {
 
 void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal) {
   decimals_[number_of_key(column)] = std::move(decimal);
+}
+
+void KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) {
+  const Rational scaled = from_0_to_50(parse_rational(decimal).value_or(Rational(number(column))));
+  number(column) = nearest_double(scaled);
+  if (keeps_decimals()) keep_decimal(column, whole_text(numerator(scaled)) + "/" + whole_text(denominator(scaled)));
 }
 
 bool KeyBuilder::miss(const Columns::Column& column) {
@@ -75,6 +83,7 @@ bool KeyBuilder::end_key() {
   if (is_timed_) block_.keys.times.push_back(time_);
   if (has_tcb_) block_.keys.tcbs.push_back(tcb_);
   if (has_ease_) block_.keys.eases.push_back(ease_);
+  block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
   for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
   if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.size());

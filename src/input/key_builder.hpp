@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,9 +37,21 @@ class KeyBuilder {
       default: return block_.keys.positions[position_ + column.channel];
     }
   }
+  /// The number of a cell is to be scaled, from its decimal.
+  bool is_scaled(const Columns::Column& column) const {
+    return rules_.tcb_scale == TcbScale::max3ds &&
+           (column.role == Role::tension || column.role == Role::continuity || column.role == Role::bias);
+  }
+  /// Scales the number of a cell. Requires: is_scaled(column); the number is set.
+  void scale(const Columns::Column& column, std::string_view decimal);
   void set_time(const Time& time) { time_ = time; }
   /// A text as in texts.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
+
+  /// A cell of a column without a role.
+  void set_mark(const Columns::Column& column, std::string_view text) {
+    if (column.channel < marks_.size()) marks_[column.channel] = std::hash<std::string_view>()(text);
+  }
 
   bool keeps_decimals() const { return !decimals_.empty(); }
   /// Keeps a number as written. Requires: keeps_decimals(); the column holds numbers.
@@ -84,6 +97,7 @@ class KeyBuilder {
   Time time_;
   spline::Tcb<double> tcb_;
   spline::Ease<double> ease_;
+  std::vector<std::size_t> marks_;  ///< as in KeyBlock
   std::vector<std::string> texts_;
   std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty where they are not kept
 };

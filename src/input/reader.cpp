@@ -1,5 +1,6 @@
 // Reader: opens an input in its format; bytes up to a NUL; faults of an input gathered into one error.
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -15,10 +16,68 @@ Error at_first_byte(ErrorCode code, std::vector<ErrorValue> values = {}) {
   return Error(Exit::data, code, std::move(values)).at({"", 1, 1});
 }
 
+using namespace std::string_view_literals;
+
+/// Compressed files by their first bytes, and the commands that decompress them.
+struct Compression {
+  std::string_view bytes, name, command;
+};
+constexpr std::array compressions{
+    Compression{"\x1F\x8B"sv, "gzip", "zcat"},          Compression{"BZh"sv, "bzip2", "bzcat"},
+    Compression{"\xFD\x37zXZ\0"sv, "xz", "xzcat"},      Compression{"\x28\xB5\x2F\xFD"sv, "Zstandard", "zstdcat"},
+    Compression{"\x04\x22\x4D\x18"sv, "LZ4", "lz4cat"},
+};
+
+/// Formats that hold keys, or are taken for such, by their first bytes.
+struct OtherFormat {
+  std::string_view bytes, name;
+};
+constexpr std::array other_formats{
+    OtherFormat{"PK\x03\x04"sv, "a ZIP archive, such as an Excel workbook (.xlsx), an .ods or a .usdz file"},
+    OtherFormat{"\xD0\xCF\x11\xE0"sv, "an Excel workbook (.xls)"},
+    OtherFormat{"HIERARCHY"sv, "a BVH motion capture file"},
+    OtherFormat{"#usda"sv, "a USD scene (.usda)"},
+    OtherFormat{"PXR-USDC"sv, "a USD scene (.usdc)"},
+    OtherFormat{"glTF"sv, "a glTF scene (.glb)"},
+    OtherFormat{"Kaydara FBX"sv, "an FBX scene"},
+    OtherFormat{"; FBX"sv, "an FBX scene"},
+    OtherFormat{"//Maya ASCII"sv, "a Maya scene"},
+    OtherFormat{"BLENDER"sv, "a Blender file"},
+    OtherFormat{"Ogawa"sv, "an Alembic scene"},
+    OtherFormat{"\x89HDF"sv, "an HDF5 file"},
+    OtherFormat{"PAR1"sv, "a Parquet table"},
+    OtherFormat{"ARROW1"sv, "an Arrow table"},
+    OtherFormat{"SQLite format 3"sv, "an SQLite database"},
+    OtherFormat{"MATLAB 5.0"sv, "a MATLAB file"},
+    OtherFormat{"#ROSBAG"sv, "a ROS bag"},
+    OtherFormat{"%PDF"sv, "a PDF document"},
+    OtherFormat{"\x89PNG"sv, "a PNG picture"},
+    OtherFormat{"%YAML"sv, "a YAML document"},
+    OtherFormat{"<"sv, "XML or HTML"},
+};
+
+/// Throws: Error (data) for a format that is not read.
+void require_known_format(std::string_view beginning) {
+  const auto begins = [&](const auto& row) { return beginning.starts_with(row.bytes); };
+  const auto compressed = std::ranges::find_if(compressions, begins);
+  if (compressed != compressions.end()) {
+    throw at_first_byte(ErrorCode::compressed_input, {std::string(compressed->name), std::string(compressed->command)});
+  }
+  const std::size_t text = std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size());
+  const bool is_gltf = beginning.substr(text).starts_with('{') && beginning.find("\"asset\"") != std::string::npos &&
+                       beginning.find("\"accessors\"") != std::string::npos;
+  if (is_gltf) throw at_first_byte(ErrorCode::input_of_other_format, {"a glTF scene"});
+  beginning.remove_prefix(text);
+  const auto other = std::ranges::find_if(other_formats, begins);
+  if (other != other_formats.end()) {
+    throw at_first_byte(ErrorCode::input_of_other_format, {std::string(other->name)});
+  }
+}
+
 /// Throws: Error (data) for a text in two or four bytes a character, and for what is not text.
 void require_bytes(std::string_view beginning) {
-  using namespace std::string_view_literals;
   if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(ErrorCode::npy_as_input);
+  require_known_format(beginning);
   const bool four = beginning.starts_with("\xFF\xFE\0\0"sv) || beginning.starts_with("\0\0\xFE\xFF"sv);
   if (!four && !beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
   throw at_first_byte(ErrorCode::not_in_utf8, {four ? "UTF-32" : "UTF-16"});
@@ -85,6 +144,8 @@ void Input::set_columns(const Columns& columns) {
   groups = columns.groups;
   carried = columns.carried;
   ignored = columns.ignored;
+  marks = columns.marks;
+  may_be_timed = columns.may_be_timed;
   facts.roles = columns.shape_roles();
 }
 
@@ -102,6 +163,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   Input input = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
   input.threads = options.threads;
   input.facts.format = format;
+  input.has_tcb_scale = options.tcb_scale != TcbScale::unknown;
   return input;
 }
 

@@ -28,7 +28,8 @@ struct KeyLocation {
 /// The stage of in_order().
 class Order {
  public:
-  Order(Source<KeyBlock> blocks, Duplicates duplicates) : blocks_(std::move(blocks)), duplicates_(duplicates) {}
+  Order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels)
+      : blocks_(std::move(blocks)), duplicates_(duplicates), labels_(std::move(labels)) {}
 
   std::optional<KeyBlock> next() {
     std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : blocks_();
@@ -66,6 +67,7 @@ class Order {
     std::vector<std::size_t> kept, breaks = all.breaks;
     all.append(block, 0, block.size());
     if (held > 0) kept.push_back(0);
+    if (column_.empty() && !is_in_order(block)) column_ = labels_.distinguishing(all, duplicates_ != Duplicates::error);
     for (std::size_t i = held; i < all.size(); ++i) {
       const bool begins_curve = block.begins_curve(i - held);
       if (begins_curve) breaks.push_back(kept.size());
@@ -86,6 +88,10 @@ class Order {
     const Time time = block.keys.times[key];
     if (begins_curve || !before_ || is_earlier(before_->time, time)) return true;
     const bool equal = !is_earlier(time, before_->time);
+    if (equal && !column_.empty()) {
+      faults.push_back(fault(block, key, equal));
+      return false;
+    }
     if (equal && duplicates_ == Duplicates::first) return false;
     if (equal && duplicates_ == Duplicates::break_curve) {
       breaks.push_back(kept.size());
@@ -107,13 +113,18 @@ class Order {
     } else {
       values.emplace_back(before_->line);
     }
-    const ErrorCode code = equal ? (in_list ? ErrorCode::equal_times_in_list : ErrorCode::equal_times)
-                                 : (in_list ? ErrorCode::decreasing_times_in_list : ErrorCode::decreasing_times);
+    if (!column_.empty()) values.emplace_back(column_);
+    const ErrorCode interleaved = in_list ? ErrorCode::curves_interleaved_in_list : ErrorCode::curves_interleaved;
+    const ErrorCode code = !column_.empty() ? interleaved
+                           : equal          ? (in_list ? ErrorCode::equal_times_in_list : ErrorCode::equal_times)
+                                   : (in_list ? ErrorCode::decreasing_times_in_list : ErrorCode::decreasing_times);
     return Error(Exit::data, code, std::move(values)).at(block.text_position(key));
   }
 
   Source<KeyBlock> blocks_;
   Duplicates duplicates_;
+  CurveLabels labels_;
+  std::string column_;                 ///< that distinguishes curves, if one does
   std::optional<KeyLocation> before_;  ///< of the last key that remained
   KeyBlock held_;                      ///< that key, where the next one may replace it
   std::optional<KeyBlock> waiting_;
@@ -152,8 +163,8 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
   };
 }
 
-Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates) {
-  const auto order = std::make_shared<Order>(std::move(blocks), duplicates);
+Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels) {
+  const auto order = std::make_shared<Order>(std::move(blocks), duplicates, std::move(labels));
   return [order] { return order->next(); };
 }
 
@@ -184,10 +195,12 @@ Source<KeyBlock> arranged(const Input& input, const CurveOptions& options, bool 
   if (!input.timed) require_times(options);
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks), false),
-                     {by_text ? input.groups.size() : 0, options.sort, input.own_curves});
+                     {by_text ? input.groups.size() : 0, options.sort, input.own_curves,
+                      by_text ? std::vector<Mark>{} : input.marks});
   }
   blocks = without_gaps(std::move(blocks));
-  if (input.timed) blocks = in_order(std::move(blocks), options.duplicates);
+  const CurveLabels labels{input.marks, input.named ? input.channels : std::vector<std::string>{}};
+  if (input.timed) blocks = in_order(std::move(blocks), options.duplicates, labels);
   return without_faults(std::move(blocks), live);
 }
 

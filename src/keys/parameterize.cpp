@@ -2,11 +2,13 @@
 #include "keys/parameterize.hpp"
 
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "error.hpp"
+#include "input/columns.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {
@@ -78,6 +80,47 @@ double DistancePower<double>::power(double exponent) const {
 
 Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric) {
   return mapped(std::move(blocks), Parameterizer(exponent, std::move(metric)));
+}
+
+Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) {
+  return [blocks = std::move(blocks), channel = std::move(channel), held = std::deque<KeyBlock>(),
+          is_clear = false]() mutable -> std::optional<KeyBlock> {
+    constexpr std::size_t most = 1000;
+    std::size_t keys = 0;
+    for (double before = 0; !is_clear;) {
+      std::optional<KeyBlock> block = blocks();
+      for (std::size_t i = 0; block && i < block->size() && keys < most && !is_clear; ++i) {
+        const double now = block->keys.positions[i * block->keys.channels];
+        is_clear = keys++ > 0 && !(before < now);
+        before = now;
+      }
+      if (!is_clear && keys > 1 && (!block || keys == most)) {
+        throw Error(Exit::data, ErrorCode::times_unclear, {channel});
+      }
+      is_clear = is_clear || !block;
+      if (block) held.push_back(std::move(*block));
+    }
+    if (held.empty()) return blocks();
+    KeyBlock first = std::move(held.front());
+    held.pop_front();
+    return first;
+  };
+}
+
+Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ErrorCode code) {
+  return mapped(std::move(blocks), [code](KeyBlock block) {
+    const auto require = [&](std::size_t key, Role role, double value) {
+      if (std::abs(value) <= 5) return;
+      throw error_in_line(block.lines[key], code, {std::string(role_name(role)), value});
+    };
+    for (std::size_t key = 0; key < block.size(); ++key) {
+      const auto& tcb = block.keys.tcbs.empty() ? block.keys.common_tcb : block.keys.tcbs[key];
+      require(key, Role::tension, tcb.tension);
+      require(key, Role::continuity, tcb.continuity);
+      require(key, Role::bias, tcb.bias);
+    }
+    return block;
+  });
 }
 
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {

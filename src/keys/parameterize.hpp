@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "input/key_block.hpp"
@@ -16,6 +17,10 @@ namespace tcb {
 /// 0. `metric`: the channels that count for distances; empty: all. Throws: Error (data) where two positions are equal,
 /// or a step is lost in rounding; it has both lines.
 Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric);
+
+/// The same keys of a curve without times. Throws: Error (data) where the first channel, of this name, increases
+/// from key to key, up to the thousandth: then it may be the time.
+Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
 
 /// The power of a distance at a scalar, from its square. Doubles add up squares as double-doubles, in units of a power
 /// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/exact_scalar.hpp.
@@ -51,6 +56,10 @@ S parameter_step(std::span<const P> a, std::span<const P> b, double exponent, st
   for (std::size_t i = 0; i < channels; ++i) distance.add_square(a[channel(i)], b[channel(i)]);
   return distance.power(exponent);
 }
+
+/// The same keys. Throws: Error (data) `code` for tension, continuity or bias beyond 5 in size: they are on another
+/// scale.
+Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ErrorCode code);
 
 /// The same keys, without their ease.
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks);

@@ -1,12 +1,15 @@
 // Writer: one output with its frames, rows and labels.
 #include "output/writer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
 
 #include "error.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 
@@ -24,6 +27,19 @@ std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t
   if (cells.empty()) return {};
   const auto first = cells.begin() + static_cast<std::ptrdiff_t>(begin);
   return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// Throws: Error (data) where the name is another column's, or the file's is not UTF-8.
+void add_file_column(OutputColumns& columns, const std::string& name, const std::string& file) {
+  if (std::ranges::count(columns.names(), name) > 0) {
+    throw Error(Exit::data, ErrorCode::file_column_taken, {name});
+  }
+  const std::size_t invalid = find_invalid_utf8(file);
+  if (invalid != std::string::npos) {
+    throw Error(Exit::data, ErrorCode::name_not_utf8,
+                {fmt::format("{:02X}", static_cast<unsigned char>(file[invalid]))});
+  }
+  columns.groups.insert(columns.groups.begin(), name);
 }
 
 }  // namespace
@@ -97,8 +113,12 @@ std::string print_labelled(
   return out;
 }
 
-void Writer::begin(const Input& input, bool live, Facts rules) {
+void Writer::begin(const Input& input, bool live, Facts rules, const std::string& file) {
   OutputColumns columns{input.groups, output_columns(options_.fields, input), input.carried};
+  if (options_.file_column) {
+    add_file_column(columns, *options_.file_column, file);
+    file_ = '"' + file;
+  }
   if (columns_.numbers.empty()) {
     const Format& format = format_of(options_.format);
     columns_ = std::move(columns);
@@ -112,10 +132,11 @@ void Writer::begin(const Input& input, bool live, Facts rules) {
   output_.set_live(live);
 }
 
-void Writer::begin_curve(const std::vector<std::string>& group) {
+void Writer::begin_curve(std::vector<std::string> group) {
+  if (options_.file_column) group.insert(group.begin(), file_);
   const std::string text = frame_.begin(group, group_ == group);
   if (!text.empty()) output_.write(text);
-  group_ = group;
+  group_ = std::move(group);
 }
 
 std::string Writer::print(const Table& table, bool first) const {

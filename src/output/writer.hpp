@@ -73,6 +73,7 @@ struct WriterOptions {
   Notation notation;                ///< of numbers that may have a fraction
   std::vector<std::size_t> fields;  ///< indices into fields()
   std::optional<ProvenanceRequest> provenance;
+  std::optional<std::string> file_column = {};  ///< the name of a first column with that of the input's file
 };
 
 /// One output of the rows of one file or of several.
@@ -88,11 +89,11 @@ class Writer {
   ProvenanceRecorder& recorder() { return recorder_; }
 
   /// Begins the rows of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
-  /// other columns than the rows before.
-  void begin(const Input& input, bool live, Facts rules);
+  /// other columns than the rows before. `file` is for a column of files.
+  void begin(const Input& input, bool live, Facts rules, const std::string& file = {});
 
   /// Begins the rows of the next curve of the file.
-  void begin_curve(const std::vector<std::string>& group);
+  void begin_curve(std::vector<std::string> group);
 
   /// The text of some rows. A pure function until the next begin_curve().
   std::string print(const Table& table, bool first) const;
@@ -115,6 +116,7 @@ class Writer {
   Frame frame_;
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before
+  std::string file_;                               ///< the current one, as a text of a key
   std::uint64_t bytes_ = 0;                        ///< of all rows
 };
 

@@ -77,11 +77,14 @@ class RecordReader {
 
   void read_cell(std::string_view cell, const Columns::Column& column) {
     switch (column.role) {
-      case Role::ignored: break;
+      case Role::ignored:
+        if (column.is_text && tokenizer_.line() <= last_line_of_roles) require_text(cell);
+        keys_.set_mark(column, cell);
+        break;
       case Role::group:
       case Role::carry: read_text(cell, column); break;
       case Role::time:
-        if (const auto time = decimals_.time(bare(cell))) {
+        if (const auto time = decimals_.time(bare(cell)); time && !is_given_sign(cell)) {
           keys_.set_time(*time);
           if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
         } else {
@@ -89,19 +92,37 @@ class RecordReader {
         }
         break;
       default:
-        if (const auto number = decimals_.number(bare(cell))) {
+        if (const auto number = decimals_.number(bare(cell)); number && !is_given_sign(cell)) {
           keys_.number(column) = *number;
           if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+          if (keys_.is_scaled(column)) keys_.scale(column, decimals_.text(bare(cell)));
         } else {
           read_no_number(cell, column);
         }
     }
   }
 
+  /// A number such as -999 may be a sign of a missing one.
+  bool is_given_sign(std::string_view cell) const {
+    const auto& signs = head_.rules.signs;
+    return !signs.empty() && std::ranges::count(signs, bare(cell)) > 0;
+  }
+
+  /// A number in a column of text is a fault: that is a column of numbers with other texts in it.
+  void require_text(std::string_view cell) {
+    if (!decimals_.number(bare(cell))) return;
+    const auto i =
+        static_cast<std::size_t>(std::ranges::find(cells_, cell.data(), &std::string_view::data) - cells_.begin());
+    add_fault(cell, ErrorCode::number_in_text_column, {std::uint64_t{i + 1}, unquoted(cell)});
+  }
+
   void read_no_number(std::string_view cell, const Columns::Column& column) {
-    if (is_missing(bare(cell)) && keys_.miss(column)) return;
+    if (is_missing_sign(bare(cell), head_.rules.signs) && keys_.miss(column)) return;
     const std::string text = unquoted(cell);
-    add_fault(cell, why_not_number(text, head_.decimal), {head_.columns.name_of(column), text});
+    ErrorCode why = why_not_number(text, head_.decimal, head_.rules.signs);
+    if (column.role == Role::time && why == ErrorCode::number_empty) why = ErrorCode::time_empty;
+    if (column.role == Role::time && why == ErrorCode::number_missing) why = ErrorCode::time_missing;
+    add_fault(cell, why, {head_.columns.name_of(column), text});
   }
 
   void read_text(std::string_view cell, const Columns::Column& column) {
@@ -136,8 +157,8 @@ std::string hexadecimal(char byte) {
   return {digits[code / 16], digits[code % 16]};
 }
 
-ErrorCode why_not_number(std::string_view cell, char decimal) {
-  if (is_missing(cell)) return cell.empty() ? ErrorCode::number_empty : ErrorCode::number_missing;
+ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<std::string>& signs) {
+  if (is_missing_sign(cell, signs)) return cell.empty() ? ErrorCode::number_empty : ErrorCode::number_missing;
   if (looks_numeric(cell) || (decimal != '.' && looks_numeric(with_point(cell)))) {
     const bool has_point = decimal != '.' && cell.find('.') != std::string_view::npos;
     return has_point ? ErrorCode::number_with_point : ErrorCode::number_too_large;

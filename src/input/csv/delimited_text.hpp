@@ -69,8 +69,11 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
 /// A byte as two digits.
 std::string hexadecimal(char byte);
 
-/// Why a cell is not a number where one was expected. `decimal` is the decimal mark.
-ErrorCode why_not_number(std::string_view cell, char decimal);
+/// Why a cell is not a number where one was expected. `decimal` is the decimal mark, `signs` those of missing numbers.
+ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<std::string>& signs = {});
+
+/// In a column of text a number is a fault up to this line; in those after it, it is a text.
+inline constexpr std::uint64_t last_line_of_roles = 1000;
 
 /// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; ten at most.
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);

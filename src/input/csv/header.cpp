@@ -74,7 +74,8 @@ class FirstRecords {
 
 /// The cell looks like a number. One with the other decimal mark does too, and is an error later.
 bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
-  return Decimals('.').looks_numeric(cell) || (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
+  return is_missing_sign(cell, head.rules.signs) || Decimals('.').looks_numeric(cell) ||
+         (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
 }
 
 bool is_header(const FirstRecords::Record& record, const DelimitedHead& head) {
@@ -133,7 +134,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     constexpr std::string_view minus = "\xE2\x88\x92";  // the typographic one
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
     if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
-    throw Error(Exit::data, why_not_number(cell, head.decimal), {std::uint64_t{i + 1}, cell})
+    throw Error(Exit::data, why_not_number(cell, head.decimal, head.rules.signs), {std::uint64_t{i + 1}, cell})
         .at(tokenizer.position(cells[i]))
         .about(Option::columns);
   }
@@ -142,12 +143,30 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
 /// Throws: Error (data) where the first record may be a header, or a key with a misspelt number: one of its cells is
 /// text, another a number, and none a name with a meaning.
 void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const InputOptions& options) {
-  const auto is_number = [&](const std::string& cell) { return !is_missing(cell) && looks_numeric(cell, head); };
+  const auto is_number = [&](const std::string& cell) {
+    return !is_missing_sign(cell, head.rules.signs) && looks_numeric(cell, head);
+  };
   const auto is_name = [&](const std::string& cell) { return !is_number(cell) && has_meaning(cell, options); };
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return looks_numeric(cell, head); });
   throw Error(Exit::data, ErrorCode::header_unclear, {*text, *number}).at({"", record.line, 1});
+}
+
+/// Throws: Error (data) where each record is one cell, with the same number of some other character that may delimit.
+void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
+  const auto is_single = [](const auto& record) { return record.cells.size() == 1; };
+  if (first.records.size() < 2 || !std::ranges::all_of(first.records, is_single)) return;
+  for (const char c : std::string_view("|:^~!&/\x1F\x01")) {
+    const auto count = [c](const auto& record) { return std::ranges::count(record.cells[0], c); };
+    const auto cells = count(first.records[0]);
+    if (cells == 0 || std::ranges::any_of(first.records, [&](const auto& record) { return count(record) != cells; }))
+      continue;
+    const std::string shown = c < ' ' ? "\\x" + hexadecimal(c) : std::string(1, c);
+    const std::string name = c == '|' ? "pipe" : c < ' ' ? "$'" + shown + "'" : "'" + shown + "'";
+    throw Error(Exit::data, ErrorCode::single_column, {std::string(1, dialect.delimiter), shown, name})
+        .at({"", first.records[0].line, 1});
+  }
 }
 
 /// Throws: Error (data) for an input of one line.
@@ -165,6 +184,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   FirstRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.key_rules(), options.decimal};
   if (first.records.empty()) throw Error(Exit::data, ErrorCode::empty_input);
+  if (!options.delimiter) require_delimiter(first, dialect);
   const bool header = options.header.value_or(is_header(first.records[0], head));
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};

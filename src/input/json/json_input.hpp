@@ -108,6 +108,7 @@ KeyBlock parse_json(const Chunk& chunk, const JsonColumns& columns);
 struct JsonCurveInfo {
   CurveInfo curve_info;
   std::vector<std::string> channels;  ///< names of the numbers of "position"
+  std::vector<std::string> unused;    ///< members with numbers that are no settings
   std::string path;                   ///< of the object, empty for the outermost one
   TextPosition position;              ///< where it begins
 };

@@ -23,6 +23,7 @@ class KeyReader : public JsonObjectReader {
   KeyReader(const Chunk& chunk, const JsonColumns& columns)
       : JsonObjectReader(chunk),
         columns_(columns),
+        signs_(columns.rules.signs),
         keys_(columns.columns, columns.rules),
         path_(chunk.path),
         seen_(columns.members.size()) {}
@@ -63,21 +64,26 @@ class KeyReader : public JsonObjectReader {
   }
 
   bool on_number(const spline::Time<double>& value) override {
-    if (current_ == nullptr) return in_array() || add_value_fault(ErrorCode::json_member_unknown);
+    if (current_ == nullptr) {  // an array is one fault
+      return (in_array() && element() > 0) || is_provenance_ || add_value_fault(ErrorCode::json_member_unknown);
+    }
     if (current_->cells == 0) return true;
     if (current_->array != in_array()) return add_shape_fault();
+    if (!signs_.empty() && is_given_sign(value)) return on_missing(decimal_text(value));
     const std::size_t index = in_array() ? element() : 0;
     if (index < current_->cells) store(columns_.columns.cells[current_->cell + index], value);
     return true;
   }
 
   bool on_text(std::string_view text) override {
+    if (current_ != nullptr && current_->cells > 0) mark(text);
     const Column* const column = current_column();
     if (column == nullptr) return true;
     if (is_text(*column)) {
       keys_.set_text(*column, (is_quoted() ? "\"" : "") + std::string(text));
       return true;
     }
+    if (is_quoted() && is_missing_sign(text, signs_)) return on_missing(std::string(text));
     return add_value_fault(ErrorCode::json_not_a_number, {std::string(text)});
   }
 
@@ -86,7 +92,28 @@ class KeyReader : public JsonObjectReader {
     if (column == nullptr || column->role == Role::carry) return true;
     if (current_->array && !in_array()) return add_shape_fault();
     if (keys_.miss(*column)) return true;
-    return add_value_fault(is_text(*column) ? ErrorCode::json_null_group : ErrorCode::json_null_number);
+    const bool is_time = column->role == Role::time;
+    return add_value_fault(is_text(*column) ? ErrorCode::json_null_group
+                           : is_time        ? ErrorCode::json_null_time
+                                            : ErrorCode::json_null_number);
+  }
+
+  /// A sign of a missing number.
+  bool on_missing(const std::string& sign) {
+    const Column* const column = current_column();
+    if (column == nullptr || keys_.miss(*column)) return true;
+    const bool is_time = column->role == Role::time;
+    return add_value_fault(is_time ? ErrorCode::json_missing_time : ErrorCode::json_missing_number, {sign});
+  }
+
+  std::string decimal_text(const spline::Time<double>& value) const {
+    return decimal().empty() ? time_text(value) : std::string(decimal());
+  }
+
+  /// A number such as -999 may be a sign of a missing one.
+  bool is_given_sign(const spline::Time<double>& value) const {
+    const Column* const column = current_column();
+    return column != nullptr && !is_text(*column) && std::ranges::count(signs_, decimal_text(value)) > 0;
   }
 
   bool on_nested() override { return current_column() == nullptr || add_shape_fault(); }
@@ -128,9 +155,14 @@ class KeyReader : public JsonObjectReader {
     return column.role == Role::ignored ? nullptr : &column;
   }
 
+  void mark(std::string_view text) {
+    const Column& column = columns_.columns.cells[current_->cell];
+    if (column.role == Role::ignored) keys_.set_mark(column, text);
+  }
+
   void store(const Column& column, const spline::Time<double>& value) {
     switch (column.role) {
-      case Role::ignored: return;
+      case Role::ignored: keys_.set_mark(column, decimal_text(value)); return;
       case Role::group:
       case Role::carry: keys_.set_text(column, time_text(value)); return;
       case Role::time: keys_.set_time(decimal().empty() ? value : parse_time(decimal()).value_or(value)); break;
@@ -139,9 +171,8 @@ class KeyReader : public JsonObjectReader {
       case Role::bias: store_once(2, column, value.hi); break;
       default: keys_.number(column) = value.hi;
     }
-    if (keys_.keeps_decimals()) {
-      keys_.keep_decimal(column, decimal().empty() ? time_text(value) : std::string(decimal()));
-    }
+    if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimal_text(value));
+    if (keys_.is_scaled(column)) keys_.scale(column, decimal_text(value));
   }
 
   /// Tension, continuity or bias, which may be a member or in "tcb", but not both.
@@ -155,7 +186,9 @@ class KeyReader : public JsonObjectReader {
     const auto begin = columns_.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell);
     const auto end = begin + static_cast<std::ptrdiff_t>(member.cells);
     const auto may_miss = [&](const Column& column) { return keys_.miss(column); };
-    if (!std::all_of(begin, end, may_miss)) add_fault(key_error(ErrorCode::json_member_missing, {member.name}));
+    if (std::all_of(begin, end, may_miss)) return;
+    const bool is_time = begin->role == Role::time;
+    add_fault(key_error(is_time ? ErrorCode::json_time_missing : ErrorCode::json_member_missing, {member.name}));
   }
 
   void add_fault(Error error) { keys_.add_fault(std::move(error)); }
@@ -174,6 +207,7 @@ class KeyReader : public JsonObjectReader {
   }
 
   const JsonColumns& columns_;
+  const std::vector<std::string>& signs_;
   KeyBuilder keys_;
   std::string path_;
   std::vector<bool> seen_;      ///< the members of the current key

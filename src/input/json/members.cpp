@@ -5,96 +5,77 @@
 #include <utility>
 
 #include "error.hpp"
+#include "input/json/first_key.hpp"
 #include "input/json/json_input.hpp"
-#include "input/json/object_reader.hpp"
-#include "text/parse_number.hpp"
 
 namespace tcb {
 namespace {
 
+using Found = FoundMember;
 using Member = JsonColumns::Member;
 
 /// The name gives a member another role than position.
 bool has_role(const std::string& name) { return name == "tcb" || role_of_name(name) != Role::position; }
 
-/// Collects the members of the first key, then stops.
-class FirstKey : public JsonObjectReader {
- public:
-  struct Found {
-    std::string name;
-    bool array = false;
-    bool text = false;           ///< it is one text, or true or false
-    std::size_t numbers = 0;     ///< that it has, or that are missing there
-    std::string path = "";       ///< of one whose name is that of a role or a near miss,
-    TextPosition position = {};  ///< and its position
-  };
-  /// `texts` are the members that are requested as texts.
-  FirstKey(const Chunk& chunk, std::vector<std::string> texts) : JsonObjectReader(chunk), texts_(std::move(texts)) {}
-  std::vector<Found> members;
+/// The members that are arrays of positions: those that are requested, else "position"; and the names of its numbers.
+struct Arrays {
+  std::vector<std::string> members;
+  std::vector<std::string> channels;
 
-  /// Where the key begins.
-  const TextPosition& position() const { return position_; }
-
- private:
-  bool on_member(const std::string& name) override {
-    if (!names_.insert(name).second) throw value_error(ErrorCode::json_member_repeats);
-    members.push_back({name});
-    if (!near_role(name) && !has_role(name)) return true;
-    members.back().path = path();
-    members.back().position = value_position();
-    return true;
+  bool has(const Found& member) const {
+    return member.array && !member.nested && std::ranges::count(members, member.name) > 0;
   }
-  bool on_number(const spline::Time<double>&) override { return count(); }
-  bool on_null() override { return count(); }  // refused later, as a number that is missing
-  bool on_nested() override {
-    if (!in_array() && !is_requested_text() && role_of_name(members.back().name) != Role::position) {
-      throw value_error(ErrorCode::json_single_number_expected);
-    }
-    return note(false);
-  }
-  bool on_text(std::string_view text) override {
-    const Found& member = members.back();
-    const bool needs_number = role_of_name(member.name) != Role::position || (!text.empty() && looks_numeric(text));
-    if (!in_array() && !is_requested_text() && needs_number)
-      throw value_error(ErrorCode::json_not_a_number, {std::string(text)});
-    return note(true);
-  }
-  bool on_key_start() override {
-    const LinePosition key = key_position();
-    position_ = {"", key.line, key.column};
-    return true;
-  }
-  bool on_key_end() override { return false; }
-  bool on_break() override { return true; }
-
-  bool is_requested_text() const { return std::ranges::find(texts_, members.back().name) != texts_.end(); }
-
-  /// A value that is not a number.
-  bool note(bool text) {
-    Found& member = members.back();
-    if (in_array() && (member.name == "position" || member.name == "tcb")) return count();  // refused later too
-    member.text = text && !in_array();
-    return true;
-  }
-
-  bool count() {
-    members.back().array = in_array();
-    ++members.back().numbers;
-    return true;
-  }
-
-  std::vector<std::string> texts_;
-  std::unordered_set<std::string> names_;
-  TextPosition position_;
 };
 
+Arrays arrays_of(const std::vector<Found>& members, const InputOptions& options,
+                 const std::vector<std::string>& channels) {
+  Arrays arrays{{}, channels};
+  for (const RoleRequest& request : options.roles) {
+    if (request.role != Role::position) continue;
+    for (const std::string& name : request.columns) {
+      const bool is_array = std::ranges::any_of(members, [&](const auto& m) { return m.array && m.name == name; });
+      if (is_array) arrays.members.push_back(name);
+    }
+  }
+  if (arrays.members.empty()) arrays.members = {"position"};
+  return arrays;
+}
+
+/// The names of the numbers in an array, which are those of other members in front of none.
+std::vector<std::string> names_in(const Found& array, const Arrays& arrays, const std::vector<Found>& members) {
+  const bool is_alone = arrays.members.size() == 1;
+  if (is_alone && !arrays.channels.empty()) return arrays.channels;
+  std::vector<std::string> names = default_channel_names(array.numbers);
+  const auto is_member = [&](const auto& name) { return std::ranges::count(members, name, &Found::name) > 0; };
+  if (array.name == "position" || (is_alone && std::ranges::none_of(names, is_member))) return names;
+  for (std::string& name : names) name = array.name + "_" + name;
+  return names;
+}
+
 /// The names of a member's cells, as a table would have them.
-std::vector<std::string> cell_names(const FirstKey::Found& member, const std::vector<std::string>& channels) {
+std::vector<std::string> cell_names(const Found& member, const Arrays& arrays, const std::vector<Found>& members) {
   if (member.text) return {member.name};
+  if (arrays.has(member)) return names_in(member, arrays, members);
   if (!member.array) return std::vector<std::string>(member.numbers, member.name);
   if (member.name == "tcb") return {"tension", "continuity", "bias"};
-  if (member.name != "position") return {};
-  return channels.empty() ? default_channel_names(member.numbers) : channels;
+  return {};
+}
+
+/// The requests with the names of an array's numbers in the place of its own.
+std::vector<RoleRequest> requests_of(const std::vector<Found>& members, const Arrays& arrays,
+                                     const InputOptions& options) {
+  std::vector<RoleRequest> requests = options.roles;
+  for (RoleRequest& request : requests) {
+    if (request.role != Role::position) continue;
+    std::vector<std::string> columns;
+    for (const std::string& name : request.columns) {
+      const auto array = std::ranges::find_if(members, [&](const auto& m) { return m.name == name && arrays.has(m); });
+      const auto names = array == members.end() ? std::vector{name} : names_in(*array, arrays, members);
+      columns.insert(columns.end(), names.begin(), names.end());
+    }
+    request.columns = std::move(columns);
+  }
+  return requests;
 }
 
 void require_count(std::size_t names, std::size_t numbers) {
@@ -120,7 +101,7 @@ void add_optional_members(JsonColumns& columns) {
 
 /// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
 /// requested.
-void require_shape(const FirstKey::Found& member, const InputOptions& options) {
+void require_shape(const Found& member, const InputOptions& options) {
   const bool is_array = member.name == "tcb";
   if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
   const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
@@ -131,7 +112,7 @@ void require_shape(const FirstKey::Found& member, const InputOptions& options) {
 }
 
 /// Throws: Error (data) for a number whose name is a near miss of a role's.
-void require_no_near_miss(const FirstKey::Found& member, const Columns& columns, const InputOptions& options) {
+void require_no_near_miss(const Found& member, const Columns& columns, const InputOptions& options) {
   if (member.array || member.text || member.numbers == 0) return;
   const auto near = near_miss(member.name, columns, options.roles, options.timeless);
   if (!near) return;
@@ -147,29 +128,67 @@ bool is_required(const JsonColumns& columns, const Member& member) {
                      });
 }
 
+/// Throws: Error (data) where an array or an object is not used and may be the position, for single numbers are, or the
+/// time.
+void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arrays, const InputOptions& options) {
+  const auto is_requested = [&](Role role) { return std::ranges::count(options.roles, role, &RoleRequest::role) > 0; };
+  const auto is_used = [&](const Found& member) { return arrays.has(member); };
+  const auto is_time = [](const Found& member) { return is_usual_time(member.name); };
+  const bool has_position = is_requested(Role::position) || std::ranges::any_of(members, is_used);
+  const bool has_time =
+      options.timeless || is_requested(Role::time) || std::ranges::any_of(members, [&](const auto& m) {
+        return m.numbers == 1 && !m.array && (role_of_name(m.name) == Role::time || is_time(m));
+      });
+  for (const Found& member : members) {
+    const bool is_array = member.array && !member.nested;
+    if (is_used(member) || has_role(member.name) || !(is_array || member.deep_numbers)) continue;
+    const bool is_position = !has_position && (is_array || is_usual_position(member.name));
+    if (!is_position && (has_time || !is_time(member))) continue;
+    const ErrorCode code = is_array ? ErrorCode::json_array_unused : ErrorCode::json_object_unused;
+    throw Error(Exit::data, code, {member.path, member.name}).at(member.position);
+  }
+}
+
+/// Throws: Error (data) where there is an array of positions, no time, and a number that may be it.
+void require_no_lost_time(const std::vector<Found>& members, const Columns& columns) {
+  for (const Found& member : members) {
+    const bool is_number = !member.array && !member.text && member.numbers > 0;
+    if (!is_number || std::ranges::count(columns.ignored, member.name) == 0 || is_coordinate(member.name)) continue;
+    throw Error(Exit::data, ErrorCode::times_unclear, {member.name}).at(member.position);
+  }
+}
+
 /// What the members of the first key mean.
-JsonColumns columns_of(const std::vector<FirstKey::Found>& members, const InputOptions& options,
+JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& options,
                        const std::vector<std::string>& channels) {
-  const bool has_array = std::ranges::any_of(members, [](const auto& m) { return m.array && m.name == "position"; });
+  const Arrays arrays = arrays_of(members, options, channels);
+  const bool has_array = std::ranges::any_of(members, [&](const auto& member) { return arrays.has(member); });
   JsonColumns result;
-  std::vector<std::string> header;
+  std::vector<std::string> header, unused;
   std::vector<bool> numeric;
   for (const auto& found : members) {
-    const auto names = cell_names(found, channels);
-    if (found.array && found.name == "position") require_count(names.size(), found.numbers);
+    const auto names = cell_names(found, arrays, members);
+    if (arrays.has(found)) require_count(names.size(), found.numbers);
     result.members.push_back({found.name, found.array, header.size(), names.size()});
     header.insert(header.end(), names.begin(), names.end());
+    if (names.empty() && !found.empty) unused.push_back(found.name);
     // Where there is an array of positions, no other number is a position.
     const bool is_other = has_array && !found.array && role_of_name(found.name) == Role::position;
     numeric.resize(header.size(), !is_other && !found.text);
   }
-  result.columns = options.samples ? find_sample_columns(header, numeric, *options.samples, options.timeless)
-                                   : find_columns(header, numeric, options.roles, options.timeless);
+  if (!options.samples) require_no_lost_arrays(members, arrays, options);
+  result.columns = options.samples
+                       ? find_sample_columns(header, numeric, *options.samples, options.timeless)
+                       : find_columns(header, numeric, requests_of(members, arrays, options), options.timeless);
+  result.columns.may_be_timed = result.columns.may_be_timed && !has_array;
   for (const auto& found : members) {
     if (options.samples) break;  // their names are free
     require_shape(found, options);
     require_no_near_miss(found, result.columns, options);
   }
+  const bool lacks_time = !result.columns.has(Role::time) && !options.timeless && !options.samples;
+  if (has_array && lacks_time) require_no_lost_time(members, result.columns);
+  result.columns.ignored.insert(result.columns.ignored.end(), unused.begin(), unused.end());
   result.found = result.columns.cells.size();
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);
@@ -180,20 +199,13 @@ JsonColumns columns_of(const std::vector<FirstKey::Found>& members, const InputO
 }  // namespace
 
 JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const std::vector<std::string>& channels) {
-  std::vector<std::string> texts;
-  for (const RoleRequest& role : options.roles) {
-    if (role.role == Role::group || role.role == Role::carry) {
-      texts.insert(texts.end(), role.columns.begin(), role.columns.end());
-    }
-  }
-  FirstKey first(chunk, std::move(texts));
-  first.parse();
-  return at_position(first.position(), [&] { return columns_of(first.members, options, channels); });
+  const FirstKey first = read_first_key(chunk, options);
+  return at_position(first.position, [&] { return columns_of(first.members, options, channels); });
 }
 
 void name_channels(JsonColumns& columns, const std::vector<std::string>& channels) {
-  const auto member =
-      std::ranges::find_if(columns.members, [](const Member& m) { return m.array && m.name == "position"; });
+  const auto is_array = [](const Member& m) { return m.array && m.cells > 0 && m.name != "tcb"; };
+  const auto member = std::ranges::find_if(columns.members, is_array);
   if (member == columns.members.end() || channels.empty()) return;
   require_count(channels.size(), member->cells);
   for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -84,12 +84,14 @@ struct JsonObjectReader::Adapter {
 
   bool text(std::string_view value) {
     if (reader.for_key()) reader.refuse_value(ErrorCode::json_value_for_key, {std::string(value)});
+    if (reader.is_deep()) reader.on_deep_value(false);
     return reader.value([this, value] { return reader.on_text(value); });
   }
 
   bool number(const spline::Time<double>& value) {
     reader.is_quoted_ = false;
     if (reader.for_key()) reader.refuse_value(ErrorCode::json_number_for_key);
+    if (reader.is_deep()) reader.on_deep_value(true);
     return reader.value([this, &value] { return reader.on_number(value); });
   }
 
@@ -144,7 +146,7 @@ bool JsonObjectReader::parse_range(const char* begin, const char* end) {
 /// Passes a value on, unless it is deep in another one.
 template <class F>
 bool JsonObjectReader::value(F event) {
-  if (depth_ != key_depth_ + 1 && !in_array()) return true;
+  if (is_deep()) return true;
   const bool more = event();
   if (in_array()) ++element_;
   return more;

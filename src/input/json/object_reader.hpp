@@ -49,6 +49,8 @@ class JsonObjectReader {
   /// An array or object as a value.
   virtual bool on_nested() = 0;
   virtual bool on_array_end() { return true; }
+  /// A number or a text deep in a value.
+  virtual void on_deep_value(bool /*is_number*/) {}
   /// null in the place of a key; false: an error.
   virtual bool on_break() { return false; }
   /// A line of JSON Lines is not a key. True: the next line follows; false: the error is thrown.
@@ -82,6 +84,7 @@ class JsonObjectReader {
   bool parse_range(const char* begin, const char* end);
   template <class F>
   bool value(F event);
+  bool is_deep() const { return depth_ != key_depth_ + 1 && !in_array(); }  ///< the current value is in another one
   bool for_key() const { return depth_ <= key_depth_; }  ///< the current value is in the place of a key
   [[noreturn]] void refuse_value(ErrorCode code, std::vector<ErrorValue> values = {}) const;
   bool open(bool object);

@@ -57,7 +57,13 @@ class SettingsReader : public JsonObjectReader {
     if (known != options_only.end()) throw value_error(ErrorCode::setting_is_option).about(known->second);
   }
 
-  bool on_number(const spline::Time<double>& value) override { return take(time_text(value)); }
+  bool on_number(const spline::Time<double>& value) override {
+    note_number();
+    return take(time_text(value));
+  }
+  void on_deep_value(bool is_number) override {
+    if (is_number) note_number();
+  }
   bool on_null() override { return take("null"); }
   bool on_nested() override {
     if (member_ == "id") throw value_error(ErrorCode::setting_id_expected);
@@ -67,6 +73,12 @@ class SettingsReader : public JsonObjectReader {
     if (member_ != "id" || !is_quoted()) return take(text);
     found.curve_info.id = '"' + std::string(text);
     return true;
+  }
+
+  /// Numbers of no setting are not used, except those about the rows of an earlier output.
+  void note_number() {
+    if (known_ || member_ == "meta" || std::ranges::count(found.unused, member_) > 0) return;
+    found.unused.push_back(member_);
   }
 
   bool take(std::string_view text) {

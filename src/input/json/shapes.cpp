@@ -183,6 +183,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
     if (!curve) refuse_empty();
     if (curve->columns.members.empty()) throw no_keys(curve->members);
     describe(input, curve->columns, shape);
+    input.ignored.insert(input.ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
     if (!curves) {
       input.curve_info = std::move(curve->members.curve_info);
       input.keys = blocks_of(std::move(curve->blocks));

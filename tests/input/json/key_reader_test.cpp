@@ -78,6 +78,17 @@ TEST(JsonKeys, an_array_of_another_length_and_a_value_of_another_shape_are_error
             "f:2:13: error: keys[1].x[0]: expected a number, as in the first key; correct it");
 }
 
+TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
+  const std::string first = R"({"t":0,"position":[1,2],"T":0})";
+  for (const char* element : {"3", "null", R"("a")", "[3]"}) {
+    EXPECT_THAT(
+        second(first, R"({"t":1,"position":[1,2,)" + std::string(element) + R"(],"T":0})"),
+        testing::MatchesRegex("f:2:[0-9]+: error: keys.1..position: an array of 3; expected 2 numbers, as in the "
+                              "first key; correct it"))
+        << element;
+  }
+}
+
 TEST(JsonKeys, missing_numbers_are_treated_as_requested) {
   InputOptions options;
   const std::string text = R"([{"t":0,"x":1,"y":2},{"t":1,"x":null,"y":3},{"t":2,"y":4},{"t":3,"x":5,"y":6}])";

@@ -1,0 +1,151 @@
+// First key of JSON: its members, and those of the next keys where it has texts.
+#include "input/json/first_key.hpp"
+
+#include <unordered_set>
+#include <utility>
+
+#include "input/json/object_reader.hpp"
+#include "text/parse_number.hpp"
+
+namespace tcb {
+namespace {
+
+/// Collects the members of the first key, then stops.
+class FirstKeyReader : public JsonObjectReader {
+ public:
+  /// `texts` are the members that are requested as texts, `signs` those of missing numbers.
+  FirstKeyReader(const Chunk& chunk, std::vector<std::string> texts, std::vector<std::string> signs)
+      : JsonObjectReader(chunk), texts_(std::move(texts)), signs_(std::move(signs)) {}
+  std::vector<FoundMember> members;
+
+  /// Where the key begins.
+  const TextPosition& position() const { return position_; }
+
+ private:
+  bool on_member(const std::string& name) override {
+    if (!names_.insert(name).second) throw value_error(ErrorCode::json_member_repeats);
+    members.push_back({.name = name, .path = path(), .position = value_position()});
+    return true;
+  }
+  bool on_number(const spline::Time<double>&) override { return count(); }
+  bool on_null() override { return count(); }  // refused later, as a number that is missing
+  void on_deep_value(bool is_number) override {
+    members.back().empty = false;
+    members.back().deep_numbers = members.back().deep_numbers || is_number;
+  }
+  bool on_nested() override {
+    if (!in_array() && !is_requested_text() && role_of_name(members.back().name) != Role::position) {
+      throw value_error(ErrorCode::json_single_number_expected);
+    }
+    members.back().nested = true;
+    return note(false);
+  }
+  bool on_text(std::string_view text) override {
+    FoundMember& member = members.back();
+    member.empty = false;
+    const bool has_role = role_of_name(member.name) != Role::position;
+    const bool is_sign = is_quoted() && is_missing_sign(text, signs_);
+    if (has_role && is_sign && !in_array() && !is_requested_text()) return count();  // refused later, unless allowed
+    const bool needs_number = has_role || (!is_sign && looks_numeric(text));
+    if (!in_array() && !is_requested_text() && needs_number)
+      throw value_error(ErrorCode::json_not_a_number, {std::string(text)});
+    return note(true);
+  }
+  bool on_key_start() override {
+    const LinePosition key = key_position();
+    position_ = {"", key.line, key.column};
+    return true;
+  }
+  bool on_key_end() override { return false; }
+  bool on_break() override { return true; }
+
+  bool is_requested_text() const { return std::ranges::find(texts_, members.back().name) != texts_.end(); }
+
+  /// A value that is not a number.
+  bool note(bool text) {
+    FoundMember& member = members.back();
+    if (in_array() && (member.name == "position" || member.name == "tcb")) return count();  // refused later too
+    member.text = text && !in_array();
+    return true;
+  }
+
+  bool count() {
+    members.back().array = in_array();
+    members.back().empty = false;
+    ++members.back().numbers;
+    return true;
+  }
+
+  std::vector<std::string> texts_, signs_;
+  std::unordered_set<std::string> names_;
+  TextPosition position_;
+};
+
+/// Finds members of numbers among those that are texts in the first key, in the first keys.
+class LaterKeys : public JsonObjectReader {
+ public:
+  LaterKeys(const Chunk& chunk, const std::vector<std::string>& signs) : JsonObjectReader(chunk), signs_(signs) {}
+
+  /// It has a number in some key, or no other texts than signs of missing numbers.
+  bool holds_numbers(const std::string& member) const {
+    return numbers_.contains(member) || (missing_.contains(member) && !texts_.contains(member));
+  }
+
+ private:
+  static constexpr std::uint64_t most_keys = 1000;
+
+  bool on_member(const std::string& name) override {
+    member_ = name;
+    return true;
+  }
+  bool on_number(const spline::Time<double>&) override { return take(numbers_); }
+  bool on_text(std::string_view text) override {
+    const bool is_sign = is_quoted() && is_missing_sign(text, signs_);
+    return text.empty() || take(is_sign ? missing_ : texts_);
+  }
+  bool on_null() override { return true; }
+  bool on_nested() override { return true; }
+  bool on_break() override { return true; }
+  bool on_key_end() override { return key_number() < most_keys; }
+
+  bool take(std::unordered_set<std::string>& members) {
+    if (!in_array()) members.insert(member_);
+    return true;
+  }
+
+  const std::vector<std::string>& signs_;
+  std::string member_;
+  std::unordered_set<std::string> numbers_, missing_, texts_;
+};
+
+/// Members that are texts in the first key may hold numbers.
+void find_missing_numbers(std::vector<FoundMember>& members, const Chunk& chunk, const InputOptions& options) {
+  if (std::ranges::none_of(members, &FoundMember::text)) return;
+  LaterKeys keys(chunk, options.signs);
+  try {
+    keys.parse();
+  } catch (const Error&) {  // thrown again when the keys are read
+  }
+  for (FoundMember& member : members) {
+    if (!member.text || !keys.holds_numbers(member.name)) continue;
+    member.text = false;
+    member.numbers = 1;
+  }
+}
+
+}  // namespace
+
+FirstKey read_first_key(const Chunk& chunk, const InputOptions& options) {
+  std::vector<std::string> texts;
+  for (const RoleRequest& role : options.roles) {
+    if (role.role == Role::group || role.role == Role::carry) {
+      texts.insert(texts.end(), role.columns.begin(), role.columns.end());
+    }
+  }
+  FirstKeyReader first(chunk, std::move(texts), options.signs);
+  first.parse();
+  find_missing_numbers(first.members, chunk, options);
+  return {std::move(first.members), first.position()};
+}
+
+}  // namespace tcb

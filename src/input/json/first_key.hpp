@@ -1,0 +1,35 @@
+// First key of JSON: the members that it has, and what kinds of values.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "input/input.hpp"
+
+namespace tcb {
+
+/// A member of the first key.
+struct FoundMember {
+  std::string name;
+  bool array = false;          ///< it is an array of numbers
+  bool text = false;           ///< it is one text, or true or false
+  bool nested = false;         ///< it is an object, or an array with arrays or objects,
+  bool deep_numbers = false;   ///< with numbers in them
+  bool empty = true;           ///< it has neither a number nor a text
+  std::size_t numbers = 0;     ///< that it has, or that are missing there
+  std::string path = "";       ///< as in "keys[0].x"
+  TextPosition position = {};  ///< of its name
+};
+
+struct FirstKey {
+  std::vector<FoundMember> members;
+  TextPosition position;  ///< where the key begins
+};
+
+/// Reads the first key of a chunk. A member with a text there holds numbers if one of the first keys has a number, or
+/// all have signs of missing ones. Throws: Error (data).
+FirstKey read_first_key(const Chunk& chunk, const InputOptions& options);
+
+}  // namespace tcb

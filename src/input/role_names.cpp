@@ -1,0 +1,190 @@
+// Role names: the names of columns that give them roles, the usual names of times, and near misses.
+#include <algorithm>
+#include <array>
+
+#include "input/columns.hpp"
+
+namespace tcb {
+namespace {
+
+struct RoleName {
+  std::string_view name;
+  Role role;
+  bool any_case;
+  bool in_header = true;  ///< a column of that name has that role
+};
+
+/// Names that give a column its role. The first ones, in the order of Role, are also the names of the roles.
+constexpr std::array role_names{
+    RoleName{"time", Role::time, true},          RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true},    RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},          RoleName{"ease_in", Role::ease_in, true},
+    RoleName{"ease_out", Role::ease_out, true},  RoleName{"group", Role::group, true, false},
+    RoleName{"carry", Role::carry, true, false}, RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},         RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},       RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},      RoleName{"B", Role::bias, false},
+};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+
+/// A name such as "timestamp [ns]" or "time (s)" without its unit.
+std::string_view without_unit(std::string_view name) {
+  const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
+  if (begin == 0 || begin == std::string_view::npos) return name;
+  return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
+}
+
+/// Whether `longer` is `shorter` with one letter more.
+bool is_with_a_letter(std::string_view longer, std::string_view shorter) {
+  if (longer.size() != shorter.size() + 1) return false;
+  std::size_t at = 0;
+  while (at < shorter.size() && lower(longer[at]) == lower(shorter[at])) ++at;
+  return is_letter(longer[at]) && same_in_any_case(longer.substr(at + 1), shorter.substr(at));
+}
+
+/// Whether `name` is a near miss of `known`.
+bool is_near(std::string_view name, std::string_view known) {
+  if (is_with_a_letter(name, known) || is_with_a_letter(known, name)) return true;
+  if (name.size() != known.size()) return false;
+  std::size_t at = 0;
+  while (at < name.size() && lower(name[at]) == lower(known[at])) ++at;
+  if (at + 1 >= name.size()) return at < name.size() && known.size() > 4;
+  const bool changed = same_in_any_case(name.substr(at + 1), known.substr(at + 1));
+  const bool swapped = lower(name[at]) == lower(known[at + 1]) && lower(name[at + 1]) == lower(known[at]) &&
+                       same_in_any_case(name.substr(at + 2), known.substr(at + 2));
+  return swapped || (changed && known.size() > 4);
+}
+
+/// The names of times that people and programs use besides those above, in lower case without blanks, "_", "-" and ".".
+/// A unit may follow.
+constexpr std::array time_names{
+    "t",          "time",        "times",      "timestamp",      "timestamps",    "stamp",        "stamps",
+    "ts",         "tstamp",      "timecode",   "timeofday",      "clock",         "clocktime",    "date",
+    "datetime",   "datestamp",   "elapsed",    "elapsedtime",    "timeelapsed",   "frame",        "frames",
+    "frameno",    "framenr",     "framenum",   "framenumber",    "frameid",       "frameidx",     "frameindex",
+    "framecount", "keyframe",    "keyframes",  "keytime",        "keytimes",      "keyframetime", "tick",
+    "ticks",      "tickcount",   "unix",       "unixtime",       "unixtimestamp", "posixtime",    "epoch",
+    "epochtime",  "utc",         "utctime",    "gpstime",        "gmt",           "localtime",    "systime",
+    "systemtime", "rostime",     "simtime",    "simulationtime", "walltime",      "walltimes",    "sampletime",
+    "eventtime",  "capturetime", "recordtime", "relativetime",   "reltime",       "absolutetime", "abstime",
+    "timevalue",  "timepoint",   "timesec",    "timeindex",      "framestamp",    "frametime",    "frametimestamp",
+};
+
+/// Units of time, which may be a name by themselves if they are two letters or more.
+constexpr std::array time_units{
+    "s",       "sec",    "secs",     "second",      "seconds",      "ms",      "msec",
+    "msecs",   "millis", "millisec", "millisecond", "milliseconds", "us",      "usec",
+    "usecs",   "micros", "microsec", "microsecond", "microseconds", "ns",      "nsec",
+    "nsecs",   "nanos",  "nanosec",  "nanosecond",  "nanoseconds",  "\u00B5s", "\u03BCs",
+    "minutes", "hours",  "hrs",      "days",        "frames",       "ticks",
+};
+
+/// Units that are other words by themselves.
+constexpr std::array short_units{"m", "min", "mins", "h", "hr", "d"};
+
+/// Names of arrays and objects that hold positions, in the same form.
+constexpr std::array positions{"position", "positions", "pos",    "translation", "translate",   "location",  "loc",
+                               "point",    "coords",    "coord",  "coordinate",  "coordinates", "xyz",       "xy",
+                               "p",        "vec",       "vector", "value",       "values",      "transform", "pose"};
+
+/// Names of what distinguishes curves, in the same form.
+constexpr std::array labels{"id",    "name",  "group", "curve", "track",  "object",  "series", "trajectory", "traj",
+                            "node",  "bone",  "joint", "agent", "marker", "channel", "target", "particle",   "vehicle",
+                            "actor", "label", "class", "key",   "no",     "nr",      "index",  "number",     "sensor"};
+
+/// Names of coordinates, in the same form. No column with one of them is taken for a time.
+constexpr std::array coordinates{
+    "x",   "y",     "z",         "w",        "px",      "py",       "pz",     "tx",        "ty",   "tz",
+    "rx",  "ry",    "rz",        "sx",       "sy",      "sz",       "qx",     "qy",        "qz",   "qw",
+    "vx",  "vy",    "vz",        "dx",       "dy",      "dz",       "cx",     "cy",        "cz",   "ex",
+    "ey",  "ez",    "r",         "g",        "b",       "a",        "lat",    "lon",       "lng",  "latitude",
+    "alt", "long",  "longitude", "altitude", "easting", "northing", "height", "elevation", "roll", "pitch",
+    "yaw", "value", "position",  "left",     "right",   "top",      "bottom", "width",
+};
+
+/// A name in lower case without blanks, "_", "-", ".", and a mark of comments.
+std::string compact(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    if (std::string_view(" \t_-.%#()[]").find(c) == std::string_view::npos) text += lower(c);
+  }
+  return text;
+}
+
+template <std::size_t size>
+bool has(const std::array<const char*, size>& names, std::string_view name) {
+  return std::ranges::any_of(names, [&](std::string_view known) { return known == name; });
+}
+
+/// A name such as "timems" is one of a time and its unit.
+bool is_time(std::string_view name) {
+  if (has(time_names, name) || (name.size() > 2 && name != "second" && has(time_units, name))) return true;
+  if (name == "ms" || name == "ns") return true;
+  return std::ranges::any_of(time_names, [&](std::string_view known) {
+    if (!name.starts_with(known)) return false;
+    const std::string_view unit = name.substr(known.size());
+    return has(time_units, unit) || (known.size() > 1 && has(short_units, unit));
+  });
+}
+
+}  // namespace
+
+bool same_in_any_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
+
+std::string_view role_name(Role role) { return role_names[static_cast<std::size_t>(role) - 1].name; }
+
+std::optional<Role> find_role(std::string_view name) {
+  const auto known = std::ranges::find(role_names, name, &RoleName::name);
+  return known == role_names.end() ? std::nullopt : std::optional(known->role);
+}
+
+Role role_of_name(std::string_view name) {
+  const auto role_of = [](std::string_view written) {
+    const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
+      return known.in_header && (known.any_case ? same_in_any_case(written, known.name) : written == known.name);
+    });
+    return row == role_names.end() ? Role::position : row->role;
+  };
+  const std::string_view alone = without_unit(name);
+  return alone.size() < name.size() && role_of(alone) == Role::time ? Role::time : role_of(name);
+}
+
+std::optional<Role> near_role(std::string_view name) {
+  if (role_of_name(name) != Role::position) return std::nullopt;
+  const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
+    const bool counts = known.any_case && known.in_header && known.role != Role::position;
+    return counts && is_near(without_unit(name), known.name);
+  });
+  return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
+}
+
+bool is_usual_time(std::string_view name) {
+  const std::string_view alone = without_unit(name);
+  if (alone == "T") return has(time_units, compact(name.substr(alone.size())));  // T by itself is tension
+  const std::size_t path = alone.find_last_of("./");                             // as in header.stamp
+  const std::string last = compact(path == std::string_view::npos ? alone : alone.substr(path + 1));
+  return is_time(compact(alone)) || is_time(last);
+}
+
+bool is_usual_position(std::string_view name) { return has(positions, compact(name)); }
+
+bool is_usual_label(std::string_view name) {
+  const std::string text = compact(name);
+  return has(labels, text) || text.ends_with("id");
+}
+
+bool is_coordinate(std::string_view name) {
+  const std::string whole = compact(without_unit(name));
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string_view text = whole;
+  while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
+  const bool numbered = text.size() < whole.size() && text.size() <= 3;  // as in p1
+  const std::size_t separator = name.find_last_of("_-. ");
+  const bool last = separator != std::string_view::npos && has(coordinates, compact(name.substr(separator)));
+  const std::size_t first = name.find_first_of("_-. ");
+  return has(coordinates, text) || numbered || last || (first == 1 && has(coordinates, compact(name.substr(0, first))));
+}
+
+}  // namespace tcb

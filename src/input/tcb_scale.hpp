@@ -1,0 +1,27 @@
+// Scales of tension, continuity and bias: as they are, or from 0 to 50 as 3ds Max shows them.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "text/rational.hpp"
+
+namespace tcb {
+
+enum class TcbScale {
+  unknown,  ///< as they are, and checked where the preset's product shows another scale
+  none,     ///< as they are
+  max3ds,   ///< from 0 to 50, with 25 for 0
+};
+
+/// The names of the scales that can be given.
+struct TcbScaleName {
+  std::string_view name;
+  TcbScale scale;
+};
+inline constexpr std::array tcb_scales{TcbScaleName{"3dsmax", TcbScale::max3ds}, TcbScaleName{"none", TcbScale::none}};
+
+/// (v - 25) / 25, exactly.
+inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }
+
+}  // namespace tcb
