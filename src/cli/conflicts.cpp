@@ -182,4 +182,18 @@ void require_no_conflict(const TypedOptions& typed) {
   }
 }
 
+void set_output_format(TypedOptions& typed, bool earlier) {
+  const std::string& path = typed.text(Option::output);
+  const bool is_report = typed.has(Option::check) || typed.has(Option::identify);
+  const std::optional<FormatId> named = format_by_ending(path);
+  if (!named || (is_report && *named != FormatId::json)) return;
+  const std::string name(format_of(*named).name), given(format_of(typed.job.output_format).name);
+  if ((typed.has(Option::output_format) || earlier) && name != given) {
+    throw Error(Exit::usage, ErrorCode::output_of_other_format, {path, name, given});
+  }
+  if (*named == formats[0].id) return;  // as without the ending
+  typed.job.output_format = *named;
+  typed.texts[index_of(Option::output_format)] = name;
+}
+
 }  // namespace tcb

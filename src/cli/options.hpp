@@ -71,8 +71,6 @@ struct OptionRow {
   std::vector<std::string_view> all_names() const;
   /// What it does, and its default.
   std::string description() const;
-  /// It may be left out, and is the default then.
-  bool has_optional_value() const { return value.starts_with("[="); }
 };
 
 /// All options in the order of the help, which is that of enum class Option.
@@ -161,6 +159,10 @@ std::span<const Conflict> conflict_table();
 
 /// Throws: Error (usage) for the first conflict of the options given.
 void require_no_conflict(const TypedOptions& typed);
+
+/// The output's ending names its format, unless that is given, and is the same. A report is JSON by its ending.
+/// `earlier`: the format is that of an earlier output. Throws: Error (usage).
+void set_output_format(TypedOptions& typed, bool earlier);
 
 /// All throw Error (usage) for other texts; the caller adds the option.
 

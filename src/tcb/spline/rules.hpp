@@ -170,7 +170,7 @@ inline constexpr std::array tangent_rules{
                       "for new work: velocities of both sides are averaged, so that uneven times cause no jump",
                       velocity_weights<working_t<S>>},
     TangentRuleRow<S>{
-        TangentRule::uniform, "uniform", "Uin", "Uout", "the encyclopaedia article, Noskowicz, OGRE, WorldEdit, s&box",
+        TangentRule::uniform, "uniform", "Uin", "Uout", "Wikipedia, Noskowicz, OGRE, WorldEdit, s&box",
         "for shapes without times, or to match code that ignores them; the speed jumps where steps differ",
         uniform_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::interval, "interval", "Uin 2 h0/(h0+h1)", "Uout 2 h1/(h0+h1)",
@@ -337,7 +337,7 @@ inline constexpr std::array presets{
               "the Python package splines"},
     PresetRow{Preset::synfig, "synfig", TangentRule::synfig, EndRule::chord, "Synfig"},
     PresetRow{Preset::kb1984, "kb1984", TangentRule::kb1984, EndRule::half, "the paper of 1984 as printed"},
-    PresetRow{Preset::wikipedia, "wikipedia", TangentRule::uniform, EndRule::half, "the encyclopaedia article"},
+    PresetRow{Preset::wikipedia, "wikipedia", TangentRule::uniform, EndRule::half, "Wikipedia"},
     PresetRow{Preset::ogre, "ogre", TangentRule::uniform, EndRule::half, "OGRE Procedural"},
 };
 
