@@ -86,6 +86,10 @@ enum class Option {
   hex,
   no_output_header,
   file_column,
+  plot,
+  axes,
+  title,
+  size,
   // files
   output_dir,
   files,
@@ -293,10 +297,15 @@ enum class ErrorCode {
   made_from_fewer_inputs,       ///< the earlier output, number of its inputs
   made_from_more_inputs,        ///< as made_from_fewer_inputs
   no_provenance,
+  // picture
+  picture_beyond_doubles,
+  picture_too_small,  ///< channels
   // app
   out_of_memory,
   unexpected,  ///< the message of a standard exception
   parameter_with_times,
+  unknown_axis,  ///< channel, channels
+  same_axes,     ///< channel
   // compare: errors
   nothing_to_compare,         ///< columns of the samples, columns that could be compared
   repeated_column,            ///< name
@@ -344,6 +353,8 @@ enum class ErrorCode {
   expected_tcb,
   expected_columns,
   expected_name_part,
+  expected_axes,
+  expected_size,
   field_repeated,
   options_exclude,   ///< both options, reason
   option_needs,      ///< as options_exclude

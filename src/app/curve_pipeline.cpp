@@ -59,19 +59,23 @@ bool CurvePipeline::is_single() const {
          request_.places.size() == 1;
 }
 
+bool CurvePipeline::needs_random_access() const {
+  return spec_.extrapolation != Extrapolation::error || needs_curve(request_.mode);
+}
+
 bool CurvePipeline::needs_lengths() const {
   return by_length(request_.mode) ||
          std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].needs_lengths; });
 }
 
 /// The keys with times, checked.
-Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks) const {
+Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) const {
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
   const auto other_scale = has_tcb_scale_ ? std::nullopt : scale_fault(spec_.preset);
   if (other_scale) blocks = within_tcb_scale(std::move(blocks), *other_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
-  return checked(std::move(blocks), is_single() ? 1 : 2);
+  return checked(std::move(blocks), is_single() ? 1 : least);
 }
 
 /// The same keys, which are made exact as they go by. Where distances make the times, they are exact ones rounded.
@@ -84,12 +88,13 @@ Source<KeyBlock> CurvePipeline::recorded(Source<KeyBlock> blocks, const std::sha
 }
 
 PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) const {
-  blocks = prepared(std::move(blocks));
+  blocks = prepared(std::move(blocks), 2);
   const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal);
   if (golden_) blocks = recorded(std::move(blocks), exact);
-  const bool random_access = spec_.extrapolation != Extrapolation::error || needs_curve(request_.mode);
-  if (spec_.closed || random_access || may_miss_ || golden_ || needs_end(request_)) {
-    return place_stored(KeyStore(blocks), random_access, *exact);
+  if (spec_.closed || needs_random_access() || may_miss_ || golden_ || needs_end(request_)) {
+    KeyStore keys(blocks);
+    const Extent range = extent(keys);
+    return place_stored(keys, range, *exact);
   }
   Source<Keys> keys = mapped(std::move(blocks), [](KeyBlock block) { return std::move(block.keys); });
   std::optional<Keys> first = keys();
@@ -122,20 +127,28 @@ Extent CurvePipeline::extent(KeyStore& keys) const {
 }
 
 IndexedCurve CurvePipeline::whole(Source<KeyBlock> blocks) const {
-  KeyStore keys(prepared(std::move(blocks)));
+  KeyStore keys(prepared(std::move(blocks), 2));
   const Extent range = extent(keys);
   return {std::make_shared<const CurveIndex>(segments(keys, range, needs_lengths()), spec_.rules.metric), range,
           spec_.extrapolation};
 }
 
+StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks) const {
+  KeyStore keys(prepared(std::move(blocks), 1));
+  const Extent range = extent(keys);
+  const auto again = [pipeline = *this, keys, range] { return pipeline.segments(keys, range, false); };
+  StoredCurve curve{keys, again, spec_.closed, {}};
+  if (keys.size() > 1 || is_single()) curve.placed = place_stored(keys, range, ExactKeys(false));
+  return curve;
+}
+
 /// Rows once all keys are known: counts, closed curves, and rows in any order.
-PlacedCurve CurvePipeline::place_stored(KeyStore keys, bool random_access, const ExactKeys& exact) const {
-  Extent extent = this->extent(keys);
+PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const {
   if (golden_ && spec_.closed && time_exponent() != 0 && !spec_.period && keys.size() == exact.size()) {
     extent.last = exact.time_back(time_exponent(), spec_.rules.metric);
   }
   PlacedCurve placed;
-  if (random_access) {
+  if (needs_random_access()) {
     placed = place_anywhere(segments(keys, extent, needs_lengths()), extent);
     placed.facts = {extent.first, extent.last, {}, {}};
   } else {

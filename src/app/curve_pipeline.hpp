@@ -1,6 +1,7 @@
 // The pipeline of one curve: which stages its keys go through to become placed samples, and in which order.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,14 @@ struct PlacedCurve {
   std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
 };
 
+/// A curve whose segments can be made more than once, and its samples.
+struct StoredCurve {
+  KeyStore keys;
+  std::function<Source<SegmentBlock>()> segments;
+  bool closed = false;
+  std::optional<PlacedCurve> placed;  ///< nothing where a single key has no samples
+};
+
 /// A curve with random access.
 struct IndexedCurve {
   std::shared_ptr<const CurveIndex> curve;
@@ -64,20 +73,24 @@ class CurvePipeline {
   /// The curve with random access. Throws: Error (data) for keys that make no curve.
   IndexedCurve whole(Source<KeyBlock> blocks) const;
 
+  /// The curve as it is drawn; it may have a single key. Throws: Error (data) for keys that make no curve.
+  StoredCurve stored(Source<KeyBlock> blocks) const;
+
   RuleFacts facts() const { return {spec_, timed_}; }
 
  private:
   bool is_single() const;
+  bool needs_random_access() const;
   bool needs_lengths() const;
   /// The exponent of the distances that make the times; 0: none do.
   double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
 
-  Source<KeyBlock> prepared(Source<KeyBlock> blocks) const;
+  Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least) const;
   Source<KeyBlock> recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const;
   Extent extent(KeyStore& keys) const;
   Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
   PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent) const;
-  PlacedCurve place_stored(KeyStore keys, bool random_access, const ExactKeys& exact) const;
+  PlacedCurve place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const;
   PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
   PlacedCurve place_anywhere(const Source<SegmentBlock>& segments, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;

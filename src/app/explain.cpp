@@ -29,23 +29,6 @@ std::string_view name_of(const std::array<Row, size>& names, Value Row::*member,
   return std::ranges::find(names, value, member)->name;
 }
 
-/// The requested samples.
-std::string samples(const SamplingRequest& request) {
-  const std::string_view of = by_length(request.mode) ? "arc length" : "time";
-  switch (request.mode) {
-    case Mode::step:
-    case Mode::arc_step: return fmt::format("every {} of {}", shown(request.step), of);
-    case Mode::count:
-    case Mode::arc_count: return fmt::format("{}, equally spaced in {}", request.count, of);
-    case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
-    case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
-    case Mode::at:
-    case Mode::arc_at: return fmt::format("at {} places in {}", request.places.size(), of);
-    case Mode::tolerance: return fmt::format("within {} of the curve", request.tolerance);
-  }
-  return "";
-}
-
 /// What was detected at the beginning of an input.
 Facts input_facts(const Input& input) {
   constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "a key a line"};
@@ -84,7 +67,7 @@ Facts intentions(const Job& job, const Input& input) {
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
   add("metric", job.curve.metric.value_or("all channels"));
-  add("samples", samples(job.sampling));
+  add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));
   if (job.sampling.to) add("to", shown(*job.sampling.to));
   std::vector<std::string_view> names;
@@ -244,6 +227,22 @@ Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
     words.emplace_back("times", wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
   }
   return words;
+}
+
+std::string samples_in_words(const SamplingRequest& request) {
+  const std::string_view of = by_length(request.mode) ? "arc length" : "time";
+  switch (request.mode) {
+    case Mode::step:
+    case Mode::arc_step: return fmt::format("every {} of {}", shown(request.step), of);
+    case Mode::count:
+    case Mode::arc_count: return fmt::format("{}, equally spaced in {}", request.count, of);
+    case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
+    case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
+    case Mode::at:
+    case Mode::arc_at: return fmt::format("at {} places in {}", request.places.size(), of);
+    case Mode::tolerance: return fmt::format("within {} of the curve", request.tolerance);
+  }
+  return "";
 }
 
 Note remainder_note(const Rational& remainder, bool at_key) {

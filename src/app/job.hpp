@@ -9,6 +9,7 @@
 #include "io/formats.hpp"
 #include "keys/curves.hpp"
 #include "output/provenance.hpp"
+#include "picture/scene.hpp"
 #include "sampling/request.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/print_number.hpp"
@@ -51,6 +52,13 @@ struct Verbosity {
   bool progress = false;  ///< how far the work is, once it takes a while
 };
 
+/// How the curves are drawn, where the output is a picture.
+struct PictureOptions {
+  std::vector<std::string> axes;     ///< two channels by name or number; none: the first two metric ones
+  std::optional<std::string> title;  ///< nothing: the name of the file
+  PictureSize size;
+};
+
 /// Everything that one run of the program is to do.
 struct Job {
   std::vector<std::string> files;  ///< "-" is standard input
@@ -66,8 +74,9 @@ struct Job {
   std::optional<GoldenOptions> golden;    ///< rows are exact, and rounded once
   Notation notation;                      ///< of numbers that may have a fraction
   std::optional<ProvenanceRequest> meta;  ///< the output has its provenance
-  bool explain = false;                   ///< print what was detected and would be done, no rows
-  std::optional<unsigned> jobs;           ///< threads; nothing: all cores, one for a live pipe
+  PictureOptions picture;
+  bool explain = false;          ///< print what was detected and would be done, no rows
+  std::optional<unsigned> jobs;  ///< threads; nothing: all cores, one for a live pipe
   Verbosity verbosity;
   std::optional<std::string> file_column;    ///< the name of a column with the name of the input
   std::string output = "-";                  ///< one output for all files, or

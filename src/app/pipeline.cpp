@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/drawing.hpp"
 #include "input/input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
@@ -47,32 +48,40 @@ Facts rules(const CurvePipeline& pipeline, const Wording& wording) {
   return facts;
 }
 
+/// One output: of rows, or a picture.
+struct Sink {
+  std::optional<Writer> writer;
+  std::optional<Drawing> drawing;
+
+  Sink(const Job& job, const WriterOptions& options, const std::string& path) {
+    if (format_of(job.output_format).is_picture) {
+      drawing.emplace(job, path);
+    } else {
+      writer.emplace(options, path);
+    }
+  }
+  void commit() { drawing ? drawing->commit() : writer->commit(); }
+};
+
 /// One file on its way into an output.
 class FileRun {
  public:
-  FileRun(const std::string& path, const Job& job, const Wording& wording, Report& report, Writer& writer)
-      : path_(path), live_(is_live(path)), job_(job), wording_(wording), report_(report), writer_(writer) {}
+  FileRun(const std::string& path, const Job& job, const Wording& wording, Report& report, Sink& sink)
+      : path_(path), live_(is_live(path)), job_(job), wording_(wording), report_(report), sink_(sink) {}
 
   /// The stages of the flow, with their observers. Returns the number of rows.
   std::uint64_t run(unsigned threads) {
     if (is_terminal(path_)) report_.note(path_, {NoteCode::reads_terminal});
-    ProvenanceRecorder& provenance = writer_.recorder();
-    const auto bytes = provenance.observe_bytes(shown_name(path_), report_.observe_bytes(read_file(path_)));
+    Source<std::string> bytes = report_.observe_bytes(read_file(path_));
+    if (sink_.writer) bytes = sink_.writer->recorder().observe_bytes(shown_name(path_), std::move(bytes));
     const Input input = open_input(path_, bytes, input_options(job_, threads, live_));  // split, parse
     note_input(input);
     Curves curves(input, job_.curves, live_);  // order, group, split into curves
-    while (std::optional<CurveKeys> curve = curves.next()) {
+    while (const std::optional<CurveKeys> curve = curves.next()) {
       begin(input, *curve);
-      const auto labels = labels_of(input);
-      Source<KeyBlock> keys = provenance.observe_keys(curve->keys);
-      if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
-      PlacedCurve placed = pipeline_->place(std::move(keys));  // segments, measure, place
-      placed.blocks = provenance.observe_rows(report_.observe_rows(std::move(placed.blocks), rows_));
-      writer_.write(printed(placed, labels, input.threads));  // evaluate, print
-      provenance.end_curve();
-      note_curve(placed);
+      sink_.writer ? print(input, *curve, *sink_.writer) : draw(*curve, *sink_.drawing);
     }
-    provenance.end_input();
+    if (sink_.writer) sink_.writer->recorder().end_input();
     if (remainders_ > 1) report_.note(path_, {NoteCode::more_remainders, {remainders_ - 1}});
     if (curves.skipped() > 0) report_.note(path_, {NoteCode::skipped_rows, {curves.skipped()}});
     return rows_;
@@ -84,9 +93,34 @@ class FileRun {
     if (curve.curve_info != curve_info_) {
       pipeline_.emplace(job_.sampling, job_.curve, job_.fields, job_.golden, input, *curve.curve_info);
     }
-    if (curve_info_ == nullptr) writer_.begin(input, live_, rules(*pipeline_, wording_), shown_name(path_));
+    if (curve_info_ == nullptr) {
+      const Facts words = rules(*pipeline_, wording_);
+      sink_.writer ? sink_.writer->begin(input, live_, words, shown_name(path_))
+                   : sink_.drawing->begin(path_, input, *pipeline_, words);
+    }
     curve_info_ = curve.curve_info;
-    writer_.begin_curve(curve.group);
+    if (sink_.writer) sink_.writer->begin_curve(curve.group);
+  }
+
+  /// The stages from the keys of a curve to its rows.
+  void print(const Input& input, const CurveKeys& curve, Writer& writer) {
+    ProvenanceRecorder& provenance = writer.recorder();
+    const auto labels = labels_of(input);
+    Source<KeyBlock> keys = provenance.observe_keys(curve.keys);
+    if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
+    PlacedCurve placed = pipeline_->place(std::move(keys));  // segments, measure, place
+    placed.blocks = provenance.observe_rows(report_.observe_rows(std::move(placed.blocks), rows_));
+    writer.write(printed(writer, placed, labels, input.threads));  // evaluate, print
+    provenance.end_curve();
+    note_curve(placed);
+  }
+
+  /// The stages from the keys of a curve to its part of a picture.
+  void draw(const CurveKeys& curve, Drawing& drawing) {
+    StoredCurve stored = pipeline_->stored(curve.keys);  // segments, measure, place
+    if (stored.placed) stored.placed->blocks = report_.observe_rows(std::move(stored.placed->blocks), rows_);
+    drawing.add(curve.group, stored);  // evaluate, draw
+    if (stored.placed) note_curve(*stored.placed);
   }
 
   /// For the labels of a curve, which are the texts of its keys after those of groups; null where there are none.
@@ -96,17 +130,17 @@ class FileRun {
   }
 
   /// The rows of a curve as text.
-  Source<std::string> printed(const PlacedCurve& placed, const std::shared_ptr<Labels>& labels,
+  Source<std::string> printed(const Writer& writer, const PlacedCurve& placed, const std::shared_ptr<Labels>& labels,
                               unsigned threads) const {
     if (job_.golden) threads = 1;  // exact rows share results of those before
     if (labels == nullptr) {
-      const auto print = [this, &placed](const SampleBlock& block) {
-        return writer_.print(placed.evaluate(block, job_.fields), block.first);
+      const auto print = [this, &writer, &placed](const SampleBlock& block) {
+        return writer.print(placed.evaluate(block, job_.fields), block.first);
       };
       return ordered_map(placed.blocks, print, threads);
     }
-    const auto row_end = [this](std::span<const std::string_view> texts) { return writer_.row_end(texts); };
-    const auto print = [this, &placed](const LabelledBlock& block) { return writer_.print(block, placed.evaluate); };
+    const auto row_end = [&writer](std::span<const std::string_view> texts) { return writer.row_end(texts); };
+    const auto print = [&writer, &placed](const LabelledBlock& block) { return writer.print(block, placed.evaluate); };
     return ordered_map(Labels::attach(labels, placed.blocks, row_end, placed.sampler != nullptr), print, threads);
   }
 
@@ -131,7 +165,7 @@ class FileRun {
   const Job& job_;
   const Wording& wording_;
   Report& report_;
-  Writer& writer_;
+  Sink& sink_;
   std::shared_ptr<const CurveInfo> curve_info_;  ///< of the curve before
   std::optional<CurvePipeline> pipeline_;
   std::uint64_t rows_ = 0;
@@ -176,9 +210,9 @@ class JobRun {
     const auto convert = [this](const InputFile& file, unsigned threads) {
       const std::string path = output_path(file, files_.outputs);
       if (file.inside > 0) make_folder(folder_of(path));
-      Writer writer(options_, path);
-      const std::uint64_t rows = FileRun(file.path, job_, wording_, report_, writer).run(threads);
-      writer.commit();
+      Sink sink(job_, options_, path);
+      const std::uint64_t rows = FileRun(file.path, job_, wording_, report_, sink).run(threads);
+      sink.commit();
       return rows;
     };
     const InputFile& first = inputs_.files.front();
@@ -193,12 +227,12 @@ class JobRun {
 
   /// One output for all files.
   void resample_together() {
-    Writer writer(options_, job_.output);
+    Sink sink(job_, options_, job_.output);
     for (const InputFile& file : inputs_.files) {
-      in_file(shown_name(file.path), [&] { FileRun(file.path, job_, wording_, report_, writer).run(threads_); });
+      in_file(shown_name(file.path), [&] { FileRun(file.path, job_, wording_, report_, sink).run(threads_); });
       report_.add_file(file.size);
     }
-    writer.commit();
+    sink.commit();
   }
 
   /// The digits of an output that another version makes again may differ.

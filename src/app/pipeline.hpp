@@ -33,6 +33,9 @@ std::string explanation(const std::string& path, const Job& job, const Wording& 
 /// The rules of a curve in words: names and values.
 Facts rules_in_words(const RuleFacts& facts, const Wording& wording);
 
+/// The requested samples in words, as in "every 0.5 of time".
+std::string samples_in_words(const SamplingRequest& request);
+
 /// How far the end of the range is from the last row. `at_key`: it is the last key.
 Note remainder_note(const Rational& remainder, bool at_key);
 

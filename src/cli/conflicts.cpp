@@ -30,6 +30,8 @@ const Format& output_of(const Typed& typed) { return format_of(typed.job.output_
 bool has_rows_as_report(const Typed& typed) { return typed.job.output_format != FormatId::json; }
 bool has_binary_output(const Typed& typed) { return output_of(typed).is_binary; }
 bool has_no_header(const Typed& typed) { return !output_of(typed).has_header; }
+bool has_picture(const Typed& typed) { return output_of(typed).is_picture; }
+bool has_no_picture(const Typed& typed) { return !has_picture(typed); }
 bool has_no_provenance(const Typed& typed) { return !output_of(typed).has_provenance; }
 
 bool has_one_comma_for_two(const Typed& typed) {
@@ -59,7 +61,7 @@ bool has_sparse_channels(const Typed& typed) {
 /// No length and no speed is asked for.
 bool needs_no_metric(const Typed& typed) {
   const bool by_metric = by_length(typed.job.sampling.mode) || typed.has(O::tolerance) || needs_all_channels(typed);
-  return !is_comparison(typed) && !by_metric &&
+  return !is_comparison(typed) && !has_picture(typed) && !by_metric &&
          !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
 }
 
@@ -116,6 +118,14 @@ constexpr std::array table{
     Conflict{{O::end}, idle, modes_without_steps},
     Conflict{{O::keys}, idle, {O::per_segment, O::at, O::arc_at}},
     Conflict{{O::extrapolate}, idle, modes, " alone, whose samples are on the curve", stays_on_curve},
+    // pictures
+    Conflict{{O::plot}, exclude, {O::output_format}},
+    Conflict{{O::axes, O::title, O::size}, idle, {}, " on an output that is not a picture", has_no_picture},
+    Conflict{notations | OptionSet{O::fields, O::side, O::golden, O::exact_input, O::meta, O::no_output_header},
+             idle,
+             {O::output_format, O::plot},
+             ", which draws the curve and has no rows",
+             has_picture},
     // output
     Conflict{{O::side}, idle, {}, " on these fields, which are the same on both sides", has_no_side},
     Conflict{notations, exclude},

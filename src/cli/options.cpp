@@ -212,7 +212,9 @@ constexpr std::array<OptionRow, option_count> table{{
      "Writes to FILE, which appears when it is complete; -: standard output", "", file, unrecorded,
      [](Typed& to, Text text) { to.job.output = text; }},
     {Option::output_format, "-f,--output-format", "FORMAT", output,
-     "csv, tsv, ssv, json, jsonl, or npy (an array for NumPy); by default the format of FILE's ending, else csv", "", name, recorded,
+     "csv, tsv, ssv, json, jsonl, npy (an array for NumPy), or svg (a picture); by default the format of FILE's ending, "
+     "else csv",
+     "", name, recorded,
      [](Typed& to, Text text) { to.job.output_format = output_format(text); }, output_format_names},
     {Option::fields, "--fields", "FIELD,...", output,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
@@ -257,6 +259,17 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::file_column, "--file-column", "[=NAME]", output,
      "Adds the input's name as the first column, called NAME; without a blank line between files", "file", other,
      recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
+    {Option::plot, "--plot", "", output,
+     "Draws the curve and its samples, as -f svg does; without a sampling option, 101 of them equally spaced in time",
+     "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; }},
+    {Option::axes, "--axes", "X:Y", output,
+     "With a picture: the channels to the right and up in the view of the path, by name or number; by default the "
+     "first two metric ones",
+     "", other, unrecorded, [](Typed& to, Text text) { to.job.picture.axes = axis_names(text); }},
+    {Option::title, "--title", "TEXT", output, "With a picture: its title; by default the name of the file", "", other,
+     unrecorded, [](Typed& to, Text text) { to.job.picture.title = text; }},
+    {Option::size, "--size", "WxH", output, "With a picture: its size in pixels; by default as its contents need it", "",
+     other, unrecorded, [](Typed& to, Text text) { to.job.picture.size = picture_size(text); }},
 
     {Option::output_dir, "--output-dir", "DIR", files,
      "Writes a file for each input into this folder, with the format's ending", "", folder, unrecorded,

@@ -194,6 +194,10 @@ std::vector<std::string> column_list(const std::string& text);
 std::vector<std::size_t> field_list(const std::string& text);
 /// A part of a file's name.
 std::string name_part(const std::string& text);
+/// Two columns with a colon between.
+std::vector<std::string> axis_names(const std::string& text);
+/// Width and height with an x between.
+PictureSize picture_size(const std::string& text);
 FormatId input_format(const std::string& text);
 FormatId output_format(const std::string& text);
 

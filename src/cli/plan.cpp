@@ -159,7 +159,7 @@ void require_samples(const TypedOptions& typed) {
     names.emplace_back(row.long_name());
     given = given || typed.has(row.id);
   }
-  if (!given) throw Error(Exit::usage, ErrorCode::no_sampling_option, {names});
+  if (!given && !typed.has(Option::plot)) throw Error(Exit::usage, ErrorCode::no_sampling_option, {names});
   const SamplingRequest& sampling = typed.job.sampling;
   if (sampling.from && sampling.to && *sampling.to < *sampling.from) {
     throw Error(Exit::usage, ErrorCode::range_backwards, {typed.text(Option::to), typed.text(Option::from)});
@@ -188,6 +188,16 @@ void set_comparison(Job& job, const TypedOptions& typed) {
   }
 }
 
+/// The samples of a picture, where no option asks for others.
+void set_plot(Job& job, const TypedOptions& typed) {
+  const bool sampled = std::ranges::any_of(
+      option_table(), [&](const OptionRow& row) { return sampling_options.has(row.id) && typed.has(row.id); });
+  if (sampled || !typed.has(Option::plot)) return;
+  constexpr std::uint64_t intervals = 100;
+  job.sampling.mode = Mode::segments;
+  job.sampling.count = intervals;
+}
+
 /// A row at a key has the values of the segment after it, unless no field can differ between the two.
 void set_side(Job& job, const TypedOptions& typed) {
   if (typed.has(Option::side)) return;
@@ -213,6 +223,7 @@ Job make_job(const TypedOptions& typed) {
     set_comparison(job, typed);
   } else {
     require_samples(typed);
+    set_plot(job, typed);
     if (job.fields.empty()) job.fields = field_list(std::string(row_of(Option::fields).default_value));
   }
   if (job.files.empty() && job.batch.list.empty()) job.files = {"-"};

@@ -353,12 +353,20 @@ constexpr std::array all_words{
     Words{ErrorCode::made_from_more_inputs, "{0} was made from more files of keys, {1}; give as many"},
     Words{ErrorCode::no_provenance,
           "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
+    // picture
+    Words{
+        ErrorCode::picture_beyond_doubles,
+        "the numbers of a channel are farther apart than a double can tell; expected less than 1.8e308; correct them"},
+    Words{ErrorCode::picture_too_small,
+          "the picture has no room for {0} channels; expected a larger one; give a larger {subject}, or take it out"},
     // app
     Words{ErrorCode::out_of_memory, "out of memory"},
     Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; remove {subject}, or choose "
           "other columns with --columns"},
+    Words{ErrorCode::unknown_axis, "{subject}: no channel \"{0}\"; expected two of {1}, or numbers from 1{nearest}"},
+    Words{ErrorCode::same_axes, "{subject}: channel \"{0}\" twice; expected two different ones; give another one"},
     // compare: errors
     Words{ErrorCode::nothing_to_compare,
           "nothing to compare: the columns are {0}; expected some of {1}; rename the columns"},
@@ -427,6 +435,10 @@ constexpr std::array all_words{
     Words{ErrorCode::expected_tcb, "{subject} \"{0}\": expected three numbers T,C,B, such as 0,0.5,-0.25"},
     Words{ErrorCode::expected_columns, "{subject} \"{0}\": expected columns by name or number, separated by commas"},
     Words{ErrorCode::expected_name_part, "{subject} \"{0}\": expected a part of a file name, without /"},
+    Words{ErrorCode::expected_axes,
+          "{subject} \"{0}\": expected two channels by name or number, with a colon between them, such as x:z"},
+    Words{ErrorCode::expected_size,
+          "{subject} \"{0}\": expected width and height in pixels, 100 to 10000 each, such as 800x600"},
     Words{ErrorCode::field_repeated, "{subject}: {0} is repeated; expected each field once; remove one"},
     Words{ErrorCode::options_exclude, "{0} and {1} exclude each other{2}; expected one of them; remove one"},
     Words{ErrorCode::option_needs, "{0} needs {1}{2}; give both, or neither"},
@@ -437,10 +449,10 @@ constexpr std::array all_words{
     Words{ErrorCode::range_backwards, "--to {0} is before --from {1}; expected a later one; swap them"},
     Words{ErrorCode::output_of_other_format,
           "--output {0} names {1} by its ending, but --output-format is {2}; expected the same; change one of them"},
-    Words{
-        ErrorCode::output_not_written,
-        "--output {0}: {1} is no format of the output; expected .csv, .tsv, .ssv, .json, .jsonl or .npy; give another "
-        "ending, and convert the file afterwards"},
+    Words{ErrorCode::output_not_written,
+          "--output {0}: {1} is no format of the output; expected .csv, .tsv, .ssv, .json, .jsonl, .npy or .svg; give "
+          "another "
+          "ending, and convert the file afterwards"},
     Words{ErrorCode::binary_to_terminal,
           "npy is not text, and standard output is a terminal; expected a file or a pipe; give -o FILE.npy"},
     Words{ErrorCode::standard_input_twice,

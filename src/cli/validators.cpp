@@ -219,6 +219,23 @@ std::string name_part(const std::string& text) {
   return text;
 }
 
+std::vector<std::string> axis_names(const std::string& text) {
+  const auto names = split(text, ':');
+  if (names.size() != 2 || std::ranges::count(names, "") > 0) refuse(ErrorCode::expected_axes, text);
+  return {names.begin(), names.end()};
+}
+
+PictureSize picture_size(const std::string& text) {
+  constexpr int least = 100, most = 10000;
+  const auto parts = split(text, 'x');
+  PictureSize size;
+  if (parts.size() == 2) size = {in_digits<int>(parts[0]).value_or(0), in_digits<int>(parts[1]).value_or(0)};
+  for (const int pixels : {size.width, size.height}) {
+    if (pixels < least || pixels > most) refuse(ErrorCode::expected_size, text);
+  }
+  return size;
+}
+
 FormatId input_format(const std::string& text) { return named_format(text, &Format::can_read); }
 std::optional<FormatId> format_by_ending(const std::string& path) {
   const std::optional<FormatId> named = find_output_format(path);

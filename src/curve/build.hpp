@@ -32,6 +32,9 @@ struct CurveSpec {
 /// line replaces all rules of the input.
 CurveSettings merged(CurveSettings settings, const CurveSettings& of_input);
 
+/// The index of a channel by its name, or by its number from 1.
+std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels);
+
 /// Throws: Error (usage), about its option, for an unknown name, or for settings that contradict each other.
 CurveSpec make_spec(const CurveSettings& settings);
 

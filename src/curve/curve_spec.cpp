@@ -86,18 +86,16 @@ Rational parse_period(const std::string& text) {
   return *period;
 }
 
-std::size_t find_channel(const std::string& name, const std::vector<std::string>& channels) {
+}  // namespace
+
+std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels) {
   const auto found = std::ranges::find(channels, name);
   if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  if (error == std::errc() && end == name.data() + name.size() && number >= 1 && number <= channels.size()) {
-    return number - 1;
-  }
-  refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
+  const bool is_number = error == std::errc() && end == name.data() + name.size();
+  return is_number && number >= 1 && number <= channels.size() ? std::optional(number - 1) : std::nullopt;
 }
-
-}  // namespace
 
 CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
   const auto fill = [](auto& wanted, const auto& other) {
@@ -146,11 +144,12 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   const auto metric = settings.metric ? split(*settings.metric, ',') : std::vector<std::string_view>{};
   for (const std::string_view part : metric) {
     const std::string name(part);
-    const std::size_t channel = find_channel(name, channels);
-    if (std::ranges::count(spec.rules.metric, channel) > 0) {
+    const auto channel = find_channel(name, channels);
+    if (!channel) refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
+    if (std::ranges::count(spec.rules.metric, *channel) > 0) {
       refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
     }
-    spec.rules.metric.push_back(channel);
+    spec.rules.metric.push_back(*channel);
   }
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty() || end->velocity.size() == channels.size()) continue;

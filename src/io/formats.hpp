@@ -8,10 +8,11 @@
 
 namespace tcb {
 
-enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, npy };
+enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, npy, svg };
 
 /// A format of inputs, outputs, or both. To add one: a row here, and how it is read (input/reader) and written
-/// (output).
+/// (output),
+/// or drawn (picture).
 struct Format {
   FormatId id;
   std::string_view name;
@@ -22,18 +23,20 @@ struct Format {
   bool has_provenance;  ///< an output may hold its provenance
   bool nests;           ///< an output with groups is an object for each curve, with a list of rows
   bool is_binary;       ///< it holds doubles, not their texts; it cannot hold other texts, nor more than one table
+  bool is_picture;      ///< it shows curves and samples, and has no rows
   char delimiter;       ///< between cells; 0 where there is none; ' ' is any run of blanks and tabs
 };
 
 /// All formats, in the order of FormatId. The first is the default for output.
-inline constexpr std::array<Format, 6> formats{{
-    // id              name     ending    read   write header provenance nests binary delimiter
-    {FormatId::csv, "csv", ".csv", true, true, true, true, false, false, ','},
-    {FormatId::tsv, "tsv", ".tsv", true, true, true, true, false, false, '\t'},
-    {FormatId::ssv, "ssv", ".ssv", true, true, true, true, false, false, ' '},
-    {FormatId::json, "json", ".json", true, true, false, true, true, false, '\0'},
-    {FormatId::jsonl, "jsonl", ".jsonl", true, true, false, true, false, false, '\0'},
-    {FormatId::npy, "npy", ".npy", false, true, false, false, false, true, '\0'},
+inline constexpr std::array<Format, 7> formats{{
+    // id              name     ending    read   write header provenance nests binary picture delimiter
+    {FormatId::csv, "csv", ".csv", true, true, true, true, false, false, false, ','},
+    {FormatId::tsv, "tsv", ".tsv", true, true, true, true, false, false, false, '\t'},
+    {FormatId::ssv, "ssv", ".ssv", true, true, true, true, false, false, false, ' '},
+    {FormatId::json, "json", ".json", true, true, false, true, true, false, false, '\0'},
+    {FormatId::jsonl, "jsonl", ".jsonl", true, true, false, true, false, false, false, '\0'},
+    {FormatId::npy, "npy", ".npy", false, true, false, false, false, true, false, '\0'},
+    {FormatId::svg, "svg", ".svg", false, true, false, false, false, false, true, '\0'},
 }};
 
 constexpr const Format& format_of(FormatId id) { return formats[static_cast<std::size_t>(id)]; }

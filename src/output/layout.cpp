@@ -43,6 +43,7 @@ constexpr std::array<OutputFormat, formats.size()> output_formats{{
     {json_rows, json_cell, "null"},
     {jsonl_rows, json_cell, "null\n"},
     {npy_rows, nullptr, "", npy_head},
+    {},  // a picture has no rows
 }};
 
 }  // namespace

@@ -60,7 +60,7 @@ struct OutputFormat {
   std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;
 };
 
-/// Requires: the format can be written.
+/// Requires: the format can be written, and is no picture.
 const OutputFormat& output_format(FormatId format);
 
 /// The head of a NumPy file of doubles, rows x columns in C order. Promises: the size is the same for all numbers.

@@ -1,0 +1,142 @@
+// Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file.
+#include "app/drawing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "app/pipeline.hpp"
+#include "curve/fields.hpp"
+#include "error.hpp"
+#include "io/input_file.hpp"
+
+namespace tcb {
+namespace {
+
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// The rules in words: the preset, or what is not as it has it.
+std::string rules_text(const CurveSpec& spec, const Facts& rules) {
+  const auto preset = std::ranges::find(spline::presets, name_of(spec.preset), &spline::PresetRow::name);
+  const bool plain = spec.rules.tangents == preset->tangents && !spec.rules.equal_speed &&
+                     (spec.closed || (spec.rules.start.rule == preset->ends && spec.rules.end.rule == preset->ends));
+  if (plain) return fmt::format("preset {}{}", preset->name, spec.closed ? ", closed" : "");
+  std::vector<std::string> words;
+  for (const auto& [name, value] : rules) {
+    if (name != "preset") words.push_back(value == "yes" ? std::string(name) : fmt::format("{} {}", name, value));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// The samples of a block, each with its position and velocity.
+void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed, const SampleBlock& block) {
+  std::vector<std::size_t> chosen;
+  for (const char* name : {"time", "position", "velocity"}) {
+    chosen.push_back(static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin()));
+  }
+  const Table table = placed.evaluate(block, chosen);
+  const std::size_t rows = block.rows();
+  const std::size_t width = rows == 0 ? 0 : table.cells.size() / rows;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto cells = std::span(table.cells).subspan(row * width, width);
+    SceneSample sample{cells[0], {}, {}};
+    for (std::size_t i = 1; i < width; ++i) {
+      (i <= width / 2 ? sample.position : sample.velocity).push_back(cells[i].hi);
+    }
+    samples.push_back(std::move(sample));
+  }
+}
+
+}  // namespace
+
+void Drawing::begin(const std::string& path, const Input& input, const CurvePipeline& pipeline, const Facts& rules) {
+  const std::string name = shown_name(path);
+  files_.push_back(name.substr(name.rfind('/') + 1));
+  if (files_.size() == 1) {
+    scene_.time = input.time;
+    scene_.channels = input.channels;
+    rules_ = rules_text(pipeline.facts().spec, rules);
+    set_axes(input.channels, pipeline.facts().spec.rules.metric);
+  } else if (input.time != scene_.time || input.channels != scene_.channels) {
+    std::vector<std::string> columns{input.time}, before{scene_.time};
+    columns.insert(columns.end(), input.channels.begin(), input.channels.end());
+    before.insert(before.end(), scene_.channels.begin(), scene_.channels.end());
+    throw Error(Exit::data, ErrorCode::other_columns, {columns, before});
+  }
+}
+
+/// The channels of the path: those that are asked for, or the first two metric ones.
+void Drawing::set_axes(const std::vector<std::string>& channels, const std::vector<std::size_t>& metric) {
+  std::vector<std::size_t> axes = metric;
+  for (std::size_t i = 0; metric.empty() && i < channels.size(); ++i) axes.push_back(i);
+  if (!job_.picture.axes.empty()) axes.clear();
+  for (const std::string& name : job_.picture.axes) {
+    const auto channel = find_channel(name, channels);
+    if (!channel) throw Error(Exit::usage, ErrorCode::unknown_axis, {name, channels}).about(Option::axes);
+    if (!axes.empty() && axes[0] == *channel) {
+      throw Error(Exit::usage, ErrorCode::same_axes, {name}).about(Option::axes);
+    }
+    axes.push_back(*channel);
+  }
+  if (axes.size() > 1) scene_.path = {axes[0], axes[1]};
+}
+
+std::size_t Drawing::name_of(const std::vector<std::string>& group) {
+  std::vector<std::string_view> texts;
+  for (const std::string& text : group) texts.push_back(content(text));
+  const std::string name = group.empty() ? files_.back() : fmt::format("{}", fmt::join(texts, ", "));
+  const auto known = std::ranges::find(scene_.names, name);
+  if (known == scene_.names.end()) {
+    scene_.names.push_back(name);
+    return scene_.names.size() - 1;
+  }
+  return static_cast<std::size_t>(known - scene_.names.begin());
+}
+
+void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stored) {
+  SceneCurve curve{0, stored.keys, stored.segments, stored.closed};
+  const bool is_drawn = curves_++ < Scene::most_curves;
+  while (stored.placed) {
+    const std::optional<SampleBlock> block = stored.placed->blocks();
+    if (!block) break;
+    curve.rows += block->rows();
+    if (curve.rows > Scene::most_samples || !is_drawn) {
+      curve.samples.clear();
+    } else {
+      append_samples(curve.samples, *stored.placed, *block);
+    }
+  }
+  rows_ += curve.rows;
+  keys_ += curve.keys.size();
+  if (!is_drawn) return;
+  curve.name = name_of(group);
+  scene_.curves.push_back(std::move(curve));
+}
+
+std::string Drawing::title() const {
+  if (job_.picture.title) return *job_.picture.title;
+  if (files_.size() < 2) return files_.empty() ? "" : files_.front();
+  return fmt::format("{} and {} more", files_.front(), files_.size() - 1);
+}
+
+std::string Drawing::subtitle() const {
+  std::string text = fmt::format("{} · {} · {} · {}", rules_, counted(keys_, "key"), samples_in_words(job_.sampling),
+                                 counted(rows_, "row"));
+  if (curves_ > scene_.curves.size()) text += fmt::format(" · {} of {} curves", scene_.curves.size(), curves_);
+  return text;
+}
+
+void Drawing::commit() {
+  scene_.title = title();
+  scene_.subtitle = subtitle();
+  output_.write(picture(scene_, job_.picture.size));
+  output_.commit();
+}
+
+}  // namespace tcb

@@ -1,0 +1,46 @@
+// Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/curve_pipeline.hpp"
+#include "app/job.hpp"
+#include "input/input.hpp"
+#include "io/atomic_output.hpp"
+#include "output/provenance.hpp"
+#include "picture/scene.hpp"
+
+namespace tcb {
+
+/// One picture of the curves of one file or of several.
+class Drawing {
+ public:
+  Drawing(const Job& job, std::string path) : job_(job), output_(std::move(path)) {}
+
+  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
+  /// other columns than the curves before, or not the axes that are asked for.
+  void begin(const std::string& path, const Input& input, const CurvePipeline& pipeline, const Facts& rules);
+
+  /// Adds a curve, and counts its samples; few ones are evaluated, to be drawn.
+  void add(const std::vector<std::string>& group, const StoredCurve& curve);
+
+  /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.
+  void commit();
+
+ private:
+  void set_axes(const std::vector<std::string>& channels, const std::vector<std::size_t>& metric);
+  std::size_t name_of(const std::vector<std::string>& group);
+  std::string title() const;
+  std::string subtitle() const;
+
+  const Job& job_;
+  Output output_;
+  Scene scene_;
+  std::vector<std::string> files_;  ///< names without their folders
+  std::string rules_;               ///< of the first curve, in words
+  std::size_t curves_ = 0;          ///< of all, also of those that are not drawn
+  std::uint64_t rows_ = 0, keys_ = 0;
+};
+
+}  // namespace tcb

@@ -1,0 +1,95 @@
+// Scene: the curves of a picture with their samples, what they are called, and the extent of each channel.
+#include "picture/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+#include "tcb/spline/segment.hpp"
+
+namespace tcb {
+namespace {
+
+using Cubic = spline::Cubic<double>;
+
+/// Includes the largest and the smallest value of a cubic besides those at its ends.
+void include_extremes(Interval& interval, const Cubic& x) {
+  const double third = x.p0 + x.out / 3, two_thirds = x.p1 - x.in / 3;
+  const auto [low, high] = std::minmax(x.p0, x.p1);
+  if (std::min(third, two_thirds) >= low && std::max(third, two_thirds) <= high) return;  // control points
+  const double root = x.c * x.c - 3 * x.d * x.out;
+  if (!(root >= 0)) return;
+  const double q = -(x.c + (x.c < 0 ? -std::sqrt(root) : std::sqrt(root)));
+  for (const double u : {q / (3 * x.d), x.out / q}) {
+    if (u > 0 && u < 1) interval.include(Time(spline::position(x, {u, u - 1})));
+  }
+}
+
+void include_cubic(Interval& interval, const Cubic& x) {
+  interval.include(Time(x.p0));
+  interval.include(Time(x.p1));
+  include_extremes(interval, x);
+}
+
+void include_block(SceneExtent& extent, const SegmentBlock& block, const Scene& scene) {
+  const spline::Segments<double>& segments = block.segments;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto cubics = segments[i];
+    extent.time.include(segments.times[i]);
+    extent.time.include(segments.times[i + 1]);
+    for (std::size_t channel = 0; channel < cubics.size(); ++channel) {
+      include_cubic(extent.channels[channel], cubics[channel]);
+    }
+    for (std::size_t axis = 0; scene.path && axis < 2; ++axis) {
+      const Cubic& x = cubics[(*scene.path)[axis]];
+      extent.path[axis].include(Time(x.p0 + x.out / 3));
+      extent.path[axis].include(Time(x.p1 - x.in / 3));
+    }
+  }
+  extent.segments += segments.size();
+}
+
+void include_sample(SceneExtent& extent, const SceneSample& sample) {
+  extent.time.include(sample.t);
+  for (std::size_t i = 0; i < sample.position.size(); ++i) extent.channels[i].include(Time(sample.position[i]));
+}
+
+void require_finite(const Interval& interval) {
+  if (std::isfinite(interval.length())) return;
+  throw Error(Exit::data, ErrorCode::picture_beyond_doubles);
+}
+
+}  // namespace
+
+std::uint64_t Scene::keys() const {
+  std::uint64_t sum = 0;
+  for (const SceneCurve& curve : curves) sum += curve.keys.size();
+  return sum;
+}
+
+std::uint64_t Scene::rows() const {
+  std::uint64_t sum = 0;
+  for (const SceneCurve& curve : curves) sum += curve.rows;
+  return sum;
+}
+
+SceneExtent extent_of(const Scene& scene) {
+  SceneExtent extent;
+  extent.channels.resize(scene.channels.size());
+  for (const SceneCurve& curve : scene.curves) {
+    const Source<SegmentBlock> blocks = curve.segments();
+    while (const std::optional<SegmentBlock> block = blocks()) include_block(extent, *block, scene);
+    for (const SceneSample& sample : curve.samples) include_sample(extent, sample);
+  }
+  for (std::size_t axis = 0; scene.path && axis < 2; ++axis) {
+    const Interval& curve = extent.channels[(*scene.path)[axis]];
+    extent.path[axis].include(curve.low);
+    extent.path[axis].include(curve.high);
+    require_finite(extent.path[axis]);
+  }
+  require_finite(extent.time);
+  std::ranges::for_each(extent.channels, require_finite);
+  return extent;
+}
+
+}  // namespace tcb

@@ -1,0 +1,72 @@
+// Scene: the curves of a picture with their samples, what they are called, and the extent of each channel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "curve/build.hpp"
+#include "keys/key_store.hpp"
+#include "picture/axis.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// A sample as it is drawn.
+struct SceneSample {
+  Time t;
+  std::vector<double> position, velocity;
+};
+
+/// A curve, which can be read more than once.
+struct SceneCurve {
+  std::size_t name = 0;  ///< index into Scene::names
+  KeyStore keys;
+  std::function<Source<SegmentBlock>()> segments;
+  bool closed = false;
+  std::uint64_t rows = 0;
+  std::vector<SceneSample> samples = {};  ///< all of them, or none where there are too many to be told from each other
+};
+
+struct Scene {
+  std::string title, subtitle;
+  std::string time;                                ///< name of the time
+  std::vector<std::string> channels;               ///< names of the channels
+  std::vector<std::string> names;                  ///< of groups or files, each with a colour of its own
+  std::optional<std::array<std::size_t, 2>> path;  ///< the channels of the path, to the right and up
+  std::vector<SceneCurve> curves;
+
+  /// A curve with more samples has none that are drawn.
+  static constexpr std::uint64_t most_samples = 400;
+  /// Further curves are counted, not drawn.
+  static constexpr std::size_t most_curves = 400;
+
+  std::uint64_t keys() const;
+  std::uint64_t rows() const;
+};
+
+/// The size of a picture; 0: as the contents need it.
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
+/// From where to where the curves, their keys and their samples are.
+struct SceneExtent {
+  Interval time;
+  std::vector<Interval> channels;
+  std::array<Interval, 2> path;  ///< with the tangents at the keys
+  std::size_t segments = 0;      ///< of all curves
+};
+
+/// Reads all curves. Throws: Error (data) where the difference of two numbers is beyond the range of doubles.
+SceneExtent extent_of(const Scene& scene);
+
+/// The picture as SVG: at most 300 kB, and the same bytes everywhere.
+/// Throws: Error (data) as extent_of(), Error (usage) where the channels need a larger picture.
+std::string picture(const Scene& scene, const PictureSize& size);
+
+}  // namespace tcb
