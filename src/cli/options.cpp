@@ -260,7 +260,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "Adds the input's name as the first column, called NAME; without a blank line between files", "file", other,
      recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
     {Option::plot, "--plot", "", output,
-     "Draws the curve and its samples, as -f svg does; without a sampling option, 101 of them equally spaced in time",
+     "Draws the curve and its samples, as -f svg does; without a sampling option, 51 of them equally spaced in time",
      "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; }},
     {Option::axes, "--axes", "X:Y", output,
      "With a picture: the channels to the right and up in the view of the path, by name or number; by default the "

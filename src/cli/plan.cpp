@@ -193,7 +193,7 @@ void set_plot(Job& job, const TypedOptions& typed) {
   const bool sampled = std::ranges::any_of(
       option_table(), [&](const OptionRow& row) { return sampling_options.has(row.id) && typed.has(row.id); });
   if (sampled || !typed.has(Option::plot)) return;
-  constexpr std::uint64_t intervals = 100;
+  constexpr std::uint64_t intervals = 50;
   job.sampling.mode = Mode::segments;
   job.sampling.count = intervals;
 }

@@ -105,9 +105,7 @@ Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, 
 
 /// All keys of a store as one block, and which of their positions are missing.
 std::pair<Keys, std::vector<bool>> with_missing(const KeyStore& store) {
-  std::pair<Keys, std::vector<bool>> result;
-  const Source<Keys> source = store.source();
-  while (const std::optional<Keys> block = source()) spline::append(result.first, *block, 0, block->size());
+  std::pair<Keys, std::vector<bool>> result{store.all(), {}};
   for (const double position : result.first.positions) result.second.push_back(std::isnan(position));
   return result;
 }

@@ -31,6 +31,8 @@ class KeyStore {
   std::uint64_t first_line() const { return first_line_; }
   std::uint64_t last_line() const { return last_line_; }
 
+  /// All keys at once.
+  Keys all() const { return columns_->part(0, size()); }
   /// All keys, keys_at_once of them a block.
   Source<Keys> source() const;
 

@@ -73,6 +73,10 @@ std::uint64_t Scene::rows() const {
   return sum;
 }
 
+bool Scene::has_samples() const {
+  return std::ranges::all_of(curves, [](const SceneCurve& curve) { return curve.samples.size() == curve.rows; });
+}
+
 SceneExtent extent_of(const Scene& scene) {
   SceneExtent extent;
   extent.channels.resize(scene.channels.size());

@@ -47,6 +47,8 @@ struct Scene {
 
   std::uint64_t keys() const;
   std::uint64_t rows() const;
+  /// Every curve has its samples.
+  bool has_samples() const;
 };
 
 /// The size of a picture; 0: as the contents need it.

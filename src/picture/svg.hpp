@@ -36,7 +36,8 @@ double text_width(std::string_view text, double size);
 /// The text, or its beginning with an ellipsis, in at most this width.
 std::string fitted(std::string_view text, double width, double size);
 
-inline constexpr double small_size = 11, text_size = 12, title_size = 16;
+/// Sizes of fonts; bold texts are as wide as if they were larger.
+inline constexpr double small_size = 11, text_size = 12, bold_size = 13.5, title_size = 18;
 
 /// The number of colours of curves; `cN` are their classes.
 inline constexpr std::size_t colours = 6;

@@ -7,8 +7,6 @@
 namespace tcb {
 namespace {
 
-constexpr double key_radius = 3.2, half_tick = 4;
-
 double length(const Pixel& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
 /// The first of some differences that is not zero.
@@ -104,15 +102,18 @@ double width_of_numbers(const Axis& axis, double pixels) {
 
 void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
   const Box& box = view.box;
-  constexpr double half_height = 4, below = 17, above = 6;
+  constexpr double half_height = 4, below = 17, above = 6, line_of_numbers = 14;
   std::string grid;
+  double last = box.bottom() + line_of_numbers;
   for (const Tick& tick : ticks_with_room(view.y, box.height, true)) {
     const double at = box.bottom() - (tick.value - view.y.low()) * view.y_scale();
     grid += 'M';
     append_pixel(grid, {box.left, at});
     grid += 'h';
     append_pixels(grid, box.width);
+    if (last - at < line_of_numbers) continue;
     svg.add_text({box.left - 5, at + half_height}, tick.text, "v", "end");
+    last = at;
   }
   for (const Tick& tick : ticks_with_room(view.x, box.width, false)) {
     const double at = box.left + (tick.value - view.x.low()) * view.x_scale();
@@ -124,7 +125,7 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
   }
   svg.add_path(grid, "g");
   svg.add_box(box, "f");
-  svg.add_text({box.left, box.top - above}, fitted(frame.heading, frame.title_width, text_size * 1.1), "n");
+  svg.add_text({box.left, box.top - above}, fitted(frame.heading, box.width, bold_size), "n");
 }
 
 bool is_corner(const Pixel& incoming, const Pixel& outgoing) {
@@ -172,7 +173,9 @@ void CurveDrawing::draw(Svg& svg, const SceneCurve& curve, const Keys& keys) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Pixel at = view_.at(keys.times[i], keys.position(i));
     if (!is_finite(at)) continue;  // the channel has no position here
-    svg.add_circle(at, key_radius, i < corners_.size() && corners_[i] ? "q" : "k");
+    const bool corner = i < corners_.size() && corners_[i];
+    has_corner_ = has_corner_ || corner;
+    svg.add_circle(at, key_radius, corner ? "q" : "k");
   }
 }
 

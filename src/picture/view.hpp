@@ -37,9 +37,8 @@ struct View {
 
 /// What a view shows besides its curves.
 struct ViewFrame {
-  std::string heading;     ///< above the box, to the left: the name of the axis that points up
-  std::string name;        ///< of the axis to the right; empty: it has no texts
-  double title_width = 0;  ///< room for the heading
+  std::string heading;  ///< above the box, to the left: the name of the axis that points up
+  std::string name;     ///< of the axis to the right; empty: it has no texts
 };
 
 /// The numbers of an axis that have room, where each needs `room` pixels.
@@ -52,8 +51,10 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame);
 
 /// Which marks a picture has.
 struct Marks {
-  bool keys = false, handles = false, samples = false;
+  bool keys = false, corners = false, handles = false, samples = false;
 };
+
+inline constexpr double key_radius = 3.2, half_tick = 4;
 
 /// Draws one curve in one view while its segments come in order.
 class CurveDrawing {
@@ -64,6 +65,8 @@ class CurveDrawing {
   void add(const spline::Segments<double>& segments, std::size_t i);
   /// `keys`: all keys of the curve, or none.
   void draw(Svg& svg, const SceneCurve& curve, const Keys& keys);
+  /// Whether a key that was drawn is at a corner.
+  bool has_corner() const { return has_corner_; }
 
  private:
   void add_handles(const PixelSegment& segment, const Pixel& out, const Pixel& in);
@@ -72,6 +75,7 @@ class CurveDrawing {
   Marks marks_;
   std::unique_ptr<Outline> outline_;
   std::string handles_;
+  bool has_corner_ = false;
   std::vector<bool> corners_;      ///< of the keys so far
   std::optional<Pixel> incoming_;  ///< the direction at the end of the segment before
   std::optional<Pixel> first_;     ///< the direction at the start of the first segment
