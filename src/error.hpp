@@ -257,6 +257,7 @@ enum class ErrorCode {
   too_many_rows,
   too_many_rows_or_more,
   end_before_start,
+  start_after_end,
   samples_beyond_doubles,
   tolerance_too_small,
   // curve

@@ -273,6 +273,9 @@ constexpr std::array all_words{
     Words{ErrorCode::end_before_start,
           "{subject} {0} is before {1}, where samples begin unless --from is given; expected a later one; correct it, "
           "or give --from"},
+    Words{ErrorCode::start_after_end,
+          "{subject} {0} lies beyond {1}, where samples end unless --to is given; expected it before; give an earlier "
+          "one, or --to"},
     Words{ErrorCode::samples_beyond_doubles,
           "the distances between samples are beyond the range of doubles; expected less than 1.8e308 from the first to "
           "the last; scale the keys down"},

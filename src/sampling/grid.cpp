@@ -170,6 +170,10 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   }
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
   if (!to && !arc && extent.last) to = exact_time(*extent.last);
+  if (to && *to < from && request.count != 1) {
+    if (arc) require_not_after(Option::from, from, curve_length(*extent.length));
+    throw Error(Exit::usage, ErrorCode::start_after_end, {text(from), text(*to)}).about(Option::from);
+  }
   if (to && !std::isfinite(nearest_double(*to - from))) {
     throw Error(Exit::data, ErrorCode::samples_beyond_doubles);
   }

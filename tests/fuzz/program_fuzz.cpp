@@ -3,6 +3,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <map>
@@ -173,11 +175,105 @@ void require_sound(const Job& plan, std::string_view text, std::string_view rows
 }  // namespace
 }  // namespace tcb::fuzz
 
+namespace {
+
+/// Whole options: bytes that are changed one by one hardly ever make several valid ones.
+constexpr std::array<std::string_view, 68> whole_options{"--step=0.25",
+                                                         "--step=1/3",
+                                                         "--step=1e-9",
+                                                         "--rate=7",
+                                                         "--count=1",
+                                                         "--count=4",
+                                                         "--segments=3",
+                                                         "--per-segment=3",
+                                                         "--at=0.5,2,1",
+                                                         "--at=-7,9",
+                                                         "--arc-step=0.5",
+                                                         "--arc-count=1",
+                                                         "--arc-count=4",
+                                                         "--arc-at=0,1",
+                                                         "--tolerance=0.5",
+                                                         "--tolerance=1e-9",
+                                                         "--from=1",
+                                                         "--from=-3",
+                                                         "--from=99",
+                                                         "--to=2",
+                                                         "--to=99",
+                                                         "--to=-3",
+                                                         "--end=drop",
+                                                         "--end=keep",
+                                                         "--end=fit",
+                                                         "--end=fit-up",
+                                                         "--keys",
+                                                         "--extrapolate=hold",
+                                                         "--extrapolate=linear",
+                                                         "--extrapolate=repeat",
+                                                         "--extrapolate=offset",
+                                                         "--extrapolate=oscillate",
+                                                         "--closed",
+                                                         "--period=9",
+                                                         "--period=1/3",
+                                                         "--equal-speed",
+                                                         "--no-ease",
+                                                         "--golden",
+                                                         "--exact-input",
+                                                         "--preset=3dsmax",
+                                                         "--preset=vtk",
+                                                         "--tangents=interval-c",
+                                                         "--ends=natural",
+                                                         "--ends=velocity=1:2",
+                                                         "--parameter=0.5",
+                                                         "--metric=1",
+                                                         "--side=left",
+                                                         "--missing=skip-cell",
+                                                         "--missing=break",
+                                                         "--missing=skip-row",
+                                                         "--duplicates=last",
+                                                         "--duplicates=break",
+                                                         "--sort",
+                                                         "--group=1",
+                                                         "--columns=carry=2",
+                                                         "--no-header",
+                                                         "--no-output-header",
+                                                         "--meta",
+                                                         "--digits=3",
+                                                         "--fixed=2",
+                                                         "--hex",
+                                                         "--output-format=json",
+                                                         "--output-format=npy",
+                                                         "--input-format=ssv",
+                                                         "--decimal=,",
+                                                         "--fields=time,s,speed,curvature,torsion",
+                                                         "--fields=time,position,key,segment,u",
+                                                         "--fields=jerk,arc_error"};
+
+/// The line with a whole option more, less, or in the place of another.
+std::string with_other_option(std::string_view line, unsigned seed) {
+  std::vector<std::string_view> words;
+  for (const std::string_view word : tcb::fuzz::split(line, ' ')) {
+    if (!word.empty()) words.push_back(word);
+  }
+  const std::string_view option = whole_options[seed / 64 % whole_options.size()];
+  const bool removes = seed / 8 % 4 == 0, replaces = seed / 8 % 4 == 1;
+  if ((removes || replaces) && !words.empty()) words.erase(words.begin() + (seed / 32) % words.size());
+  if (!removes) words.push_back(option);
+  std::string result;
+  for (const std::string_view word : words) (result += result.empty() ? "" : " ") += word;
+  return result;
+}
+
+}  // namespace
+
 /// libFuzzer's mutations, mostly of the input alone, because new options take longer to parse than an input to
-/// resample.
+/// resample; and other whole options.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   const std::string_view all(reinterpret_cast<const char*>(data), size);
   const std::size_t input = std::min(all.find('\n'), all.size()) + 1;
+  if (seed % 8 == 4 && input <= size) {
+    const std::string changed =
+        with_other_option(all.substr(0, input - 1), seed) + '\n' + std::string(all.substr(input));
+    if (changed.size() <= most) return static_cast<std::size_t>(std::ranges::copy(changed, data).out - data);
+  }
   if (seed % 4 == 0 || input > size || input >= most) return LLVMFuzzerMutate(data, size, most);
   return input + LLVMFuzzerMutate(data + input, size - input, most - input);
 }

@@ -39,7 +39,9 @@ TEST(DecimalTimes, come_back_as_they_were_written) {
     ASSERT_EQ(nearest_time(*parse_rational(text), 1), time) << text;
     ASSERT_TRUE(has_many_digits(time)) << text;
     const std::size_t point = text.find('.');
-    if (before > 0) ASSERT_EQ(decimals_of(time), static_cast<int>(text.size() - point - 1)) << text;
+    if (before > 0) {
+      ASSERT_EQ(decimals_of(time), static_cast<int>(text.size() - point - 1)) << text;
+    }
   }
 }
 
