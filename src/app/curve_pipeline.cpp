@@ -197,7 +197,7 @@ std::vector<Time> CurvePipeline::places(const CurveIndex& curve, const Extent& e
   } else if (request_.places.empty()) {
     places = grid_times(extent);
   } else {
-    const int digits = request_.mode == Mode::at ? extent.decimals : 0;
+    const int digits = request_.mode == Mode::at ? extent.decimals : only_doubles;
     std::ranges::transform(request_.places, std::back_inserter(places),
                            [&](const Rational& place) { return nearest_time(place, digits); });
   }

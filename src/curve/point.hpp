@@ -164,14 +164,30 @@ class PathShape<double> {
     if (!known.moves) return {0, false};
     return {point.derivatives().velocity[channel] / known.speed};
   }
-  Quantity<double> curvature(Point<double>& point) { return quantity(shape(point).curvature); }
+  Quantity<double> curvature(Point<double>& point) {
+    if (!shape(point).moves || !has_ease(point)) return quantity(shape(point).curvature);
+    return quantity(spline::shape(without_ease(point), point.segment().metric).curvature);
+  }
   Quantity<double> torsion(Point<double>& point) {
-    return quantity(spline::torsion(point.derivatives(), point.segment().metric));
+    const std::span<const std::size_t> metric = point.segment().metric;
+    if (!shape(point).moves || !has_ease(point)) return quantity(spline::torsion(point.derivatives(), metric));
+    return quantity(spline::torsion(without_ease(point), metric));
   }
 
  private:
   static Quantity<double> quantity(const std::optional<double>& value) {
     return {value.value_or(0), value.has_value()};
+  }
+  /// The place is on a segment with ease, not on a straight extension of it.
+  static bool has_ease(const Point<double>& point) {
+    const bool extended = point.outside() != nullptr && point.outside()->beyond != Time(0.0);
+    return !point.segment().warp.is_identity() && !extended;
+  }
+  /// The derivatives without ease: curvature and torsion are the same, and near a rest nothing cancels.
+  const spline::Derivatives<double>& without_ease(const Point<double>& point) {
+    const CurveSegment& segment = point.segment();
+    spline::set_derivatives<double>(plain_, segment.cubics, point.sample().at, {}, 0, (segment.end - segment.start).hi);
+    return plain_;
   }
   const spline::Shape<double>& shape(Point<double>& point) {
     if (!shape_) shape_ = spline::shape(point.derivatives(), point.segment().metric);
@@ -179,6 +195,7 @@ class PathShape<double> {
   }
 
   std::optional<spline::Shape<double>> shape_;
+  spline::Derivatives<double> plain_;
 };
 
 /// The shape of the path in exact rationals, as roots, and in floats of many digits. A float counts as 0 where it is so

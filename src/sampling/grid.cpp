@@ -13,11 +13,16 @@
 namespace tcb {
 namespace {
 
-constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+constexpr double all_whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+
+/// From which size on times of a grid are whole numbers.
+double whole_from(int decimals) {
+  return decimals == only_doubles ? std::numeric_limits<double>::infinity() : all_whole_from;
+}
 
 /// Up to which row |first + j increment| stays below 2^53; 0: not even the first.
 std::uint64_t rows_within_doubles(const Rational& first, const Rational& increment) {
-  const Rational room = Rational(whole_from) - 1 - abs(first);
+  const Rational room = Rational(all_whole_from) - 1 - abs(first);
   if (room < 0) return 0;
   constexpr std::uint64_t all_rows = std::numeric_limits<std::uint64_t>::max();
   return increment == 0 ? all_rows : whole_number(floor(room / increment));
@@ -59,7 +64,7 @@ Grid::Grid(const Rational& start, const Rational& step) : start_(start), step_(s
   near_start_ = nearest_double_double(start);
   near_step_ = nearest_double_double(step);
   const Rational common = least_common_multiple(denominator(start), denominator(step));
-  if (common >= Rational(whole_from)) return;
+  if (common >= Rational(all_whole_from)) return;
   const Rational first = start * common;
   const Rational increment = step * common;
   double_rows_ = rows_within_doubles(first, increment);
@@ -88,25 +93,25 @@ Time Grid::time(std::uint64_t j, int decimals) const {
   // Numerator and denominator are whole numbers below 2^53, so the one division rounds once.
   const auto row = static_cast<double>(j);
   if (j <= double_rows_ && double_rows_ > 0) return {(double_first_ + double_increment_ * row) / double_denominator_};
-  if (j < static_cast<std::uint64_t>(whole_from)) {
+  if (j < static_cast<std::uint64_t>(all_whole_from)) {
     const Time near = near_time(row);
-    if (const auto time = rounded_once(near, doubt(near.hi))) return *time;
+    if (const auto time = rounded_once(near, doubt(near.hi), whole_from(decimals))) return *time;
   }
-  return nearest_time(start_ + step_ * j);
+  return nearest_time(start_ + step_ * j, decimals);
 }
 
 void Grid::set_times(std::uint64_t first, std::uint64_t last, int decimals, std::vector<Time>& times) const {
   using spline::DoublePair;
   times.clear();
   std::uint64_t row = first;
-  const bool near_is_enough = decimals == 0 && double_rows_ == 0 && last < static_cast<std::uint64_t>(whole_from);
+  const bool near_is_enough = decimals <= 0 && double_rows_ == 0 && last < static_cast<std::uint64_t>(all_whole_from);
   for (; near_is_enough && last - row >= 2; row += 2) {
     const auto number = static_cast<double>(row);
     const auto near = near_time(DoublePair(number, number + 1));
     const DoublePair doubts = doubt(near.hi);
     for (std::size_t i = 0; i < 2; ++i) {
-      const auto rounded = rounded_once({near.hi[i], near.lo[i]}, doubts[i]);
-      times.push_back(rounded ? *rounded : time(row + i));
+      const auto rounded = rounded_once({near.hi[i], near.lo[i]}, doubts[i], whole_from(decimals));
+      times.push_back(rounded ? *rounded : time(row + i, decimals));
     }
   }
   for (; row != last; ++row) times.push_back(time(row, decimals));
@@ -123,7 +128,7 @@ std::optional<std::uint64_t> Grid::rows_if_clear(const Time& t) const {
   const double row = (t.hi - near_start_.hi) / near_step_.hi;
   const double doubt = (std::abs(t.hi) + std::abs(near_start_.hi)) * 0x1p-50 / near_step_.hi;
   const bool step_has_all_digits = near_step_.hi >= std::numeric_limits<double>::min();
-  if (!(row > 0 && row < whole_from && step_has_all_digits)) return std::nullopt;
+  if (!(row > 0 && row < all_whole_from && step_has_all_digits)) return std::nullopt;
   const auto whole = static_cast<std::uint64_t>(row);
   const double part = row - static_cast<double>(whole);
   if (!(part > doubt && part < 1 - doubt)) return std::nullopt;

@@ -38,8 +38,8 @@ class OnGrid : public Sampler {
 
  private:
   /// Row 0 of the grid, and the end that the request has of its own.
-  Time first(int decimals) const { return decimals > 0 ? spacing_.grid.time(0, decimals) : first_; }
-  Time end(int decimals) const { return decimals > 0 ? nearest_time(*spacing_.end, decimals) : *end_; }
+  Time first(int decimals) const { return decimals != 0 ? spacing_.grid.time(0, decimals) : first_; }
+  Time end(int decimals) const { return decimals != 0 ? nearest_time(*spacing_.end, decimals) : *end_; }
 
   void require_bounds(const CurveSegment& segment, const Range& on) const;
   std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
@@ -82,7 +82,7 @@ class ByLength : public OnGrid {
   Range range(const CurveSegment& segment) const override { return {{segment.s_start.hi}, {segment.s_end.hi}}; }
   Bound lower(const Range&) const override { return curve_start(); }
   Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
-  int decimals(const CurveSegment&) const override { return 0; }
+  int decimals(const CurveSegment&) const override { return only_doubles; }
 };
 
 /// Samples at equal intervals within every segment: the inbetweens of the paper.
@@ -108,7 +108,7 @@ OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
       cut_(request.to.has_value()),
       first_(spacing_.grid.time(0)),
       end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
-      near_(nearest_time(spacing_.grid.step()) * Time(1e-9)) {}
+      near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
 
 void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
   const Rational& from = spacing_.grid.start();

@@ -253,6 +253,7 @@ Time with_all_digits(const Time& time) {
 int decimals_of(const Time& time) { return is_long_decimal(time) ? std::max(-decimal_of(time).exponent, 0) : 0; }
 
 Time nearest_time(const Rational& value, int decimals) {
+  if (decimals == only_doubles) return nearest_double(value);
   if (decimals == 0 || value == 0) return nearest_time(value);
   const Rational size = abs(value);
   const double near = nearest_double(size);

@@ -69,6 +69,9 @@ inline bool is_earlier(const Time& a, const Time& b) {
   return with_all_digits(a).lo < with_all_digits(b).lo;
 }
 
+/// Instead of a number of decimals: the nearest double, also beyond 2^53, as arc lengths are.
+inline constexpr int only_doubles = -1;
+
 /// The time nearest to a rational among times with `decimals` decimals: exactly the rational where it is a decimal of
 /// 31 digits at most, otherwise rounded to so many decimals, ties to even. 0 decimals: as nearest_time(value).
 Time nearest_time(const Rational& value, int decimals);

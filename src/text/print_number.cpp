@@ -1,6 +1,7 @@
 // Printing numbers: shortest, rounded, whole and hexadecimal.
 #include "text/print_number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -194,9 +195,19 @@ char* write_digits(double value, int count, char* out) {
 
 char* write_hex(double value, char* out) {
   out = write_sign(value, out);
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  constexpr int mantissa_bits = 52;
+  const int biased = static_cast<int>(bits >> mantissa_bits & 0x7FFU);
+  std::uint64_t mantissa = bits << (64 - mantissa_bits);
   *out++ = '0';
   *out++ = 'x';
-  return std::to_chars(out, out + number_room, std::abs(value), std::chars_format::hex).ptr;
+  *out++ = biased == 0 ? '0' : '1';
+  if (mantissa != 0) *out++ = '.';
+  for (; mantissa != 0; mantissa <<= 4U) *out++ = "0123456789abcdef"[mantissa >> 60U];
+  const int exponent = biased == 0 && value == 0 ? 0 : std::max(biased, 1) - 1023;
+  *out++ = 'p';
+  *out++ = exponent < 0 ? '-' : '+';
+  return write_whole(static_cast<std::uint64_t>(std::abs(exponent)), out);
 }
 
 std::size_t longest_number_in(const Notation& notation) {

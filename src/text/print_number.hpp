@@ -63,7 +63,8 @@ char* write_fixed(double value, int decimals, char* out);
 /// and null.
 char* write_digits(double value, int count, char* out);
 
-/// As printf("%a", value) writes it, but always with a point.
+/// As printf("%a", value) writes it, but always with a point; below the normal doubles as 0x0.0000000000001p-1022,
+/// where C libraries differ. Requires: finite.
 char* write_hex(double value, char* out);
 
 /// These need longest_number_in(notation) + spare_room bytes at out.

@@ -191,8 +191,14 @@ TEST(NumberText, hexadecimal_reads_back_bit_for_bit) {
   const auto check = [](double value) {
     const std::string text = in_notation(value, {Notation::Kind::hex});
     EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)), std::bit_cast<std::uint64_t>(value));
-    EXPECT_EQ(text, printed("%.*a", -1, value));  // a negative precision is none
+    // A negative precision is none. Below the normal doubles C libraries differ.
+    if (value == 0 || std::isnormal(value)) {
+      EXPECT_EQ(text, printed("%.*a", -1, value));
+    }
   };
+  EXPECT_EQ(in_notation(0x1p-1074, {Notation::Kind::hex}), "0x0.0000000000001p-1022");
+  EXPECT_EQ(in_notation(-0x3.8p-1030, {Notation::Kind::hex}), "-0x0.038p-1022");
+  EXPECT_EQ(in_notation(0x1p-1022, {Notation::Kind::hex}), "0x1p-1022");
   for (const double value : any_doubles) check(value);
   for (int i = 0; i < 10'000; ++i) check(random.any());
 }
