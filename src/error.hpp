@@ -19,7 +19,7 @@ enum class Exit : int {
   interrupted = 130,
 };
 
-/// A position in the text of an input: line and column count from 1, the column in characters; 0 where there is none.
+/// A position in the text of an input: line and column count from 1, the column in characters; 0 if there is none.
 struct TextPosition {
   std::string file;
   std::uint64_t line = 0;

@@ -12,7 +12,7 @@ Error error_with(const std::string& message, Exit exit = Exit::data, const TextP
   return Error(exit, ErrorCode::unexpected, {message}).at(position);
 }
 
-TEST(Errors, the_text_names_the_place_as_far_as_it_is_known) {
+TEST(Errors, the_text_has_the_position_as_far_as_it_is_known) {
   EXPECT_EQ(error_text(error_with("wrong", Exit::data, TextPosition{"a.csv", 17, 3})), "a.csv:17:3: error: wrong");
   EXPECT_EQ(error_text(error_with("wrong", Exit::data, TextPosition{"a.csv", 17, 0})), "a.csv:17: error: wrong");
   EXPECT_EQ(error_text(error_with("wrong", Exit::data, TextPosition{"a.csv", 0, 0})), "a.csv: error: wrong");
@@ -33,7 +33,7 @@ TEST(Errors, a_file_is_filled_in_once_and_nothing_else_changes) {
   EXPECT_EQ(error_text(error), "tcbsample: error: wrong") << "the error itself stays as it was";
 }
 
-TEST(Errors, a_place_is_filled_in_where_there_is_none) {
+TEST(Errors, a_position_is_filled_in_if_there_is_none) {
   const Error error = error_with("wrong");
   EXPECT_EQ(error_text(error.at({"", 17, 3}).in("a.csv")), "a.csv:17:3: error: wrong");
   EXPECT_EQ(error_text(error.in("a.csv").at({"", 17, 3})), "a.csv:17:3: error: wrong");
@@ -41,7 +41,7 @@ TEST(Errors, a_place_is_filled_in_where_there_is_none) {
   EXPECT_EQ(error_text(error.at({"", 17, 3}).at({"", 1, 1}).in("a.csv")), "a.csv:17:3: error: wrong");
 }
 
-TEST(Errors, each_keeps_to_its_line) {
+TEST(Errors, each_is_one_line) {
   EXPECT_EQ(error_text(error_with("a column \"x\r\n\x1b[1m\x7f\"", Exit::data, {"a\nb", 1, 2})),
             "a\\x0Ab:1:2: error: a column \"x\\x0D\\x0A\\x1B[1m\\x7F\"");
 }

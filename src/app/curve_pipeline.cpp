@@ -78,7 +78,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
   return checked(std::move(blocks), is_single() ? 1 : least);
 }
 
-/// The same keys, which are made exact as they go by. Where distances make the times, they are exact ones rounded.
+/// The same keys, also added to `exact`. Times made from distances are then computed exactly and rounded.
 Source<KeyBlock> CurvePipeline::recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const {
   return mapped(std::move(blocks), [this, exact](KeyBlock block) {
     exact->add(block);
@@ -118,7 +118,7 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
   return {tcb::place(std::move(segments), sampler, spec_.rules.metric), sampler, sampler, {}, fast_rows(sampler)};
 }
 
-/// From which time to which the keys are a curve.
+/// The first and the last time of the curve.
 Extent CurvePipeline::extent(KeyStore& keys) const {
   if (keys.are_sparse() && !keys.key(0).eases.empty()) throw Error(Exit::data, ErrorCode::ease_with_missing_cells);
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
@@ -158,7 +158,7 @@ PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, con
   return placed;
 }
 
-/// Rows on a grid that the whole curve decides. By arc length, the curve is measured first.
+/// Rows on a grid that depends on the whole curve. By arc length, the curve is measured first.
 PlacedCurve CurvePipeline::place_on_grid(const KeyStore& keys, Extent& extent) const {
   PlacementFacts facts{extent.first, extent.last, {}, {}};
   std::optional<Lengths> lengths;

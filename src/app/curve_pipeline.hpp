@@ -21,13 +21,13 @@ namespace tcb {
 
 class ExactKeys;
 
-/// How a curve is made.
+/// How a curve is built.
 struct RuleFacts {
   CurveSpec spec;
   bool timed = false;  ///< the keys have times; otherwise the parameter makes them
 };
 
-/// The extent of a curve and its samples, as far as they were known before the first row.
+/// The extent of a curve and its samples, as far as they are known before the first row.
 struct PlacementFacts {
   std::optional<Time> first, last;  ///< times of the first and the last key
   std::optional<double> length;
@@ -42,7 +42,7 @@ struct PlacedCurve {
   PlacementFacts facts;
   Evaluate evaluate = {};
 
-  /// How far the end of the range is from the last row, once all blocks were taken; nothing where it is a row.
+  /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
 };
 
@@ -63,7 +63,7 @@ struct IndexedCurve {
 
 class CurvePipeline {
  public:
-  /// Throws: Error where the settings of the job and of the input do not fit each other, or the input.
+  /// Throws: Error if the settings of the job and of the input contradict each other, or do not fit the input.
   CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, std::vector<std::size_t> fields,
                 const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
 

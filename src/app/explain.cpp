@@ -1,4 +1,4 @@
-// Explanation: what was detected in a file and will be done with it, a line each.
+// Explanation: what was detected in a file and will be done with it, one fact per line.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,7 +19,7 @@
 namespace tcb {
 namespace {
 
-constexpr std::size_t most_curves = 100;  ///< that have a line of their own
+constexpr std::size_t most_curves = 100;  ///< with a line of their own
 
 std::string shown(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
 
@@ -31,7 +31,7 @@ std::string_view name_of(const std::array<Row, size>& names, Value Row::*member,
 
 /// What was detected at the beginning of an input.
 Facts input_facts(const Input& input) {
-  constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "a key a line"};
+  constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "one key per line"};
   const Format& format = format_of(input.facts.format);
   Facts facts{{"format", std::string(format.name)}};
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
@@ -131,7 +131,7 @@ std::string range_text(const CurveOutcome& outcome) {
   return fmt::format("from {} to {}", time_text(*outcome.first), time_text(*outcome.last));
 }
 
-/// A curve in several lines.
+/// A single curve, in several lines.
 Facts lines_of(const CurveOutcome& outcome, const Wording& wording) {
   Facts lines{{"keys", fmt::format("{}", outcome.keys)}};
   if (outcome.first) lines.emplace_back("curve", range_text(outcome));
@@ -147,7 +147,7 @@ std::string counted(std::uint64_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// One of several curves in a line.
+/// One of several curves, in one line.
 std::string line_of(const CurveOutcome& outcome) {
   std::string text = counted(outcome.keys, "key");
   if (outcome.first) text += ", " + range_text(outcome);

@@ -26,7 +26,7 @@ struct BatchOptions {
   bool fail_fast = false;  ///< stops at the first file that fails
 };
 
-/// The largest distance between two numbers that is admitted, in one measure.
+/// The largest accepted distance between two numbers, in one measure.
 struct Tolerance {
   std::string column;  ///< empty: all columns without a tolerance of their own
   double most = 0;
@@ -35,8 +35,8 @@ struct Tolerance {
 /// A request to compare the samples of a file with the curve instead of printing samples.
 struct Comparison {
   std::string file;                      ///< of the samples; "-" is standard input
-  bool identify = false;                 ///< rank the rules that could have made them; otherwise check them
-  std::vector<Tolerance> abs, rel, ulp;  ///< a number is admitted by any of the three
+  bool identify = false;                 ///< rank the conventions by agreement with them; otherwise check them
+  std::vector<Tolerance> abs, rel, ulp;  ///< a number has to be within one of the three
 };
 
 /// Rows of correctly rounded numbers.
@@ -48,8 +48,8 @@ struct GoldenOptions {
 /// What is printed on standard error besides errors.
 struct Verbosity {
   bool quiet = false;     ///< nothing
-  bool notes = false;     ///< about inputs, where a user may not expect it
-  bool progress = false;  ///< how far the work is, once it takes a while
+  bool notes = false;     ///< unexpected facts about inputs
+  bool progress = false;  ///< the progress, once the work takes a while
 };
 
 /// How the curves are drawn, where the output is a picture.

@@ -30,7 +30,7 @@ WriterOptions writer_options(const Job& job) {
 
 InputOptions input_options(const Job& job, unsigned threads, bool live) {
   InputOptions options = job.input;
-  options.threads = live && !job.jobs ? 1 : threads;  // with more, a row would wait for keys after it
+  options.threads = live && !job.jobs ? 1 : threads;  // with more, a row would wait for later keys
   return options;
 }
 
@@ -40,7 +40,7 @@ InputListOptions input_list_options(const Job& job) {
   return {job.files, batch.list, batch.nul, batch.recursive, job.input.format.has_value(), batch.update, outputs};
 }
 
-/// The rules of a curve in words, after the preset that they are based on.
+/// The rules of a curve in words, after their preset.
 Facts rules(const CurvePipeline& pipeline, const Wording& wording) {
   Facts facts{{"preset", std::string(name_of(pipeline.facts().spec.preset))}};
   const Facts more = rules_in_words(pipeline.facts(), wording);
@@ -123,7 +123,7 @@ class FileRun {
     if (stored.placed) note_curve(*stored.placed);
   }
 
-  /// For the labels of a curve, which are the texts of its keys after those of groups; null where there are none.
+  /// The labels of a curve, which are the texts of its keys after those of groups; null if there are none.
   static std::shared_ptr<Labels> labels_of(const Input& input) {
     if (input.carried.empty()) return nullptr;
     return std::make_shared<Labels>(input.own_curves ? 0 : input.groups.size());
@@ -132,7 +132,7 @@ class FileRun {
   /// The rows of a curve as text.
   Source<std::string> printed(const Writer& writer, const PlacedCurve& placed, const std::shared_ptr<Labels>& labels,
                               unsigned threads) const {
-    if (job_.golden) threads = 1;  // exact rows share results of those before
+    if (job_.golden) threads = 1;  // exact rows share results of earlier ones
     if (labels == nullptr) {
       const auto print = [this, &writer, &placed](const SampleBlock& block) {
         return writer.print(placed.evaluate(block, job_.fields), block.first);
@@ -172,7 +172,7 @@ class FileRun {
   std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
 };
 
-/// The files of a job, and what all of them share.
+/// The files of a job, and what they share.
 class JobRun {
  public:
   JobRun(const Job& job, const Wording& wording)
@@ -216,7 +216,7 @@ class JobRun {
       return rows;
     };
     const InputFile& first = inputs_.files.front();
-    if (inputs_.files.size() + inputs_.others == 1 && !first.is_current) {  // its errors are the program's
+    if (inputs_.files.size() + inputs_.others == 1 && !first.is_current) {  // its errors end the program
       in_file(shown_name(first.path), [&] { convert(first, threads_); });
       return Exit::done;
     }
@@ -235,7 +235,7 @@ class JobRun {
     sink.commit();
   }
 
-  /// The digits of an output that another version makes again may differ.
+  /// Warns if another version made the earlier output, as its last digits may differ.
   void warn_of_other_program() {
     if (!job_.meta || job_.meta->from.empty()) return;
     const std::string &earlier = job_.meta->earlier.program, &current = job_.meta->meta.program;
@@ -263,7 +263,7 @@ Exit resample(const Job& job, const Wording& wording) {
 
 namespace {
 
-/// From this size on a file is worth all threads; smaller ones share them.
+/// Files of at least this size use all threads; smaller ones share them.
 constexpr std::uintmax_t large_file = 4UL * 1024 * 1024;
 
 /// The result of a file.
@@ -291,7 +291,7 @@ FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& c
 Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Report& report, const Convert& convert) {
   Summary summary;
   summary.ignored = inputs.others;
-  // No file from here on is begun. Those before a file that failed are, whichever thread was first.
+  // No file from here on is begun. All files before one that failed are, whichever thread is first.
   std::atomic<const InputFile*> stop = inputs.files.data() + inputs.files.size();
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
     for (; next != inputs.files.end() && next->is_current; ++next) {

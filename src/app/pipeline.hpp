@@ -22,11 +22,11 @@ Exit resample(const Job& job, const Wording& wording);
 /// Throws: Error, in which case there is no new output. Threads: any number at once.
 using Convert = std::function<std::uint64_t(const InputFile& file, unsigned threads)>;
 
-/// Converts all files but those whose outputs are current. A file that fails is reported, and the others follow;
+/// Converts all files but those whose outputs are current. A file that fails is reported, and the others continue;
 /// `fail_fast`: no other one is begun. Errors are in the order of the files.
 Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Report& report, const Convert& convert);
 
-/// What was detected in a file and will be done with it, a line each: reads the keys and places the samples, but
+/// What was detected in a file and will be done with it, one fact per line: reads the keys and places the samples, but
 /// evaluates none. Throws: Error as resample() does.
 std::string explanation(const std::string& path, const Job& job, const Wording& wording);
 

@@ -1,4 +1,4 @@
-// Progress: what is reported on standard error during the work: notes, errors, how far it is, and a summary.
+// Progress: reports on standard error during the work: notes, errors, progress, and a summary.
 #include "app/progress.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr auto between_updates = std::chrono::milliseconds(100);
 
-/// How many columns the terminal has.
+/// The number of columns of the terminal.
 std::size_t terminal_width() {
   winsize size{};
   const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -131,7 +131,7 @@ void Report::summary(const Summary& summary) {
   print(text);
 }
 
-/// Prints a line, and removes the progress before.
+/// Removes the progress, then prints a line.
 void Report::print(const std::string& line) {
   const std::lock_guard lock(mutex_);
   clear();

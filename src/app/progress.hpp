@@ -1,4 +1,4 @@
-// Progress: what is reported on standard error during the work: notes, errors, how far it is, and a summary.
+// Progress: reports on standard error during the work: notes, errors, progress, and a summary.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace tcb {
 
-/// Something about an input or its curves that a user may not expect, with values as errors have them.
+/// A fact about an input or its curves that a user may not expect, with values as in errors.
 enum class NoteCode {
   reads_terminal,
   no_time_column,
@@ -64,13 +64,13 @@ class Report {
   /// The amount of work; 0 bytes: unknown.
   void expect(std::uint64_t files, std::uintmax_t bytes);
 
-  /// The same bytes, or samples, which count as done. `rows` is increased by the number of samples.
+  /// The same bytes, or samples, counted as done. `rows` is increased by the number of samples.
   Source<std::string> observe_bytes(Source<std::string> bytes);
   Source<SampleBlock> observe_rows(Source<SampleBlock> samples, std::uint64_t& rows);
-  /// A file has ended: all of its bytes are done, whether they were read or not.
+  /// Ends a file: all its bytes count as done, whether they were read or not.
   void add_file(std::uintmax_t bytes);
 
-  /// The counts of all files; where all of them are done, only with notes.
+  /// Prints the counts of all files; if all of them are done, only with notes.
   void summary(const Summary& summary);
 
  private:
@@ -89,10 +89,10 @@ class Report {
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
   std::uint64_t files_ = 0, all_files_ = 0, rows_ = 0;
   std::uintmax_t read_ = 0, ended_ = 0, all_bytes_ = 0;
-  std::size_t width_ = 0;  ///< of the progress on the terminal's last line
+  std::size_t width_ = 0;  ///< of the displayed progress
 };
 
-/// The progress in a line: "41 %, 12 of 30 files, 1.2 of 2.9 GB, 1,234 rows, 85 MB/s, 0:20 left".
+/// The progress as a line: "41 %, 12 of 30 files, 1.2 of 2.9 GB, 1,234 rows, 85 MB/s, 0:20 left".
 std::string progress_text(std::uint64_t files, std::uint64_t all_files, std::uintmax_t bytes, std::uintmax_t all_bytes,
                           std::uint64_t rows, double seconds);
 

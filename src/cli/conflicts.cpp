@@ -159,7 +159,7 @@ std::optional<Option> other_option(const Conflict& conflict, Option given, const
   return among_themselves ? first_given(typed, conflict.options, given) : first_given(typed, conflict.others);
 }
 
-/// Throws: Error (usage) about both options, with their values where the conflict depends on them.
+/// Throws: Error (usage) about both options, with their values if the conflict depends on them.
 [[noreturn]] void refuse(const Conflict& conflict, Option given, std::optional<Option> other, const Typed& typed) {
   const auto shown = [&](Option option) {
     const OptionRow& row = row_of(option);

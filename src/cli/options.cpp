@@ -47,7 +47,7 @@ constexpr std::array<OptionRow, option_count> table{{
      [](Typed& to, Text) { to.job.input.header = true; }},
     {Option::no_header, "--no-header", "", input, "The first record is a key", "", flag, recorded,
      [](Typed& to, Text) { to.job.input.header = false; }},
-    {Option::comment, "--comment", "PREFIX", input, "Skips lines that begin with PREFIX; none: skips no line", "#",
+    {Option::comment, "--comment", "PREFIX", input, "Skips lines that begin with PREFIX; none: skips none", "#",
      other, recorded, [](Typed& to, Text text) { to.job.input.comment = text == "none" ? "" : text; }},
     {Option::columns, "--columns", "ROLE=NAME,...", input,
      "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label; by default "
@@ -84,7 +84,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "Further signs of a missing number, besides NA, N/A, nan, null, None, missing, - and the like", "", other, recorded,
      [](Typed& to, Text text) { to.job.input.signs = column_list(text); }},
     {Option::duplicates, "--duplicates", "POLICY", input,
-     "For keys with equal times: error refuses them; first or last keeps that one; break begins a new curve with the "
+     "For keys with equal times: error rejects them; first or last keeps that one; break begins a new curve with the "
      "second",
      "error", name, recorded,
      [](Typed& to, Text text) { to.job.curves.duplicates = named_row(duplicates_names, text).value; },
@@ -92,7 +92,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::sort, "--sort", "", input, "Sorts keys by time first; those of equal times keep their order", "", flag,
      recorded, [](Typed& to, Text) { to.job.curves.sort = true; }},
 
-    {Option::preset, "--preset", "NAME", curve, "Tangents and ends as in a product, see --list-presets", "gte", name,
+    {Option::preset, "--preset", "NAME", curve, "The rules of a product for tangents and ends; see --list-presets", "gte", name,
      recorded, [](Typed& to, Text text) { to.job.curve.preset = named_row(spline::presets, text).name; },
      names_in<spline::presets>},
     {Option::tangents, "--tangents", "RULE", curve,
@@ -111,10 +111,10 @@ constexpr std::array<OptionRow, option_count> table{{
      "The time that a closed curve takes to return to its first key; implies --closed", "", other, recorded,
      [](Typed& to, Text text) { to.job.curve.period = text; }},
     {Option::equal_speed, "--equal-speed", "", curve,
-     "Makes the two tangents of a key equally fast, also where C is not 0", "", flag, recorded,
+     "Gives both tangents of a key the same speed, also where C is not 0", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.equal_speed = true; }},
     {Option::parameter, "--parameter", "NAME", curve,
-     "Makes times for keys without any: uniform, chordal, centripetal, or the exponent of the distances", "uniform",
+     "Makes times for keys without any: uniform, chordal, centripetal, or an exponent of the distances", "uniform",
      name, recorded, [](Typed& to, Text text) { to.job.curve.parameter = text; }, names_in<parameter_names>},
     {Option::metric, "--metric", "CHANNEL,...", curve,
      "The channels that lengths and speeds are measured over, by name or number; by default all", "", other, recorded,
@@ -122,7 +122,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::no_ease, "--no-ease", "", curve, "Ignores the columns ease_in and ease_out", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.no_ease = true; }},
     {Option::extrapolate, "--extrapolate", "RULE", curve,
-     "The curve at times outside it: error refuses them, hold, linear, repeat, offset or oscillate", "error", name,
+     "Times outside the curve: error rejects them; hold, linear, repeat, offset and oscillate extend the curve", "error", name,
      recorded, [](Typed& to, Text text) { to.job.curve.extrapolate = named_row(extrapolations, text).name; },
      names_in<extrapolations>},
 
@@ -139,7 +139,7 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.step = step_of_rate(text);
      }},
     {Option::count, "-n,--count", "N", sampling,
-     "N samples equally spaced in time, the first and the last key among them", "", other, recorded,
+     "N samples equally spaced in time, including the first and the last key", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::count;
        to.job.sampling.count = positive_count(text);
@@ -171,7 +171,7 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.step = positive_ratio(text);
      }},
     {Option::arc_count, "--arc-count", "N", sampling,
-     "N samples equally spaced in arc length, both ends among them", "", other, recorded,
+     "N samples equally spaced in arc length, including both ends", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::arc_count;
        to.job.sampling.count = positive_count(text);
@@ -196,16 +196,16 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::to, "--to", "T", sampling, "Where sampling ends; by default the last key", "", other, recorded,
      [](Typed& to, Text text) { to.job.sampling.to = ratio(text); }},
     {Option::end, "--end", "POLICY", sampling,
-     "Where the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit takes the "
+     "If the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit takes the "
      "nearest whole number of equal steps, fit-down the largest equal steps of at most H, fit-up the smallest of at "
      "least H",
      "drop", name, recorded,
      [](Typed& to, Text text) { to.job.sampling.end = named_row(end_policies, text).policy; },
      names_in<end_policies>},
     {Option::keys, "--keys", "", sampling,
-     "Every key is a sample too; a sample within a billionth of a step of a key is replaced by it", "", flag, recorded,
+     "Every key is also a sample; it replaces a sample within a billionth of a step of it", "", flag, recorded,
      [](Typed& to, Text) { to.job.sampling.keys = true; }},
-    {Option::max_rows, "--max-rows", "N", sampling, "Refuses to make more samples than N", "1e9", other, recorded,
+    {Option::max_rows, "--max-rows", "N", sampling, "An error if there are more samples than N", "1e9", other, recorded,
      [](Typed& to, Text text) { to.job.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
 
     {Option::output, "-o,--output", "FILE", output,
@@ -221,7 +221,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "curvature, torsion, segment, u, key, arc_error",
      "time,position", name, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); }, field_names},
     {Option::side, "--side", "SIDE", output,
-     "Which segment's values a row at a key has where they differ: right, the segment after the key, or left, the one "
+     "The segment whose values a row at a key has if they differ: right, the one after the key, or left, the one "
      "before",
      "right", name, recorded,
      [](Typed& to, Text text) { to.job.sampling.from_left = named_row(side_names, text).left; },
@@ -241,20 +241,20 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::golden, "--golden", "", output, "Every number is the exact one, rounded once; slow", "", flag, recorded,
      [](Typed&, Text) {}},
     {Option::exact_input, "--exact-input", "", output,
-     "With --golden, a decimal in the input is that decimal, not the double nearest to it", "", flag, recorded,
+     "With --golden, a decimal in the input is exactly that decimal, not the double nearest to it", "", flag, recorded,
      [](Typed&, Text) {}},
     {Option::meta, "--meta", "", output,
      "Adds provenance to the rows: version, rules, options, SHA-256 of the input, and counts, as comment lines or in "
      "JSON as an object",
      "", flag, recorded, [](Typed&, Text) {}},
     {Option::from_meta, "--from-meta", "FILE", output,
-     "Makes FILE, an output with provenance, again: takes all options from it", "", file, unrecorded,
+     "Reproduces FILE, an output with provenance: takes all options from it", "", file, unrecorded,
      [](Typed&, Text) {}},
     {Option::hex, "--hex", "", output,
-     "Numbers are C's hexadecimal, as 0x1.8p+1, which strtod reads back bit for bit", "", flag, recorded,
+     "Numbers are hexadecimal as in C, such as 0x1.8p+1, which strtod reads back bit for bit", "", flag, recorded,
      [](Typed& to, Text) { to.notation = {Notation::Kind::hex}; }},
     {Option::no_output_header, "--no-output-header", "", output,
-     "No names above the rows; the default where the input has none", "", flag, recorded,
+     "No names above the rows; the default if the input has none", "", flag, recorded,
      [](Typed& to, Text) { to.job.output_header = false; }},
     {Option::file_column, "--file-column", "[=NAME]", output,
      "Adds the input's name as the first column, called NAME; without a blank line between files", "file", other,
@@ -274,12 +274,12 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::output_dir, "--output-dir", "DIR", files,
      "Writes a file for each input into this folder, with the format's ending", "", folder, unrecorded,
      [](Typed& to, Text text) { to.job.output_folder = text; }},
-    {Option::files, "--files", "LIST", files, "More files, one a line of LIST; -: standard input", "", file,
+    {Option::files, "--files", "LIST", files, "More files, one per line of LIST; -: standard input", "", file,
      unrecorded, [](Typed& to, Text text) { to.job.batch.list = text; }},
     {Option::null, "-0,--null", "", files, "The names in LIST end in NUL, not in a line end", "", flag, unrecorded,
      [](Typed& to, Text) { to.job.batch.nul = true; }},
     {Option::recursive, "--recursive", "", files,
-     "Takes from a folder the files below it that have the ending of a format, or with --input-format all; the tree is "
+     "Takes all files below a folder that have the ending of a format, or with --input-format all files; the tree is "
      "mirrored in DIR",
      "", flag, unrecorded, [](Typed& to, Text) { to.job.batch.recursive = true; }},
     {Option::suffix, "--suffix", "S", files, "Appends S to the outputs' names, before the ending", "", other,
@@ -292,19 +292,19 @@ constexpr std::array<OptionRow, option_count> table{{
 
     {Option::check, "--check", "FILE", comparison,
      "Compares the samples in FILE, from any program, with the curve at their times, or arc lengths s, and prints a "
-     "report; exit code 1 where they differ",
+     "report; exit code 1 if they differ",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
     {Option::abs, "--abs", "[COL=]D,...", comparison,
-     "With --check: the largest distance of two numbers, in all columns or in one, as in x=1e-6", "", other, recorded,
+     "With --check: the largest difference of two numbers, in all columns or in one, as in x=1e-6", "", other, recorded,
      [](Typed& to, Text text) { to.comparison.abs = tolerances(text); }},
-    {Option::rel, "--rel", "[COL=]D,...", comparison, "The same as a fraction of the curve's number", "", other,
+    {Option::rel, "--rel", "[COL=]D,...", comparison, "The same, as a fraction of the curve's number", "", other,
      recorded, [](Typed& to, Text text) { to.comparison.rel = tolerances(text); }},
     {Option::ulp, "--ulp", "[COL=]N,...", comparison,
-     "The same in units in the last place, the doubles from one number to the other; default 0, so equality", "", other,
+     "The same, in units in the last place: steps between neighbouring doubles; by default 0, so equality", "", other,
      recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }},
     {Option::identify, "--identify", "FILE", comparison,
-     "Finds which tangents, ends, speeds, and order and signs of T, C, B made the positions in FILE, and prints a "
-     "ranked table; exit code 1 if none did",
+     "Finds the tangents, ends, speeds, and order and signs of T, C, B that gave the positions in FILE, and prints a "
+     "ranked table; exit code 1 if none fits",
      "", file, recorded,
      [](Typed& to, Text text) {
        to.comparison.file = text;
@@ -314,8 +314,8 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::explain, "--explain", "", about, "Prints what was found and would be done, without samples", "", flag,
      recorded, [](Typed& to, Text) { to.job.explain = true; }},
     {Option::progress, "--progress", "", about,
-     "Shows the progress on a terminal once the work takes a second, also where the rows go to it; by default only "
-     "where they do not",
+     "Shows the progress on a terminal once the work takes a second, also if the rows go to it; by default only "
+     "if they do not",
      "", flag, unrecorded, [](Typed&, Text) {}},
     {Option::no_progress, "--no-progress", "", about, "Does not show the progress", "", flag, unrecorded,
      [](Typed&, Text) {}},

@@ -166,7 +166,7 @@ void require_samples(const TypedOptions& typed) {
   }
 }
 
-/// Throws: Error (usage) where standard input would be read twice.
+/// Throws: Error (usage) if standard input would be read twice.
 void require_one_reader(const TypedOptions& typed) {
   const bool keys_from_input = std::ranges::count(typed.job.files, "-") > 0;
   const bool no_files = typed.job.files.empty();

@@ -9,14 +9,14 @@
 namespace tcb {
 
 /// The job of these options. Requires: no conflict.
-/// Throws: Error (usage) where they do not fit each other.
+/// Throws: Error (usage) if they do not fit each other.
 Job make_job(const TypedOptions& typed);
 
 /// The provenance of an output that is made with these options: its program, and all options that change a byte.
 /// Throws: Error (usage) for a value that no line can hold.
 Provenance new_provenance(const TypedOptions& typed);
 
-/// The provenance of the output that is to be made again. Throws: Error (usage) where options are given that it has,
+/// The provenance of the output that is to be made again. Throws: Error (usage) if options are given that it has,
 /// or another number of files than it was made from; Error where it cannot be read.
 ProvenanceRequest earlier_provenance(const TypedOptions& typed);
 

@@ -21,10 +21,10 @@ struct Words {
 /// A row for each code.
 std::span<const Words> remedies();
 
-/// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" where there is no file; a line for each error.
+/// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" if there is no file; a line for each error.
 std::string error_text(const Error& error);
 
-/// What is wrong, what was expected, and the remedy, separated by "; ".
+/// The fault, what was expected, and the remedy, separated by "; ".
 std::string error_message(const Error& error);
 
 /// The long name of an option, with its dashes.

@@ -24,7 +24,7 @@ bool has_content(const std::vector<std::string>& group) {
   return std::ranges::any_of(group, [](const std::string& text) { return !text.empty(); });
 }
 
-/// The texts of a group without their kinds, which differ between formats.
+/// The characters of a group's texts, without their kinds, which differ between formats.
 std::vector<std::string> contents(const std::vector<std::string>& group) {
   std::vector<std::string> texts;
   for (const std::string& text : group) texts.emplace_back(content(text));

@@ -17,15 +17,15 @@ namespace tcb {
 
 /// The distance of a given number from the computed one; a missing number is NaN.
 struct Distance {
-  double abs = 0;         ///< |given - computed|; infinite beyond the range of doubles, or where one of them is missing
-  double rel = 0;         ///< abs / |computed|; infinite where only the computed number is 0
+  double abs = 0;         ///< |given - computed|; infinite beyond the range of doubles, or if one of them is missing
+  double rel = 0;         ///< abs / |computed|; infinite if only the computed number is 0
   std::uint64_t ulp = 0;  ///< number of steps between neighbouring doubles; 0 and -0 are equal
 };
 
 /// Two missing numbers are equal.
 Distance distance(double given, double computed);
 
-/// Limits of a column: a number is admitted by any of the three that are there.
+/// Limits of a column: a number is accepted if it is within any of those given.
 struct Limits {
   std::optional<double> abs, rel, ulp;
 
@@ -33,22 +33,22 @@ struct Limits {
 };
 
 /// For each measure the column's own tolerance, else the one for all columns. Without any, only equal numbers are
-/// admitted.
+/// accepted.
 Limits limits_of(const Comparison& comparison, const std::string& column);
 
 /// A given number that differs from the computed one.
 struct Difference {
   std::uint64_t row = 0, line = 0;  ///< among the rows of the curve, from 1; in the file
   std::string column;
-  double given = 0, computed = 0;  ///< NaN where missing
+  double given = 0, computed = 0;  ///< NaN if missing
   Distance distance;
 };
 
-/// The parts of a result that every comparison has.
+/// The parts of a result that all comparisons have.
 struct ComparisonSummary {
   std::string file, keys;            ///< names of the files of samples and of keys
   bool by_length = false;            ///< the samples are at arc lengths
-  std::vector<std::string> ignored;  ///< names of columns that were not compared, on purpose
+  std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
   std::vector<Error> problems;       ///< of columns, curves and rows, besides the numbers
 };
 
@@ -67,11 +67,11 @@ struct Check : ComparisonSummary {
   bool passed() const { return mismatches == 0 && problems.empty(); }
 };
 
-/// Compares every number of the samples with the curve. Throws: Error where the keys make no curve, or there is nothing
+/// Compares every number of the samples with the curve. Throws: Error if the keys make no curve, or there is nothing
 /// to compare.
 Check check(const Job& job);
 
-/// A curve and the rows that are given of it.
+/// A curve and its given rows.
 struct Pair {
   const KeptCurve* curve;
   SampleRows rows;
@@ -82,17 +82,17 @@ struct Pairs {
   std::vector<Error> problems;  ///< curves without rows, rows without a curve
 };
 
-/// Pairs curves and rows by their groups where both have them, else by their order; a single curve takes all rows.
+/// Pairs curves and rows by their groups if both have them, else by their order; a single curve takes all rows.
 Pairs pair_up(const KeptCurves& kept, SampleTable& table);
 
-/// The parts of a result that every comparison has.
+/// The parts of a result that all comparisons have.
 ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs);
 
-/// The places of some rows on a curve.
+/// The places of rows on a curve.
 struct Places {
   std::vector<std::size_t> rows;
   std::vector<Time> places;        ///< of these rows
-  std::optional<Error> off_curve;  ///< where other rows are not on the curve: how many, and the first of them
+  std::optional<Error> off_curve;  ///< if other rows are not on the curve: how many, and the first of them
 };
 
 /// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.

@@ -15,7 +15,7 @@ using spline::tangent_rules;
 
 Triple triple_of(const spline::Tcb<double>& tcb) { return {tcb.tension, tcb.continuity, tcb.bias}; }
 
-/// The different values of tension, continuity and bias among all keys.
+/// The distinct values of tension, continuity and bias among all keys.
 std::set<Triple> triples(const KeptCurves& kept) {
   std::set<Triple> found;
   for (const KeptCurve& curve : kept.curves) {
@@ -27,7 +27,7 @@ std::set<Triple> triples(const KeptCurves& kept) {
   return found;
 }
 
-/// All orders and signs, by the number of negative signs; the plain one is the first.
+/// All orders and signs, by the number of negative signs; the usual one is the first.
 std::vector<TcbOrder> all_orders() {
   std::vector<TcbOrder> orders;
   for (const unsigned signs : {0U, 1U, 2U, 4U, 3U, 5U, 6U, 7U}) {

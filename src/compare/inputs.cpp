@@ -149,7 +149,7 @@ class Matcher {
     }
   }
 
-  /// Times, or arc lengths where there are no times or no time is among the given fields.
+  /// Times, or arc lengths if there are no times or no time is among the given fields.
   void find_places() {
     const auto s = find(keys_.channels, "s") ? std::nullopt : find(table_.columns, "s");
     const bool wants_s = has(given_, field_of("s")) && !has(given_, field_of("time"));
@@ -181,7 +181,7 @@ class Matcher {
     result_.problems.push_back({Exit::data, ErrorCode::missing_columns, {missing}});
   }
 
-  /// The columns of the samples that match none of the curve are ignored where the fields are given.
+  /// The columns of the samples that match none of the curve are ignored if fields are given.
   void classify_other_columns() {
     Names unknown;
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {

@@ -20,7 +20,7 @@ struct KeptCurve {
   std::shared_ptr<const CurveInfo> curve_info;
   std::vector<KeyBlock> blocks;
 
-  /// The curve has to outlive the source.
+  /// The curve must outlive the source.
   Source<KeyBlock> keys() const;
   std::size_t key_count() const;
 };
@@ -33,7 +33,7 @@ struct KeptCurves {
 /// The curves of the one input of a job. Throws: Error.
 KeptCurves keep(const Job& job);
 
-/// Given rows of one curve. Shapes: numbers has a number a column, row after row; a missing one is NaN.
+/// Given rows of one curve. Shapes: numbers has a number per column, row after row; a missing one is NaN.
 struct SampleRows {
   std::vector<std::string> group;  ///< texts as in texts.hpp
   std::vector<spline::Time<double>> times;
@@ -54,7 +54,7 @@ struct SampleTable {
 };
 
 /// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;
-/// the decimal mark is a comma where cells are separated by semicolons or tabs and no number has a point. `timeless`:
+/// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `timeless`:
 /// the first column of a file without names is not the time. Throws: Error.
 SampleTable read_samples(const std::string& path, const Input& keys, bool timeless, unsigned threads);
 
@@ -70,16 +70,16 @@ struct MatchedColumns {
   std::vector<MatchedColumn> compared;
   std::optional<std::size_t> place;  ///< index into SampleTable::columns: the places of the samples, if not the times
   bool by_length = false;            ///< the places are arc lengths
-  std::vector<std::string> ignored;  ///< names of the columns that are not compared, on purpose
+  std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
   std::vector<Error> problems;       ///< of columns that are missing or unknown
 };
 
 /// Index into fields(). Requires: the name of a field.
 std::size_t field_of(std::string_view name);
 
-/// Matches columns with the given fields, or where none are given, with all fields whose columns the table names. A
+/// Matches columns with the given fields, or if none are given, with all fields whose columns the table names. A
 /// table without names has the columns of the given fields, or else the time and the positions.
-/// Throws: Error (data) where nothing can be compared.
+/// Throws: Error (data) if nothing can be compared.
 MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given);
 
 /// Both files of a comparison.

@@ -1,4 +1,4 @@
-// Precision: how far rounding and printing put numbers off, and the choice of rows that represent many.
+// Precision: the errors of rounding and printing, and the choice of rows that represent many.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -59,7 +59,7 @@ double largest_position(const KeptCurves& kept, std::size_t channel) {
   return largest;
 }
 
-/// Appends a row of samples to others of the same curve.
+/// Appends a row of samples to others of its curve.
 void append_row(GivenSamples& to, const GivenSamples& from, std::size_t row, const ComparisonInputs& inputs) {
   const auto copy = [row](auto& target, const auto& source, std::size_t stride) {
     const auto begin = source.begin() + static_cast<std::ptrdiff_t>(row * stride);
@@ -92,7 +92,7 @@ spline::Time<double> time_from_end(const KeptCurve& curve, std::size_t number) {
   return block->keys.times[block->size() - std::min(block->size(), number)];
 }
 
-/// The rows on the beginning of a curve that the keys after it do not influence.
+/// The rows on the beginning of a curve, as far as later keys do not affect it.
 GivenSamples on_beginning(const GivenSamples& sample, const KeptCurve& beginning, const ComparisonInputs& inputs) {
   const spline::Time<double> end = time_from_end(beginning, 3);
   GivenSamples before{&beginning, {}, {}, {}};
@@ -102,7 +102,7 @@ GivenSamples on_beginning(const GivenSamples& sample, const KeptCurve& beginning
   return before;
 }
 
-/// Leaves most_rows of `rows` rows, evenly spread.
+/// Keeps most_rows of `rows` rows, evenly spread.
 void thin_out(std::vector<GivenSamples>& samples, std::uint64_t rows, const ComparisonInputs& inputs) {
   std::uint64_t number = 0;
   for (GivenSamples& sample : samples) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_selected = 64, most_mixed = 16;
 
-/// Compares samples with conventions. What it is made from has to outlive it.
+/// Compares samples with conventions. Requires: the arguments of the constructor outlive it.
 class Comparer {
  public:
   Comparer(const Job& job, const ComparisonInputs& inputs, const std::vector<TcbOrders>& orders, bool closed)
@@ -91,7 +91,7 @@ class Comparer {
   SamplingRequest request_;
 };
 
-/// Which candidates fit with a precision; among coarse numbers only those that are nearly as good as the best.
+/// Which candidates fit with a precision; with coarse numbers only those nearly as good as the best.
 std::vector<bool> fitting(const std::vector<Candidate>& candidates, std::size_t precision) {
   const auto excess = [precision](const Candidate& candidate) { return candidate.excess[precision]; };
   const double best = excess(*std::ranges::min_element(candidates, {}, excess));
@@ -103,7 +103,7 @@ std::vector<bool> fitting(const std::vector<Candidate>& candidates, std::size_t 
   return fits;
 }
 
-/// Leaves only the columns of positions among those that are compared.
+/// Keeps only the columns of positions among those that are compared.
 void compare_positions_only(ComparisonInputs& inputs) {
   MatchedColumns& columns = inputs.columns;
   const auto& channels = inputs.kept.input.channels;
@@ -128,7 +128,7 @@ bool is_closed(const KeptCurves& kept, const Job& job) {
   });
 }
 
-/// Counts the rows on the curves; adds a problem for rows off them, which are off with every convention.
+/// Counts the rows on the curves; adds a problem for rows off them, which are off them with every convention.
 void find_rows(const Comparer& comparer, const std::vector<GivenSamples>& samples, Identification& result) {
   for (const GivenSamples& sample : samples) {
     const Places places = comparer.places(sample, comparer.curve_of(*sample.curve, {}));
@@ -182,7 +182,7 @@ std::vector<Convention> mixed(const Ranking& ranking) {
   return all;
 }
 
-/// Ranks all conventions, by a subset of the rows first. Throws: Error (data) where there is nothing to compare.
+/// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
 void rank(Identification& result, const Job& job, const ComparisonInputs& inputs,
           const std::vector<GivenSamples>& samples) {
   const Comparer comparer(job, inputs, result.orders, result.closed);

@@ -28,7 +28,7 @@ struct TcbOrder {
   std::string name() const;  ///< such as "T,-B,C"
 };
 
-/// Orders that are equivalent for all keys count once, under the first of them.
+/// An order, and the others that are equivalent to it for all keys.
 struct TcbOrders {
   TcbOrder order;
   std::vector<std::string> same;  ///< names of the others
@@ -37,7 +37,7 @@ struct TcbOrders {
 /// Number of all orders and signs.
 inline constexpr std::size_t all_tcb_orders = 48;
 
-/// The orders that are different for these keys, the plain one first.
+/// The orders that differ for these keys, the usual one first.
 std::vector<TcbOrders> distinct_orders(const KeptCurves& kept);
 
 /// A way to make a curve of keys.
@@ -69,15 +69,15 @@ std::vector<std::string> presets_of(const Convention& convention, bool closed);
 enum class Precision : std::uint8_t { rounding, printed_digits, single };
 inline constexpr std::size_t precisions = 3;
 
-/// How far a number may be off for each precision; 0 where that cannot be the reason.
+/// How far a number may be off for each precision; 0 if that cannot be the reason.
 using Allowance = std::array<double, precisions>;
 
 /// Allowances for the numbers of one column. Rounding: 2^-40 of the largest number of the column or of the keys,
 /// `size`. Printed digits: a unit in the last place that the column shows, in decimals or in significant digits.
-/// Single: 2^-20 of the largest, where no number has more than nine digits or all are single precision.
+/// Single: 2^-20 of the largest, if no number has more than nine digits or all are in single precision.
 std::vector<Allowance> allowances(std::span<const double> column, double size);
 
-/// Given rows of a curve, and how precise their numbers are.
+/// Given rows of a curve, and the precision of their numbers.
 struct GivenSamples {
   const KeptCurve* curve;
   SampleRows rows;
@@ -89,14 +89,14 @@ std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonIn
 
 std::uint64_t count_rows(const std::vector<GivenSamples>& samples);
 
-/// An evenly spread subset of all rows; where there are many keys, of the rows on the first keys.
+/// An evenly spread subset of all rows; if there are many keys, of the rows on the first keys.
 struct Subset {
   std::vector<GivenSamples> samples;
   std::vector<KeptCurve> curves;  ///< the first keys of the curves that were cut
   bool all = false;               ///< it has all rows
 };
 
-/// At most 1,000 rows, on 256 keys where the curve is open and has times, so that its beginning is a curve too.
+/// At most 1,000 rows, on 256 keys if the curve is open and has times, so that its beginning is also a curve.
 Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, bool open);
 
 // ranking.cpp
@@ -111,7 +111,7 @@ struct Candidate {
 };
 
 /// The candidates by agreement: those that fit and are equivalent here, the most usual first; then those that are off
-/// in a quarter of the rows at most, by the number of these rows; then the others; each by the largest error.
+/// in at most a quarter of the rows, by the number of these rows; then the others; each part by the largest error.
 struct Ranking {
   std::vector<Candidate> candidates;
   std::size_t fitting = 0;
@@ -122,14 +122,14 @@ Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool close
 struct Identification : ComparisonSummary {
   bool closed = false;
   std::uint64_t rows = 0;              ///< number of rows compared
-  std::vector<TcbOrders> orders = {};  ///< the orders that are different for these keys
+  std::vector<TcbOrders> orders = {};  ///< the orders that differ for these keys
   std::uint64_t conventions = 0;       ///< number of conventions compared
   Ranking ranking = {};
 
   bool fits() const { return ranking.precision.has_value(); }
 };
 
-/// Compares the positions with those of every convention. Where rows or keys are many, a subset of 1,000 rows and 256
+/// Compares the positions with those of every convention. If there are more, a subset of 1,000 rows and 256
 /// keys selects the 64 best conventions and all that fit, which are then compared with all rows. Throws: Error as
 /// check().
 Identification identify(const Job& job);

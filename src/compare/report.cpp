@@ -95,7 +95,7 @@ std::string title(const Identification& found, const Candidate& candidate) {
   return text + (order.is_plain() ? "" : ", T,C,B from " + order.name());
 }
 
-/// The same with the names of its presets.
+/// The same, with the names of its presets.
 std::string full_title(const Identification& found, const Candidate& candidate) {
   const auto presets = presets_of(candidate.convention, found.closed);
   return title(found, candidate) + (presets.empty() ? "" : fmt::format(" ({})", fmt::join(presets, ", ")));

@@ -8,18 +8,18 @@
 
 namespace tcb {
 
-/// What turns problems into words.
+/// Turns problems into words.
 using ErrorWords = std::string (*)(const Error&);
 
-/// Lines for people.
+/// The report as text.
 std::string text(const Check& check, ErrorWords words);
 std::string text(const Identification& identification, ErrorWords words);
 
-/// A JSON object.
+/// The report as a JSON object.
 std::string json(const Check& check, ErrorWords words);
 std::string json(const Identification& identification, ErrorWords words);
 
-/// Compares and writes the report. Returns Exit::data where the samples do not agree with the curve.
+/// Compares and writes the report. Returns Exit::data if the samples do not agree with the curve.
 /// Requires: job.comparison. Throws: Error, naming the file.
 Exit compare(const Job& job, ErrorWords words);
 

@@ -57,7 +57,7 @@ Source<Keys> in_small_blocks(Source<Keys> keys) {
   };
 }
 
-/// Windows of an open curve, as they become known.
+/// Windows of an open curve, as they become complete.
 Source<spline::Window<double>> open_windows(Source<Keys> keys) {
   return [keys = std::move(keys), linker = spline::Linker<double>(),
           ended = false]() mutable -> std::optional<spline::Window<double>> {
@@ -68,7 +68,7 @@ Source<spline::Window<double>> open_windows(Source<Keys> keys) {
   };
 }
 
-/// Windows of a closed curve, whose keys are all known, so the last block is, too.
+/// Windows of a closed curve, all of whose keys are known, so also the last block.
 Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
   return [keys = std::move(keys), linker = spline::Linker<double>(std::move(context)), block = std::optional<Keys>(),
           started = false]() mutable -> std::optional<spline::Window<double>> {
@@ -82,14 +82,14 @@ Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
 
 bool same_position(const Keys& a, const Keys& b) { return std::ranges::equal(a.position(0), b.position(0)); }
 
-/// The end that the period gives. Requires: a period.
+/// The end of the period. Requires: a period.
 Time end_by_period(const Keys& first, const Keys& last, const Rational& period, int decimals) {
   const Time end = nearest_time(exact_time(first.times[0]) + period, decimals);
   if (end > last.times[0]) return end;
   throw Error(Exit::data, ErrorCode::period_too_short, {time_text(last.times[0])}).about(Option::period);
 }
 
-/// The time of a last key that repeats the first one. Throws: Error (data) where they differ in anything else.
+/// The time of a last key that repeats the first one. Throws: Error (data) if they differ in anything else.
 Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, const std::optional<Time>& end) {
   const TextPosition position{"", keys.last_line(), 0};
   if (last.tcb(0) != first.tcb(0)) {

@@ -21,14 +21,14 @@ struct CurveSpec {
   spline::Preset preset = spline::Preset::gte;
   spline::CurveRules<double> rules;
   bool closed = false;
-  std::optional<Rational> period;                  ///< of a closed curve, where it is given
+  std::optional<Rational> period;                  ///< of a closed curve, if given
   std::optional<double> parameter;                 ///< exponent of the distances that make times
-  std::optional<std::string> parameter_name = {};  ///< as it was given
+  std::optional<std::string> parameter_name = {};  ///< as given
   Extrapolation extrapolation = Extrapolation::error;
-  bool ease = true;  ///< ease columns are used, where there are any
+  bool ease = true;  ///< ease columns are used, if there are any
 };
 
-/// The settings of the command line with those of the input where the command line has none. A preset of the command
+/// The settings of the command line, completed by those of the input. A preset of the command
 /// line replaces all rules of the input.
 CurveSettings merged(CurveSettings settings, const CurveSettings& of_input);
 
@@ -39,7 +39,7 @@ std::optional<std::size_t> find_channel(const std::string& name, const std::vect
 CurveSpec make_spec(const CurveSettings& settings);
 
 /// The same for keys with these channels: with the metric. Throws: Error (usage), about its option, also for a metric
-/// channel that is not there, or a velocity with another number of channels.
+/// channel that does not exist, or a velocity with another number of channels.
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels);
 
 using Rules = spline::CurveRules<double>;
@@ -47,9 +47,9 @@ using Rules = spline::CurveRules<double>;
 /// Successive segments with their lengths.
 struct SegmentBlock {
   spline::Segments<double> segments;
-  std::vector<spline::Length<double>> lengths;  ///< one a segment, or none where the curve is not measured
+  std::vector<spline::Length<double>> lengths;  ///< one per segment, or none if the curve is not measured
   bool last = false;                            ///< the curve ends here
-  bool closes = false;                          ///< and is back at its first key
+  bool closes = false;                          ///< and has returned to its first key
 };
 
 /// Keys in the order in which they are linked to segments.
@@ -58,10 +58,10 @@ struct LinkedKeys {
   std::optional<Keys> context;  ///< of a closed curve: the key before the first
 };
 
-/// The time at which a closed curve is back at its first key. A last key that repeats the first one's position is
+/// The time at which a closed curve returns to its first key. A last key that repeats the first one's position is
 /// dropped: it only gives that time. `timed`: the input has times.
-/// Throws: Error (data) where nothing gives that time, where the repeated key has another tension, continuity or bias,
-/// or where there are fewer than two distinct keys.
+/// Throws: Error (data) if nothing gives that time, if the repeated key has another tension, continuity or bias,
+/// or if there are fewer than two distinct keys.
 Time close(KeyStore& keys, const CurveSpec& spec, bool timed);
 
 /// The keys of a closed curve, followed by the first two one period later, with the last one a period earlier as
@@ -71,20 +71,20 @@ LinkedKeys periodic_extension(const KeyStore& keys, const Time& end);
 /// The segments between the keys, each as soon as the key after its end is known.
 Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
 
-/// The segments of a curve where keys lack positions: in such a channel the curve runs through the keys that have one.
+/// The segments of a curve whose keys lack positions: each channel runs through the keys that have a position in it.
 /// `end`: of a closed curve. Throws: Error (data) for a channel without any position.
 Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
                                            bool measured, const std::vector<std::string>& channels);
 
-/// Throws: Error (data) where the length of the curve up to a time is beyond the range of doubles.
+/// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.
 void require_length(const spline::DoubleDouble& length, const Time& end);
 
 /// The lengths of all segments in order.
-using Lengths = std::deque<spline::Length<double>>;  // it grows without a copy
+using Lengths = std::deque<spline::Length<double>>;  // which grows without a copy
 Lengths all_lengths(const Source<SegmentBlock>& measured);
 double total_length(const Lengths& lengths);
 
-/// Segments that were not measured, with the lengths that are known of them.
+/// Segments that were not measured, with their lengths, which are known.
 Source<SegmentBlock> with_lengths(Source<SegmentBlock> segments, Lengths lengths);
 
 }  // namespace tcb

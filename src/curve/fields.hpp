@@ -1,4 +1,4 @@
-// Fields: the one table of what a row can show of a point, for doubles and for exact scalars.
+// Fields: the one table of the quantities that a row can show, for doubles and for exact scalars.
 #pragma once
 
 #include <array>
@@ -42,10 +42,10 @@ struct Field {
   bool over_metric = false;    ///< it is a length or a speed over the metric channels
   bool has_side = false;       ///< at a key it may differ from one side to the other
   bool is_exact = true;        ///< it has an exact value, which is rounded once
-  bool is_rational = true;     ///< that of rational keys at a rational time is rational, or the root of a rational
+  bool is_rational = true;     ///< for rational keys at a rational time it is rational, or the root of a rational
 };
 
-/// Where the numbers of a point go, a cell after another. Exact scalars have their own, in exact/precision_levels.
+/// Receives the numbers of a point, one cell after another. For exact scalars see exact/precision_levels.
 template <class S>
 class CellWriter;
 
@@ -152,14 +152,14 @@ inline constexpr std::array field_table{
 
 std::span<const FieldOf<double>> fields();
 
-/// The number of cells of some fields in a row.
+/// The number of cells of these fields in a row.
 std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channels);
 
-/// Writes some fields of the samples on a segment, row after row. `point` is memory that may be used again.
+/// Writes fields of the samples on a segment, row after row. `point` is memory to reuse.
 void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,
                 Point<double>& point);
 
-/// The columns of some fields.
+/// The columns of these fields.
 std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Input& input);
 
 }  // namespace tcb

@@ -12,7 +12,7 @@ namespace {
 
 using spline::DoubleDouble;
 
-/// Rows in blocks, where `find` gives the number of a row's segment.
+/// Rows in blocks; `find` gives the number of a row's segment.
 Source<SampleBlock> blocks(std::shared_ptr<const CurveIndex> curve, std::uint64_t rows,
                            std::function<std::uint64_t(std::uint64_t)> find) {
   return [curve = std::move(curve), rows, find = std::move(find),

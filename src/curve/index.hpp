@@ -17,7 +17,7 @@ namespace tcb {
 template <class T, class EndTime>
 std::uint64_t segment_at_time(std::uint64_t segments, EndTime end_time, const T& t, bool left) {
   std::uint64_t low = 0, high = segments - 1;
-  while (low < high) {  // the first segment that ends after t, or at t if that is wanted
+  while (low < high) {  // the first segment that ends after t, or at t if `left`
     const std::uint64_t middle = low + (high - low) / 2;
     const T end = end_time(middle);
     if (left ? end >= t : end > t) {
@@ -32,7 +32,7 @@ std::uint64_t segment_at_time(std::uint64_t segments, EndTime end_time, const T&
 /// All segments of a curve.
 class CurveIndex {
  public:
-  /// Requires: a segment at least.
+  /// Requires: at least one segment.
   CurveIndex(const Source<SegmentBlock>& segments, std::vector<std::size_t> metric);
 
   std::uint64_t size() const { return first_numbers_.back(); }
@@ -43,14 +43,14 @@ class CurveIndex {
   /// The number of the segment on which the curve is at time t, as segment_at_time() finds it.
   std::uint64_t find_time(const spline::Time<double>& t, bool left) const;
 
-  /// The number of the first segment by whose end the arc length s is reached; at that end, the one after unless
+  /// The number of the segment on which the arc length s is first reached; of two that meet there, the second unless
   /// `left`.
   std::uint64_t find_length(const spline::Time<double>& s, bool left) const;
 
  private:
   std::vector<SegmentBlock> blocks_;
-  std::vector<std::uint64_t> first_numbers_;  ///< of each block's first segment, and how many there are
-  std::vector<spline::DoubleDouble> s_;       ///< arc length at the start of each segment, and of all
+  std::vector<std::uint64_t> first_numbers_;  ///< of each block's first segment, then the number of segments
+  std::vector<spline::DoubleDouble> s_;       ///< arc length at the start of each segment, then of all
   std::vector<double> s_error_;               ///< bounds on the errors of these
   std::vector<std::size_t> metric_;
   std::vector<double> cycle_;  ///< last key - first key

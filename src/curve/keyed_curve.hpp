@@ -13,8 +13,8 @@
 
 namespace tcb {
 
-/// Key `number` of a closed curve of `count` keys, by periodic extension: any number, also below 0. `key(i)` gives a
-/// key of the curve's own, as the only one of some Keys.
+/// Key `number` of a closed curve of `count` keys, by periodic extension: any number, also below 0. `key(i)` gives
+/// key i of the curve, as Keys that hold it alone.
 template <class S, class KeyAt>
 spline::Keys<S> extended_key(KeyAt key, std::ptrdiff_t count, const spline::Time<S>& period, std::ptrdiff_t number) {
   const std::ptrdiff_t own = (number % count + count) % count;
@@ -24,7 +24,7 @@ spline::Keys<S> extended_key(KeyAt key, std::ptrdiff_t count, const spline::Time
   return result;
 }
 
-/// Some successive channels of a curve, with the keys that have positions in them, by their numbers from 0.
+/// Successive channels of a curve, with the keys that have positions in them, by their numbers from 0.
 template <class S>
 class ChannelKeys {
  public:
@@ -41,7 +41,7 @@ class ChannelKeys {
   bool is_closed() const { return period_.has_value(); }
   std::ptrdiff_t last() const { return static_cast<std::ptrdiff_t>(numbers_.size()) - 1; }
 
-  /// The number of the last of these keys that is not after a key of the curve; -1 where there is none.
+  /// The number of the last of these keys that is not after a key of the curve; -1 if there is none.
   std::ptrdiff_t number_at(std::size_t key) const {
     return std::ranges::upper_bound(numbers_, key) - numbers_.begin() - 1;
   }
@@ -53,7 +53,7 @@ class ChannelKeys {
     return extended_key<S>(own, last() + 1, *period_, number);
   }
 
-  /// The segments from key `first` to key `to`, with the curve's ends where they are within that.
+  /// The segments from key `first` to key `to`, including the ends of the curve if they lie within.
   spline::Segments<S> segments(std::ptrdiff_t first, std::ptrdiff_t to) const {
     const bool starts = !period_ && first == 0, ends = !period_ && to >= last();
     spline::Window<S> window{{}, starts, ends, true};
@@ -64,7 +64,7 @@ class ChannelKeys {
   }
 
   /// Appends the cubics between the keys `first` to `to` of the curve. Before the first of these keys and after the
-  /// last, an open curve rests. `times`: of all keys of the curve, and where it is closed of its end.
+  /// last, an open curve is constant. `times`: of all keys of the curve, and if it is closed of its end.
   /// Requires: a single channel.
   void append_cubics(std::vector<spline::Cubic<S>>& cubics, std::size_t first, std::size_t to,
                      const std::vector<spline::Time<S>>& times) const {
@@ -99,7 +99,7 @@ class ChannelKeys {
   std::optional<spline::Time<S>> period_;
 };
 
-/// The rules for one channel that runs through keys of its own: with its own speed and its own velocities at the ends.
+/// The rules for one channel that runs through its own keys: with its own speed and its own velocities at the ends.
 template <class S>
 spline::CurveRules<S> rules_of_channel(spline::CurveRules<S> rules, std::size_t channel) {
   rules.metric.clear();
@@ -109,13 +109,13 @@ spline::CurveRules<S> rules_of_channel(spline::CurveRules<S> rules, std::size_t 
   return rules;
 }
 
-/// A curve by its keys. A channel in which keys lack positions runs through its own keys, by the rules and with the
-/// neighbours of those alone. Promises: a channel without a missing position has the cubics that it would have alone,
+/// A curve by its keys. A channel in which keys lack positions runs through its own keys, as if there were no
+/// others. Promises: a channel without a missing position has the cubics that it would have alone,
 /// bit for bit.
 template <class S>
 class KeyedCurve {
  public:
-  /// `missing`: which of the positions are; empty: none. `end`: when a closed curve is back at its first key.
+  /// `missing`: whether each position is missing; empty: none. `end`: when a closed curve returns to its first key.
   /// Requires: a key, and a position in every channel.
   KeyedCurve(spline::Keys<S> keys, const std::vector<bool>& missing, const spline::CurveRules<S>& rules,
              const std::optional<spline::Time<S>>& end)
@@ -137,7 +137,7 @@ class KeyedCurve {
   KeyedCurve(const KeyedCurve&) = delete;
   KeyedCurve& operator=(const KeyedCurve&) = delete;
 
-  /// The number of segments: one at least.
+  /// The number of segments: at least one.
   std::size_t size() const { return times_.size() - 1; }
   const std::vector<spline::Time<S>>& times() const { return times_; }
   bool is_closed() const { return channels_.front().is_closed(); }
@@ -166,7 +166,7 @@ class KeyedCurve {
   }
 
   spline::Keys<S> keys_;
-  std::vector<spline::Time<S>> times_;  ///< of the keys, and of the first one after a period
+  std::vector<spline::Time<S>> times_;  ///< of the keys, then of the first one after a period
   std::vector<ChannelKeys<S>> channels_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace tcb {
 
-/// A quantity of a point, where it is defined.
+/// A quantity of a point, if it is defined.
 template <class S>
 struct Quantity {
   S value{0};
@@ -25,19 +25,19 @@ struct Quantity {
 template <class S>
 class PathShape;
 
-/// A sample on its segment, and what is computed there, once and only if it is asked for. It refers to both.
+/// A sample on its segment, and the quantities there, each computed once, on demand. It refers to both.
 template <class S>
 class Point {
  public:
   explicit Point(PathShape<S> shape = {}) : shape_(std::move(shape)) {}
 
-  /// On another segment; a sample on it is to follow. `arc`: its lengths, if they are known.
+  /// Assigns another segment; a sample on it must follow. `arc`: its lengths, if they are known.
   void set(const CurveSegmentOf<S>& segment, const spline::ArcLength<S>* arc = nullptr) {
     segment_ = &segment;
     known_arc_ = arc;
     has_arc_ = false;
   }
-  /// `outside`: the relation of its time to one on the curve; null: it is on the curve.
+  /// `outside`: the relation of its time to a time on the curve; null: it is on the curve.
   void set(const SampleOf<S>& sample, const OutsideOf<S>* outside) {
     sample_ = &sample;
     outside_ = outside;
@@ -51,7 +51,7 @@ class Point {
   bool at_start() const { return sample_->at.u == S(0); }
   bool at_end() const { return sample_->at.w == S(0); }
 
-  /// The fraction of the segment's duration that has passed.
+  /// The elapsed fraction of the segment's duration.
   S u() const;
   /// One component. Outside the curve the end is extended by its velocity, or moved by whole cycles.
   S position(std::size_t channel);
@@ -152,7 +152,7 @@ Quantity<S> Point<S>::key() const {
   return {S(0), false};
 }
 
-/// The shape of the path in doubles: it is 0 where it is within the bounds on rounding that spline::shape keeps.
+/// The shape of the path in doubles: values within the bounds on rounding of spline::shape are 0.
 template <>
 class PathShape<double> {
  public:
@@ -198,9 +198,9 @@ class PathShape<double> {
   spline::Derivatives<double> plain_;
 };
 
-/// The shape of the path in exact rationals, as roots, and in floats of many digits. A float counts as 0 where it is so
-/// small a part of the curve's size that an exact 0 may have become it: positions were computed, and near a cusp a
-/// place may be right to half the digits only.
+/// The shape of the path in exact rationals, as roots, and in floats of many digits. A float counts as 0 if, relative
+/// to the curve's size, it is small enough to be an exact 0 with rounding errors: near a cusp a place may be accurate
+/// to only half the digits.
 template <class S>
 class PathShape {
  public:
@@ -270,7 +270,7 @@ class PathShape {
       return {negative ? S(-square) : square, true, true};
     }
   }
-  /// Where a number is zero; `zero` is that number as computed.
+  /// Decides whether a number is zero; `zero` is that number as computed.
   static Quantity<S> undefined(const S& zero) { return {S(0), false, false, zero != S(0)}; }
 
   S doubt_;

@@ -84,7 +84,7 @@ class Placer {
   std::shared_ptr<const SegmentBlock> block_;
   std::size_t index_ = 0;
   std::uint64_t number_ = 0;
-  std::deque<SampleBlock::Part> placed_;  ///< rows on the last segment that are not in a block yet
+  std::deque<SampleBlock::Part> placed_;  ///< rows that are not in a block yet
   std::size_t most_parts_ = 0;            ///< of the blocks so far
   spline::DoubleDouble s_;
   double s_error_ = 0;

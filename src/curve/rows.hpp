@@ -15,7 +15,7 @@
 
 namespace tcb {
 
-/// Samples on some segments, few enough to be evaluated at once.
+/// Samples on successive segments, few enough to be evaluated at once.
 struct SampleBlock {
   struct Part {
     CurveSegment segment;
@@ -23,7 +23,7 @@ struct SampleBlock {
   };
   std::shared_ptr<const void> owner;  ///< owns what the segments refer to
   std::vector<Part> parts;
-  bool first = false;  ///< no row came before these
+  bool first = false;  ///< there is no row before these
 
   static constexpr std::uint64_t most_rows = 1024;
   std::uint64_t rows() const;

@@ -14,7 +14,7 @@ namespace tcb {
 
 namespace {
 
-/// Those of the rows of a request; nothing where it places them by time.
+/// Those of the rows of a request; nothing if it places them by time.
 std::optional<ArcLengths> arc_lengths(const SamplingRequest& request, const Extent& extent) {
   if (!by_length(request.mode)) return std::nullopt;
   ArcLengths arc{request.places, 0, 0, 0, request.to};

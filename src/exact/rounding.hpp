@@ -82,7 +82,7 @@ class Rounding {
   /// An exact value, or the root of one.
   Printed exactly(const Value& value) const;
 
-  /// A number given by two values of it, the second with more digits: nothing where they leave a choice.
+  /// A number given by two values of it, the second with more digits: nothing if they leave a choice.
   /// Requires: the first one's error is at least as large as their distance.
   std::optional<Printed> between(const Value& rough, const Value& fine) const;
 

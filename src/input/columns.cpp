@@ -34,7 +34,7 @@ std::size_t find_cell(const std::string& wanted, Option option, std::span<const 
   throw Error(Exit::data, ErrorCode::no_such_column, {wanted, names}).about(option);
 }
 
-/// Sets the role of a cell, which must not have another.
+/// Sets the role of a cell. Throws: Error if it has another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
   if (columns.cells[cell].role != Role::ignored) {
     throw Error(Exit::data, ErrorCode::column_with_two_roles, {name});

@@ -22,12 +22,13 @@ std::string_view role_name(Role role);
 /// The role with this name.
 std::optional<Role> find_role(std::string_view name);
 
-/// The role that a column has by its name; position where the name gives none.
+/// The role that a column has by its name; position if the name gives none.
 /// Case does not matter, except that t is time and T, C, B are tension, continuity and bias.
 Role role_of_name(std::string_view name);
 
-/// The role whose name is a near miss of this one: a letter dropped, added or changed, or two of them swapped. In names
-/// of four letters, a changed letter makes other words, such as tide, and no near miss. Nothing for all other names.
+/// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
+/// names of four letters a changed letter is no near miss, as it often makes another word, such as tide. Nothing for
+/// others.
 std::optional<Role> near_role(std::string_view name);
 
 /// Whether a name is a usual one of times, such as "Frame Number", "time_ms" or "header.stamp".
@@ -72,7 +73,7 @@ struct Columns {
         0;  ///< of positions; of groups and labels, the index among the texts of a key; of others, among the marks
     bool is_text = false;  ///< it has no role because it holds texts
   };
-  std::vector<Column> cells;          ///< one a cell of a record
+  std::vector<Column> cells;          ///< one per cell of a record
   bool named = false;                 ///< the input names its columns
   std::string time = "t";             ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
@@ -109,7 +110,7 @@ struct SampleNames {
 Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                             const SampleNames& names, bool timeless);
 
-/// The role that the name of a channel nearly is, where no column has that role and no channels were requested.
+/// The role of which a channel's name is a near miss, unless a column has that role or channels were requested.
 std::optional<Role> near_miss(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
                               bool timeless);
 

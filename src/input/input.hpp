@@ -36,12 +36,12 @@ struct InputOptions {
   std::string comment = "#";  ///< the prefix of lines to skip; empty: none
   std::vector<RoleRequest> roles;
   spline::Tcb<double> tcb;  ///< of keys that have none
-  bool timeless = false;    ///< no column is the time, unless its name gives it that role
+  bool timeless = false;    ///< no column is the time, unless by its name
   unsigned threads = 1;     ///< at most
   char decimal = '.';       ///< decimal mark of delimited text
   Missing missing = Missing::error;
   std::optional<SampleNames> samples;  ///< the records are samples of a curve, not keys
-  bool keeps_decimals = false;         ///< keys keep their numbers as written
+  bool keeps_decimals = false;         ///< keys keep their numbers also as text
 
   std::vector<std::string> signs;  ///< of missing cells, besides the common ones
 
@@ -59,18 +59,18 @@ struct Chunk {
   std::string path = {};     ///< of the list that holds the records, in formats that have one
 };
 
-/// The bytes of a text, up to a NUL.
+/// A source of text, which ends with an error at a NUL.
 class TextBytes {
  public:
   explicit TextBytes(Source<std::string> bytes) : bytes_(std::move(bytes)) {}
 
-  /// Appends what comes next to a text that begins at `position`; false at the end of the input.
+  /// Appends the next bytes to a text that begins at `position`; false at the end of the input.
   /// Throws: Error (data) at a NUL, once the text before it was read.
   bool append_to(std::string& text, LinePosition position);
 
  private:
   Source<std::string> bytes_;
-  bool at_nul_ = false;  ///< the next byte is one
+  bool at_nul_ = false;  ///< the next byte is a NUL
 };
 
 /// The shapes of JSON inputs.
@@ -86,13 +86,13 @@ struct InputFacts {
   std::vector<Role> roles;            ///< those of tension to ease_out that have a column
 };
 
-/// An input opened: the meaning of its numbers, and its keys in blocks.
+/// An opened input: the meaning of its numbers, and its keys in blocks.
 struct Input {
   bool named = false;                 ///< it names its columns
   bool timed = false;                 ///< it has a time column
   std::string time;                   ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
-  CurveInfo curve_info;               ///< of all curves, where they do not have their own
+  CurveInfo curve_info;               ///< of all curves, unless they have their own
   Source<KeyBlock> keys;
   InputFacts facts = {};
   std::vector<std::string> ignored = {};  ///< names of the columns without a role
@@ -110,18 +110,18 @@ struct Input {
   void set_columns(const Columns& columns);
 };
 
-/// At most so many faults of an input are reported.
+/// The largest number of faults of an input that are reported.
 inline constexpr std::size_t most_faults = 10;
 
 /// Opens an input: the format is the given one, else by the file's ending, else by the first byte that is not blank.
 /// Throws: Error (data), without a file name.
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options);
 
-/// Keys without faults. Where there are any, the rest of the input is read for more, up to ten; a live input, which may
-/// not end soon, is read no further. Throws: Error (data) with all faults that were found.
+/// Keys without faults. After a fault, the rest of the input is read for more, up to ten; a live input, which may not
+/// end soon, is read no further. Throws: Error (data) with all faults that were found.
 Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
 
-/// Throws: Error (data) with all of them, ten at most. Requires: there is one at least.
+/// Throws: Error (data) with all of them, at most ten. Requires: there is at least one.
 [[noreturn]] void refuse(std::vector<Error> faults);
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// Key blocks: appending, selecting and splitting keys with all that belongs to them.
+// Key blocks: appending, selecting and splitting keys with all their data.
 #include "input/key_block.hpp"
 
 #include <fmt/format.h>

@@ -17,8 +17,8 @@
 
 namespace tcb {
 
-/// A text of a key begins with a quote where it is a string; otherwise it is a number or a word of JSON, or empty where
-/// there is none. So it can be written as a cell and as JSON, whichever format it is from.
+/// A text of a key begins with a quote if it is a string; otherwise it is a number or a word of JSON, or empty if it is
+/// missing. So it can be written as a cell and as JSON, whatever its format was.
 inline bool is_string(std::string_view text) { return text.starts_with('"'); }
 
 /// Its characters.
@@ -89,7 +89,7 @@ constexpr std::string_view setting_member(Option option) {
   return "";
 }
 
-/// What an input has about a curve, besides its keys.
+/// The information of an input about a curve, besides its keys.
 struct CurveInfo {
   CurveSettings settings;
   std::vector<std::pair<std::string, TextPosition>> places = {};  ///< the text position of each setting
@@ -102,29 +102,29 @@ struct NumberOfKey {
   enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
 };
 
-/// Successive keys. Where the input has no times, the keys have none either. A position that is NaN is missing; in a
+/// Successive keys. If the input has no times, the keys have none either. A position that is NaN is missing; in a
 /// gap the time may be NaN too.
 struct KeyBlock {
-  // One entry a key, or none at all:
+  // One entry per key, or none at all:
   Keys keys;
-  std::vector<std::uint64_t> lines;         ///< always one a key
+  std::vector<std::uint64_t> lines;         ///< always one per key
   std::vector<std::uint32_t> columns = {};  ///< in those lines
   std::string path = {};                    ///< of the list that holds the keys, in JSON
   std::vector<std::uint64_t> numbers = {};  ///< in that list
-  Texts texts = {};                         ///< of each key: what groups it, then its labels
+  Texts texts = {};                         ///< of each key: those of its groups, then its labels
   Texts decimals = {};                      ///< of each key in the order of NumberOfKey: its numbers as written
 
   std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of Input::marks
 
   // Indices of keys, increasing:
-  std::vector<std::size_t> gaps = {};    ///< entries that are no keys, where the curve breaks off
-  std::vector<std::size_t> breaks = {};  ///< keys before which the curve breaks off
+  std::vector<std::size_t> gaps = {};    ///< entries that are not keys, but breaks in place of one
+  std::vector<std::size_t> breaks = {};  ///< keys with a break before them
 
   // Of the block:
-  bool break_after = false;                          ///< the curve breaks off before the next block's first key
-  std::shared_ptr<const CurveInfo> curve_info = {};  ///< of the curve that begins here, where each has its own
-  std::uint64_t skipped = 0;                         ///< number of keys that were left out
-  std::vector<Error> faults = {};                    ///< errors of keys, which are left out
+  bool break_after = false;                          ///< there is a break before the next block's first key
+  std::shared_ptr<const CurveInfo> curve_info = {};  ///< of the curve that begins here, if each has its own
+  std::uint64_t skipped = 0;                         ///< number of keys that were skipped
+  std::vector<Error> faults = {};                    ///< errors of keys, which are not in the block
   bool unreadable = false;                           ///< nothing after the last fault can be read
 
   std::size_t size() const { return lines.size(); }
@@ -138,7 +138,7 @@ struct KeyBlock {
   /// Whether a curve begins with the key: after a break, or because this block has information about a new curve.
   bool begins_curve(std::size_t key) const;
 
-  /// Appends keys [first, last) of another block, without its gaps, breaks, and what it holds as a block.
+  /// Appends keys [first, last) of another block, without its gaps, breaks and members of the block.
   void append(const KeyBlock& from, std::size_t first, std::size_t last);
   /// Keys [first, last), or those with increasing indices; only the keys, as append() takes them.
   KeyBlock range(std::size_t first, std::size_t last) const;
@@ -146,12 +146,12 @@ struct KeyBlock {
   /// Removes the last key and returns it, with its break, and with curve_info if it was the only key.
   /// Requires: !empty().
   KeyBlock split_last();
-  /// Moves what `from` holds as a block into this one; this block's own curve_info has priority.
+  /// Moves the members of the block `from` into this one; this block's own curve_info has priority.
   void take_block_data(KeyBlock& from);
 
-  /// The position of the key's time in text, of the key itself in JSON.
+  /// The text position of the key's time, or in JSON of the key itself.
   TextPosition text_position(std::size_t key) const;
-  /// The key in its list, as in "keys[17]"; empty where the input is no list.
+  /// The key in its list, as in "keys[17]"; empty if the input is no list.
   std::string list_position(std::size_t key) const;
 };
 

@@ -91,7 +91,7 @@ bool KeyBuilder::end_key() {
 }
 
 KeyBlock KeyBuilder::finish(std::string path) {
-  block_.keys.positions.resize(block_.size() * block_.keys.channels);  // without a key that was not ended
+  block_.keys.positions.resize(block_.size() * block_.keys.channels);  // drops a key that was not ended
   block_.path = std::move(path);
   block_.break_after = breaks_;
   return std::move(block_);

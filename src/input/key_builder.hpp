@@ -16,17 +16,17 @@
 
 namespace tcb {
 
-/// Builds a block of keys. A record is begin_key(), its cells in any order, and end_key(). A cell that is not set, or
-/// that may be missing, leaves what the key has without it: no position, the common tension, no ease, no text.
+/// Builds a block of keys. A record is begin_key(), its cells in any order, and end_key(). Without its cell, a key has
+/// no position, the common tension, no ease, no text.
 class KeyBuilder {
  public:
   /// Requires: `columns` outlives it.
   KeyBuilder(const Columns& columns, const KeyRules& rules);
 
-  /// Begins a key; one that was begun and not ended is dropped.
+  /// Begins a key; a key that was not ended is dropped.
   void begin_key();
 
-  /// Where the number of a cell goes. Requires: its role is position or one from tension to ease_out.
+  /// The number of a cell in the key. Requires: its role is position or one from tension to ease_out.
   double& number(const Columns::Column& column) {
     switch (column.role) {
       case Role::tension: return tcb_.tension;
@@ -57,19 +57,19 @@ class KeyBuilder {
   /// Keeps a number as written. Requires: keeps_decimals(); the column holds numbers.
   void keep_decimal(const Columns::Column& column, std::string decimal);
 
-  /// The cell has no value. Answers whether that is allowed; where it is, the row may be skipped or be a gap.
+  /// The cell has no value. Returns whether that is allowed; if so, the row may be skipped or be a gap.
   bool miss(const Columns::Column& column);
 
   /// Adds a fault; the current key is not kept.
   void add_fault(Error fault) {
     if (!is_full()) block_.faults.push_back(std::move(fault));
   }
-  /// No more faults are wanted.
+  /// No more faults are needed.
   bool is_full() const { return block_.faults.size() >= most_faults; }
   /// Nothing after the last fault can be read.
   void set_unreadable() { block_.unreadable = true; }
 
-  /// Ends the key. Answers whether it is kept; if so, set_position() follows.
+  /// Ends the key. Returns whether it is kept; if so, set_position() must follow.
   bool end_key();
   /// The text position of the key that was kept last.
   void set_position(std::uint64_t line, std::uint64_t column) {
@@ -79,7 +79,7 @@ class KeyBuilder {
   /// Its number in its list.
   void set_number(std::uint64_t number) { block_.numbers.push_back(number); }
 
-  /// The curve breaks off before the next key that is kept.
+  /// Adds a break before the next key that is kept.
   void break_curve() { breaks_ = true; }
 
   /// The block, with the path of the list that the keys are in.
@@ -89,7 +89,7 @@ class KeyBuilder {
   const KeyRules rules_;
   const bool is_timed_, has_tcb_, has_ease_;
   KeyBlock block_;
-  bool breaks_ = false;  ///< the curve breaks off before the next key
+  bool breaks_ = false;  ///< there is a break before the next key
   // Of the current key:
   bool is_missing_ = false;   ///< a value is missing that a key needs
   std::size_t position_ = 0;  ///< the index of its first position
@@ -99,7 +99,7 @@ class KeyBuilder {
   spline::Ease<double> ease_;
   std::vector<std::size_t> marks_;  ///< as in KeyBlock
   std::vector<std::string> texts_;
-  std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty where they are not kept
+  std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty if they are not kept
 };
 
 }  // namespace tcb

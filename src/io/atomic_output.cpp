@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t write_size = 32UL * 1024;
 
-/// The names of all unfinished files; not destroyed, because a signal may come while the program ends.
+/// The names of all unfinished files; never destroyed, because a signal may arrive while the program ends.
 struct Names {
   std::mutex mutex;
   std::set<std::string> all;
@@ -48,7 +48,7 @@ sigset_t interruptions() {
   return signals;
 }
 
-/// Threads: only this one gets the signals, so it may call any function.
+/// Threads: only this one receives the signals, so it may call any function.
 [[noreturn]] void wait_for_interruption(const sigset_t& signals) {
   int signal = 0;
   while (::sigwait(&signals, &signal) != 0) {
@@ -61,7 +61,7 @@ sigset_t interruptions() {
 /// The names that an unfinished `path` may have: more than one, for processes that write the same file at the same
 /// time.
 std::string unfinished_name(const std::filesystem::path& path, int attempt) {
-  constexpr std::size_t longest = 200;  // file systems take 255 bytes
+  constexpr std::size_t longest = 200;  // file systems allow 255 bytes
   const std::string ending = attempt == 0 ? ".tcbsample" : ".tcbsample" + std::to_string(attempt);
   return path.parent_path() / ("." + path.filename().string().substr(0, longest) + ending);
 }
@@ -76,19 +76,19 @@ bool is_name_of(const std::string& name, int descriptor) {
 /// Removes the file if no process holds a lock on it.
 void remove_abandoned(const std::string& name) {
   constexpr int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  int descriptor = ::open(name.c_str(), O_RDWR | flags);  // some network file systems lock only what may be written
+  int descriptor = ::open(name.c_str(), O_RDWR | flags);  // some network file systems lock only files open for writing
   if (descriptor < 0) descriptor = ::open(name.c_str(), O_RDONLY | flags);
   if (descriptor < 0) return;
   if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_name_of(name, descriptor)) ::unlink(name.c_str());
   ::close(descriptor);
 }
 
-/// A new file with a lock on it, or -1 with errno set, EEXIST if another process has the name. Another
-/// process may remove the file before it has the lock, as abandoned; then the name is lost to it.
+/// A new file with a lock on it, or -1 with errno set, EEXIST if another process uses the name. Another
+/// process may take the file for abandoned and remove it before it is locked; then that process gets the name.
 int create_locked(const std::string& name, mode_t permissions) {
   const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
   if (descriptor < 0) return -1;
-  const bool lost = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;  // some systems have no locks
+  const bool lost = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;  // some systems lack locks
   if (!lost && is_name_of(name, descriptor)) return descriptor;
   ::close(descriptor);
   errno = EEXIST;
@@ -117,10 +117,10 @@ int create_unfinished(const std::string& path, mode_t permissions, std::string& 
   return -1;
 }
 
-/// Gives the file its final name, in the place of any file that has it. The caller closes the descriptor.
-/// Promises: false with errno set if that cannot be done, or if writing it failed after all.
+/// Gives the file its final name, replacing any file of that name. The caller closes the descriptor.
+/// Promises: false with errno set if that fails, or if writing the file failed.
 bool finish(int descriptor, const std::string& name, const std::string& path) {
-  const int other = ::dup(descriptor);  // closing it reports what closing the file would, before that has its name
+  const int other = ::dup(descriptor);  // closing it reports write errors before the file gets its name
   if (other < 0 || ::close(other) != 0) return false;
   const std::lock_guard lock(names().mutex);
   if (std::rename(name.c_str(), path.c_str()) != 0) return false;
@@ -128,7 +128,7 @@ bool finish(int descriptor, const std::string& name, const std::string& path) {
   return true;
 }
 
-/// Removes the file that create_unfinished() made. The caller closes the descriptor, which has the lock, afterwards.
+/// Removes the file that create_unfinished() created. The caller then closes the descriptor, which has the lock.
 void discard(const std::string& name) {
   const std::lock_guard lock(names().mutex);
   ::unlink(name.c_str());
@@ -136,7 +136,7 @@ void discard(const std::string& name) {
 }
 
 /// The number of a descriptor that the program inherited, from a name such as /dev/stdout or /dev/fd/3: writing
-/// continues at its offset, also where it is a file.
+/// continues at its offset, also if it is a file.
 std::optional<int> own_descriptor(std::string_view path) {
   if (path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -185,7 +185,7 @@ void Output::open() {
     return;
   }
   struct stat before {};
-  const bool replaces = ::stat(path_.c_str(), &before) == 0;  // it keeps the permissions of that file
+  const bool replaces = ::stat(path_.c_str(), &before) == 0;  // the new file gets the permissions of that file
   descriptor_ = create_unfinished(path_, replaces ? S_IRUSR | S_IWUSR : 0666, temporary_);
   unfinished_ = descriptor_ >= 0;
   if (!unfinished_) fail(ErrorCode::cannot_write);
@@ -283,7 +283,7 @@ void remove_unfinished_when_interrupted() {
   try {
     std::thread(wait_for_interruption, signals).detach();
   } catch (const std::system_error&) {
-    ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // no thread to be had: they end the program without cleaning up
+    ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // no thread available: they end the program without cleanup
   }
 }
 

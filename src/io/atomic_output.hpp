@@ -10,24 +10,24 @@
 
 namespace tcb {
 
-/// The folder that a file of this name is in; "" where the name has none.
+/// The folder of the file with this name; "" if the name has none.
 std::string folder_of(const std::string& path);
 
-/// Makes a folder and those above it, where they do not exist. Throws: Error (usage).
+/// Creates a folder and those above it, unless they exist. Throws: Error (usage).
 void make_folder(const std::string& path);
 
 /// An output: standard output, or a file that appears under its name only when it is complete.
 class Output {
  public:
   /// "-" is standard output. `begins_last`: the first bytes are final only when all others are written; an output
-  /// without random access gets all bytes then, from a temporary file. Throws: Error (usage) if it cannot be written.
+  /// without random access then gets all bytes from a temporary file. Throws: Error (usage) if it cannot be written.
   explicit Output(std::string path, bool begins_last = false);
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
-  /// Removes what was written if commit() was not reached.
+  /// Removes what was written unless commit() was called.
   ~Output();
 
-  /// Text is written in large parts, or with each call once `live` is set.
+  /// Writes in large parts, or on each call once `live` is set.
   void write(std::string_view text);
   void set_live(bool live) { live_ = live; }
 
@@ -56,11 +56,11 @@ class Output {
   bool live_ = false;
 };
 
-/// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, end the program with Exit::interrupted. A
-/// closed pipe ends it quietly, whatever the caller ignores.
+/// From now on SIGINT, SIGTERM and SIGHUP, unless they are ignored, end the program with Exit::interrupted. A closed
+/// pipe ends it without a message, even if the caller ignores SIGPIPE.
 void end_when_interrupted();
 
-/// From here on a thread waits for these signals, and removes all unfinished files before the program ends.
+/// From now on a thread waits for these signals, and removes all unfinished files before the program ends.
 /// Requires: no other thread runs yet.
 void remove_unfinished_when_interrupted();
 

@@ -11,23 +11,23 @@
 
 namespace tcb {
 
-/// The bytes of a file in parts as they arrive, each 256 KiB at most; "-" is standard input.
+/// The bytes of a file in parts as they arrive, each at most 256 KiB; "-" is standard input.
 /// Throws: Error (usage) if it cannot be opened or read, or changes in the meantime.
 Source<std::string> read_file(const std::string& path);
 
-/// Standard streams that the caller closed are opened to where they fail, so that no other file takes their numbers.
+/// Opens standard streams that the caller closed, such that their use fails, so that no other file takes their numbers.
 void keep_standard_streams();
 
 /// The name of a file for messages.
 std::string shown_name(const std::string& path);
 
-/// It is standard input, and a person types there.
+/// Whether it is standard input from a terminal.
 bool is_terminal(const std::string& path);
 
-/// Reads from a pipe, a socket or a terminal: rows should be written as soon as they are computed.
+/// Whether it is a pipe, a socket or a terminal: rows should be written as soon as they are computed.
 bool is_live(const std::string& path);
 
-/// Whether a read or write that failed, by errno, is to be repeated; waits until it may succeed.
+/// Whether a failed read or write has to be repeated, by errno; waits until it may succeed.
 /// `events`: those of poll() to wait for.
 bool is_to_repeat(int descriptor, short events);
 
@@ -40,7 +40,7 @@ class Sha256 {
 
   void add(std::string_view bytes);
 
-  /// In 64 hexadecimal digits, of all bytes so far; the next ones begin anew.
+  /// The checksum of all bytes so far, in 64 hexadecimal digits; the next bytes begin a new one.
   std::string digest();
 
  private:

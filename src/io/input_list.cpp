@@ -50,13 +50,13 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
   take();
 }
 
-/// Not a pipe or a device; a link without a target is an error that reading it reports.
+/// Whether it is no pipe or device. A link without a target counts as a file, so that reading it reports the error.
 bool is_or_should_be_regular(const fs::directory_entry& entry) {
   std::error_code none;
   return entry.is_regular_file(none) || !entry.exists(none);
 }
 
-/// The files below a folder, sorted; without those below the output folder.
+/// The files below a folder, sorted, except those below the output folder.
 void append_folder(Inputs& inputs, const std::string& folder, const InputListOptions& options) {
   std::error_code error;
   const auto inside = static_cast<std::uint32_t>((fs::path(folder) / "").native().size());
@@ -77,9 +77,9 @@ void append_folder(Inputs& inputs, const std::string& folder, const InputListOpt
             [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
 }
 
-/// Throws: Error (usage) where two files have the same output.
+/// Throws: Error (usage) if two files have the same output.
 void require_distinct_outputs(const std::vector<InputFile>& files, const OutputPaths& outputs) {
-  std::vector<std::pair<std::size_t, std::size_t>> by_hash;  // so that not all paths have to be kept
+  std::vector<std::pair<std::size_t, std::size_t>> by_hash;  // so that not all paths are kept
   by_hash.reserve(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     by_hash.emplace_back(std::hash<std::string>()(output_path(files[i], outputs)), i);
@@ -96,10 +96,10 @@ void require_distinct_outputs(const std::vector<InputFile>& files, const OutputP
   }
 }
 
-/// The file that a path leads to, however it is spelled.
+/// The identity of the file at a path, however the path is spelled.
 using Identity = std::pair<dev_t, ino_t>;
 
-/// Throws: Error (usage) where an output would take the place of an input.
+/// Throws: Error (usage) if an output would replace an input.
 void require_not_over_inputs(const std::vector<InputFile>& files, const std::vector<Identity>& sorted_identities,
                              const OutputPaths& outputs) {
   const auto check = [&](const std::string& output, const std::string& input) {

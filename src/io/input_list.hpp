@@ -20,7 +20,7 @@ struct OutputPaths {
 struct InputListOptions {
   std::vector<std::string> files;  ///< "-" is standard input
   std::string list;                ///< a file that names more files; "-": standard input; empty: none
-  bool nul = false;                ///< the names in the list end in NUL, not in a new line
+  bool nul = false;                ///< the names in the list end in NUL, not in a line end
   bool recursive = false;          ///< a folder means the files in it; then outputs have a folder
   bool any_ending = false;         ///< of the files in folders; otherwise those of formats that can be read
   bool update = false;             ///< compare the times of inputs and their outputs
@@ -29,10 +29,11 @@ struct InputListOptions {
 
 /// A file of keys.
 struct InputFile {
-  std::string path;          ///< "-" is standard input
-  std::uint32_t inside = 0;  ///< from where on the path is kept below the output folder; 0: only its name is
-  bool is_current = false;   ///< its output exists and is not older; set where `update` asks for it
-  std::uintmax_t size = 0;   ///< in bytes; 0 where that is unknown
+  std::string path;  ///< "-" is standard input
+  std::uint32_t inside =
+      0;  ///< where the part of the path begins that its output keeps; 0: the output keeps only the name
+  bool is_current = false;  ///< its output exists and is not older; set only with `update`
+  std::uintmax_t size = 0;  ///< in bytes; 0 if that is unknown
 };
 
 struct Inputs {
@@ -41,8 +42,8 @@ struct Inputs {
 };
 
 /// Finds the files before any of them is read. Errors within one of them are left to its reader.
-/// Throws: Error (usage) where there are none, a folder cannot be read, or an output would take the place of an input
-/// or of another output.
+/// Throws: Error (usage) if there are none, a folder cannot be read, or an output would replace an input or another
+/// output.
 Inputs find_inputs(const InputListOptions& options);
 
 /// The path of the output of a file: its name below the output folder, with the suffix and the format's ending.

@@ -60,7 +60,7 @@ class Order {
     return {block.keys.times[key], block.lines[key], block.list_position(key)};
   }
 
-  /// The keys that remain; the others are dropped, or are faults of the block.
+  /// The keys to keep; the others are dropped, or are faults of the block.
   KeyBlock filtered(KeyBlock block) {
     KeyBlock all = std::exchange(held_, {});
     const std::size_t held = all.size();
@@ -82,7 +82,7 @@ class Order {
     return result;
   }
 
-  /// Whether a key remains. The last of equal times replaces the one before in `kept`.
+  /// Whether a key is kept. The last of equal times replaces the previous one in `kept`.
   bool keeps(const KeyBlock& block, std::size_t key, bool begins_curve, std::vector<Error>& faults,
              std::vector<std::size_t>& kept, std::vector<std::size_t>& breaks) const {
     const Time time = block.keys.times[key];
@@ -216,7 +216,7 @@ class Curves::Splitter {
         curve_info_(std::make_shared<const CurveInfo>(input.curve_info)),
         own_curves_(input.own_curves) {}
 
-  /// Passes over the rest of the current curve; whether there is another one.
+  /// Skips the rest of the current curve; whether there is another one.
   bool begin() {
     if (!first_ && !may_break_) return false;
     while (!first_ && next_keys()) {

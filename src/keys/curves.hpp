@@ -15,7 +15,7 @@
 
 namespace tcb {
 
-/// What is done with keys of equal times.
+/// The treatment of keys with equal times.
 enum class Duplicates { error, first, last, break_curve };
 
 struct DuplicatesName {
@@ -36,7 +36,7 @@ struct Grouping {
 
 /// The keys of one curve after another, in order of first appearance, with a break before each. The first call reads
 /// the source to its end: the last row of an input may belong to its first curve.
-/// Memory: some hundred bytes a curve, and 16 bytes a key besides its numbers.
+/// Memory: 100 to 200 bytes per curve, and 16 bytes per key besides its numbers.
 Source<KeyBlock> grouped(Source<KeyBlock> blocks, const Grouping& grouping);
 
 /// The same keys. Up to the block with the first time of more than 17 digits, times are doubles or whole numbers; from
@@ -77,14 +77,14 @@ struct CurveKeys {
 /// The curves of an input, in order of first appearance.
 class Curves {
  public:
-  /// `live`: an error has only the faults in the bytes that were read, for the next ones may be far.
+  /// `live`: an error has only the faults in the bytes that were read, as more may take long to arrive.
   Curves(const Input& input, const CurveOptions& options, bool live);
 
-  /// The next curve. It ends the one before: keys of that which were not read are passed over.
+  /// The next curve. It ends the previous one, whose remaining keys are skipped.
   /// Throws: Error (data) with all faults of the keys.
   std::optional<CurveKeys> next();
 
-  /// Number of keys that were left out, so far.
+  /// Number of keys that were skipped so far.
   std::uint64_t skipped() const;
 
  private:

@@ -1,4 +1,4 @@
-// Groups: keys of several curves in any order of rows, sorted apart, and keys sorted by time.
+// Groups: keys of several curves with their rows in any order, split into curves, and keys sorted by time.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +25,7 @@ constexpr std::size_t most_keys = 4096;  ///< of a block
 struct KeyReference {
   std::uint32_t block = 0, key = 0;
   std::uint32_t curve = 0;
-  bool breaks = false;  ///< the curve breaks off before it
+  bool breaks = false;  ///< there is a break before it
   bool gap = false;
 };
 
@@ -73,7 +73,8 @@ class Groups {
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (block.has_break_before(i)) ++section_;
       const bool gap = block.has_gap_at(i);
-      if (gap && grouping_.sort && std::isnan(block.keys.times[i].hi)) continue;  // it has no order among the others
+      if (gap && grouping_.sort && std::isnan(block.keys.times[i].hi))
+        continue;  // it cannot be ordered among the others
       const std::uint32_t curve = curve_of(block, i);
       const bool breaks = std::exchange(sections_[curve], section_) != section_;
       keys_.push_back({static_cast<std::uint32_t>(blocks_.size() - 1), static_cast<std::uint32_t>(target.size() + i),

@@ -1,4 +1,4 @@
-// Key store: the keys of a curve that has to be read to its end, in 8 bytes a number.
+// Key store: the keys of a curve that has to be read to its end, in 8 bytes per number.
 #include "keys/key_store.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
 }
 
 KeyStore::KeyStore(const Source<KeyBlock>& blocks) : columns_(std::make_shared<Columns>()) {
-  std::optional<KeyBlock> block;  // lives until the next one: freed memory would not go back to the system
+  std::optional<KeyBlock> block;  // kept until the next one: freed memory would not return to the system
   while ((block = blocks())) {
     if (block->empty()) continue;
     if (size() == 0) first_line_ = block->lines.front();

@@ -1,4 +1,4 @@
-// Key store: the keys of a curve that has to be read to its end, in 8 bytes a number.
+// Key store: the keys of a curve that has to be read to its end, in 8 bytes per number.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace tcb {
 
-/// Number of keys that are linked at once: the memory of so few segments stays in the cache.
+/// Number of keys that are linked at once, so that their segments fit the cache.
 inline constexpr std::size_t keys_at_once = 512;
 
 /// All keys of a curve, which can be read more than once.
 class KeyStore {
  public:
-  /// Reads the source to its end. Requires: one key at least.
+  /// Reads the source to its end. Requires: at least one key.
   explicit KeyStore(const Source<KeyBlock>& blocks);
 
   std::size_t size() const { return columns_->times.size(); }

@@ -57,15 +57,15 @@ class Parameterizer {
   double exponent_;
   std::vector<std::size_t> metric_;
   DoubleDouble time_;
-  std::vector<double> before_;  ///< position of the key before; empty before the first one
-  std::uint64_t line_ = 0;      ///< line of the key before
+  std::vector<double> before_;  ///< position of the previous key; empty at the first one
+  std::uint64_t line_ = 0;      ///< line of the previous key
 };
 
 }  // namespace
 
 DistancePower<double>::DistancePower(double largest) {
   (void)std::frexp(largest, &unit_);
-  --unit_;  // 2^unit is a double even where the next power of two is none
+  --unit_;  // 2^unit is a double even if the next power of two is not
 }
 
 void DistancePower<double>::add_square(double a, double b) {

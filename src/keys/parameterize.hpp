@@ -13,8 +13,8 @@
 
 namespace tcb {
 
-/// Keys with times where the input has none: t[i+1] = t[i] + |P[i+1] - P[i]|^exponent, which is t[i] + 1 for exponent
-/// 0. `metric`: the channels that count for distances; empty: all. Throws: Error (data) where two positions are equal,
+/// Adds times to keys without any: t[i+1] = t[i] + |P[i+1] - P[i]|^exponent, which is t[i] + 1 for exponent
+/// 0. `metric`: the channels that count for distances; empty: all. Throws: Error (data) if two positions are equal,
 /// or a step is lost in rounding; it has both lines.
 Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric);
 
@@ -65,7 +65,7 @@ Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ErrorCode code);
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks);
 
 /// The same keys, checked: there are at least `least` of them, 1 or 2, and their ease is in [0, 1].
-/// Requires: times that increase. Throws: Error (data) with the line of the key.
+/// Requires: increasing times. Throws: Error (data) with the line of the key.
 Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least);
 
 }  // namespace tcb

@@ -94,7 +94,7 @@ char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& not
 
 char* write_text(char* out, std::string_view text) {
   if (text.size() != 1) return std::copy(text.begin(), text.end(), out);
-  *out = text.front();  // mostly a delimiter
+  *out = text.front();  // usually a delimiter
   return out + 1;
 }
 
@@ -188,7 +188,7 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter
   }
   if (header) layout.head += '\n';
   layout.row_end = "\n";
-  if (delimiter == ' ') layout.empty = "NA";  // an empty text between blanks would be no cell
+  if (delimiter == ' ') layout.empty = "NA";  // between blanks, an empty text would not be a cell
   return layout;
 }
 

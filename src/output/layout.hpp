@@ -14,7 +14,7 @@
 
 namespace tcb {
 
-/// The texts around the cells of a table; `before` has one entry a column.
+/// The texts around the cells of a table; `before` has one entry per column.
 struct Layout {
   std::string head;
   std::vector<std::string> before;
@@ -22,7 +22,7 @@ struct Layout {
   std::string empty;  ///< for a number that is not defined
   std::string between_rows;
   std::string tail;
-  std::string no_rows;     ///< instead of `tail` where there is no row
+  std::string no_rows;     ///< instead of `tail` if there is no row
   std::string end;         ///< of the whole output, after its last list of rows
   Notation notation = {};  ///< of numbers that may have a fraction
 };
@@ -32,26 +32,26 @@ struct Layout {
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first);
 
-/// The same for cells of which some have texts of their own, the others empty ones.
+/// The same for cells of which some have their own texts, and the others empty ones.
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 
-/// A text as a cell: in quotes where RFC 4180 asks for them.
+/// A text as a cell: in quotes if RFC 4180 requires them.
 std::string delimited_text(std::string_view text, char delimiter);
 
 /// A text as a JSON string.
 std::string json_text(std::string_view text);
 
-/// Rows of cells with a delimiter between, below the names where there is a header.
+/// Rows of cells separated by a delimiter, below the names if there is a header.
 Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header);
 
-/// An array of objects, one a line.
+/// An array of objects, one per line.
 Layout json_layout(const std::vector<OutputColumn>& columns);
 
-/// An object a line.
+/// An object per line.
 Layout jsonl_layout(const std::vector<OutputColumn>& columns);
 
-/// How a format is written.
+/// The functions that write a format.
 struct OutputFormat {
   Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
   std::string (*text)(std::string_view text);  ///< a cell from a text as in texts.hpp; null: cells are numbers only
@@ -80,7 +80,7 @@ struct OutputColumns {
   std::vector<std::string> names() const;
 };
 
-/// What a frame depends on besides the columns.
+/// The options of a frame besides the columns.
 struct FrameOptions {
   FormatId format = FormatId::csv;
   bool header = true;
@@ -99,11 +99,11 @@ class Frame {
   /// The text before all rows.
   const std::string& head() const { return head_; }
 
-  /// The text to write over the head once all rows are written, which have so many bytes; empty: none.
+  /// The text that replaces the head once all rows, of so many bytes, are written; empty: none.
   std::string counted_head(std::uint64_t bytes) const;
 
-  /// The text before the next curve's rows. `divided`: the curve before has the same group.
-  /// Throws: Error (data) where the format cannot divide curves.
+  /// The text before the next curve's rows. `divided`: the previous curve has the same group.
+  /// Throws: Error (data) if the format cannot divide curves.
   std::string begin(std::span<const std::string> group, bool divided);
 
   /// The layout of rows of the current curve, without their labels.
@@ -116,7 +116,7 @@ class Frame {
   bool is_first() const { return !any_rows_; }
   void set_written() { any_rows_ = true; }
 
-  /// The text after all rows. `member`: the other member, where there is one.
+  /// The text after all rows. `member`: the other member, if there is one.
   std::string tail(std::string_view member = {}) const;
 
  private:

@@ -70,7 +70,7 @@ std::string text_before_rows(const Provenance& provenance, FormatId format) {
   std::string out = fmt::format("# {}\n", provenance.program);
   for (const auto& [name, value] : provenance.rules) out += line(name, value);
   for (const std::string& option : provenance.options) out += line("option", option);
-  return out + "#\n";  // so that no other comment is directly above a row, where it would be taken for a header
+  return out + "#\n";  // so that the comment directly above a row is empty, and not taken for a header
 }
 
 std::string text_after_rows(const Provenance& provenance, FormatId format) {
@@ -87,7 +87,7 @@ std::string text_after_rows(const Provenance& provenance, FormatId format) {
 
 Provenance read_meta(const Source<std::string>& bytes) {
   Provenance provenance;
-  std::string text;  // of JSON all, of lines the last one
+  std::string text;  // all of JSON; of lines the last one
   bool json = false;
   for (bool first = true; const std::optional<std::string> more = bytes(); first = false) {
     text += *more;
@@ -107,7 +107,7 @@ Provenance read_meta(const Source<std::string>& bytes) {
   return provenance;
 }
 
-/// What has passed.
+/// The checksum and counts so far, and the current sources.
 struct ProvenanceRecorder::Tally {
   Provenance provenance;
   Sha256 sha256;
@@ -117,7 +117,7 @@ struct ProvenanceRecorder::Tally {
 
 namespace {
 
-/// All bytes, read ahead. Throws: Error (data) where they have another SHA-256.
+/// All bytes, read ahead. Throws: Error (data) if they have another SHA-256.
 Source<std::string> verified(const Source<std::string>& bytes, const std::string& expected, const std::string& from) {
   std::deque<std::string> parts;
   Sha256 sha256;

@@ -34,13 +34,13 @@ struct Provenance {
 std::string text_before_rows(const Provenance& provenance, FormatId format);
 std::string text_after_rows(const Provenance& provenance, FormatId format);
 
-/// Program, options and inputs of an earlier output. Throws: Error (data) where it has no provenance.
+/// Program, options and inputs of an earlier output. Throws: Error (data) if it has no provenance.
 Provenance read_meta(const Source<std::string>& bytes);
 
-/// The provenance that is asked for.
+/// The requested provenance.
 struct ProvenanceRequest {
   Provenance meta;     ///< program and options
-  Provenance earlier;  ///< that of the output that is made again, if one is
+  Provenance earlier;  ///< that of the output to reproduce, if there is one
   std::string from;    ///< the name of that output
 };
 
@@ -50,21 +50,21 @@ class ProvenanceRecorder {
  public:
   explicit ProvenanceRecorder(const std::optional<ProvenanceRequest>& request);
 
-  /// The bytes of the next input. Throws: Error, before any byte passes, for an input that is not the one of the
-  /// earlier output, or one too many.
+  /// The bytes of the next input. Throws: Error, before the first byte, for an input other than that of the earlier
+  /// output, or one too many.
   Source<std::string> observe_bytes(const std::string& name, Source<std::string> bytes);
   /// The keys of the next curve.
   Source<KeyBlock> observe_keys(Source<KeyBlock> keys);
   Source<SampleBlock> observe_rows(Source<SampleBlock> rows);
   void set_rules(Facts rules);
 
-  /// The current curve, or input, has no more rows.
+  /// Ends the current curve, or input.
   void end_curve();
   void end_input();
 
   /// The two texts, or empty ones without a request.
   std::string before_rows(FormatId format) const;
-  /// Throws: Error (usage) where there were fewer inputs than the earlier output has.
+  /// Throws: Error (usage) if there were fewer inputs than the earlier output has.
   std::string after_rows(FormatId format) const;
 
  private:

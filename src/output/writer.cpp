@@ -15,13 +15,13 @@ namespace tcb {
 
 namespace {
 
-/// The index of the field that has the number of the key at a row.
+/// The index of the field that holds the number of the key at a row.
 std::size_t key_field() {
   const auto known = fields();
   return static_cast<std::size_t>(std::ranges::find(known, "key", &Field::name) - known.begin());
 }
 
-/// The first `count` cells from `begin` on; none where there are none at all.
+/// The first `count` cells from `begin` on; none if there are none at all.
 template <class T>
 std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
   if (cells.empty()) return {};

@@ -29,7 +29,7 @@ struct LabelledBlock {
   std::vector<std::pair<std::string, std::string>> ends;
 };
 
-/// The labels of a curve's keys, as long as rows may need them.
+/// The labels of a curve's keys, kept as long as rows may need them.
 class Labels {
  public:
   /// Makes the text after a row from its labels.
@@ -66,7 +66,7 @@ std::string print_labelled(
     const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
     const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print);
 
-/// What an output looks like.
+/// The form of an output.
 struct WriterOptions {
   FormatId format = FormatId::csv;
   std::optional<bool> header;       ///< nothing: as the input has one
@@ -79,7 +79,7 @@ struct WriterOptions {
 /// One output of the rows of one file or of several.
 class Writer {
  public:
-  /// The options outlive the writer.
+  /// Requires: the options outlive the writer.
   Writer(const WriterOptions& options, std::string path)
       : options_(options),
         output_(std::move(path), format_of(options.format).is_binary),

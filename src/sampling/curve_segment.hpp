@@ -13,20 +13,20 @@
 
 namespace tcb {
 
-/// A segment of a curve. Lengths are 0 where the curve is not measured. The spans belong to the curve.
+/// A segment of a curve. Lengths are 0 if the curve is not measured. The spans belong to the curve.
 template <class S>
 struct CurveSegmentOf {
   spline::Time<S> start, end;                ///< times of its two keys
   spline::working_t<S> s_start, s_end;       ///< arc lengths of its two keys, from the curve's first
-  std::span<const spline::Cubic<S>> cubics;  ///< one a channel
+  std::span<const spline::Cubic<S>> cubics;  ///< one per channel
   std::span<const std::size_t> metric;       ///< the channels of lengths and speeds; empty: all
   bool last = false;                         ///< the curve ends here
   spline::Warp<S> warp = {};                 ///< of its local parameter
-  std::span<const S> cycle = {};             ///< last key - first key, one a channel; empty where it is not needed
+  std::span<const S> cycle = {};             ///< last key - first key, one per channel; empty if it is not needed
   std::uint64_t number = 0;                  ///< of the segment, from 0
   double s_error = 0;                        ///< bound on the error of s_end
-  std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 where a closed curve is back
-  int decimals = 0;                          ///< of times on it that a double does not hold; 0: there are none
+  std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 if a closed curve has returned
+  int decimals = 0;                          ///< of times on it, if doubles are not exact; else 0
 };
 using CurveSegment = CurveSegmentOf<double>;
 

@@ -79,7 +79,7 @@ struct Spacing {
   std::optional<Rational> end;     ///< the last place that a row may have, where it is known
 };
 
-/// Requires: a mode of equal steps. Throws: Error (usage) for more than max_rows rows, where that is known.
+/// Requires: a mode of equal steps. Throws: Error (usage) for more than max_rows rows, if that is known.
 Spacing spacing(const SamplingRequest& request, const Extent& extent);
 
 /// The number of steps between two places; a whole number, or not.
@@ -102,11 +102,11 @@ Bound last_key(const Time& time);
 Bound curve_start();
 Bound curve_length(double length);
 
-/// Throws: Error (usage) about the option where its value lies before the bound, or after it.
+/// Throws: Error (usage) about the option if its value lies before the bound, or after it.
 void require_not_before(Option option, const Rational& value, const Bound& bound);
 void require_not_after(Option option, const Rational& value, const Bound& bound);
 
-/// Throws: Error (usage) where neighbouring rows of the grid would be the same double at `end`.
+/// Throws: Error (usage) if neighbouring rows of the grid would be the same double at `end`.
 void require_resolution(const Grid& grid, const Time& end, int decimals = 0);
 
 }  // namespace tcb

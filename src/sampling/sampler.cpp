@@ -154,7 +154,7 @@ void OnGrid::add_keys(Run& run, const Range& on, const Time& stop, bool final, i
   if (final && on.end <= stop + near_) run.end = true;
 }
 
-/// Notes the remainder of the steps, and keeps the end where that is wanted.
+/// Notes the remainder of the steps, and keeps the end if requested.
 void OnGrid::finish(const Run& run, const Time& stop, int decimals) {
   if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
   const Time last = spacing_.grid.time(next_ - 1, decimals);

@@ -38,7 +38,7 @@ struct Run {
 /// Located samples, and the memory that locating needs.
 struct Located {
   std::vector<Sample> samples;
-  std::vector<Outside> outside = {};   ///< one a sample, or none where all samples must be on the curve
+  std::vector<Outside> outside = {};   ///< one per sample, or none where all samples must be on the curve
   std::vector<Time> coordinates = {};  ///< the times or arc lengths of the samples
   std::vector<spline::LocalParameter<double>> places = {};
   spline::ArcLength<double> arc = {};
@@ -74,11 +74,11 @@ class Sampler : public Locator {
   /// No later segment can have a sample: reading may stop.
   virtual bool done() const = 0;
 
-  /// How far the end of the range is from the last row, once all segments were placed; nothing where it is a row.
+  /// How far the end of the range is from the last row, once all segments were placed; nothing if it is a row.
   virtual std::optional<Rational> remainder() const { return std::nullopt; }
 };
 
-/// Requires: not needs_curve(mode). Throws: Error where the request does not fit the curve.
+/// Requires: not needs_curve(mode). Throws: Error if the request does not fit the curve.
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent);
 
 /// Locates the samples at the arc lengths in located.coordinates, which lie on the segment. Promises: their times are

@@ -36,7 +36,7 @@ bool take_digits(std::string_view& text, std::string& digits) {
   return count > 0;
 }
 
-/// The exponent after the digits, 0 where there is none; nothing where it is malformed or too large.
+/// The exponent after the digits, 0 if there is none; nothing if it is malformed or too large.
 std::optional<int> take_exponent(std::string_view text) {
   if (text.empty()) return 0;
   if (text[0] != 'e' && text[0] != 'E') return std::nullopt;

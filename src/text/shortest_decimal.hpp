@@ -9,7 +9,7 @@
 //      half of a whole, where the exact product is.
 //   2. No other exact product is so near to a whole or a half that F is on its other side. tests/text/decimal_proof.py
 //      searches all powers and finds none.
-// shortest_if_easy() needs no proof: it returns nothing where a limit is nearer than the error of F.
+// shortest_if_easy() needs no proof: it returns nothing if a limit is nearer than the error of F.
 //
 // Source: R. Giulietti, "The Schubfach way to render doubles" (2020); R. Cox, "Floating-point printing and parsing
 //   can be simple and fast" (2026), https://research.swtch.com/fp; for digits to bytes the divisions by multiplication
@@ -159,7 +159,7 @@ struct SplitDecimal {
   int exponent;
 };
 
-/// The same in less time, with 16 or 17 digits; nothing where that is not certain, or the value is not above 0.
+/// The same in less time, with 16 or 17 digits; nothing if that is not certain, or the value is not above 0.
 inline std::optional<SplitDecimal> shortest_if_easy(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const int biased = static_cast<int>(bits >> 52);

@@ -12,7 +12,7 @@ bool is_control(char c) { return code(c) < 0x20 || code(c) == 0x7F; }
 
 std::string escaped(char c) { return fmt::format("\\x{:02X}", code(c)); }
 
-/// How many bytes the character at the beginning has; 0 where it is invalid.
+/// How many bytes the character at the beginning has; 0 if it is invalid.
 /// Source: RFC 3629, section 4.
 std::size_t character_size(std::string_view text) {
   const unsigned first = code(text[0]);

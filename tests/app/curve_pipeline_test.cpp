@@ -63,7 +63,7 @@ TEST(CurvePipeline, a_grid_over_the_whole_curve_has_its_extent_and_step) {
   EXPECT_EQ(cells_of(placed), (std::vector<double>{0, 0, 1.5, 3, 3, 6}));
 }
 
-TEST(CurvePipeline, places_may_lie_outside_where_the_curve_is_extended) {
+TEST(CurvePipeline, places_may_lie_outside_an_extended_curve) {
   SamplingRequest request = request_of(Mode::at, 0);
   request.places = {4, 1, -1};
   CurveSettings settings;
@@ -76,7 +76,7 @@ TEST(CurvePipeline, exact_rows_are_at_the_same_places) {
   EXPECT_EQ(rows(request_of(Mode::count, 3), {}, GoldenOptions{}), (std::vector<double>{0, 0, 1.5, 3, 3, 6}));
 }
 
-TEST(CurvePipeline, times_are_made_where_there_are_none) {
+TEST(CurvePipeline, keys_without_times_get_times) {
   CurveSettings settings;
   settings.parameter = "uniform";
   const Input input = input_of(false);
@@ -100,7 +100,7 @@ std::pair<ErrorCode, std::uint64_t> refusal(const CurveSettings& settings, const
   return {};
 }
 
-TEST(CurvePipeline, a_parameterization_is_refused_beside_a_time_column) {
+TEST(CurvePipeline, a_parameterization_is_refused_with_a_time_column) {
   CurveSettings settings;
   settings.parameter = "chordal";
   EXPECT_EQ(refusal(settings).first, ErrorCode::parameter_with_times);

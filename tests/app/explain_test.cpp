@@ -13,7 +13,7 @@
 namespace tcb {
 namespace {
 
-/// The explanation of a file with this text, for `count` rows a curve.
+/// The explanation of a file with this text, for `count` rows per curve.
 std::string explained(const std::string& text, std::uint64_t count, const std::vector<std::string>& groups = {}) {
   const auto path = std::filesystem::temp_directory_path() / ("explain_test." + std::to_string(getpid()) + ".csv");
   std::ofstream(path) << text;
@@ -37,7 +37,7 @@ TEST(Explain, what_was_detected_and_one_curve) {
   expect_lines(text, {"delimiter: ;", "header: yes", "time: t", "keys: 2", "step: 0.5", "rows: 5"});
 }
 
-TEST(Explain, several_curves_have_a_line_each_and_sums) {
+TEST(Explain, several_curves_have_one_line_each_and_totals) {
   const std::string text = explained("id,t,x\na,0,1\na,1,2\nb,0,1\nb,3,2\n", 4, {"id"});
   expect_lines(text, {"curves: 2", "curve id=b: 2 keys, from 0 to 3, step 1, 4 rows", "keys: 4", "rows: 8"});
 }

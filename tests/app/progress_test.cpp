@@ -11,13 +11,13 @@ namespace {
 
 using tcb::progress_text;
 
-TEST(Report, the_line_has_how_far_the_work_is) {
+TEST(Report, the_line_shows_the_progress) {
   EXPECT_EQ(progress_text(12, 30, 1'200'000'000, 2'900'000'000, 1234, 10.0),
             "41 %, 12 of 30 files, 1.2 GB of 2.9 GB, 1,234 rows, 120 MB/s, 0:14 left");
   EXPECT_EQ(progress_text(0, 1, 500, 1000, 0, 7200.0), "50 %, 500 B of 1.0 kB, 0 B/s, 2:00:00 left");
 }
 
-TEST(Report, a_remaining_time_that_is_not_known_is_left_out) {
+TEST(Report, an_unknown_remaining_time_is_omitted) {
   EXPECT_EQ(progress_text(0, 1, 2'000'000, 0, 0, 1.0), "2.0 MB, 2.0 MB/s");
   EXPECT_EQ(progress_text(0, 1, 2'000'000, 2'000'000, 1'000'000, 2.0), "100 %, 2.0 MB, 1,000,000 rows, 1.0 MB/s");
   EXPECT_EQ(progress_text(0, 2, 0, 1000, 0, 2.0), "0 %, 0 of 2 files, 0 B of 1.0 kB, 0 B/s");

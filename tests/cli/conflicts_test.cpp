@@ -129,7 +129,7 @@ TEST(Conflicts, a_metric_needs_lengths_or_speeds) {
   }
 }
 
-TEST(Conflicts, a_side_needs_fields_that_differ) {
+TEST(Conflicts, a_side_needs_fields_that_may_differ) {
   EXPECT_EQ(stepped_refusal({"--side=left"}),
             "--side left has no effect on these fields, which are the same on both sides; remove it");
   EXPECT_EQ(stepped_refusal({"--side=left", "--fields=velocity"}), "");

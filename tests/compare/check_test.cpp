@@ -28,7 +28,7 @@ SampleRows row_of(const std::string& group, double number, std::uint64_t line) {
 
 SampleTable table_of(std::vector<SampleRows> curves) { return {true, true, "t", {"x"}, {}, std::move(curves)}; }
 
-TEST(Pairs, go_by_group_whatever_the_format_of_its_text) {
+TEST(Pairs, are_made_by_group_in_any_format) {
   const KeptCurves kept = curves_of({"\"1", "\"b"});
   SampleTable table = table_of({row_of("\"b", 5, 2), row_of("1", 4, 3)});
   const Pairs pairs = pair_up(kept, table);
@@ -52,7 +52,7 @@ TEST(Pairs, curves_of_one_file_only_are_problems) {
   EXPECT_EQ(std::get<std::uint64_t>(pairs.problems[1].values().at(1)), 7U);
 }
 
-TEST(Pairs, go_by_order_where_a_file_has_no_groups) {
+TEST(Pairs, are_made_by_order_if_a_file_has_no_groups) {
   const KeptCurves kept = curves_of({"\"a", "\"b", "\"c"});
   SampleTable table = table_of({row_of("", 5, 2), row_of("", 4, 3)});
   const Pairs pairs = pair_up(kept, table);
@@ -130,7 +130,7 @@ TEST(Places, near_an_end_within_the_limits_are_that_end) {
   EXPECT_EQ(near.places.at(0).hi, 2);
 }
 
-TEST(Places, outside_the_curve_are_admitted_by_extrapolation) {
+TEST(Places, outside_the_curve_are_allowed_by_extrapolation) {
   const Places places = Line("t,x\n-1,0\n7,6\n", "hold").places();
   EXPECT_THAT(places.rows, ElementsAre(0, 1));
   EXPECT_EQ(places.places[1].hi, 7) << "it stays where it is";
@@ -209,7 +209,7 @@ TEST(Distance, of_missing_numbers_is_zero_or_infinite) {
   EXPECT_EQ(distance(1, nan).ulp, std::numeric_limits<std::uint64_t>::max());
 }
 
-TEST(Limits, any_of_the_three_admits) {
+TEST(Limits, one_of_the_three_suffices) {
   EXPECT_TRUE((Limits{0.5, {}, {}}.admit(distance(4.5, 4))));
   EXPECT_FALSE((Limits{0.49, {}, {}}.admit(distance(4.5, 4))));
   EXPECT_TRUE((Limits{0.1, 0.125, {}}.admit(distance(4.5, 4))));
@@ -263,7 +263,7 @@ TEST(Check, counts_differences_and_finds_the_first_and_the_largest) {
   EXPECT_EQ(result.worst->computed, 6);
 }
 
-TEST(Check, admits_what_the_tolerance_of_a_column_admits) {
+TEST(Check, accepts_numbers_within_the_tolerance_of_their_column) {
   Comparing files(line_keys, "t,x,y\n0.5,1.75,2.25\n");
   files.job.comparison->abs = {{"x", 0.25}};
   const Check one = check_of(files.job);

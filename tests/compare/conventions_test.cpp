@@ -20,13 +20,13 @@ KeptCurves with(std::vector<spline::Tcb<double>> tcbs) {
   return kept;
 }
 
-TEST(TcbOrder, takes_each_from_where_its_name_says) {
+TEST(TcbOrder, takes_each_parameter_as_its_name_shows) {
   const TcbOrder order{{1, 0, 2}, {false, true, false}};
   EXPECT_EQ(order.name(), "C,-T,B");
   EXPECT_EQ(order.of({1, 2, 3}), (spline::Tcb<double>{2, -1, 3}));
 }
 
-TEST(TcbOrders, are_48_where_all_matter) {
+TEST(TcbOrders, are_48_if_all_have_an_effect) {
   const auto orders = distinct_orders(with({{0.1, 0.2, 0.3}}));
   EXPECT_EQ(orders.size(), 48U);
   EXPECT_TRUE(orders[0].order.is_plain());

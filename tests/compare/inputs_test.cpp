@@ -36,7 +36,7 @@ TEST(KeptCurves, can_be_read_more_than_once) {
   }
 }
 
-TEST(SampleTable, has_the_decimal_mark_that_its_cells_have) {
+TEST(SampleTable, has_the_decimal_mark_of_its_cells) {
   EXPECT_THAT(table_of("t;x\n0;1,5\n").curves.at(0).numbers, ElementsAre(1.5));
   EXPECT_THAT(table_of("t;x\n0;1.5\n").curves.at(0).numbers, ElementsAre(1.5));
   EXPECT_THAT(table_of("t\tx\n0\t1,5\n").curves.at(0).numbers, ElementsAre(1.5));
@@ -122,7 +122,7 @@ TEST(MatchedColumns, others_are_a_problem_unless_fields_are_given) {
   EXPECT_THAT(one.ignored, ElementsAre("note, extra", "a, b", "speed"));
 }
 
-TEST(MatchedColumns, s_is_the_place_without_times_or_where_no_time_is_asked_for) {
+TEST(MatchedColumns, s_is_the_place_without_times_or_if_no_time_is_requested) {
   const MatchedColumns alone = match_columns(named(false, {"x", "s"}), keys_with({"x"}), {});
   EXPECT_TRUE(alone.by_length);
   EXPECT_EQ(alone.place, 1U);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t rounding = 0, printed = 1, single = 2;
 
-TEST(Precision, full_doubles_allow_rounding_alone) {
+TEST(Precision, full_doubles_allow_only_rounding) {
   const auto allowed = allowances(std::vector{0.1234567890123456, 4.0}, 1);
   EXPECT_EQ(allowed[0][rounding], 0x1p-38);
   EXPECT_EQ(allowed[0][printed], 0);

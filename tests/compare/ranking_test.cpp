@@ -40,7 +40,7 @@ TEST(Ranking, among_coarse_numbers_the_clearly_better_ones_fit) {
   EXPECT_THAT(tangents(ranking), ElementsAre(2, 1));
 }
 
-TEST(Ranking, where_none_fits_few_wrong_rows_count_for_more_than_a_small_error) {
+TEST(Ranking, if_none_fits_few_wrong_rows_rank_before_small_errors) {
   const Ranking ranking = ranked(
       {candidate(1, 3, {9, 9, 9}, 40), candidate(2, 5, {9, 9, 9}, 1), candidate(3, 2, {9, 9, 9}, 39)}, 40, false);
   EXPECT_FALSE(ranking.precision);

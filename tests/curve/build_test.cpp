@@ -103,8 +103,8 @@ TEST(Close, refuses_what_makes_no_closed_curve) {
       close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
       "f: error: --period: the curve is closed before its last key, at time 2; expected a longer period; correct it");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
-            "f:3: error: this key repeats the position of line 1 and so ends the period, but --period is another; take "
-            "one of them out");
+            "f:3: error: this key repeats the position of line 1 and so ends the period, but --period differs; remove "
+            "one of them");
   EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
             "f: error: a closed curve needs at least two distinct keys; add keys");
 }

@@ -27,7 +27,7 @@ std::string refusal(const CurveSettings& settings, const std::vector<std::string
   return "nothing";
 }
 
-TEST(MakeSpec, a_preset_sets_both_rules_and_each_may_be_set_over) {
+TEST(MakeSpec, a_preset_sets_both_rules_and_options_override_each) {
   CurveSettings settings;
   settings.preset = "vtk";
   EXPECT_EQ(name_of(make_spec(settings).rules.tangents), "interval");

@@ -104,7 +104,7 @@ TEST(Sparse, a_channel_without_a_missing_position_keeps_every_bit) {
   }
 }
 
-TEST(Sparse, keys_are_met_bit_for_bit) {
+TEST(Sparse, the_curve_passes_through_keys_bit_for_bit) {
   const Keys all = keys({{0, 0.1, 5}, {0.3, none, 0.7}, {2.1, 0.3, none}, {4, none, 0.9}});
   const auto together = joined(all);
   EXPECT_EQ(together[1][0].p1, 0.3);
@@ -112,7 +112,7 @@ TEST(Sparse, keys_are_met_bit_for_bit) {
   EXPECT_EQ(together[2][1].p1, 0.9);
 }
 
-TEST(Sparse, a_channel_rests_before_its_first_key_and_after_its_last) {
+TEST(Sparse, a_channel_is_constant_before_its_first_key_and_after_its_last) {
   const auto together = joined(keys({{0, 0, none}, {1, 1, 4}, {2, 2, 6}, {3, 3, none}}));
   EXPECT_EQ(at(together, 0, 1), 4);
   EXPECT_EQ(at(together, 0.5, 1), 4);
@@ -140,7 +140,7 @@ TEST(Sparse, on_a_closed_curve_a_channel_is_extended_by_its_own_keys) {
   }
 }
 
-TEST(Sparse, lengths_are_measured_where_they_are_wanted) {
+TEST(Sparse, lengths_are_measured_on_request) {
   const Keys all = keys({{0, 0, 0}, {1, 3, none}, {2, 3, 0}});
   const KeyStore store(blocks_of(all));
   const auto block = sparse_segment_blocks(store, {}, {}, true, {"x", "y"})();

@@ -72,7 +72,7 @@ TEST(Point, doubles_and_floats_of_many_digits_agree) {
   }
 }
 
-TEST(Point, outside_the_curve_it_moves_on_repeats_or_holds) {
+TEST(Point, outside_the_curve_it_continues_repeats_or_holds) {
   Arc<double> arc({0, 6, 2, 2, 1, 1, 0, 0, 0, 3, 3, 3});
   OutsideOf<double> linear;
   linear.beyond = 0.5;

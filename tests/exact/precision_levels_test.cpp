@@ -50,7 +50,7 @@ TEST(ExactRows, numbers_are_rounded_once) {
   }
 }
 
-TEST(ExactRows, texts_have_the_digits_that_are_asked_for) {
+TEST(ExactRows, texts_have_the_requested_digits) {
   SamplingRequest request;
   request.mode = Mode::count;
   request.count = 3;

@@ -53,7 +53,7 @@ TEST(Rounding, a_root_is_rounded_once) {
   EXPECT_EQ(digits.exactly({2, true}).text, "1.4142135623730950488016887242096980785696718753769");
 }
 
-TEST(Rounding, two_floats_settle_what_they_agree_on) {
+TEST(Rounding, a_rounding_on_which_two_floats_agree_is_final) {
   const Rounding nearest({}, CellKind::real);
   const Rational third(1, 3), tiny = ratio(1, Integer(1) << 300), tie = 1 + ratio(1, Integer(1) << 53);
   EXPECT_EQ(nearest.between({third + tiny}, {third})->cell.hi, 1.0 / 3);
@@ -67,7 +67,7 @@ TEST(Rounding, two_floats_settle_what_they_agree_on) {
   EXPECT_TRUE(is_empty(nearest.at_last({third}, {0, false, true, true}).cell));
 }
 
-TEST(Rounding, more_digits_than_there_are_is_said) {
+TEST(Rounding, too_many_digits_are_an_error) {
   const Rounding fixed({Kind::fixed, 100}, CellKind::real);
   const Rational huge = rational(Integer(1) << 1000), error = huge / rational(Integer(1) << 1000);
   EXPECT_THROW((void)fixed.at_last({huge + error}, {huge}), std::range_error);

@@ -8,7 +8,7 @@
 namespace tcb {
 namespace {
 
-/// Three keys with an entry in every member that has one a key.
+/// Three keys with an entry in every member that has one per key.
 KeyBlock three_keys() {
   KeyBlock block = *keys_of("0 5 a b\n1 6 c d\n2 7 e f\n", 3)();
   block.keys.tcbs = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
@@ -73,7 +73,7 @@ TEST(KeyBlock, an_only_key_splits_off_with_the_curve_that_it_begins) {
   EXPECT_EQ(block.curve_info, nullptr);
 }
 
-TEST(KeyBlock, what_is_of_no_single_key_moves_to_another_block) {
+TEST(KeyBlock, the_members_of_a_block_move_to_another_block) {
   KeyBlock from = three_keys(), to;
   from.keys.common_tcb = {1, 2, 3};
   from.break_after = from.unreadable = true;

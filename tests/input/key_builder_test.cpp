@@ -118,7 +118,7 @@ TEST(KeyBuilder, a_key_that_is_not_ended_is_dropped) {
   EXPECT_THAT(keys.finish().keys.positions, ElementsAre(10, 20));
 }
 
-TEST(KeyBuilder, ten_faults_are_kept_at_most) {
+TEST(KeyBuilder, at_most_ten_faults_are_kept) {
   KeyBuilder keys(columns, {});
   for (int i = 0; i < 20; ++i) add(keys, i, false);
   EXPECT_TRUE(keys.is_full());

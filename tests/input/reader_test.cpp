@@ -11,7 +11,7 @@ namespace {
 const std::string csv_text = "t,x\n0,1\n";
 const std::string csv_keys = "t x\n2: 0 1\n";
 
-TEST(OpenInput, the_file_ending_tells_the_format) {
+TEST(OpenInput, the_file_ending_determines_the_format) {
   EXPECT_EQ(read("t\tx,y\n0\t1\n", {}, 1, "a.b/keys.tsv"), "t x,y\n2: 0 1\n");
   EXPECT_EQ(read("t x,y\n0 1\n", {}, 1, "keys.ssv"), "t x,y\n2: 0 1\n");
   EXPECT_EQ(read("[t,x\n0,1\n", with_columns("time=1"), 1, "keys.csv"), "[t x\n2: 0 1\n") << "no JSON, by its ending";
@@ -26,7 +26,7 @@ TEST(OpenInput, without_an_ending_the_first_byte_that_is_not_blank_does) {
   EXPECT_EQ(read("csv,t\n1,0\n", {}, 1, "csv"), "t csv\n2: 0 1\n") << "a name is no ending";
 }
 
-TEST(OpenInput, a_format_that_is_given_wins) {
+TEST(OpenInput, a_given_format_has_priority) {
   InputOptions options;
   options.format = FormatId::csv;
   EXPECT_EQ(read(csv_text, options, 1, "keys.json"), csv_keys);
@@ -34,13 +34,13 @@ TEST(OpenInput, a_format_that_is_given_wins) {
   EXPECT_EQ(read("t\ta,b\n0\t1\n", options, 1, "keys.csv"), "t a,b\n2: 0 1\n");
 }
 
-TEST(OpenInput, a_delimiter_that_is_given_wins_over_the_format) {
+TEST(OpenInput, a_given_delimiter_has_priority_over_the_format) {
   InputOptions options;
   options.delimiter = ';';
   EXPECT_EQ(read("t;x\n0;1\n", options, 1, "keys.tsv"), "t x\n2: 0 1\n");
 }
 
-TEST(OpenInput, a_byte_order_mark_is_no_part_of_the_first_cell) {
+TEST(OpenInput, a_byte_order_mark_is_not_part_of_the_first_cell) {
   const std::string mark = "\xEF\xBB\xBF";
   for (std::size_t piece = 1; piece < 5; ++piece) {
     EXPECT_EQ(read(mark + csv_text, {}, piece), csv_keys);
@@ -54,7 +54,7 @@ TEST(OpenInput, a_byte_order_mark_is_no_part_of_the_first_cell) {
   EXPECT_NE(read("t," + mark + "x\n0,1\n"), csv_keys) << "it is one only at the beginning";
 }
 
-TEST(OpenInput, an_input_shorter_than_a_mark_is_read_all_the_same) {
+TEST(OpenInput, an_input_shorter_than_a_mark_is_read) {
   EXPECT_EQ(read("7"),
             "f:1: error: no position column; expected at least one column of numbers besides the time; name it "
             "with --columns position=NAME");
@@ -90,7 +90,7 @@ TEST(Faults, all_are_reported_in_the_order_of_their_lines) {
   EXPECT_EQ(lines_of(without_faults(blocks({{}, {5, 3}, {}, {8}}), false)), "3 5 8 ");
 }
 
-TEST(Faults, ten_are_reported_at_most) {
+TEST(Faults, at_most_ten_are_reported) {
   EXPECT_EQ(lines_of(without_faults(blocks({{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11}, {12}}), false)),
             "1 2 3 4 5 6 7 8 9 10 ");
 }

@@ -40,7 +40,7 @@ TEST_F(FileTest, an_output_that_is_not_complete_leaves_nothing_and_changes_nothi
   EXPECT_EQ(entries(), 1U);
 }
 
-TEST_F(FileTest, an_output_takes_the_place_of_a_file_and_of_what_a_link_points_to) {
+TEST_F(FileTest, an_output_replaces_a_file_and_the_target_of_a_link) {
   made("old", "a longer text than the new one");
   fs::create_symlink(path("old"), path("link"));
   Output output(path("link"));
@@ -50,7 +50,7 @@ TEST_F(FileTest, an_output_takes_the_place_of_a_file_and_of_what_a_link_points_t
   EXPECT_TRUE(fs::is_symlink(path("link")));
 }
 
-TEST_F(FileTest, an_output_has_the_rights_of_any_new_file) {
+TEST_F(FileTest, an_output_has_the_permissions_of_any_new_file) {
   const mode_t mask = ::umask(0027);
   Output output(path("out"));
   output.commit();

@@ -12,7 +12,7 @@ namespace tcb {
 
 namespace {
 
-TEST_F(FileTest, all_bytes_come_in_pieces_of_256_kib_at_most) {
+TEST_F(FileTest, all_bytes_come_in_pieces_of_at_most_256_kib) {
   std::string text(600'000, '\0');
   for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(i * 31 % 256);
   const auto source = read_file(made("in", text));
@@ -73,7 +73,7 @@ TEST(Sha256, is_that_of_the_standard) {
   EXPECT_EQ(sha256.digest(), abc);
 }
 
-TEST(Sha256, takes_bytes_in_parts_and_begins_anew) {
+TEST(Sha256, takes_bytes_in_parts_and_starts_again) {
   Sha256 sha256;
   for (const char* part : {"a", "", "bc"}) sha256.add(part);
   EXPECT_EQ(sha256.digest(), abc);

@@ -70,7 +70,7 @@ TEST_F(Inputs, a_folder_is_mirrored) {
   options.files = {"./in//"};
   EXPECT_EQ(found(options).at(1), "./in//a/x.json -> out/a/x.csv");
   options.any_ending = true;  // the format of all files is given
-  EXPECT_NE(refusal(options).find("a/x.csv is that of"), std::string::npos);
+  EXPECT_NE(refusal(options).find("a/x.csv is also that of"), std::string::npos);
 }
 
 TEST_F(Inputs, a_file_that_is_named_keeps_its_name_only) {
@@ -83,7 +83,7 @@ TEST_F(Inputs, a_file_that_is_named_keeps_its_name_only) {
   EXPECT_EQ(found(options).at(0), "in/a.b.csv -> out/a.b-1.csv");
 }
 
-TEST_F(Inputs, an_output_is_current_where_it_is_not_older) {
+TEST_F(Inputs, an_output_is_current_if_it_is_not_older) {
   for (const char* path : {"a.csv", "b.csv", "c.csv", "out/a.csv", "out/b.csv"}) touch(path);
   const auto now = fs::last_write_time("a.csv");
   fs::last_write_time("out/a.csv", now);
@@ -113,7 +113,7 @@ TEST_F(Inputs, lists_name_more_files) {
   EXPECT_EQ(found(options).size(), 1);
 }
 
-TEST_F(Inputs, no_output_takes_the_place_of_an_input) {
+TEST_F(Inputs, no_output_replaces_an_input) {
   for (const char* path : {"a.csv", "b.csv"}) touch(path);
   fs::create_symlink("../b.csv", "link");
   fs::create_directory("out");

@@ -37,7 +37,7 @@ TEST(InOrder, increasing_times_stay_as_they_are) {
     EXPECT_EQ(ordered("0 1\n1 2\n3 3\n", value), " 1:1 2:2 3:3") << name;
 }
 
-TEST(InOrder, equal_times_are_refused_or_one_of_them_stays_or_a_curve_begins) {
+TEST(InOrder, equal_times_are_refused_or_one_is_kept_or_a_curve_begins) {
   const std::string keys = "0 1\n1 2\n1 3\n1 4\n2 5\n";
   const std::string remedy =
       "; expected increasing times; remove one of them, or give --duplicates first, last or break]";
@@ -62,7 +62,7 @@ TEST(InOrder, the_last_of_equal_times_begins_the_curve_that_the_first_began) {
   EXPECT_EQ(ordered("0 1\n0 2\n", Duplicates::last), " 2:2");
 }
 
-TEST(InOrder, times_that_go_back_are_refused_each_with_the_key_before) {
+TEST(InOrder, decreasing_times_are_refused_each_with_the_previous_key) {
   const std::string all = shown_keys(in_order(keys_of("0 1\n2 2\n1.5 3\n1 4\n3 5\n", 5), Duplicates::first));
   const std::string remedy = "; expected increasing times; sort the rows by time, or give --sort]";
   EXPECT_EQ(all, " 1:1 2:2 3:3 4:4 5:5 [f:3: error: time 1.5 is less than the time 2 in line 2" + remedy +
@@ -78,8 +78,8 @@ TEST(InOrder, keys_of_json_are_named_by_their_path) {
     return block;
   };
   EXPECT_EQ(shown_keys(in_order(blocks, Duplicates::error)),
-            " 1:0 [f:1: error: curves[2].keys[8]: time 3 repeats the time 3 of curves[2].keys[7]; expected times that "
-            "increase; remove one of them, or give --duplicates first, last or break]");
+            " 1:0 [f:1: error: curves[2].keys[8]: time 3 repeats the time 3 of curves[2].keys[7]; expected increasing "
+            "times; remove one of them, or give --duplicates first, last or break]");
 }
 
 Input input_of(const std::string& lines, std::size_t size, std::vector<std::string> groups = {}) {
@@ -114,7 +114,7 @@ TEST(Curves, breaks_and_gaps_and_equal_times_begin_curves) {
   }
 }
 
-TEST(Curves, keys_of_a_curve_that_were_not_read_are_passed_over) {
+TEST(Curves, unread_keys_of_a_curve_are_skipped) {
   EXPECT_EQ(curves_of(input_of("0 1\n1 2\n2 3\n/\n0 4\n1 5\n", 1), {}, 1), "( 1:1)( 5:4)");
 }
 

@@ -38,11 +38,11 @@ TEST(Grouped, sorting_is_stable_and_does_not_cross_breaks) {
   EXPECT_EQ(grouped_keys("2 1 b\n1 2 a\n0 3 b\n0 4 a\n", {1, true}), " 3:3 1:1 / 4:4 2:2");
 }
 
-TEST(Grouped, a_gap_is_sorted_like_a_key_and_left_out_where_it_has_no_time) {
+TEST(Grouped, a_gap_is_sorted_like_a_key_and_skipped_without_a_time) {
   EXPECT_EQ(grouped_keys("2 1\ngap 1\n0 2\ngap ?\n", {0, true}), " 3:2 gap 2:nan 1:1");
 }
 
-TEST(Grouped, nothing_is_lost_among_many_curves) {
+TEST(Grouped, many_curves_keep_all_their_keys) {
   std::mt19937_64 random(7);
   std::string lines;
   std::vector<std::string> expected(5000);

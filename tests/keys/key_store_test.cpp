@@ -27,7 +27,7 @@ TEST(KeyStore, keys_are_read_more_than_once_and_the_last_one_can_be_dropped) {
   EXPECT_EQ(kept.size(), 2U);
 }
 
-TEST(KeyStore, keys_come_back_unchanged) {
+TEST(KeyStore, keys_are_read_back_unchanged) {
   Keys all;
   all.channels = 2;
   const auto make = [&all](std::size_t size, double low_part) {

@@ -73,8 +73,8 @@ TEST(Parameterized, refuses_neighbours_at_the_same_position) {
       refusal_of([] {
         drain(parameterized(blocks({{0, 1}, {0, 1}}, 1, false), 1, {}));
       }),
-      "f:2: error: the position repeats that in line 1; times are made from distances, and here the distance is 0; "
-      "take one of the rows out, or give --parameter uniform");
+      "f:2: error: the position repeats that of line 1; times are made from distances, and here the distance is 0; "
+      "remove one of the rows, or give --parameter uniform");
 }
 
 TEST(Parameterized, refuses_a_step_that_rounding_loses) {

@@ -19,7 +19,7 @@ TEST(Extrapolation, maps_times_onto_the_curve) {
   EXPECT_EQ(on_curve(Extrapolation::oscillate, 9), 11);
 }
 
-TEST(Extrapolation, tells_what_else_has_to_be_done) {
+TEST(Extrapolation, gives_cycles_distance_and_direction) {
   EXPECT_EQ(map_to_curve<double>(Extrapolation::offset, 10.0, 14.0, 23.0).cycles, 3);
   EXPECT_EQ(map_to_curve<double>(Extrapolation::offset, 10.0, 14.0, 9.0).cycles, -1);
   EXPECT_EQ(map_to_curve<double>(Extrapolation::linear, 10.0, 14.0, 9.0).beyond.hi, -1);

@@ -61,7 +61,7 @@ TEST(Grid, nanoseconds_since_1970_are_exact) {
   EXPECT_EQ(grid.rows_before(grid.time(1997)), 1997U);
 }
 
-TEST(Grid, search_agrees_with_walking) {
+TEST(Grid, search_agrees_with_counting_row_by_row) {
   std::mt19937_64 random(13);
   for (int i = 0; i < 200; ++i) {
     const Rational start(static_cast<std::int64_t>(random() % 1000) - 500, 7);
@@ -75,7 +75,7 @@ TEST(Grid, search_agrees_with_walking) {
   }
 }
 
-TEST(Grid, search_agrees_with_times_beside_rows) {
+TEST(Grid, search_agrees_for_times_next_to_rows) {
   std::mt19937_64 random(14);
   const auto power_of_ten = [&](int most) {
     return rational(pow(Integer(10), static_cast<unsigned>(random() % most)));
@@ -112,7 +112,7 @@ TEST(Grid, steps_with_few_digits_left_are_searched_exactly) {
   }
 }
 
-TEST(Grid, knows_when_rows_would_fall_together) {
+TEST(Grid, detects_equal_neighbouring_rows) {
   EXPECT_TRUE(Grid(0, Rational(1, 10)).resolves({1e9}));
   EXPECT_FALSE(Grid(0, *parse_rational("1e-300")).resolves({1}));
   EXPECT_FALSE(Grid(*parse_rational("1e15"), *parse_rational("1e-3")).resolves({1e15}));

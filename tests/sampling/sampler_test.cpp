@@ -149,7 +149,7 @@ TEST(Sampler, a_closed_curve_does_not_repeat_its_seam_in_counts) {
   EXPECT_EQ(sample(request(Mode::segments, "", 4), {0, 1, 2}, true).times, (Times{0, 0.5, 1, 1.5, 2}));
 }
 
-TEST(Sampler, rows_at_keys_are_on_the_side_that_is_asked_for) {
+TEST(Sampler, rows_at_keys_are_on_the_requested_side) {
   for (const bool left : {true, false}) {
     SamplingRequest asked = request(Mode::step, "1");
     asked.from_left = left;

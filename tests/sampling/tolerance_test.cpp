@@ -119,7 +119,7 @@ TEST(Tolerance, an_s_whose_middle_lies_on_the_chord_is_not_taken_for_straight) {
   EXPECT_EQ(times_within_tolerance(segments, 1, 100).size(), 2U);
 }
 
-TEST(Tolerance, asks_for_as_many_rows_as_allowed_at_most) {
+TEST(Tolerance, refuses_more_rows_than_allowed) {
   std::mt19937_64 random(24);
   const auto keys = random_keys(random, 2);
   EXPECT_THROW(times_within_tolerance(Curve(keys).segments(), 1e-6, 10), Error);

@@ -10,7 +10,7 @@
 namespace tcb::spline {
 namespace {
 
-/// The cubics of (p u + q u^2 + r u^3), one a channel.
+/// The cubics of (p u + q u^2 + r u^3), one per channel.
 std::vector<Cubic<double>> polynomial(const std::vector<std::array<double, 3>>& channels) {
   std::vector<Cubic<double>> cubics;
   for (const auto& [p, q, r] : channels) cubics.push_back(cubic<double>(0, p + q + r, p, p + 2 * q + 3 * r));

@@ -28,7 +28,7 @@ TEST_F(DoubleDoubleTest, sums_and_products_of_53_bit_integers_are_exact) {
   }
 }
 
-TEST_F(DoubleDoubleTest, quotients_times_divisors_come_back_to_100_bits) {
+TEST_F(DoubleDoubleTest, quotients_times_divisors_give_the_dividends_to_100_bits) {
   for (int i = 0; i < 100'000; ++i) {
     const DoubleDouble a(draw()), b(draw());
     const DoubleDouble back = a / b * b - a;
@@ -42,7 +42,7 @@ TEST_F(DoubleDoubleTest, products_do_not_overflow_before_the_result_does) {
   EXPECT_EQ(product.lo, 0);
 }
 
-TEST_F(DoubleDoubleTest, order_looks_at_both_parts) {
+TEST_F(DoubleDoubleTest, comparisons_use_both_parts) {
   EXPECT_LT(DoubleDouble(0x1p60, -1), DoubleDouble(0x1p60));
   EXPECT_LT(DoubleDouble(0x1p60), DoubleDouble(0x1p60, 1));
 }

@@ -9,7 +9,7 @@
 namespace tcb::spline {
 namespace {
 
-TEST(Segment, two_places_side_by_side_give_the_bits_of_each) {
+TEST(Segment, two_places_as_a_pair_have_the_bits_of_each) {
   std::mt19937_64 random(18);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 10'000; ++i) {

@@ -34,16 +34,16 @@ std::vector<T> all(const Source<T>& source) {
   return items;
 }
 
-TEST(Streams, an_item_stands_in_front_once) {
+TEST(Streams, an_item_is_added_in_front_once) {
   int asked = 0;
   const auto source = preceded_by(7, numbers(2, asked));
   EXPECT_EQ(source(), 7);
-  EXPECT_EQ(asked, 0) << "the source behind is not asked for the item in front";
+  EXPECT_EQ(asked, 0) << "the item in front is not pulled from the source";
   EXPECT_THAT(all(source), ElementsAre(1, 2));
-  EXPECT_EQ(source(), std::nullopt) << "the end stays the end";
+  EXPECT_EQ(source(), std::nullopt) << "an ended source remains ended";
 }
 
-TEST(Streams, an_item_may_stand_before_nothing) {
+TEST(Streams, an_item_may_precede_an_empty_source) {
   int asked = 0;
   EXPECT_THAT(all(preceded_by(7, numbers(0, asked))), ElementsAre(7));
 }
@@ -55,7 +55,7 @@ TEST(Streams, a_map_keeps_the_order_and_may_change_the_type) {
   EXPECT_THAT(all(mapped(numbers(0, asked), text)), ElementsAre());
 }
 
-TEST(Streams, a_map_makes_an_item_when_it_is_asked_for) {
+TEST(Streams, a_map_computes_an_item_on_demand) {
   int asked = 0, made = 0;
   const auto source = mapped(numbers(5, asked), [&made](int item) {
     ++made;
@@ -80,7 +80,7 @@ int slowly_squared(int item) {
   return item * item;
 }
 
-TEST(OrderedMap, answers_in_order_for_any_number_of_threads) {
+TEST(OrderedMap, results_are_in_order_for_any_number_of_threads) {
   std::vector<int> squares;
   for (int i = 1; i <= 500; ++i) squares.push_back(i * i);
   for (const unsigned threads : {1U, 2U, 3U, 8U, 16U}) {
@@ -124,7 +124,7 @@ TEST(OrderedMap, maps_may_follow_one_another) {
   EXPECT_EQ(roots.back(), 100);
 }
 
-TEST(OrderedMap, an_error_comes_after_the_answers_before_it) {
+TEST(OrderedMap, an_error_follows_the_earlier_results) {
   const ThreadPool pool(4);
   for (const bool in_source : {false, true}) {
     int asked = 0;
@@ -139,7 +139,7 @@ TEST(OrderedMap, an_error_comes_after_the_answers_before_it) {
   }
 }
 
-TEST(OrderedMap, may_be_left_before_its_end) {
+TEST(OrderedMap, may_be_destroyed_before_its_end) {
   const ThreadPool pool(4);
   int asked = 0;
   {

@@ -13,7 +13,7 @@
 namespace tcb {
 namespace {
 
-TEST(Rational, reads_decimals_and_ratios_for_what_they_say) {
+TEST(Rational, reads_decimals_and_ratios_exactly) {
   EXPECT_EQ(parse_rational("0.1"), Rational(1, 10));
   EXPECT_EQ(parse_rational("-12.50"), Rational(-25, 2));
   EXPECT_EQ(parse_rational("1e-3"), Rational(1, 1000));
@@ -67,7 +67,7 @@ TEST(Rational, whole_times_beyond_2_to_53_keep_all_digits) {
   EXPECT_EQ(exact_time(nearest_time(rational(Integer("9007199254740993")))), rational(Integer("9007199254740993")));
 }
 
-TEST(Rational, a_double_stands_for_its_shortest_decimal) {
+TEST(Rational, a_double_is_converted_by_its_shortest_decimal) {
   EXPECT_EQ(exact_time({0.1}), Rational(1, 10));
   EXPECT_EQ(exact_time({1e22}), rational(Integer("10000000000000000000000")));
   EXPECT_EQ(exact_time({-1305031098.6659}), ratio(Integer("-13050310986659"), 10000));

@@ -12,7 +12,7 @@
 namespace tcb {
 namespace {
 
-/// A cell as a text of a key: a whole number as such, everything else as a string.
+/// A cell as a text of a key: a whole number as a number, everything else as a string.
 std::string text_of(std::string_view cell) {
   const std::string_view digits = cell.substr(cell.starts_with('-') ? 1 : 0);
   const bool is_digits = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;

@@ -19,15 +19,15 @@
 
 namespace tcb {
 
-/// How records are written.
+/// The syntax of records.
 struct Dialect {
   char delimiter = ',';       ///< ' ' is any run of blanks and tabs
   std::string comment = "#";  ///< the prefix of lines to skip; empty: none
-  bool divided = false;       ///< a blank line is between two curves, whatever the delimiter
+  bool divided = false;       ///< a blank line divides curves with any delimiter
 
   static bool is_blank(char c) { return c == ' ' || c == '\t'; }
   bool is_comment(std::string_view line) const { return !comment.empty() && line.starts_with(comment); }
-  /// The line is between two curves.
+  /// Whether the line divides two curves.
   bool is_divider(std::string_view line) const { return delimiter == ' ' && line.starts_with('>'); }
 };
 
@@ -38,7 +38,7 @@ std::optional<char> delimiter_of(std::string_view record, char decimal);
 /// The beginning of delimited text.
 struct Beginning {
   char delimiter = ',';
-  std::string text;        ///< that was read, from the first record on, or from a comment directly above it
+  std::string text;        ///< read so far, from the first record, or from a comment directly above it
   std::uint64_t line = 1;  ///< of the first character
 };
 
@@ -47,7 +47,7 @@ Beginning find_delimiter(const Source<std::string>& bytes, const InputOptions& o
 
 /// Cuts bytes into chunks of whole records. `line` is that of the first byte.
 /// Requires: the bytes have no byte order mark. Throws: Error (data) for a NUL, and for a record over 64 MiB, which
-/// hardly anything but a missing quote makes.
+/// usually comes from a missing quote.
 Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line = 1);
 
 inline constexpr std::size_t longest_record = 64UL * 1024 * 1024;
@@ -61,8 +61,8 @@ struct DelimitedHead {
   char decimal = '.';
 };
 
-/// Dialect and columns, from the header if there is one and the first two records after it; the text that was read is
-/// left in `rest`, from the first record of numbers on. Throws: Error (data).
+/// Dialect and columns, from the header if there is one and the first two records after it; `rest` gets the text that
+/// was read, from the first record of numbers on. Throws: Error (data).
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
                         std::vector<Chunk>& rest);
 
@@ -75,10 +75,10 @@ ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<
 /// In a column of text a number is a fault up to this line; in those after it, it is a text.
 inline constexpr std::uint64_t last_line_of_roles = 1000;
 
-/// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; ten at most.
+/// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; at most ten.
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
 
-/// Opens delimited text whose delimiter is given, or else found in the first record.
+/// Opens delimited text whose delimiter is given, or else detected in the first record.
 /// Requires: the bytes have no byte order mark. Throws: Error (data).
 Input open_delimited(Source<std::string> bytes, const InputOptions& options);
 
@@ -94,9 +94,9 @@ class Tokenizer {
   /// than most_cells, after it has skipped the record.
   bool next(std::vector<std::string_view>& cells);
 
-  /// A line before this record, or at the end one after the last record, ends the curve.
+  /// Whether a line before this record, or at the end one after the last record, ends the curve.
   bool broken() const { return broken_; }
-  /// There is a blank line before this record.
+  /// Whether there is a blank line before this record.
   bool follows_blank() const { return follows_blank_; }
 
   std::uint64_t line() const { return record_line_; }

@@ -69,10 +69,10 @@ class FirstRecords {
     if (!records.empty()) chunks.push_back(std::move(chunk));
   }
 
-  std::string comment_;  ///< the last line, where it is a comment
+  std::string comment_;  ///< the last line, if it is a comment
 };
 
-/// The cell looks like a number. One with the other decimal mark does too, and is an error later.
+/// Whether the cell looks like a number. One with the other decimal mark does too, and is an error later.
 bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
   return is_missing_sign(cell, head.rules.signs) || Decimals('.').looks_numeric(cell) ||
          (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
@@ -107,15 +107,15 @@ void require_characters(const std::vector<std::string>& names, const TextPositio
   }
 }
 
-/// The name gives its column a role, or is requested.
+/// Whether the name gives its column a role, or is requested.
 bool has_meaning(const std::string& name, const InputOptions& options) {
   return role_of_name(name) != Role::position || std::ranges::any_of(options.roles, [&](const RoleRequest& role) {
            return std::ranges::count(role.columns, name) > 0;
          });
 }
 
-/// A comment names columns where one name has a meaning, and none is a number: it may be any other text, or a key that
-/// somebody commented out.
+/// Whether a comment names columns: one of its words gives a role, and none is a number. Otherwise it may be any text,
+/// or a key that was commented out.
 bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const InputOptions& options) {
   const auto is_number = [&](const std::string& word) { return looks_numeric(word, head); };
   return std::ranges::none_of(words, is_number) &&
@@ -123,7 +123,7 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
           std::ranges::any_of(words, [&](const std::string& word) { return has_meaning(word, options); }));
 }
 
-/// Throws: Error (data) where a column of text begins like a number in its first record.
+/// Throws: Error (data) if a column of text begins like a number in its first record.
 void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric) {
   Tokenizer tokenizer(data, head.dialect);
   Cells cells;
@@ -131,7 +131,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (head.columns.cells[i].role != Role::ignored || numeric[i]) continue;
     const std::string cell = unquoted(cells[i]);
-    constexpr std::string_view minus = "\xE2\x88\x92";  // the typographic one
+    constexpr std::string_view minus = "\xE2\x88\x92";  // U+2212
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
     if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
     throw Error(Exit::data, why_not_number(cell, head.decimal, head.rules.signs), {std::uint64_t{i + 1}, cell})
@@ -140,7 +140,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
   }
 }
 
-/// Throws: Error (data) where the first record may be a header, or a key with a misspelt number: one of its cells is
+/// Throws: Error (data) if the first record may be a header, or a key with a misspelt number: one of its cells is
 /// text, another a number, and none a name with a meaning.
 void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const InputOptions& options) {
   const auto is_number = [&](const std::string& cell) {

@@ -29,11 +29,11 @@ class Preamble {
     at_ -= std::exchange(kept_, 0);
   }
 
-  /// Where the first record begins, once it was read.
+  /// The start of the first record, once it was read.
   std::size_t record() const { return at_; }
 
  private:
-  /// The current line without blanks at its ends.
+  /// The current line without leading and trailing blanks.
   std::string_view content(std::string_view text, std::size_t end) const {
     std::string_view line = text.substr(at_, end - at_);
     while (!line.empty() && Dialect::is_blank(line.front())) line.remove_prefix(1);
@@ -45,7 +45,7 @@ class Preamble {
   std::size_t at_ = 0, kept_ = 0;
 };
 
-/// Finds where records end in text that grows, looking at each byte once.
+/// Finds the ends of records in text that grows; it reads each byte once.
 class RecordEnds {
  public:
   explicit RecordEnds(Dialect dialect) : dialect_(std::move(dialect)) {}
@@ -65,7 +65,7 @@ class RecordEnds {
   void cut(std::size_t end) { at_ -= end; }
 
  private:
-  /// In `rest` no byte of the line matters: it is a comment, or text after a quoted cell, which is an error.
+  /// In `rest` the bytes of the line have no effect: it is a comment, or text after a quoted cell, which is an error.
   enum class State { line_start, rest, cell_start, cell, quoted, quote, closed };
 
   /// Without quotes, a record ends with its line.
@@ -77,7 +77,7 @@ class RecordEnds {
     state_ = State::line_start;
   }
 
-  /// Takes one step; false where it needs more text.
+  /// Takes one step; false if it needs more text.
   bool step(std::string_view text) {
     const char c = text[at_];
     switch (state_) {

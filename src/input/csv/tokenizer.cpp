@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char c) { return Dialect::is_blank(c); }
 
-/// Marks the first of eight bytes that is zero by its upper bit, and none before it; marks after it may be wrong.
+/// Sets the upper bit of the first of eight bytes that is zero, and of none before it; bits after it may be wrong.
 /// Source: H. S. Warren, Hacker's Delight, ch. 6.
 std::uint64_t zero_bytes(std::uint64_t bytes) { return (bytes - 0x0101010101010101) & ~bytes & 0x8080808080808080; }
 
@@ -90,7 +90,7 @@ bool Tokenizer::next(std::vector<std::string_view>& cells) {
     if (cells.size() == most_cells) refuse_cells();
     cells.push_back(take_cell());
     if (at_line_end()) break;
-    ++at_;  // the delimiter, after which there is another cell
+    ++at_;  // the delimiter, which another cell follows
   }
   pass_line_end();
   return true;
@@ -126,7 +126,7 @@ std::string_view Tokenizer::take_quoted() {
     throw Error(Exit::data, ErrorCode::quote_not_closed).at(position({start, 1}));
   }
   const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
-  const bool blanks = dialect_.delimiter == ' ';  // any of which delimits
+  const bool blanks = dialect_.delimiter == ' ';  // blanks and tabs delimit
   while (!blanks && !at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
   if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
     const TextPosition where = position({at_, 1});

@@ -1,13 +1,13 @@
 // JSON input: members of keys, keys, settings of curves, provenance, and the shapes that an input may have.
 //
 // A key is {"time":0,"position":[1,2],"tension":0,…} or flat, {"time":0,"x":1,"y":2}; its members have the roles of
-// columns of the same names, and "tcb":[t,c,b] is accepted. It is parsed by nlohmann-json through its events, so that
-// no document is ever held.
+// columns of the same names, and "tcb":[t,c,b] is accepted. It is parsed by nlohmann-json through its events, so no
+// document is kept in memory.
 // Source: RFC 8259.
 //
 // The text may be an array of keys, an object with an array "keys" among its members, an object with an array
-// "curves" of such objects, or one key object after another (JSON Lines). Where the program writes "rows" for "keys",
-// it reads that too.
+// "curves" of such objects, or one key object after another (JSON Lines). "rows", which the program writes, is read
+// as "keys".
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ namespace tcb {
 /// A piece of JSON text: key objects, or the object around them with an empty array in their place.
 struct JsonPart {
   Chunk chunk;
-  bool is_object = false;               ///< it is the object, and its keys came before
-  std::size_t gap = std::string::npos;  ///< where the keys were taken out of its text
+  bool is_object = false;               ///< it is the object, whose keys were in earlier parts
+  std::size_t gap = std::string::npos;  ///< where the keys were cut out of its text
   std::uint64_t line = 1, column = 1;   ///< the position of the text after the keys
 };
 
@@ -36,7 +36,7 @@ class JsonSplitter {
   explicit JsonSplitter(Source<std::string> bytes) : scanner_(std::move(bytes)) {}
 
   /// The next part: "[key,key,…]" cut from an array, key objects from JSON Lines, or the object around keys.
-  /// Every byte is in a part or was checked here, so parsing the parts finds every fault.
+  /// Every byte is in a part or is checked here, so parsing the parts finds every fault.
   /// Throws: Error (data) for text after an array, and for a key or the rest of an object over 64 MiB.
   std::optional<JsonPart> next();
 
@@ -69,7 +69,7 @@ class JsonSplitter {
   std::optional<JsonShape> shape_;  ///< nothing: not known yet
   bool first_cut_ = true;           ///< of its list
   bool list_closed_ = false;
-  bool listed_ = false;      ///< the current object had its keys
+  bool listed_ = false;      ///< the keys of the current object were found
   bool comma_ = true;        ///< a curve may follow
   std::size_t depth_ = 0;    ///< of open brackets in the current object or list
   std::string member_;       ///< last string of the current object
@@ -78,7 +78,7 @@ class JsonSplitter {
   JsonPart outer_;           ///< the object around the curves
 };
 
-/// The meaning of the members of key objects, as the first one has them. Each is a cell, or an array of cells.
+/// The meaning of the members of key objects, as in the first one. Each is a cell, or an array of cells.
 struct JsonColumns {
   struct Member {
     std::string name;
@@ -97,11 +97,11 @@ struct JsonColumns {
 /// Throws: Error (data).
 JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const std::vector<std::string>& channels);
 
-/// Gives the numbers of "position" these names. Throws: Error (data) where there are not as many.
+/// Gives the numbers of "position" these names. Throws: Error (data) if there are not as many.
 void name_channels(JsonColumns& columns, const std::vector<std::string>& channels);
 
-/// The keys of a chunk of whole key objects, an array of them or one a line. A pure function.
-/// Errors are among its faults, at the position of the value; ten at most.
+/// The keys of a chunk of whole key objects, an array of them or one per line. A pure function.
+/// Errors are among its faults, at the position of the value; at most ten.
 KeyBlock parse_json(const Chunk& chunk, const JsonColumns& columns);
 
 /// The members of an object around keys.
@@ -126,7 +126,7 @@ struct JsonProvenance {
   std::vector<std::pair<std::string, std::string>> inputs;  ///< names and SHA-256
 };
 
-/// The member "meta" of JSON text, or of the last line of JSON Lines; empty where there is none.
+/// The member "meta" of JSON text, or of the last line of JSON Lines; empty if there is none.
 JsonProvenance read_json_provenance(std::string_view text);
 
 /// Opens JSON of any shape: an array of keys, an object with "keys", one with "curves", or JSON Lines. Keys of an

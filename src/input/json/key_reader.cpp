@@ -17,7 +17,7 @@ using Member = JsonColumns::Member;
 
 bool is_text(const Column& column) { return column.role == Role::group || column.role == Role::carry; }
 
-/// Hands the members of keys to the key builder, as cells.
+/// Passes the members of keys to the key builder, as cells.
 class KeyReader : public JsonObjectReader {
  public:
   KeyReader(const Chunk& chunk, const JsonColumns& columns)
@@ -146,7 +146,7 @@ class KeyReader : public JsonObjectReader {
     return !keys_.is_full();
   }
 
-  /// The column of the current cell; nothing where it is ignored.
+  /// The column of the current cell; nothing if it is ignored.
   const Column* current_column() const {
     if (current_ == nullptr || current_->cells == 0) return nullptr;
     const std::size_t index = in_array() ? element() : 0;
@@ -175,7 +175,7 @@ class KeyReader : public JsonObjectReader {
     if (keys_.is_scaled(column)) keys_.scale(column, decimal_text(value));
   }
 
-  /// Tension, continuity or bias, which may be a member or in "tcb", but not both.
+  /// Tension, continuity or bias: a member, or a number of "tcb", but not both.
   void store_once(unsigned number, const Column& column, double value) {
     if (((tcb_given_ >> number) & 1U) != 0) add_value_fault(ErrorCode::json_tcb_twice);
     tcb_given_ |= 1U << number;
@@ -211,11 +211,11 @@ class KeyReader : public JsonObjectReader {
   KeyBuilder keys_;
   std::string path_;
   std::vector<bool> seen_;      ///< the members of the current key
-  bool is_provenance_ = false;  ///< the object has "meta", and no key if it has no member of one
+  bool is_provenance_ = false;  ///< the object has "meta", and is no key if it has no member of a key
   LinePosition position_;       ///< of the current key
   std::uint64_t number_ = 0;    ///< of the current key
   unsigned tcb_given_ = 0;      ///< a bit for each of the three
-  std::size_t expected_ = 0;    ///< the next member if all keys have the same order
+  std::size_t expected_ = 0;    ///< the next member, if all keys have the same order
   const Member* current_ = nullptr;
 };
 

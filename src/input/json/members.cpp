@@ -14,7 +14,7 @@ namespace {
 using Found = FoundMember;
 using Member = JsonColumns::Member;
 
-/// The name gives a member another role than position.
+/// Whether the name gives a member another role than position.
 bool has_role(const std::string& name) { return name == "tcb" || role_of_name(name) != Role::position; }
 
 /// The members that are arrays of positions: those that are requested, else "position"; and the names of its numbers.
@@ -83,7 +83,7 @@ void require_count(std::size_t names, std::size_t numbers) {
   throw Error(Exit::data, ErrorCode::json_channel_count, {std::uint64_t{names}, std::uint64_t{numbers}});
 }
 
-/// Tension, continuity and bias may come in any key, also where the first has none, and alone or as "tcb".
+/// Tension, continuity and bias may be in any key, even if the first has none, each alone or in "tcb".
 void add_optional_members(JsonColumns& columns) {
   constexpr std::array roles{std::pair{"tension", Role::tension}, std::pair{"continuity", Role::continuity},
                              std::pair{"bias", Role::bias}};
@@ -182,7 +182,7 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
                        : find_columns(header, numeric, requests_of(members, arrays, options), options.timeless);
   result.columns.may_be_timed = result.columns.may_be_timed && !has_array;
   for (const auto& found : members) {
-    if (options.samples) break;  // their names are free
+    if (options.samples) break;  // their names may be any
     require_shape(found, options);
     require_no_near_miss(found, result.columns, options);
   }

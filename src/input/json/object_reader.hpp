@@ -30,8 +30,8 @@ class JsonObjectReader {
   JsonObjectReader& operator=(const JsonObjectReader&) = delete;
   virtual ~JsonObjectReader() = default;
 
-  /// Parses the chunk: an array of objects, or an object a line.
-  /// Throws: Error (data) with its position, where the text is not JSON or holds something else than objects.
+  /// Parses the chunk: an array of objects, or an object per line.
+  /// Throws: Error (data) with its position, if the text is not JSON or holds something else than objects.
   void parse();
 
   /// Parses the chunk as one object, over as many lines as it has.
@@ -41,7 +41,7 @@ class JsonObjectReader {
   virtual bool on_key_start() { return true; }
   virtual bool on_key_end() { return true; }
   virtual bool on_member(const std::string& name) = 0;
-  /// A number, as its nearest time, from which its nearest double follows.
+  /// A number, as the time nearest to it, whose high part is the nearest double.
   virtual bool on_number(const spline::Time<double>& value) = 0;
   /// A string without its quotes, or true or false.
   virtual bool on_text(std::string_view text) = 0;

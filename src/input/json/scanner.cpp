@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t longest_part = 64UL * 1024 * 1024;
 
-/// The characters that determine where keys end; between them are most of the others.
+/// The characters that determine where keys end.
 constexpr std::array<bool, 256> is_structure = [] {
   std::array<bool, 256> found{};
   for (const char c : std::string_view("\"[]{},\n")) found[static_cast<unsigned char>(c)] = true;
@@ -26,7 +26,7 @@ const char* after_digits(const char* at, const char* end) {
   return at;
 }
 
-/// The end of a number of JSON that begins here; nothing where none does. A whole number ends at `whole_end`.
+/// The end of the JSON number that begins here; nothing if none does. A whole number ends at `whole_end`.
 const char* after_number(const char* at, const char* end, const char*& whole_end) {
   if (at != end && *at == '-') ++at;
   const char* const whole = at;
@@ -69,7 +69,7 @@ class JsonGrammar {
  public:
   JsonExpected expected() const { return expected_; }
 
-  /// Takes the next token; false where it is not expected.
+  /// Accepts the next token; false if another one was expected.
   bool take(std::string_view token) {
     using enum JsonExpected;
     const char first = token.front();

@@ -34,7 +34,7 @@ inline const char* find_closing_quote(const char* at, const char* end, bool& esc
   return at;
 }
 
-/// Text that grows at its end while it is scanned, and is cut off at its beginning.
+/// Text that is appended to while it is scanned, and removed from its beginning.
 class JsonScanner {
  public:
   explicit JsonScanner(Source<std::string> bytes) : bytes_(std::move(bytes)) {}
@@ -47,18 +47,18 @@ class JsonScanner {
   char now() const { return text_[at]; }
 
   void skip_blanks();
-  /// Skips to the next bracket, comma or line end outside strings; false where the text ends before one.
+  /// Skips to the next bracket, comma or line end outside strings; false if the text ends before one.
   bool skip_to_structure();
   /// Skips from an opening brace to just before the closing one, where no other brace and no backslash is between.
   void skip_plain_object();
-  /// Skips to the end of the current string; false where the text ends in it.
+  /// Skips to the end of the current string; false if the text ends in it.
   bool skip_string();
 
-  /// Cuts the text off at `end`.
+  /// Cuts off and returns the text up to `end`.
   Chunk take(std::size_t end);
 
   /// Reads more, up to a NUL; false at the end of the input.
-  /// Throws: Error (data) `too_long` where there is too much text; at a NUL, once the text before it was read.
+  /// Throws: Error (data) `too_long` if there is too much text; at a NUL, once the text before it was read.
   bool read_more(ErrorCode too_long);
 
   /// Throws: Error (data) at the beginning of the text.
@@ -86,8 +86,8 @@ struct JsonReading {
 };
 
 /// A forward iterator over JSON text for nlohmann-json. A number with a fraction or an exponent is read here, and the
-/// parser reads a 0 in its place, which takes it a fraction of the time. It reads unchanged what is not such a number
-/// of JSON, or is beyond doubles. Only one copy may be incremented, for all share what was read.
+/// parser reads a 0 in its place, which is much faster. All other text, and numbers beyond doubles, are passed on
+/// unchanged. Only one copy may be incremented, as all share the reading.
 class JsonCursor {
  public:
   using iterator_category = std::forward_iterator_tag;
@@ -156,17 +156,17 @@ class JsonTokens {
 /// Whether a token is a string with both quotes.
 bool is_json_string(std::string_view token);
 
-/// What may be in the place of a token.
+/// What may be in place of a token.
 enum class JsonExpected { value, value_or_end, name, name_or_end, colon, comma_in_array, comma_in_object, nothing };
 
 /// The first token that breaks the grammar of JSON: its text, and what was expected instead.
 struct JsonFault {
-  std::string_view token;  ///< empty where the text ends too early, at its last token
+  std::string_view token;  ///< empty if the text ends too early, at its last token
   JsonExpected expected;
 };
 JsonFault find_json_fault(std::string_view text);
 
-/// Where the last string, number or word of a text begins, or the place after its last opening bracket.
+/// The start of the last string, number or word of a text, or the place after its last opening bracket.
 const char* last_json_value(std::string_view text);
 
 }  // namespace tcb

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Options that are no members.
+/// Options that are not members.
 constexpr std::array options_only{
     std::pair{std::string_view("equal-speed"), Option::equal_speed},
     std::pair{std::string_view("parameter"), Option::parameter},
@@ -45,7 +45,7 @@ class SettingsReader : public JsonObjectReader {
     return true;
   }
 
-  /// Throws: Error (data) for a name that has a meaning elsewhere, and none here.
+  /// Throws: Error (data) for a name that has a meaning only elsewhere.
   void require_no_loss(const std::string& name) const {
     constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
     if (name == "tcb" || std::ranges::count(of_keys, role_of_name(name)) > 0) {

@@ -19,7 +19,7 @@ struct Task {
   SharedColumns columns;
 };
 
-/// Keys, or the members around the keys before.
+/// Keys, or the members around the previous keys.
 struct Parsed {
   KeyBlock keys;
   std::optional<JsonCurveInfo> members;
@@ -60,7 +60,7 @@ TextPosition position_of_channels(const JsonCurveInfo& members) {
   return found == places.end() ? members.position : found->second;
 }
 
-/// Reads on to the end of a list of keys and of the object around it; nothing at the end of the input.
+/// Reads to the end of a list of keys and of the object around it; nothing at the end of the input.
 std::optional<Curve> read_curve(const Source<Parsed>& parts) {
   Curve curve;
   SharedColumns columns;
@@ -195,7 +195,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
     }
   }
   input.may_miss = options.missing == Missing::skip_cell;
-  input.may_break = true;  // at null in the place of a key, too
+  input.may_break = true;  // also at null in place of a key
   return input;
 }
 

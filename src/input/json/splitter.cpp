@@ -16,7 +16,7 @@ bool is_blank(std::string_view text) { return std::ranges::all_of(text, is_json_
 
 }  // namespace
 
-/// "curves[2]" and what is in it, or the latter alone.
+/// "curves[2]" and the path within it, or the latter alone.
 std::string JsonSplitter::path(const char* list) const {
   if (shape_ != JsonShape::curves) return list;
   return fmt::format("curves[{}]{}{}", curve_, *list == '\0' ? "" : ".", list);
@@ -40,7 +40,7 @@ void JsonSplitter::start_list(JsonShape shape) {
   records_ = records_cut_ = 0;
 }
 
-/// The keys are all cut off.
+/// All keys are cut off.
 void JsonSplitter::end_list() {
   stage_ = shape_ == JsonShape::list ? Stage::after_list : Stage::object;
   depth_ = 1;
@@ -196,7 +196,7 @@ JsonPart JsonSplitter::take_object(std::size_t end) {
   return std::exchange(object_, {});
 }
 
-/// The records up to the last boundary, as a JSON array or as lines; all that is left `at_end`.
+/// The records up to the last boundary, as a JSON array or as lines; `at_end`, the whole rest.
 std::optional<JsonPart> JsonSplitter::cut(bool at_end) {
   const std::size_t end = at_end ? scanner_.size() : boundary_;
   if (stage_ == Stage::object && shape_) {

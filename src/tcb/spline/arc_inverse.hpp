@@ -34,8 +34,8 @@ class ArcInverse {
     if (arc.speed().unit() != S(0)) scale_ = S(1) / arc.speed().unit();
   }
 
-  /// The first place at which the curve has the length s. Requires: start <= s <= end. Promises: accurate to some units
-  /// in the last place of the segment's length, and independent of the lengths before and with it.
+  /// The first place at which the curve has the length s. Requires: start <= s <= end. Promises: accurate to a few
+  /// units in the last place of the segment's length, and independent of the lengths before and with it.
   LocalParameter<S> at(const W& s) {
     LocalParameter<S> place;
     at({&s, 1}, {&place, 1});
@@ -62,7 +62,7 @@ class ArcInverse {
  private:
   static constexpr bool is_double = std::numeric_limits<S>::digits <= 53;
 
-  /// The number of places computed side by side, which hides the latency of divisions and roots.
+  /// The number of places computed together, which hides the latency of divisions and roots.
   static constexpr std::size_t several = is_double ? 2 : 1;
 
   /// A place to compute on a smooth panel.
@@ -75,8 +75,8 @@ class ArcInverse {
   /// A step in z from a place towards a length.
   template <class T>
   struct Step {
-    T whole;  ///< by the series
-    T size;   ///< the square of its first order, against that of the distance over which the speed changes
+    T whole;  ///< the step itself, by the series
+    T size;   ///< the square of its first order, relative to the distance over which the speed changes
   };
 
   /// The size of a step after which the error of the series is below rounding.
@@ -126,7 +126,7 @@ void ArcInverse<S>::seek(const W& wanted, LocalParameter<S>& place) {
   }
 }
 
-/// Computes the places that are sought.
+/// Computes the places of the pending lengths.
 template <class S>
 void ArcInverse<S>::find() {
   const auto put = [&](const Sought& sought, const S& z, const S& size) {

@@ -2,11 +2,11 @@
 //
 // The speed is the square root of a quartic. It is smooth except near the minima of the speed, where it may be zero (a
 // cusp, or a reversal) or nearly zero. Each half of a segment is halved until its panels are smooth. A panel that is
-// not smooth after some halvings is cut at the minima of the speed, and then halved until the rule on the panel and the
-// rule on its halves agree so well that further halvings have no effect. A minimum of zero at the end of a panel does
-// not reduce the accuracy; near one of nearly zero, panels get shorter until their lengths have no effect. Source: P.
-// J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2. No epsilon is absolute: scaling by a power
-// of two changes no digit.
+// not smooth after a few halvings is cut at the minima of the speed, and then halved until the rule on the panel and
+// the rule on its halves agree so closely that further halvings have no effect. A minimum of zero at the end of a panel
+// does not reduce the accuracy; near a minimum close to zero, panels are halved until their lengths have no effect.
+// Source: P. J. Davis, P. Rabinowitz, "Methods of Numerical Integration", 2.7 and 6.2. No epsilon is absolute: scaling
+// by a power of two changes no digit.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Length {
   S error{};
 };
 
-/// The lengths of one segment. It can be assigned one segment after another, and reuses its memory.
+/// The lengths of one segment. It can be assigned one segment after another, which reuses its memory.
 template <class S>
 class ArcLength {
  public:
@@ -36,14 +36,14 @@ class ArcLength {
 
   void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric);
 
-  /// The length of the segment. Promises: accurate to some units in the last place, and in any case to within `error`;
-  /// infinite where a number of the segment is infinite.
+  /// The length of the segment. Promises: accurate to a few units in the last place, and in any case to within `error`;
+  /// infinite if a number of the segment is infinite.
   const Length<S>& total() const { return total_; }
 
   /// From the start to a place. Promises: as total().
   Length<S> to(const LocalParameter<S>& place) const;
 
-  /// The panels in order; none where the speed is constant.
+  /// The panels in order; none if the speed is constant.
   const std::vector<Panel<S>>& panels() const { return panels_; }
   const Speed<S>& speed() const { return speed_; }
 
@@ -67,7 +67,7 @@ class ArcLength {
   std::vector<Panel<S>> panels_;
   W sum_;
   S disagreement_{};  ///< of rules with their halves, times the halvings left, over all panels
-  S rough_{};         ///< the length to one digit, once it is needed; else 0
+  S rough_{};         ///< the length to one digit; 0 until it is needed
   Length<S> total_;
 };
 
@@ -92,7 +92,7 @@ void ArcLength<S>::accept(const Panel<S>& panel, const S& disagreement) {
   disagreement_ += disagreement;
 }
 
-/// Accepts a smooth panel, else adds its halves; after some halvings it is cut.
+/// Accepts a smooth panel, else adds its halves; after a few halvings it is cut.
 template <class S>
 void ArcLength<S>::add(const Panel<S>& panel, int halvings) {
   if (panel.is_smooth()) return accept(panel);
@@ -124,7 +124,7 @@ void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end,
   if (panel.is_smooth()) return accept(panel);
   const auto [left, right] = halves(panel);
   if (slow_begin || slow_end || halvings == 0) {
-    // Near a speed of almost zero, each further halving may change the sum by as much.
+    // Where the speed is almost zero, each further halving may change the sum by as much.
     const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel)) * S(halvings + 1);
     if (disagreement <= std::numeric_limits<S>::epsilon() * S(0.25) * rough_ || halvings == 0) {
       accept(left);

@@ -88,7 +88,7 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
 });
 static_assert(is_in_order(build_error_texts));
 
-/// Why no curve can be built: a code, and the values that its text mentions.
+/// Why no curve can be built: a code, and the values for its message.
 struct BuildError {
   BuildErrorCode code = BuildErrorCode::no_keys;
   std::size_t key = 0;      ///< from 0
@@ -110,7 +110,7 @@ struct BuildError {
   }
 };
 
-/// The number is neither infinite nor NaN.
+/// Whether the number is neither infinite nor NaN.
 template <class T>
 constexpr bool is_finite(const T& value) {
   return value - value == T(0);
@@ -120,7 +120,7 @@ bool is_finite(const Tcb<S>& tcb) {
   return is_finite(tcb.tension) && is_finite(tcb.continuity) && is_finite(tcb.bias);
 }
 
-/// An error of the times and the durations between them.
+/// An error in the times and the durations between them, if any.
 template <class S>
 std::optional<BuildError> find_time_error(const std::vector<Time<S>>& times) {
   for (std::size_t key = 0; key < times.size(); ++key) {
@@ -132,7 +132,7 @@ std::optional<BuildError> find_time_error(const std::vector<Time<S>>& times) {
   return std::nullopt;
 }
 
-/// An error of the keys.
+/// An error in the keys, if any.
 template <class S>
 std::optional<BuildError> find_key_error(const Keys<S>& keys) {
   using enum BuildErrorCode;
@@ -166,7 +166,7 @@ std::optional<BuildError> find_key_error(const Keys<S>& keys) {
   return std::nullopt;
 }
 
-/// An error of the end rule at a key.
+/// An error in the end rule at a key, if any.
 template <class S>
 std::optional<BuildError> find_end_error(const EndChoice<S>& choice, std::size_t channels, std::size_t key) {
   using enum BuildErrorCode;
@@ -179,7 +179,7 @@ std::optional<BuildError> find_end_error(const EndChoice<S>& choice, std::size_t
   return std::nullopt;
 }
 
-/// An error of the rules for some keys. A closed curve has no ends.
+/// An error in the rules for these keys, if any. A closed curve has no ends.
 template <class S>
 std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys<S>& keys, bool closed) {
   using enum BuildErrorCode;

@@ -27,64 +27,64 @@ namespace tcb::spline {
 template <class S>
 class Curve;
 
-/// A curve, or the error because of which there is none.
+/// A curve, or the error that prevents it.
 template <class S>
 class BuildResult {
  public:
   BuildResult(Curve<S> curve) : result_(std::move(curve)) {}  // NOLINT(google-explicit-constructor): either
   BuildResult(BuildError error) : result_(error) {}           // NOLINT(google-explicit-constructor): converts
 
-  /// There is a curve.
+  /// Whether there is a curve.
   explicit operator bool() const { return std::holds_alternative<Curve<S>>(result_); }
 
-  /// The curve. Throws: std::bad_variant_access where there is none.
+  /// The curve. Throws: std::bad_variant_access if there is none.
   const Curve<S>& operator*() const& { return std::get<Curve<S>>(result_); }
   Curve<S>&& operator*() && { return std::get<Curve<S>>(std::move(result_)); }
   const Curve<S>* operator->() const { return &**this; }
 
-  /// The error. Throws: std::bad_variant_access where there is none.
+  /// The error. Throws: std::bad_variant_access if there is none.
   const BuildError& error() const { return std::get<BuildError>(result_); }
 
  private:
   std::variant<Curve<S>, BuildError> result_;
 };
 
-/// The cubic of each channel between two times. Valid as long as the curve.
+/// The cubic of each channel between two times. Valid as long as the curve exists.
 template <class S>
 struct Segment {
   Time<S> start, end;
-  std::span<const Cubic<S>> cubics;  ///< one a channel
+  std::span<const Cubic<S>> cubics;  ///< one per channel
   Warp<S> warp;                      ///< of u; the identity where keys have no ease
 };
 
 /// The side of a knot time from which a derivative is taken; the two differ at a key with a corner.
 enum class Side : std::uint8_t { left, right };
 
-/// Shapes: `out` takes one number a channel; of a shorter span all are set, and the further channels are left out.
+/// Shapes: `out` takes one number per channel; if it is shorter, only the first channels are computed.
 /// No evaluation allocates memory or throws. A time of NaN gives NaN.
 template <class S>
 class Curve {
  public:
-  /// An open curve. One key makes a constant. Where there is an error in keys or rules, the result has it.
+  /// An open curve. One key gives a constant. The result has the error in the keys or rules, if there is one.
   static BuildResult<S> build(Keys<S> keys, const CurveRules<S>& rules = {}) {
     if (const auto error = find_key_error(keys)) return *error;
     if (const auto error = find_rule_error(rules, keys, false)) return *error;
     return of_window({std::move(keys)}, rules, false);
   }
 
-  /// A closed curve: one more segment joins the last key to the first, which comes again after the period. A last key
+  /// A closed curve: one more segment joins the last key to the first, which repeats after the period. A last key
   /// at exactly the position of the first is not a key, but ends the period; it must have the same tension, continuity
-  /// and bias, and needs no `period`. The end rules have no effect. Where there is an error, the result has it.
+  /// and bias, and needs no `period`. The end rules have no effect. The result has the error, if there is one.
   static BuildResult<S> build_closed(Keys<S> keys, const CurveRules<S>& rules = {},
                                      const std::optional<Time<S>>& period = std::nullopt);
 
   std::size_t channels() const { return segments_.channels; }
   bool is_closed() const { return closed_; }
-  /// The time of the first key, and the time of the last key or, closed, of the first key's return.
+  /// The time of the first key, and that of the last key or, if closed, of the return to the first key.
   S start() const { return high_part<S>(segments_.times.front()); }
   S end() const { return high_part<S>(segments_.times.back()); }
 
-  /// The number of segments: one less than keys, or, closed, as many. One key has one, without duration.
+  /// The number of segments: one less than keys, or as many if closed. A single key has one, without duration.
   std::size_t segment_count() const { return segments_.size(); }
 
   /// Segment number i, from 0. Requires: i < segment_count().
@@ -101,14 +101,14 @@ class Curve {
       out[i] = spline::position(cubics[i], at.local);
   }
 
-  /// X(t) for many times. Shapes: `out` takes channels() numbers a time, time after time; times for which it has no
-  /// room are left out.
+  /// X(t) for many times. Shapes: `out` takes channels() numbers per time, time after time; times for which it has no
+  /// room are skipped.
   void positions(std::span<const S> times, std::span<S> out) const {
     const std::size_t count = std::min(times.size(), out.size() / channels());
     for (std::size_t i = 0; i < count; ++i) position(times[i], out.subspan(i * channels(), channels()));
   }
 
-  /// dX/dt, at a key from one side; outside an open curve that of its end. As derivative(1, ...).
+  /// dX/dt, at a key from one side; outside an open curve that of its end. The same as derivative(1, ...).
   void velocity(const Time<S>& t, std::span<S> out, Side side = Side::right) const { derivative(1, t, out, side); }
 
   /// The derivative of any order by time, at a key from one side (at the ends of an open curve, from inside). Outside
@@ -119,15 +119,15 @@ class Curve {
   /// The length over the metric channels from the start to the end, with a bound on its error. Promises: see ArcLength.
   Length<S> length() const requires has_roots<S> { return {high_part<S>(lengths_.back()), error_}; }
 
-  /// The length from the start to a time, which is at the start or the end where it is outside.
+  /// The length from the start to a time; a time outside the curve is moved to its start or end.
   Length<S> length_to(const Time<S>& t) const requires has_roots<S> {
     const Spot at = spot_inside(std::clamp(t, segments_.times.front(), segments_.times.back()), Side::left);
     return {high_part<S>(lengths_[at.segment] + working_t<S>(arcs_[at.segment].to(at.local).value)), error_};
   }
 
   /// The first time at which the length from the start is s, rounded; also sets `out` to the position there, which is
-  /// that of the exact length. A length below 0 or above that of the curve is the start or the end.
-  /// Promises: right to some units in the last place of the length of the segment.
+  /// that of the exact length. A length below 0 or above that of the curve gives the start or the end.
+  /// Promises: accurate to a few units in the last place of the length of the segment.
   S at_length(const S& s, std::span<S> out = {}) const requires has_roots<S>;
 
  private:
@@ -137,7 +137,7 @@ class Curve {
   struct Spot {
     std::size_t segment;
     LocalParameter<S> local;
-    S passed;  ///< the fraction of the segment's duration
+    S passed;  ///< the elapsed fraction of the segment's duration
   };
 
   Curve(Segments<S> segments, std::vector<std::size_t> metric, bool closed)
@@ -161,9 +161,9 @@ class Curve {
   Segments<S> segments_;
   std::vector<std::size_t> metric_;
   bool closed_;
-  std::vector<ArcLength<S>> arcs_;  ///< one a segment
+  std::vector<ArcLength<S>> arcs_;  ///< one per segment
   std::vector<W> lengths_;          ///< up to each knot
-  S error_{};                       ///< of the lengths, at most
+  S error_{};                       ///< a bound on the error of the lengths
 };
 
 template <class S>

@@ -1,5 +1,4 @@
 // Derivatives: velocity, acceleration, jerk per unit of time, and the shape of the curve: tangent, curvature, torsion.
-// torsion.
 //
 //   curvature = |v ^ a| / |v|^3          torsion = det(v, a, j) / |v ^ a|^2
 // with |v ^ a|^2 the sum of the squared 2 x 2 minors, so for any number of channels; in more than three
@@ -19,7 +18,7 @@
 
 namespace tcb::spline {
 
-/// The derivatives of a segment at one place, a number a channel, with bounds on the rounding of the first two.
+/// The derivatives of a segment at one place, a number per channel, with bounds on the rounding of the first two.
 template <class S>
 struct Derivatives {
   std::vector<S> velocity, acceleration, jerk;
@@ -39,7 +38,7 @@ LocalDerivatives<S> local_derivatives(const Cubic<S>& cubic, const LocalParamete
   return {first + x * (S(2) * second + x * (S(3) * cubic.d)), S(2) * second + S(6) * x * cubic.d, S(6) * cubic.d};
 }
 
-/// The derivative of one channel by time, of any order from 1, at a place that is reached after the fraction u of the
+/// The derivative of one channel by time, of any order from 1, at the place reached after the fraction u of the
 /// duration h: F. Faa di Bruno's formula for X(w(t/h)) with a quadratic w, so that it is 0 beyond the sixth.
 template <class S>
 S time_derivative(std::size_t order, const Cubic<S>& cubic, const LocalParameter<S>& at, const Warp<S>& warp,
@@ -58,7 +57,7 @@ S time_derivative(std::size_t order, const Cubic<S>& cubic, const LocalParameter
   }
 }
 
-/// Sets the derivatives by time at a place that is reached after the fraction u of the duration h.
+/// Sets the derivatives by time at the place reached after the fraction u of the duration h.
 template <class S>
 void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, const LocalParameter<S>& at,
                      const Warp<S>& warp, const S& u, const S& h) {
@@ -169,7 +168,7 @@ S wedge(const MetricView<S>& v, const MetricView<S>& a, const MetricView<S>& j) 
   return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
 }
 
-/// Exponents of the units in which products and squares of derivatives neither overflow nor vanish: 0 for most.
+/// Exponents of the units in which products and squares of derivatives neither overflow nor vanish; 0 for most.
 struct Units {
   int v = 0, a = 0, j = 0;
 };
@@ -185,7 +184,7 @@ int unit_of(const MetricView<S>& vector) {
   return abs(exponent) <= harmless ? 0 : exponent;
 }
 
-/// The result of `in` for derivatives in such units, and the units. Most derivatives are used unscaled.
+/// The result of `in` for derivatives in such units, and the units. Most derivatives need no scaling.
 template <class S, class In>
 auto in_units(const Derivatives<S>& of, std::span<const std::size_t> metric, In in) {
   using std::ldexp;
@@ -206,10 +205,10 @@ template <class S>
 struct Shape {
   S speed{};
   bool moves = false;          ///< there is a tangent: velocity / speed
-  std::optional<S> curvature;  ///< where there is a tangent
+  std::optional<S> curvature;  ///< if there is a tangent
 };
 
-/// |v ^ a|, 0 where it is within its rounding error of that.
+/// |v ^ a|, or 0 if it is within its rounding error of 0.
 template <class S>
 S parallelogram(const Derivatives<S>& of, std::span<const std::size_t> metric) {
   const MetricView<S> v(of.velocity, metric), a(of.acceleration, metric);

@@ -96,7 +96,7 @@ class TimeMap {
   Time<S> start_, end_;
   Warp<S> warp_;
   W duration_;
-  bool plain_;  ///< the warp is the identity
+  bool plain_;  ///< whether the warp is the identity
 };
 
 }  // namespace tcb::spline

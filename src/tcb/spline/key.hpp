@@ -9,7 +9,7 @@
 
 namespace tcb::spline {
 
-/// Tension, continuity and bias of a key. Usually in [-1, 1], legal beyond.
+/// Tension, continuity and bias of a key. Usually in [-1, 1], but not limited to it.
 template <class S>
 struct Tcb {
   S tension{};
@@ -25,9 +25,9 @@ struct Ease {
   S out{};
 };
 
-/// Some successive keys, each with the same number of channels.
-/// Shapes: positions holds `channels` numbers a key, key after key; tcbs holds one entry a key, or
-/// none where every key has `common_tcb`; eases holds one entry a key, or none.
+/// Successive keys, each with the same number of channels.
+/// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or
+/// none where every key has `common_tcb`; eases holds one entry per key, or none.
 template <class S>
 struct Keys {
   std::size_t channels = 0;
@@ -42,7 +42,7 @@ struct Keys {
   const Tcb<S>& tcb(std::size_t key) const { return tcbs.empty() ? common_tcb : tcbs[key]; }
 };
 
-/// Appends keys [first, last) of `from`. Requires: both have tcbs, or neither; the same for eases.
+/// Appends keys [first, last) of `from`. Requires: both have tcbs, or neither; likewise for eases.
 template <class S>
 void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t last) {
   const auto copy = [&](auto& target, const auto& source, std::size_t stride) {

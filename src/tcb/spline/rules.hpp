@@ -156,11 +156,11 @@ struct TangentRuleRow {
   std::string_view name;
   std::string_view incoming, outgoing;  ///< formulas
   std::string_view used_by;
-  std::string_view choose;  ///< when to
+  std::string_view choose;  ///< when to choose it
   Weights<W> (*weights)(const InnerKey<W>&);
 };
 
-/// Every tangent rule by name; the first is the default.
+/// Every tangent rule; the first is the default.
 /// Source: D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", equations 10 and 11, for velocity, and
 ///   its older version, equations 3 and 4, for kb1984; for the others, the behaviour of the products named.
 template <class S>
@@ -200,7 +200,7 @@ struct EndKey {
   W missing;  ///< a at the first key, d at the last
   W tension;
   W h;            ///< duration of the end segment
-  bool two_keys;  ///< the curve has no other segment, so m is an end's tangent too
+  bool two_keys;  ///< the curve has no other segment, so m is also the tangent of an end
 };
 
 template <class W>
@@ -271,12 +271,12 @@ struct EndRuleRow {
   std::string_view name;
   std::string_view outgoing, incoming;  ///< formulas for the first and the last key
   std::string_view used_by;
-  std::string_view choose;  ///< when to
+  std::string_view choose;  ///< when to choose it
   bool takes_velocity;      ///< written name=V...
   EndWeights<W> (*weights)(const EndKey<W>&);
 };
 
-/// Every end rule by name; the first is the default.
+/// Every end rule; the first is the default.
 /// Source: the behaviour of the products named.
 template <class S>
 inline constexpr std::array end_rules{
@@ -302,7 +302,7 @@ inline constexpr std::array end_rules{
                   "LightWave's own files, times in seconds", "to match LightWave", false,
                   lightwave_weights<working_t<S>>},
     EndRuleRow<S>{
-        EndRule::velocity, "velocity", "h V", "h V", "a velocity given per unit of time, one number a channel",
+        EndRule::velocity, "velocity", "h V", "h V", "a velocity given per unit of time, one number per channel",
         "to join a motion that is known, as in velocity=1:0,zero", true, given_velocity_weights<working_t<S>>},
 };
 
@@ -315,7 +315,7 @@ struct PresetRow {
   std::string_view product;
 };
 
-/// Every preset by name; the first is the default.
+/// Every preset; the first is the default.
 inline constexpr std::array presets{
     PresetRow{Preset::gte, "gte", TangentRule::velocity, EndRule::half, "Geometric Tools Engine since 2022-08"},
     PresetRow{Preset::fbx, "fbx", TangentRule::velocity, EndRule::one_sided, "FBX, MotionBuilder"},

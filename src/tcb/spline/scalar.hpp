@@ -35,7 +35,7 @@ constexpr double upper_half(double value) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & upper_half_mask);
 }
 
-/// a * b and its rounding error (exact to 2^-104 of the product, and while nothing underflows).
+/// a * b and its rounding error (exact to 2^-104 of the product, unless something underflows).
 template <class D>
 constexpr Rounded<D> two_product(const D& a, const D& b) {
   const D a1 = upper_half(a);
@@ -46,7 +46,7 @@ constexpr Rounded<D> two_product(const D& a, const D& b) {
   return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-/// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: some 106 bits. D is double, or a pair of doubles.
+/// The unevaluated sum hi + lo, |lo| <= ulp(hi)/2: about 106 bits. D is double, or a pair of doubles.
 /// Promises: + and - are accurate to 2^-100 of the larger operand, * and / to 2^-100 of the result.
 template <class D>
 struct DoubleDoubleOf {
@@ -54,7 +54,7 @@ struct DoubleDoubleOf {
   D lo{0};
 
   constexpr DoubleDoubleOf() = default;
-  constexpr DoubleDoubleOf(D value) : hi(value) {}  // NOLINT(google-explicit-constructor): a double is one
+  constexpr DoubleDoubleOf(D value) : hi(value) {}  // NOLINT(google-explicit-constructor): a double converts
   constexpr DoubleDoubleOf(D high, D low) : hi(high), lo(low) {}
 
   friend constexpr DoubleDoubleOf operator-(const DoubleDoubleOf& a) { return {-a.hi, -a.lo}; }
@@ -114,7 +114,7 @@ inline DoubleDouble sqrt(const DoubleDouble& value) {
 /// sqrt(x^b1 sqrt(x^b2 sqrt(x^b3 ...))), computed from inside.
 /// Requires: x > 0, 0 <= exponent <= 16. Promises: accurate to about 2^-95.
 inline DoubleDouble power(const DoubleDouble& x, double exponent) {
-  constexpr int fraction_bits = 62;  // the bits left out change the exponent by less than 2^-62
+  constexpr int fraction_bits = 62;  // further bits change the exponent by less than 2^-62
   DoubleDouble whole_part(1);
   for (; exponent >= 1; exponent -= 1) whole_part = whole_part * x;
   auto bits = static_cast<std::uint64_t>(exponent * 0x1p62);
@@ -138,7 +138,7 @@ struct Working<double> {
 template <class S>
 using working_t = typename Working<S>::type;
 
-/// The scalar has square roots. Exact rationals have none; code that needs roots is not compiled for them.
+/// A scalar with square roots. Exact rationals have none; code that needs roots is not compiled for them.
 template <class S>
 inline constexpr bool has_roots = !std::numeric_limits<S>::is_exact;
 
@@ -156,7 +156,7 @@ constexpr S high_part(const working_t<S>& value) {
   }
 }
 
-/// a - b, exactly while nothing overflows.
+/// a - b, exact unless it overflows.
 template <class S>
 constexpr working_t<S> exact_difference(const S& a, const S& b) {
   if constexpr (std::is_same_v<S, double>) {
@@ -213,7 +213,7 @@ inline double power_of_two_below(double value) {
   return power > 0x1p-1000 ? power : 0x1p-1000;
 }
 
-/// The part of a working value that high_part() leaves out, rounded to the scalar.
+/// What high_part() of a working value omits, rounded to the scalar.
 template <class S>
 constexpr S low_part(const working_t<S>& value) {
   if constexpr (std::is_same_v<S, double>) {

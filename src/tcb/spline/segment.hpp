@@ -42,7 +42,7 @@ struct Cubic {
   S d;
 };
 
-/// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is 0 where it is within the
+/// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is set to 0 if it is within the
 /// rounding error of its terms, so that a natural end has no acceleration and a straight segment no curvature.
 template <class S>
 Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
@@ -72,7 +72,7 @@ Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_
           high_part<S>(d)};
 }
 
-/// base + x (a + x (b + x d)): Horner's rule with the rounding errors of its two inner sums carried along.
+/// base + x (a + x (b + x d)): Horner's rule that also carries the rounding errors of its two inner sums.
 template <class S>
 S compensated_cubic(const S& base, const S& a, const S& b, const S& b_rest, const S& d, const S& x) {
   const auto inner = two_sum<S>(b, x * d);
@@ -89,7 +89,7 @@ S position(const Cubic<S>& x, const LocalParameter<S>& at) {
                          : compensated_cubic(x.p1, x.in, x.e, x.e_low, x.d, at.w);
 }
 
-/// Two places can be evaluated as a pair: they are nearer to the same end, and neither is an end.
+/// Whether two places can be evaluated as a pair: both are nearer to the same end, and neither is an end.
 inline bool can_pair(const LocalParameter<double>& a, const LocalParameter<double>& b) {
   return a.near_start() == b.near_start() && a.u != 0 && b.u != 0 && a.w != 0 && b.w != 0;
 }

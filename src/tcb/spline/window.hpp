@@ -1,6 +1,6 @@
 // Windows: successive keys with one key of context on either side, their tangents and their segments.
 //
-// Segment i is complete with the key after its end: its end tangent needs both neighbours. A window is therefore some
+// Segment i is complete with the key after its end: its end tangent needs both neighbours. A window is therefore a few
 // keys with one key of context on either side, unless the curve starts or ends there.
 #pragma once
 
@@ -38,11 +38,11 @@ class Linker {
  public:
   /// For an open curve.
   Linker() = default;
-  /// For a closed curve: `context` is the key before the first one. The keys to be linked end with the first key
+  /// For a closed curve: `context` is the key before the first one. The given keys end with the first key
   /// repeated one period later, and one key more.
   explicit Linker(Keys<S> context) : tail_(std::move(context)), starts_(false), closed_(true) {}
 
-  /// The window that is complete with some more keys; it may have no segments yet. `last`: no keys follow.
+  /// The window that these keys complete; it may have no segments yet. `last`: no keys follow.
   Window<S> link(const Keys<S>& block, bool last) {
     Window<S> window{std::move(tail_), starts_, last && !closed_, last};
     append(window.keys, block, 0, block.size());
@@ -64,7 +64,7 @@ class Linker {
 template <class S>
 struct EndChoice {
   EndRule rule = EndRule::half;
-  std::vector<S> velocity;  ///< per unit of time, one number a channel, where the rule takes one
+  std::vector<S> velocity;  ///< per unit of time, one number per channel, where the rule takes one
 };
 
 /// The rules that give the tangents of keys.
@@ -83,8 +83,8 @@ CurveRules<S> rules_of(Preset preset) {
   return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}};
 }
 
-/// Successive segments. Shapes: one more time than segments; `channels` cubics a segment; one warp a
-/// segment, or none where no key has ease.
+/// Successive segments. Shapes: one more time than segments; `channels` cubics per segment; one warp per
+/// segment, or none if no key has ease.
 template <class S>
 struct Segments {
   std::size_t channels = 0;
@@ -99,13 +99,13 @@ struct Segments {
   Warp<S> warp(std::size_t segment) const { return warps.empty() ? Warp<S>() : warps[segment]; }
 };
 
-/// The tangents at the keys of a window, `channels` numbers a key, in local units.
+/// The tangents at the keys of a window, `channels` numbers per key, in local units.
 template <class S>
 class Tangents {
  public:
   using W = working_t<S>;
 
-  /// Requires: two keys at least. Context keys are left at zero.
+  /// Requires: at least two keys. Context keys are left at zero.
   Tangents(const Window<S>& window, const CurveRules<S>& rules) : keys_(window.keys), rules_(rules) {
     incoming_.assign(keys_.size() * keys_.channels, W(0));
     outgoing_ = incoming_;

@@ -105,7 +105,7 @@ TEST(Header, missing_columns_are_errors) {
             "f:1: error: no column \"y\"; the columns are t, x; correct --columns");
 }
 
-TEST(Header, the_head_leaves_chunks_that_begin_with_the_first_key) {
+TEST(Header, the_chunks_after_the_header_begin_with_the_first_key) {
   const Dialect dialect;
   Source<Chunk> chunks = split_delimited(pieces("\n# c\nt,x\n\n0,1\n1,2\n2,3\n3,4\n", 4), dialect);
   std::vector<Chunk> rest;

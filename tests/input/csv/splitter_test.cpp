@@ -113,7 +113,7 @@ TEST(SplitDelimited, quotes_after_a_quoted_cell_open_no_cell) {
   }
 }
 
-TEST(SplitDelimited, a_record_is_handed_on_as_soon_as_its_line_ends) {
+TEST(SplitDelimited, a_record_is_passed_on_as_soon_as_its_line_ends) {
   std::vector<std::string> arriving{"3\n", "2,", "0,1\n"};
   const auto source = split_delimited(
       [&]() -> std::optional<std::string> {
@@ -130,7 +130,7 @@ TEST(SplitDelimited, a_record_is_handed_on_as_soon_as_its_line_ends) {
 }
 
 // Splitting and parsing have to agree on which quotes mean something.
-TEST(SplitDelimited, a_quote_in_an_indented_comment_means_nothing) {
+TEST(SplitDelimited, a_quote_in_an_indented_comment_has_no_effect) {
   const std::string text = "  # 5\" tall\n0,\"a\nb\"\n1,c\n";
   Table rows;
   EXPECT_EQ(error_of([&] {
@@ -142,7 +142,7 @@ TEST(SplitDelimited, a_quote_in_an_indented_comment_means_nothing) {
   EXPECT_EQ(rows, table(text));
 }
 
-TEST(SplitDelimited, a_quote_inside_a_cell_means_nothing) {
+TEST(SplitDelimited, a_quote_inside_a_cell_has_no_effect) {
   const std::string text = "0,5\"\n1,\"a\nb\"\n2,c\n";
   Table rows;
   EXPECT_EQ(error_of([&] {

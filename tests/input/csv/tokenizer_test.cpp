@@ -29,7 +29,7 @@ std::vector<Chunk> chunks(const std::string& text, std::size_t piece, const Dial
   return all;
 }
 
-TEST(Tokenizer, lines_end_in_lf_or_crlf_and_the_last_may_not_end) {
+TEST(Tokenizer, lines_end_in_lf_or_crlf_and_the_last_may_lack_it) {
   const Table expected{{"0", "1"}, {"2", "3"}};
   for (const char* text : {"0,1\n2,3\n", "0,1\r\n2,3\r\n", "0,1\n2,3", "0,1\r\n2,3\r", "0,1\r\n2,3"}) {
     EXPECT_EQ(table(text), expected) << text;

@@ -50,11 +50,11 @@ TEST(ObjectReader, an_array_of_keys_is_read_member_by_member) {
             "1{ a:1 b: 0=2 1=<x> 2=<null>/3 c:<true>}3{ a:<é>}");
 }
 
-TEST(ObjectReader, an_object_a_line_is_read_like_an_array) {
+TEST(ObjectReader, an_object_per_line_is_read_like_an_array) {
   EXPECT_EQ(log("{\"a\":1}\r\n \t\r\n{\"a\":[]}"), "1{ a:1}3{ a:/0}");
 }
 
-TEST(ObjectReader, numbers_keep_what_a_time_holds) {
+TEST(ObjectReader, numbers_have_the_precision_of_a_time) {
   EXPECT_EQ(log("[{\"a\":9007199254740993,\"b\":-9007199254740993,\"c\":0.5,\"d\":1e3,\"e\":18446744073709551616}]"),
             "1{ a:9007199254740993 b:-9007199254740993 c:0.5 d:1000 e:1.8446744073709552e+19}");
 }
@@ -80,7 +80,7 @@ TEST(ObjectReader, one_object_may_go_over_lines) {
   Log reader(chunk);
   reader.parse_object();
   EXPECT_EQ(reader.text, "1{ a:1 b: 0=2/1}");
-  EXPECT_NE(error_of([&] { Log(chunk).parse(); }), "no error") << "but an object a line ends with its line";
+  EXPECT_NE(error_of([&] { Log(chunk).parse(); }), "no error") << "but an object per line ends with its line";
 }
 
 TEST(ObjectReader, errors_have_the_position_and_the_path_of_the_value) {
@@ -134,7 +134,7 @@ TEST(ObjectReader, the_first_wrong_token_is_an_error_with_what_was_expected) {
   }
 }
 
-TEST(ObjectReader, a_number_too_large_is_an_error_of_its_own) {
+TEST(ObjectReader, a_number_too_large_has_its_own_error) {
   EXPECT_EQ(log("[{\"a\":1e999}]"),
             "f:1:7: error: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct it");
 }

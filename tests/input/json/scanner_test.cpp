@@ -95,7 +95,7 @@ TEST(JsonCursor, reads_numbers_with_a_fraction_or_an_exponent) {
             events_without_cursor(R"([1.5, -2e-3,7E+2 , 0, -0, 12, "3.5 \" 4.5", {"6.5":-0.0}, 1e-400])"));
 }
 
-TEST(JsonCursor, leaves_to_the_parser_what_is_not_a_number_of_json) {
+TEST(JsonCursor, leaves_other_text_to_the_parser) {
   for (const char* text : {"[01.5]", "[.5]", "[1.]", "[1.5e]", "[1.5.2]", "[+1.5]", "[1.5x]", "[--1.5]", "[1e400]",
                            "[0x1p3]", "[1.5 2.5]", "{1.5:2}", "[1,5e999]", "[1.5", "1.5", "", "-", "[\"1.5"}) {
     EXPECT_EQ(events_with_cursor(text).events, events_without_cursor(text)) << text;
@@ -119,7 +119,7 @@ TEST(JsonCursor, gives_the_same_events_for_any_text) {
   EXPECT_GT(accepted, 3000U);
 }
 
-TEST(FindJsonFault, finds_none_in_what_the_parser_accepts_and_one_in_what_it_does_not) {
+TEST(FindJsonFault, finds_a_fault_only_if_the_parser_does) {
   std::mt19937 random(5);
   constexpr std::string_view parts[] = {"[",    "]",  "{",    "}",   ",",     ":",           " ",       "\n", "0",
                                         "-1.5", "01", "null", "tru", "\"a\"", "\"a\\\"b\":", "\"a\":1", "\""};

@@ -40,7 +40,7 @@ TEST(JsonSettings, other_members_are_ignored_unless_they_are_near_misses) {
 TEST(JsonSettings, errors_have_their_position) {
   EXPECT_THAT(refusal("{\"closed\":\n \"maybe\"}"),
               testing::StartsWith("f:2:2: error: curves[2].closed: \"maybe\"; expected"));
-  EXPECT_THAT(refusal(R"({"preset":"a","preset":"b"})"), testing::HasSubstr("a second time in one object"));
+  EXPECT_THAT(refusal(R"({"preset":"a","preset":"b"})"), testing::HasSubstr("repeated in one object"));
   EXPECT_THAT(refusal(R"({"channels":"x"})"), testing::HasSubstr("expected an array of names"));
   EXPECT_THAT(refusal(R"({"id":[1]})"), testing::HasSubstr("expected a text or a number"));
 }

@@ -48,7 +48,7 @@ TEST(JsonSplit, an_array_is_cut_into_arrays) {
   EXPECT_EQ(cut.shape, JsonShape::list);
 }
 
-TEST(JsonSplit, keys_in_an_object_leave_an_envelope) {
+TEST(JsonSplit, keys_in_an_object_leave_the_members_around_them) {
   const Split cut = split("{\"a\":[1,{}],\n\"keys\": [{\"t\":0},{\"t\":1}],\"b\":2}\n", 1);
   EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[{\"t\":1}]"));
   EXPECT_THAT(cut.places, ElementsAre("2:9 #0", "2:17 #1"));
@@ -57,7 +57,7 @@ TEST(JsonSplit, keys_in_an_object_leave_an_envelope) {
   EXPECT_EQ(shown_object(cut.objects[0]), "{\"a\":[1,{}],\n\"keys\": [],\"b\":2}\n|2:26");
 }
 
-TEST(JsonSplit, what_follows_the_keys_keeps_its_place) {
+TEST(JsonSplit, what_follows_the_keys_keeps_its_position) {
   const std::pair<const char*, const char*> places[] = {
       {"{\"keys\":[\n{\"t\":0},\n{\"t\":1}\n ] ,\"b\":2}", "{\"keys\":[] ,\"b\":2}|4:3"},
       {"{\"keys\":[{\"t\":0}],\"b\":2}", "{\"keys\":[],\"b\":2}|1:18"},
@@ -113,7 +113,7 @@ TEST(JsonSplit, an_empty_list_has_no_chunks) {
   }
 }
 
-TEST(JsonSplit, brackets_commas_and_quotes_in_strings_mean_nothing) {
+TEST(JsonSplit, brackets_commas_and_quotes_in_strings_have_no_effect) {
   const std::string key = R"({"l":"],[}{,\"\\","t":[0,{"a":[1]}]})";
   for (std::size_t piece = 1; piece <= key.size(); ++piece) {
     const auto texts = split("[" + key + "," + key + "]", piece).texts;
@@ -129,7 +129,7 @@ TEST(JsonSplit, a_member_that_only_holds_the_word_keys_is_not_the_list) {
   EXPECT_EQ(cut.shape, JsonShape::object);
 }
 
-TEST(JsonSplit, every_byte_of_an_array_ends_up_in_a_chunk_at_its_place) {
+TEST(JsonSplit, every_byte_of_an_array_is_in_a_chunk_at_its_position) {
   for (const std::string text : {"[{\"a\":1},{\"b\":[2,3]}\n,{\"é\":\"x,]\"},\n\n {\"c\":4} ]", "[1,,2]", "[{},]",
                                  "[{} {}]", "[{},{\"a\":", "[{},{\"a\":\"", "[{},"}) {
     for (std::size_t piece = 1; piece <= text.size(); ++piece) {
@@ -157,7 +157,7 @@ TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
   }
 }
 
-TEST(JsonSplit, a_key_is_handed_on_before_more_is_asked_for) {
+TEST(JsonSplit, a_key_is_passed_on_before_more_is_read) {
   int asked = 0;
   JsonSplitter splitter([&]() -> std::optional<std::string> { return ++asked == 1 ? "{\"t\":0}\n" : "{\"t\":1}\n"; });
   EXPECT_THAT(splitter.next()->chunk.text, testing::HasSubstr("{\"t\":0}"));

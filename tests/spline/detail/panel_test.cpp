@@ -27,7 +27,7 @@ TEST(Panel, the_rule_of_a_smooth_panel_is_accurate) {
   EXPECT_NEAR(panel_sum(panel, speed, -1.0, 0.0) * speed.unit(), length(0.125), 1e-16);
 }
 
-TEST(Panel, two_panels_side_by_side_have_the_bits_of_each) {
+TEST(Panel, two_panels_as_a_pair_have_the_bits_of_each) {
   const Speed<double> speed(cusp, {});
   const Bounds<double> a{0, 0.25, 0.5}, b{1, -0.5, -0.125};
   const auto both = make_panels(speed, a, b);

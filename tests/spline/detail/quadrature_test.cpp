@@ -8,7 +8,7 @@
 namespace tcb::spline {
 namespace {
 
-TEST(GaussRule, three_nodes_are_where_the_textbook_has_them) {
+TEST(GaussRule, three_nodes_agree_with_the_textbook) {
   const auto& rule = gauss_rule<double, 3>();
   EXPECT_DOUBLE_EQ(rule.node[0], 0.5 - std::sqrt(0.15));
   EXPECT_DOUBLE_EQ(rule.node[1], 0.5);

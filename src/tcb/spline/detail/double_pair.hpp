@@ -1,6 +1,6 @@
-// Double pair: two doubles in the same operations side by side; each result is that of one double alone.
+// Double pair: two doubles in the same operations; each result is the same as for one double alone.
 //
-// Most operations take a processor no longer for both than for one. With GCC and Clang the two are a vector, which
+// Most operations take no longer for two doubles than for one. With GCC and Clang the two are a vector, which
 // their optimizers do not make of two doubles; elsewhere, or where TCB_SPLINE_PLAIN_PAIRS is defined, they are two
 // doubles.
 #pragma once
@@ -17,7 +17,7 @@ namespace tcb::spline {
 using TwoDoubles = double __attribute__((vector_size(2 * sizeof(double))));
 using TwoMasks = std::uint64_t __attribute__((vector_size(2 * sizeof(double))));
 
-/// For each of the two: yes where a < b, else no.
+/// For each of the two: yes if a < b, else no.
 inline TwoDoubles if_less(TwoDoubles a, TwoDoubles b, TwoDoubles yes, TwoDoubles no) { return a < b ? yes : no; }
 inline TwoDoubles upper_half(TwoDoubles a) { return TwoDoubles(TwoMasks(a) & upper_half_mask); }
 #else
@@ -62,7 +62,7 @@ class DoublePair {
     return DoublePair(if_less(a.of_, b.of_, b.of_, a.of_));
   }
 
-  /// yes where a > 0, else no.
+  /// yes if a > 0, else no.
   friend DoublePair if_positive(const DoublePair& a, const DoublePair& yes, const DoublePair& no) {
     return DoublePair(if_less(TwoDoubles{}, a.of_, yes.of_, no.of_));
   }
@@ -73,7 +73,7 @@ class DoublePair {
   TwoDoubles of_;
 };
 
-/// The same of one number.
+/// The same for one number.
 template <class S>
 S if_positive(const S& a, const S& yes, const S& no) {
   return a > S(0) ? yes : no;

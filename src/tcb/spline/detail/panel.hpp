@@ -41,7 +41,7 @@ inline constexpr std::size_t most_points = std::numeric_limits<S>::digits <= 64
 template <class S>
 inline constexpr std::size_t few_points = most_points<S> / 2;
 
-/// The points that suffice from an end of a panel to places on its side of the middle. A disc of radius R about the
+/// The points that suffice from an end of a panel to places in the half next to it. A disc of radius R about the
 /// panel's middle contains one of radius 2 R - 1 about the middle of such a part, in units of the part's width.
 template <class S>
 inline constexpr std::size_t part_points = std::numeric_limits<S>::digits <= 53 ? 12 : most_points<S>;
@@ -51,9 +51,9 @@ inline constexpr int squarings = 3;
 
 /// The radius in which q must be free of zeros for a rule with N points (a power of two), to the power of 2^squarings.
 ///
-/// Then the speed is analytic in the ellipse with foci -1, 1 and half axes' sum rho = R + sqrt(R^2 - 1), and there at
+/// Then the speed is analytic in the ellipse with foci -1, 1 and semi-axes' sum rho = R + sqrt(R^2 - 1), and there at
 /// most 4 sqrt(q(0)): q(z) is q(0) times four factors 1 - z / zero. The rule errs by at most
-/// 64/15 * 4 sqrt(q(0)) / (rho^2N - rho^(2N - 2)), which rho^2N = 32 / epsilon makes less than a rounding.
+/// 64/15 * 4 sqrt(q(0)) / (rho^2N - rho^(2N - 2)), which is below a rounding for rho^2N = 32 / epsilon.
 template <class S, std::size_t N>
 const S& smooth_radius_power() {
   static const S power = [] {
@@ -122,7 +122,7 @@ Panel<S> make_panel(const Speed<S>& speed, const Bounds<S>& at) {
   return {at.half, at.middle(), at.width(), q, points};
 }
 
-/// Two panels, side by side where that saves time.
+/// Two panels, computed as a pair where that saves time.
 template <class S>
 std::array<Panel<S>, 2> make_panels(const Speed<S>& speed, const Bounds<S>& a, const Bounds<S>& b) {
   if constexpr (std::is_same_v<S, double>) {

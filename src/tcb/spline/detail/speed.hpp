@@ -61,13 +61,13 @@ class Speed {
     rescale();
   }
 
-  /// No coefficient of the segment is infinite or NaN.
+  /// Whether no coefficient of the segment is infinite or NaN.
   bool is_finite() const { return finite_; }
 
-  /// The unit of all speeds and lengths, a power of two; 0 where the segment is constant. Requires: is_finite().
+  /// The unit of all speeds and lengths, a power of two; 0 if the segment is constant. Requires: is_finite().
   const S& unit() const { return unit_; }
 
-  /// The speed is constant.
+  /// Whether the speed is constant.
   bool is_constant() const {
     return std::ranges::all_of(channels_[0], [](const auto& x) { return x.k1 == S(0) && x.k2 == S(0); });
   }
@@ -101,7 +101,7 @@ class Speed {
     return sum;
   }
 
-  /// The same about two places side by side.
+  /// The same about two places, computed as a pair.
   Quartic<DoublePair> squares_about(const std::array<std::size_t, 2>& halves, const DoublePair& middle,
                                     const DoublePair& width) const {
     Quartic<DoublePair> sum;
@@ -140,7 +140,7 @@ class Speed {
     for (const auto& half : channels_) {
       for (const auto& [k0, k1, k2] : half) {
         largest = std::max({largest, S(abs(k0)), S(abs(k1)), S(abs(k2))});
-        nothing += S(0) * k0 + S(0) * k1 + S(0) * k2;  // NaN where one of them is infinite
+        nothing += S(0) * k0 + S(0) * k1 + S(0) * k2;  // NaN if one of them is infinite
       }
     }
     unit_ = S(0);
