@@ -127,7 +127,7 @@ std::string usage_text() {
          "  tcbsample -n 200 < keys.json             200 samples, both ends included\n"
          "  tcbsample --arc-step 5 path.csv          equal distances along the curve\n"
          "\n"
-         "-h shows the commonest options, --help all of them, man tcbsample the manual.";
+         "-h shows the most common options, --help all of them, man tcbsample the manual.";
 }
 
 std::string short_help_text() {

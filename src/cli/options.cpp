@@ -327,7 +327,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::list_presets, "--list-presets", "", about, "Prints the presets and the rules with their formulas", "",
      flag, unrecorded, [](Typed&, Text) {}},
     {Option::version, "-V,--version", "", about, "Prints the version", "", flag, unrecorded, [](Typed&, Text) {}},
-    {Option::help, "-h,--help", "", about, "Prints the commonest options; --help prints all", "", flag, unrecorded, [](Typed&, Text) {}},
+    {Option::help, "-h,--help", "", about, "Prints the most common options; --help prints all", "", flag, unrecorded, [](Typed&, Text) {}},
 }};
 
 }  // namespace

@@ -340,9 +340,8 @@ constexpr std::array all_words{
           "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, such as "
           "csv"},
     Words{ErrorCode::time_beyond_doubles,
-          "time {0} has more digits than a double; expected one that a double holds, or a format of text; choose one, "
-          "such as "
-          "csv"},
+          "time {0} has more digits than a double; expected one that is a double, or a text format; choose one, "
+          "such as csv"},
     Words{ErrorCode::other_columns,
           "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an output "
           "for each file"},

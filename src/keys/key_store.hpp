@@ -24,7 +24,7 @@ class KeyStore {
   /// A single key; the last one is number size() - 1.
   Keys key(std::size_t number) const { return columns_->part(number, number + 1); }
   void drop_last();
-  /// The most decimals that a time has which a double does not hold; 0: there is none.
+  /// The largest number of decimals of the times that have more digits than doubles; 0: there are none.
   int decimals() const;
   /// Whether a position is missing.
   bool are_sparse() const;

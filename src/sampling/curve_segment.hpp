@@ -26,7 +26,7 @@ struct CurveSegmentOf {
   std::uint64_t number = 0;                  ///< of the segment, from 0
   double s_error = 0;                        ///< bound on the error of s_end
   std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 if a closed curve has returned
-  int decimals = 0;                          ///< of times on it, if doubles are not exact; else 0
+  int decimals = 0;                          ///< of the times on it, if they have more digits than doubles; else 0
 };
 using CurveSegment = CurveSegmentOf<double>;
 

@@ -20,7 +20,7 @@ class Grid {
   /// Requires: step >= 0; a step of 0 makes sense for a single row only.
   Grid(const Rational& start, const Rational& step);
 
-  /// start + j step, rounded once. `decimals`: as nearest_time() has them.
+  /// start + j step, rounded once. `decimals`: as for nearest_time().
   Time time(std::uint64_t j, int decimals = 0) const;
 
   /// Replaces `times` with those of the rows from first to before last.
@@ -68,7 +68,7 @@ struct Extent {
   std::optional<Time> last;      ///< needed where needs_end(request)
   std::optional<double> length;  ///< needed where needs_end(request) and by_length(mode)
   bool closed = false;           ///< counted rows do not repeat the first
-  int decimals = 0;              ///< of times that a double does not hold; 0: there are none
+  int decimals = 0;              ///< of the times, if they have more digits than doubles; else 0
 };
 
 struct Spacing {
