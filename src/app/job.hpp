@@ -1,4 +1,4 @@
-// Everything that one run of the program is to do.
+// Everything that one run of the program has to do.
 #pragma once
 
 #include <optional>

@@ -58,7 +58,7 @@ bool has_sparse_channels(const Typed& typed) {
   return typed.job.input.missing == Missing::skip_cell && needs_all_channels(typed);
 }
 
-/// No length and no speed is asked for.
+/// No length and no speed is requested.
 bool needs_no_metric(const Typed& typed) {
   const bool by_metric = by_length(typed.job.sampling.mode) || typed.has(O::tolerance) || needs_all_channels(typed);
   return !is_comparison(typed) && !has_picture(typed) && !by_metric &&

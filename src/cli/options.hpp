@@ -45,7 +45,7 @@ struct TypedOptions {
 
   const std::string& text(Option option) const { return texts[index_of(option)]; }
   bool has(Option option) const { return !text(option).empty(); }
-  /// A text is to be printed, and no other value is read.
+  /// Whether a text is printed, so that no other value is read.
   bool wants_text() const;
 };
 
@@ -82,7 +82,7 @@ inline const OptionRow& row_of(Option option) { return option_table()[index_of(o
 /// themselves.
 TypedOptions read_options(const std::vector<std::string>& words);
 
-/// What the program is asked for: a text to print, or else a job.
+/// What the command line requests: a text to print, or else a job.
 struct Invocation {
   std::optional<std::string> text;
   Job job = {};
@@ -95,7 +95,7 @@ Invocation parse(int argc, const char* const* argv);
 /// The prose of the manual page, man/tcbsample.1.in, put into the program by the build.
 extern const char* const manual_template;
 
-/// What is shown where nothing is asked for, the help on one screen, and all of it, in 80 columns.
+/// The text shown without arguments, the help on one screen, and all of it, in 80 columns.
 std::string usage_text();
 std::string short_help_text();
 std::string help_text();

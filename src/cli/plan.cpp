@@ -23,7 +23,7 @@ bool may_repeat(const OptionRow& row) {
   return row.kind == ValueKind::flag || row.id == Option::abs || row.id == Option::rel || row.id == Option::ulp;
 }
 
-/// Checks and stores the value of an option, of which only the text is needed where a text is to be printed.
+/// Checks and stores the value of an option; if a text is to be printed, only stores its text.
 void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::string>& values) {
   const bool wants_text = typed.wants_text();
   std::string& text = typed.texts[index_of(row.id)];

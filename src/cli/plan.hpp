@@ -16,7 +16,7 @@ Job make_job(const TypedOptions& typed);
 /// Throws: Error (usage) for a value that no line can hold.
 Provenance new_provenance(const TypedOptions& typed);
 
-/// The provenance of the output that is to be made again. Throws: Error (usage) if options are given that it has,
+/// The provenance of the output to reproduce. Throws: Error (usage) if options are given that it has,
 /// or another number of files than it was made from; Error where it cannot be read.
 ProvenanceRequest earlier_provenance(const TypedOptions& typed);
 

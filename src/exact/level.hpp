@@ -91,7 +91,7 @@ class Level {
  private:
   using Segment = CurveSegmentOf<S>;
 
-  /// A segment that was computed, with its lengths where they were asked for.
+  /// A computed segment, with its lengths if they were requested.
   struct Known {
     spline::Segments<S> segments;
     std::optional<spline::ArcLength<S>> arc;

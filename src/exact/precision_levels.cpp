@@ -64,7 +64,7 @@ class ExactRows::Evaluation {
   }
 
  private:
-  /// A column of the row at hand; where it is rational, or the root of a rational, it can be computed as that.
+  /// A column of the current row; if it is rational, or the root of a rational, it can be computed as that.
   struct Column {
     CellKind kind;
     bool rational;

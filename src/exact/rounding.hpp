@@ -58,7 +58,7 @@ struct DistancePower<Float<digits>> {
   Rational sum_ = 0;
 };
 
-/// A number to be printed: exact, or one of a float that is to be held against one of more digits.
+/// A number to be printed: exact, or of a float that has to be compared with one of more digits.
 struct Value {
   Rational number;
   bool root = false;      ///< it is the root of that, with its sign
@@ -82,11 +82,11 @@ class Rounding {
   /// An exact value, or the root of one.
   Printed exactly(const Value& value) const;
 
-  /// A number given by two values of it, the second with more digits: nothing if they leave a choice.
+  /// A number given by two values, the second with more digits: nothing if they do not determine the rounding.
   /// Requires: the first one's error is at least as large as their distance.
   std::optional<Printed> between(const Value& rough, const Value& fine) const;
 
-  /// The same where no more digits are to be had. What so many digits do not tell from a number with few is that
+  /// The same if no more digits are available. What these digits do not distinguish from a number with few is that
   /// number. Throws: std::range_error where they are not enough for the text.
   Printed at_last(const Value& rough, const Value& fine) const;
 

@@ -29,11 +29,10 @@ struct InputListOptions {
 
 /// A file of keys.
 struct InputFile {
-  std::string path;  ///< "-" is standard input
-  std::uint32_t inside =
-      0;  ///< where the part of the path begins that its output keeps; 0: the output keeps only the name
-  bool is_current = false;  ///< its output exists and is not older; set only with `update`
-  std::uintmax_t size = 0;  ///< in bytes; 0 if that is unknown
+  std::string path;          ///< "-" is standard input
+  std::uint32_t inside = 0;  ///< start of the part of the path that the output keeps; 0: only its name
+  bool is_current = false;   ///< its output exists and is not older; set only with `update`
+  std::uintmax_t size = 0;   ///< in bytes; 0 if that is unknown
 };
 
 struct Inputs {

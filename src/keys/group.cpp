@@ -73,8 +73,7 @@ class Groups {
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (block.has_break_before(i)) ++section_;
       const bool gap = block.has_gap_at(i);
-      if (gap && grouping_.sort && std::isnan(block.keys.times[i].hi))
-        continue;  // it cannot be ordered among the others
+      if (gap && grouping_.sort && std::isnan(block.keys.times[i].hi)) continue;  // it cannot be sorted
       const std::uint32_t curve = curve_of(block, i);
       const bool breaks = std::exchange(sections_[curve], section_) != section_;
       keys_.push_back({static_cast<std::uint32_t>(blocks_.size() - 1), static_cast<std::uint32_t>(target.size() + i),

@@ -1,4 +1,4 @@
-// Grids of rows: where double-double arithmetic leaves no doubt of the rounding, it decides; else integers do.
+// Grids of rows: double-double arithmetic where it determines the rounding, else integers.
 #include "sampling/grid.hpp"
 
 #include <fmt/format.h>

@@ -50,7 +50,7 @@ class OnGrid : public Sampler {
   EndPolicy policy_;
   bool keys_, from_left_;
   std::uint64_t max_rows_;
-  bool cut_;    ///< the request has an end of its own
+  bool cut_;    ///< the request has an end
   Time first_;  ///< row 0, and the end, in doubles
   std::optional<Time> end_;
   Time near_;  ///< a row this near to a key is that key
@@ -119,7 +119,7 @@ void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const 
 }
 
 /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
-/// last, if nothing lies between its ends, or if rows are looked at from the left.
+/// last, if it has no duration, or if rows at keys belong to the segment before.
 std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
   const Grid& grid = spacing_.grid;
   const int digits = decimals(segment);
@@ -201,7 +201,7 @@ void ByTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint6
   }
 }
 
-/// The sample at an arc length. A length that is printed as that of a key is the key's.
+/// The sample at an arc length. A length that rounds to that of a key is at the key.
 Sample sample_at_length(const CurveSegment& segment, const Time& duration, const Time& s,
                         const spline::LocalParameter<double>& at) {
   if (s <= Time(segment.s_start.hi) || at.u == 0) return {segment.start, {0, -1}, s.hi};

@@ -27,7 +27,7 @@ struct Row {
   static constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// The rows on a segment in order: its key if wanted, those from first to before last, the end if wanted.
+/// The rows on a segment in order: its key if requested, those from first to before last, the end if requested.
 struct Run {
   std::uint64_t first = 0;
   std::uint64_t last = 0;
@@ -53,7 +53,7 @@ class Locator {
   virtual ~Locator() = default;
 
   /// Replaces the samples in `located` with those from first to before last. Requires: they lie on this segment.
-  /// Threads: any number at once, each with memory of its own.
+  /// Threads: any number at once, each with its own memory.
   virtual void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const = 0;
 
  protected:
@@ -68,7 +68,7 @@ class Locator {
 /// Places samples segment after segment.
 class Sampler : public Locator {
  public:
-  /// The rows on the next segment. Throws: Error if the request leaves the curve or asks too much.
+  /// The rows on the next segment. Throws: Error if the request leaves the curve or has too many rows.
   virtual Run place(const CurveSegment& segment) = 0;
 
   /// No later segment can have a sample: reading may stop.
@@ -131,7 +131,7 @@ class AnywhereInLength : public AnywhereLocator {
   double length_;
 };
 
-/// The segments of a whole curve by number, each as often as it is asked for.
+/// The segments of a whole curve by number, each any number of times.
 struct CurveSegments {
   std::function<CurveSegment(std::uint64_t)> segment;
   std::uint64_t count = 0;

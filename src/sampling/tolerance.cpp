@@ -158,7 +158,7 @@ class Walker {
     return is_near(chord, segment, low, middle, depth - 1) && is_near(chord, segment, middle, high, depth - 1);
   }
 
-  /// Without ease, time is linear along the segment, and control point k has a time of its own.
+  /// Without ease, time is linear along the segment, so control point k has its own time.
   static bool control_points_are_near(const Chord& chord, const CurveSegment& segment,
                                       const std::array<Position, 4>& points, const Time& t0, const Time& t3) {
     for (std::size_t k = 0; k < points.size(); ++k) {

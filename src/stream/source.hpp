@@ -7,7 +7,7 @@
 
 namespace tcb {
 
-/// The next item, or nothing at the end. An item is made when it is asked for, not before, so memory
+/// The next item, or nothing at the end. An item is computed when it is requested, not before, so memory
 /// stays bounded and a slow pipe shows each row as soon as it can be known.
 template <class T>
 using Source = std::function<std::optional<T>()>;

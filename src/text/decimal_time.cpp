@@ -101,7 +101,7 @@ std::optional<Scaled> scaled(const Time& time, int power) {
 
 Time absolute(const Time& time) { return time.hi < 0 ? -time : time; }
 
-/// A positive number with so many decimals, or with 31 digits where those are fewer. `near`: the double nearest to it.
+/// A positive number with `decimals` decimals, or with 31 digits if those are fewer. `near`: the double nearest to it.
 LongDecimal rounded(const Rational& value, double near, int decimals) {
   const int power = std::min(decimals, digits_of_time - 1 - first_digit(near));
   return {digits_of(nearest_whole(times_ten_to(value, power))), -power};

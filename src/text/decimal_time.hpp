@@ -38,7 +38,7 @@ inline bool is_long_decimal(const Time& time) {
 /// The decimal of a time. Requires: finite.
 LongDecimal decimal_of(const Time& time);
 
-/// A decimal rounded to so many decimals, ties to even; one that becomes 0 has that many decimals.
+/// A decimal rounded to `decimals` decimals, ties to even; a result of 0 also has that many.
 LongDecimal rounded(const LongDecimal& decimal, int decimals);
 
 /// The time of a decimal; a double alone where that is 0, or too small for a low part.

@@ -31,7 +31,7 @@ bool is_missing(std::string_view cell);
 /// later, as a number, rather than taken for a name here).
 bool looks_numeric(std::string_view text);
 
-/// The same for numbers with another character in the place of the decimal point.
+/// The same for numbers with another character as the decimal point.
 class Decimals {
  public:
   explicit Decimals(char mark) : mark_(mark) {}

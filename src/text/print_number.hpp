@@ -28,7 +28,7 @@ struct Notation {
 /// So many digits tell every double from all others.
 inline constexpr int digits_of_double = 17;
 
-/// So many digits or decimals can be asked for.
+/// The largest number of digits or decimals of an option.
 inline constexpr int most_digits = 100;
 
 /// The length of the longest text below but for times and the last three.
