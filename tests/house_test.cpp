@@ -45,10 +45,14 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"exact", {"curve", "keys", "input", "sampling", "text", "stream", "tcb/spline", "error"}},
     {"output", {"curve", "input", "text", "io", "stream", "tcb/spline", "error"}},
     {"picture", {"curve", "keys", "input", "sampling", "text", "stream", "tcb/spline", "error"}},
-    {"app", {"picture", "output", "exact", "curve", "sampling", "keys", "input", "io", "text", "stream", "tcb/spline", "error"}},
-    {"compare", {"app", "picture", "output", "curve", "sampling", "keys", "input", "io", "text", "stream", "tcb/spline", "error"}},
+    {"app",
+     {"picture", "output", "exact", "curve", "sampling", "keys", "input", "io", "text", "stream", "tcb/spline",
+      "error"}},
+    {"compare",
+     {"app", "picture", "output", "curve", "sampling", "keys", "input", "io", "text", "stream", "tcb/spline", "error"}},
     {"cli",
-     {"compare", "app", "picture", "output", "exact", "curve", "sampling", "keys", "input", "io", "text", "tcb/spline", "error"}},
+     {"compare", "app", "picture", "output", "exact", "curve", "sampling", "keys", "input", "io", "text", "tcb/spline",
+      "error"}},
     {"main", {"cli", "compare", "app", "io", "error"}},
 };
 

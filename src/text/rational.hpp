@@ -103,8 +103,8 @@ bool within_doubles(const Rational& value);
 /// The time nearest to a rational, ties to even: a double, or from 2^53 to 10^31 the nearest whole number.
 Time nearest_time(const Rational& value);
 
-/// The time nearest to a number that is within `doubt` of `near`; nothing where that leaves a choice. `whole_from`: from
-/// this size on it is a whole number instead of a double.
+/// The time nearest to a number that is within `doubt` of `near`; nothing where that leaves a choice. `whole_from`:
+/// from this size on it is a whole number instead of a double.
 inline std::optional<Time> rounded_once(const Time& near, double doubt, double whole_from = 0x1p53) {
   const double size = std::abs(near.hi);
   if (size < 0x1p-900) return std::nullopt;  // where the low part loses digits

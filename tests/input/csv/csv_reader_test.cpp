@@ -51,8 +51,9 @@ TEST(Csv, a_cell_that_is_not_a_number_is_an_error_at_its_character) {
   EXPECT_EQ(
       read("t,x,C,B\n0,1,0,0\n1,1,0,1e999\n"),
       "f:3:7: error: bias: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
-  EXPECT_EQ(read("frame,x\n0,1\nNaN,1\n"),
-            "f:3:1: error: frame: \"NaN\" where a number was expected; fill it in, or give --missing skip-row or break");
+  EXPECT_EQ(
+      read("frame,x\n0,1\nNaN,1\n"),
+      "f:3:1: error: frame: \"NaN\" where a number was expected; fill it in, or give --missing skip-row or break");
 }
 
 TEST(Csv, a_tiny_number_is_not_too_large) { EXPECT_EQ(read("t,x\n0,1e-400\n1,2\n"), "t x\n2: 0 0\n3: 1 2\n"); }
