@@ -34,6 +34,7 @@ std::string errors_of(const tcb::Verbosity& verbosity) {
   testing::internal::CaptureStderr();
   tcb::Report report(verbosity, {tcb::error_text, tcb::note_text});
   report.note("a.csv", {tcb::NoteCode::ignored_columns, {std::vector<std::string>{"note, extra", "b"}}});
+  report.note("a.csv", {tcb::NoteCode::unchosen_columns, {std::vector<std::string>{"c"}}});
   report.warning("old.csv", {tcb::NoteCode::other_program, {"tcbsample 1", "tcbsample 2"}});
   return testing::internal::GetCapturedStderr();
 }
@@ -41,8 +42,10 @@ std::string errors_of(const tcb::Verbosity& verbosity) {
 TEST(Report, notes_and_warnings_depend_on_the_verbosity) {
   const std::string warning =
       "old.csv: warning: made by tcbsample 1; this is tcbsample 2, whose last digits may differ\n";
-  EXPECT_EQ(errors_of({}), warning);
-  EXPECT_EQ(errors_of({.notes = true}), "a.csv: note: ignored columns of text: note, extra, b\n" + warning);
+  const std::string loss =
+      "a.csv: note: ignored: note, extra, b; --columns gives them roles, as in carry=NAME or position=NAME:NAME\n";
+  EXPECT_EQ(errors_of({}), loss + warning);
+  EXPECT_EQ(errors_of({.notes = true}), loss + "a.csv: note: ignored, as --columns chooses others: c\n" + warning);
   EXPECT_EQ(errors_of({.quiet = true}), "");
 }
 

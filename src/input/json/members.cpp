@@ -33,8 +33,9 @@ Arrays arrays_of(const std::vector<Found>& members, const InputOptions& options,
   for (const RoleRequest& request : options.roles) {
     if (request.role != Role::position) continue;
     for (const std::string& name : request.columns) {
-      const bool is_array = std::ranges::any_of(members, [&](const auto& m) { return m.array && m.name == name; });
-      if (is_array) arrays.members.push_back(name);
+      const auto array = std::ranges::find_if(
+          members, [&](const auto& member) { return member.array && same_in_any_case(member.name, name); });
+      if (array != members.end()) arrays.members.push_back(array->name);
     }
   }
   if (arrays.members.empty()) arrays.members = {"position"};
@@ -69,7 +70,8 @@ std::vector<RoleRequest> requests_of(const std::vector<Found>& members, const Ar
     if (request.role != Role::position) continue;
     std::vector<std::string> columns;
     for (const std::string& name : request.columns) {
-      const auto array = std::ranges::find_if(members, [&](const auto& m) { return m.name == name && arrays.has(m); });
+      const auto array =
+          std::ranges::find_if(members, [&](const auto& m) { return same_in_any_case(m.name, name) && arrays.has(m); });
       const auto names = array == members.end() ? std::vector{name} : names_in(*array, arrays, members);
       columns.insert(columns.end(), names.begin(), names.end());
     }
