@@ -58,13 +58,13 @@ constexpr std::optional<FormatId> find_input_format(std::string_view path) {
 }
 
 /// Endings of what is no output of ours, so that none gets such a name: compressed files, tables, scenes, pictures.
-inline constexpr std::array<std::string_view, 58> other_endings{
-    ".gz",      ".bz2",   ".xz",   ".zst",  ".lz4",  ".br",   ".z",       ".zip",   ".7z",     ".rar",
-    ".tar",     ".tgz",   ".xls",  ".xlsx", ".xlsm", ".ods",  ".numbers", ".db",    ".sqlite", ".parquet",
-    ".feather", ".arrow", ".orc",  ".avro", ".h5",   ".hdf5", ".nc",      ".mat",   ".npz",    ".pkl",
-    ".pickle",  ".bag",   ".mcap", ".xml",  ".yaml", ".yml",  ".toml",    ".html",  ".htm",    ".pdf",
-    ".png",     ".jpg",   ".jpeg", ".svg",  ".gif",  ".mp4",  ".bvh",     ".fbx",   ".gltf",   ".glb",
-    ".usd",     ".usda",  ".usdc", ".usdz", ".abc",  ".dae",  ".obj",     ".blend",
+inline constexpr std::array<std::string_view, 57> other_endings{
+    ".gz",      ".bz2",   ".xz",   ".zst",  ".lz4",  ".br",   ".z",       ".zip",  ".7z",     ".rar",
+    ".tar",     ".tgz",   ".xls",  ".xlsx", ".xlsm", ".ods",  ".numbers", ".db",   ".sqlite", ".parquet",
+    ".feather", ".arrow", ".orc",  ".avro", ".h5",   ".hdf5", ".nc",      ".mat",  ".npz",    ".pkl",
+    ".pickle",  ".bag",   ".mcap", ".xml",  ".yaml", ".yml",  ".toml",    ".html", ".htm",    ".pdf",
+    ".png",     ".jpg",   ".jpeg", ".gif",  ".mp4",  ".bvh",  ".fbx",     ".gltf", ".glb",    ".usd",
+    ".usda",    ".usdc",  ".usdz", ".abc",  ".dae",  ".obj",  ".blend",
 };
 
 /// The format that can be written and whose ending the path has, in upper or lower case.
