@@ -40,11 +40,11 @@ TEST(FirstKey, a_text_is_a_number_if_a_later_key_has_one_or_all_are_signs_of_mis
 }
 
 TEST(FirstKey, has_positions_and_paths) {
-  const FirstKey key = read_first_key(Chunk{"\n[{\"t\":0,\n\"x\":1}]"}, {});
-  EXPECT_EQ(key.position.line, 2U);
+  const FirstKey key = read_first_key(Chunk{"[{\"t\":0,\n\"x\":1}]"}, {});
+  EXPECT_EQ(key.position.line, 1U);
   EXPECT_EQ(key.position.column, 2U);
   EXPECT_EQ(key.members.at(1).path, "keys[0].x");
-  EXPECT_EQ(key.members.at(1).position.line, 3U);
+  EXPECT_EQ(key.members.at(1).position.line, 2U);
 }
 
 }  // namespace
