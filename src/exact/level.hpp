@@ -63,16 +63,26 @@ struct RowsOfCurve {
   bool left;
 };
 
-/// The curve at one scalar, and the numbers of its rows.
+/// The curve at some scalar, and the numbers of its rows.
+class AnyLevel {
+ public:
+  virtual ~AnyLevel() = default;
+  virtual std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) = 0;
+};
+
+/// The level of one scalar. Each scalar has an object of its own, made of level.cpp.in: they take long to compile.
 template <class S>
-class Level {
+std::unique_ptr<AnyLevel> make_level(const RowsOfCurve& rows);
+
+template <class S>
+class Level final : public AnyLevel {
  public:
   explicit Level(const RowsOfCurve& rows)
       : rows_(rows), curve_(curve_at<S>(rows.exact)), point_(PathShape<S>(scalar_of<S>(rows.facts.extent))) {
     for (const Rational& cycle : rows.facts.cycle) cycle_.push_back(scalar_of<S>(cycle));
   }
 
-  std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) {
+  std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) override {
     outside_.reset();
     if constexpr (spline::has_roots<S>) {
       if (rows_.arc) place_by_length(row);

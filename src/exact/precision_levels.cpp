@@ -1,9 +1,10 @@
 // Precision levels: every number of a row as exact arithmetic gives it, rounded once.
 #include "exact/precision_levels.hpp"
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "error.hpp"
@@ -30,9 +31,8 @@ std::optional<ArcLengths> arc_lengths(const SamplingRequest& request, const Exte
 }
 
 /// The levels of floats, each with twice the digits of the one before.
-template <class S>
-using LevelOf = std::unique_ptr<Level<S>>;
-using Levels = std::tuple<LevelOf<Float<40>>, LevelOf<Float<80>>, LevelOf<Float<160>>, LevelOf<Float<320>>>;
+constexpr std::array float_levels{make_level<Float<40>>, make_level<Float<80>>, make_level<Float<160>>,
+                                  make_level<Float<320>>};
 
 }  // namespace
 
@@ -52,7 +52,7 @@ class ExactRows::Evaluation {
     }
     std::vector<Printed> cells;
     try {
-      cells = cells_from<1>(row, chosen, columns, values(std::get<0>(levels_), row, chosen));
+      cells = cells_from(1, row, chosen, columns, float_values(0, row, chosen));
     } catch (const std::range_error&) {
       throw Error(Exit::data, ErrorCode::row_needs_more_digits, {time_text(row.sample.t)});
     }
@@ -75,19 +75,22 @@ class ExactRows::Evaluation {
     return notation_.kind == digits || notation_.kind == fixed;
   }
 
-  template <class S>
-  std::vector<Value> values(LevelOf<S>& level, const FastRow& row, std::span<const std::size_t> chosen) {
-    if (level == nullptr) level = std::make_unique<Level<S>>(rows_);
-    return level->values(row, chosen);
+  std::vector<Value> float_values(std::size_t level, const FastRow& row, std::span<const std::size_t> chosen) {
+    if (floats_[level] == nullptr) floats_[level] = float_levels[level](rows_);
+    return floats_[level]->values(row, chosen);
+  }
+
+  std::vector<Value> rational_values(const FastRow& row, std::span<const std::size_t> chosen) {
+    if (rational_ == nullptr) rational_ = make_level<Rational>(rows_);
+    return rational_->values(row, chosen);
   }
 
   /// The cells of a row by floats of a level and of the one below it; what they leave in doubt, by rationals, or by the
   /// levels above.
-  template <std::size_t level>
-  std::vector<Printed> cells_from(const FastRow& row, std::span<const std::size_t> chosen,
+  std::vector<Printed> cells_from(std::size_t level, const FastRow& row, std::span<const std::size_t> chosen,
                                   std::span<const Column> columns, const std::vector<Value>& rough) {
-    constexpr bool last = level + 1 == std::tuple_size_v<Levels>;
-    const std::vector<Value> fine = values(std::get<level>(levels_), row, chosen);
+    const bool last = level + 1 == float_levels.size();
+    const std::vector<Value> fine = float_values(level, row, chosen);
     std::vector<Value> exact;
     std::vector<Printed> cells;
     for (std::size_t i = 0; i < fine.size(); ++i) {
@@ -95,10 +98,10 @@ class ExactRows::Evaluation {
       const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && row.sample.t.lo != 0;
       auto cell = is_known ? rounding.exactly({exact_time(row.sample.t)}) : rounding.between(rough[i], fine[i]);
       if (!cell && columns[i].rational) {
-        if (exact.empty()) exact = values(rational_, row, chosen);
+        if (exact.empty()) exact = rational_values(row, chosen);
         cell = rounding.exactly(exact[i]);
       } else if (!cell) {
-        if constexpr (!last) return cells_from<level + 1>(row, chosen, columns, fine);
+        if (!last) return cells_from(level + 1, row, chosen, columns, fine);
         cell = rounding.at_last(rough[i], fine[i]);
       }
       cells.push_back(std::move(*cell));
@@ -108,8 +111,8 @@ class ExactRows::Evaluation {
 
   RowsOfCurve rows_;
   Notation notation_;
-  LevelOf<Rational> rational_;
-  Levels levels_;
+  std::unique_ptr<AnyLevel> rational_;
+  std::array<std::unique_ptr<AnyLevel>, float_levels.size()> floats_;
 };
 
 ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation)
