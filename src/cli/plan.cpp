@@ -15,7 +15,6 @@
 #include "text/suggest.hpp"
 
 namespace tcb {
-
 namespace {
 
 /// Flags, and the lists that several options may give, as in --abs 1e-9 --abs x=1e-6.
@@ -262,8 +261,8 @@ std::string word(const OptionRow& row, const TypedOptions& typed) {
 void require_recorded(const std::vector<std::string>& words) {
   const TypedOptions typed = read_options(words);
   for (const OptionRow& row : option_table()) {
-    if (typed.has(row.id) && !row.changes_rows)
-      throw Error(Exit::data, ErrorCode::option_not_of_provenance).about(row.id);
+    if (!typed.has(row.id) || row.changes_rows) continue;
+    throw Error(Exit::data, ErrorCode::option_not_of_provenance).about(row.id);
   }
   if (!typed.job.files.empty()) throw Error(Exit::data, ErrorCode::file_in_provenance, {typed.job.files[0]});
   if (!typed.has(Option::meta)) throw Error(Exit::data, ErrorCode::provenance_incomplete).about(Option::meta);

@@ -29,7 +29,7 @@ struct SceneCurve {
   std::function<Source<SegmentBlock>()> segments;
   bool closed = false;
   std::uint64_t rows = 0;
-  std::vector<SceneSample> samples = {};  ///< all of them, or none where there are too many to be told from each other
+  std::vector<SceneSample> samples = {};  ///< all of them, or none where there are too many to tell apart
 };
 
 struct Scene {

@@ -50,7 +50,7 @@ TEST_F(HelpTest, the_manual_shows_every_option_with_its_dashes_escaped) {
 
 TEST_F(HelpTest, defaults_are_shown) {
   EXPECT_THAT(help_text(), HasSubstr("default 1e9\n"));
-  EXPECT_THAT(help_text(), HasSubstr("default gte\n"));
+  EXPECT_THAT(help_text(), HasSubstr("default error\n"));
 }
 
 TEST_F(HelpTest, the_version_has_the_name_and_three_numbers) {

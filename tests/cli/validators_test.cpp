@@ -117,7 +117,7 @@ TEST(Validators, formats_are_those_that_can_be_read_or_written) {
   EXPECT_EQ(stepped_refusal({"-i", "npy"}),
             "--input-format: unknown name \"npy\"; expected one of csv, tsv, ssv, json, jsonl");
   EXPECT_EQ(stepped_refusal({"-f", "xml"}),
-            "--output-format: unknown name \"xml\"; expected one of csv, tsv, ssv, json, jsonl, npy");
+            "--output-format: unknown name \"xml\"; expected one of csv, tsv, ssv, json, jsonl, npy, svg");
 }
 
 TEST(Validators, names_come_from_the_tables) {
