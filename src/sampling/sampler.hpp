@@ -137,6 +137,9 @@ struct CurveSegments {
   std::uint64_t count = 0;
 };
 
+/// A lower bound on the number of rows whose polyline stays within the tolerance of the curve; infinite beyond doubles.
+double least_rows(const CurveSegments& segments, double tolerance);
+
 /// The times of the fewest rows whose polyline stays within the tolerance of the curve, from its first key to its last;
 /// see tolerance.cpp. Corners are rows. Throws: Error (usage) for more than max_rows rows.
 std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows);

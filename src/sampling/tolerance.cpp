@@ -3,6 +3,7 @@
 // From each row the next one is taken as far along as the chord between them keeps every point of the curve
 // within the tolerance. The points within D of a chord form a convex set, so a part of the curve lies in it
 // if its Bezier control points do; parts that are not decided so are halved. That is a bound, not a sample.
+// A row between keys is where its time is printed, if rounding that matters.
 // With a single metric channel the polyline is its graph over time, and the distance is taken at equal times.
 
 #include <algorithm>
@@ -100,7 +101,21 @@ class Walker {
     for (std::size_t i = 0; i < metric_size(segment); ++i) {
       place.x.push_back(spline::position(metric_cubic(segment, i), {u, u - 1}));
     }
-    return place;
+    return u == 0 || u == 1 ? place : printed(segment, place);
+  }
+
+  /// The place at the time that its row prints, where rounding that moves it by more than limits allow for.
+  Vertex printed(const CurveSegment& segment, const Vertex& place) const {
+    Vertex moved{place.segment, 0, rounded_time(place.t, segment.decimals), {}};
+    const auto at = spline::TimeMap<double>(segment.start, segment.end,
+                                            segment.warp)(std::clamp(moved.t, segment.start, segment.end));
+    moved.u = at.u;
+    double distance = 0;
+    for (std::size_t i = 0; i < place.x.size(); ++i) {
+      moved.x.push_back(spline::position(metric_cubic(segment, i), at));
+      distance = std::max(distance, std::abs(moved.x[i] - place.x[i]));
+    }
+    return distance > tolerance_ * 1e-10 ? moved : place;
   }
 
   /// The key with this number, as the end of the segment before it.
@@ -114,10 +129,11 @@ class Walker {
       const double middle = (low + high) / 2;
       (reaches(from, at(number, middle)) ? low : high) = middle;
     }
-    if (number == from.segment && low == from.u) {
+    const Vertex reached = low == 0 && number > 0 ? key(number) : at(number, low);
+    if (number == from.segment && reached.u <= from.u) {
       throw Error(Exit::usage, ErrorCode::tolerance_too_small, {tolerance_}).about(Option::tolerance);
     }
-    return low == 0 && number > 0 ? key(number) : at(number, low);
+    return reached;
   }
 
   /// The chord between the two places is near the curve between them.
@@ -211,6 +227,9 @@ class Walker {
 }  // namespace
 
 std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows) {
+  constexpr double most = 1e300;
+  const double least = std::min(std::floor(least_rows(segments, tolerance)), most);
+  require_rows(Rational(least) - 1, max_rows, true);
   Walker walker(segments, tolerance);
   std::vector<Time> times;
   Vertex place = walker.start();

@@ -79,6 +79,43 @@ TEST(Tolerance, no_point_of_the_curve_is_farther_from_the_polyline) {
   }
 }
 
+/// Keys at seconds since 1970, where a double is a quarter of a microsecond from the next.
+spline::Keys<double> late_keys(std::size_t channels) {
+  spline::Keys<double> keys{channels, {1403715524.0, 1403715525.0, 1403715526.0, 1403715527.0}, {}, {}, {}, {}};
+  for (const double y : {0, 1, 0, 1}) {
+    if (channels == 2) keys.positions.push_back(keys.positions.size() / 2.0);
+    keys.positions.push_back(y);
+  }
+  return keys;
+}
+
+TEST(Tolerance, holds_for_rows_at_the_times_that_they_print) {
+  constexpr double tolerance = 1e-8;
+  const Curve path(late_keys(2)), graph(late_keys(1));
+  const auto of_path = times_within_tolerance(path.segments(), tolerance, 1'000'000);
+  const auto of_graph = times_within_tolerance(graph.segments(), 1e-6, 1'000'000);
+  const auto between = [](const std::vector<Time>& rows, std::size_t i, int part) {
+    return rows[i].hi + (rows[i + 1].hi - rows[i].hi) * part / 16;
+  };
+  for (std::size_t i = 0; i + 1 < of_path.size(); ++i) {
+    const auto a = path.at(of_path[i].hi), b = path.at(of_path[i + 1].hi);
+    for (int part = 1; part < 16; ++part) ASSERT_LE(distance(path.at(between(of_path, i, part)), a, b), tolerance);
+  }
+  for (std::size_t i = 0; i + 1 < of_graph.size(); ++i) {
+    const double a = graph.at(of_graph[i].hi)[0], b = graph.at(of_graph[i + 1].hi)[0];
+    for (int part = 1; part < 16; ++part) {
+      const double t = between(of_graph, i, part);
+      const double height = a + (b - a) * ((t - of_graph[i].hi) / (of_graph[i + 1].hi - of_graph[i].hi));
+      ASSERT_LE(std::abs(graph.at(t)[0] - height), 1e-6);
+    }
+  }
+}
+
+TEST(Tolerance, that_no_printed_time_can_keep_is_refused) {
+  const Curve path(late_keys(2));
+  EXPECT_THROW(times_within_tolerance(path.segments(), 1e-15, 1'000'000'000), Error);
+}
+
 TEST(Tolerance, a_single_channel_is_a_graph_over_time) {
   std::mt19937_64 random(22);
   for (int round = 0; round < 40; ++round) {
