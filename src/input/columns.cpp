@@ -189,7 +189,10 @@ Columns find_sample_columns(std::span<const std::string> header, const std::vect
   std::vector<std::ptrdiff_t> taken;
   const auto request = [&](Role role, std::ptrdiff_t cell) {
     taken.push_back(cell);
-    requests.push_back({role, {fmt::format("{}", cell + 1)}});
+    const auto at = static_cast<std::size_t>(cell);
+    // By name, as another name may be this one's number.
+    const bool by_name = at < header.size() && std::ranges::count(header, header[at]) == 1;
+    requests.push_back({role, {by_name ? header[at] : fmt::format("{}", cell + 1)}});
   };
   const auto cells = static_cast<std::ptrdiff_t>(numeric.size());
   std::vector<std::ptrdiff_t> groups;
