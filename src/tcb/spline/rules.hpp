@@ -291,7 +291,7 @@ inline constexpr std::array end_rules{
     EndRuleRow<S>{EndRule::zero, "zero", "0", "0", "VTK's default", "to start and stop at rest", false,
                   zero_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::natural, "natural", "1.5 D - 0.5 m", "1.5 D - 0.5 m",
-                  "the Python package splines, VTK's constraint 2",
+                  "the Python package splines; VTK's constraint 2 with three keys or more",
                   "for smooth data: the second derivative is 0 at the end", false, natural_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::natural_tension, "natural-tension", "(1-T)(3 D - m)/2", "(1-T)(3 D - m)/2",
                   "3ds Max, NeL, CryMovie", "to match these: natural, slowed by the end key's tension", false,
