@@ -127,7 +127,7 @@ Extent CurvePipeline::extent(KeyStore& keys) const {
 }
 
 IndexedCurve CurvePipeline::whole(Source<KeyBlock> blocks) const {
-  KeyStore keys(prepared(std::move(blocks), 2));
+  KeyStore keys(prepared(std::move(blocks), 1));
   const Extent range = extent(keys);
   return {std::make_shared<const CurveIndex>(segments(keys, range, needs_lengths()), spec_.rules.metric), range,
           spec_.extrapolation};

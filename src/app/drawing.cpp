@@ -22,14 +22,15 @@ std::string counted(std::uint64_t count, std::string_view what) {
 }
 
 /// The rules in words: the preset, or what is not as it has it.
-std::string rules_text(const CurveSpec& spec, const Facts& rules) {
-  const auto preset = std::ranges::find(spline::presets, name_of(spec.preset), &spline::PresetRow::name);
+std::string rules_text(const RuleFacts& rules, const Wording& wording) {
+  const CurveSpec& spec = rules.spec;
+  const auto preset = std::ranges::find(spline::presets, spline::name_of(spec.preset), &spline::PresetRow::name);
   const bool plain = spec.rules.tangents == preset->tangents && !spec.rules.equal_speed &&
                      (spec.closed || (spec.rules.start.rule == preset->ends && spec.rules.end.rule == preset->ends));
   if (plain) return fmt::format("preset {}{}", preset->name, spec.closed ? ", closed" : "");
   std::vector<std::string> words;
-  for (const auto& [name, value] : rules) {
-    if (name != "preset") words.push_back(value == "yes" ? std::string(name) : fmt::format("{} {}", name, value));
+  for (const auto& [name, value] : rules_in_words(rules, wording)) {
+    words.push_back(value == "yes" ? std::string(name) : fmt::format("{} {}", name, value));
   }
   return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -55,14 +56,14 @@ void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed
 
 }  // namespace
 
-void Drawing::begin(const std::string& path, const Input& input, const CurvePipeline& pipeline, const Facts& rules) {
+void Drawing::begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording) {
   const std::string name = shown_name(path);
   files_.push_back(name.substr(name.rfind('/') + 1));
   if (files_.size() == 1) {
     scene_.time = input.time;
     scene_.channels = input.channels;
-    rules_ = rules_text(pipeline.facts().spec, rules);
-    set_axes(input.channels, pipeline.facts().spec.rules.metric);
+    rules_ = rules_text(rules, wording);
+    set_axes(input.channels, rules.spec.rules.metric);
   } else if (input.time != scene_.time || input.channels != scene_.channels) {
     std::vector<std::string> columns{input.time}, before{scene_.time};
     columns.insert(columns.end(), input.channels.begin(), input.channels.end());
@@ -138,5 +139,23 @@ void Drawing::commit() {
   output_.write(picture(scene_, job_.picture.size));
   output_.commit();
 }
+
+Sink::Sink(const Job& job, const WriterOptions& options, const std::string& path) {
+  if (format_of(job.output_format).is_picture) {
+    drawing.emplace(job, path);
+  } else {
+    writer.emplace(options, path);
+  }
+}
+
+void Sink::begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording) {
+  if (drawing) return drawing->begin(path, input, rules, wording);
+  Facts facts{{"preset", std::string(spline::name_of(rules.spec.preset))}};
+  const Facts more = rules_in_words(rules, wording);
+  facts.insert(facts.end(), more.begin(), more.end());
+  writer->begin(input, is_live(path), std::move(facts), shown_name(path));
+}
+
+void Sink::commit() { drawing ? drawing->commit() : writer->commit(); }
 
 }  // namespace tcb

@@ -1,14 +1,18 @@
 // Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/curve_pipeline.hpp"
 #include "app/job.hpp"
+#include "app/progress.hpp"
 #include "input/input.hpp"
 #include "io/atomic_output.hpp"
-#include "output/provenance.hpp"
+#include "output/writer.hpp"
 #include "picture/scene.hpp"
 
 namespace tcb {
@@ -20,7 +24,7 @@ class Drawing {
 
   /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
   /// other columns than the curves before, or not the axes that are asked for.
-  void begin(const std::string& path, const Input& input, const CurvePipeline& pipeline, const Facts& rules);
+  void begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording);
 
   /// Adds a curve, and counts its samples; few ones are evaluated, to be drawn.
   void add(const std::vector<std::string>& group, const StoredCurve& curve);
@@ -41,6 +45,18 @@ class Drawing {
   std::string rules_;               ///< of the first curve, in words
   std::size_t curves_ = 0;          ///< of all, also of those that are not drawn
   std::uint64_t rows_ = 0, keys_ = 0;
+};
+
+/// One output: of rows, or a picture.
+struct Sink {
+  std::optional<Writer> writer;
+  std::optional<Drawing> drawing;
+
+  /// The options outlive the sink.
+  Sink(const Job& job, const WriterOptions& options, const std::string& path);
+  /// Begins the curves of the next file; `rules` are those of its first curve.
+  void begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording);
+  void commit();
 };
 
 }  // namespace tcb

@@ -12,7 +12,6 @@
 #include "input/input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
-#include "output/writer.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
 #include "text/print_number.hpp"
@@ -35,29 +34,6 @@ InputListOptions input_list_options(const Job& job) {
   const OutputPaths outputs{job.output, job.output_folder, batch.suffix, format_of(job.output_format).ending};
   return {job.files, batch.list, batch.nul, batch.recursive, job.input.format.has_value(), batch.update, outputs};
 }
-
-/// The rules of a curve in words, after their preset.
-Facts rules(const CurvePipeline& pipeline, const Wording& wording) {
-  Facts facts{{"preset", std::string(name_of(pipeline.facts().spec.preset))}};
-  const Facts more = rules_in_words(pipeline.facts(), wording);
-  facts.insert(facts.end(), more.begin(), more.end());
-  return facts;
-}
-
-/// One output: of rows, or a picture.
-struct Sink {
-  std::optional<Writer> writer;
-  std::optional<Drawing> drawing;
-
-  Sink(const Job& job, const WriterOptions& options, const std::string& path) {
-    if (format_of(job.output_format).is_picture) {
-      drawing.emplace(job, path);
-    } else {
-      writer.emplace(options, path);
-    }
-  }
-  void commit() { drawing ? drawing->commit() : writer->commit(); }
-};
 
 /// One file on its way into an output.
 class FileRun {
@@ -89,11 +65,7 @@ class FileRun {
     if (curve.curve_info != curve_info_) {
       pipeline_.emplace(job_.sampling, job_.curve, job_.fields, job_.golden, input, *curve.curve_info);
     }
-    if (curve_info_ == nullptr) {
-      const Facts words = rules(*pipeline_, wording_);
-      sink_.writer ? sink_.writer->begin(input, live_, words, shown_name(path_))
-                   : sink_.drawing->begin(path_, input, *pipeline_, words);
-    }
+    if (curve_info_ == nullptr) sink_.begin(path_, input, pipeline_->facts(), wording_);
     curve_info_ = curve.curve_info;
     if (sink_.writer) sink_.writer->begin_curve(curve.group);
   }

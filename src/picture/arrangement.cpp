@@ -11,11 +11,16 @@ namespace {
 
 constexpr double top = 62, heading = 22, below_axis = 40, gap = 18;
 constexpr double path_width = 470, strip_width = 520, narrow_strip = 230;
-constexpr double least_width = 40, least_height = 18;
+constexpr double least_width = 40, least_height = 28;
 constexpr std::size_t strips_in_column = 10, most_columns = 6;
 
 std::size_t columns_of(const Scene& scene) {
   return std::clamp<std::size_t>((scene.channels.size() + strips_in_column - 1) / strips_in_column, 1, most_columns);
+}
+
+/// The title of an axis; a name that is too long is cut, the base is not.
+std::string title_within(const Axis& axis, const std::string& name, double width) {
+  return axis.title(fitted(name, width - text_width(axis.title(""), bold_size), bold_size));
 }
 
 class Arranger {
@@ -42,10 +47,10 @@ class Arranger {
     if (scene_.path) left = place_path() + picture_margin + 6;
     const double right = result_.width - picture_margin;
     const double room = (right - left) / static_cast<double>(columns_);
+    result_.time_title = {left, bottom_, right - left, below_axis};
     for (std::size_t column = 0; column < columns_; ++column) {
       place_strips(column, left + static_cast<double>(column) * room, room);
     }
-    result_.time_title = {left + gap, bottom_, right - left - 2 * gap, below_axis};
     return std::move(result_);
   }
 
@@ -69,7 +74,8 @@ class Arranger {
     const double scale = std::min(box.width / view.x.length(), box.height / view.y.length());
     view.x.set_length(box.width / scale);
     view.y.set_length(box.height / scale);
-    return add(std::move(view), scene_.channels[*view.right]);
+    const std::string name = scene_.channels[*view.right];
+    return add(std::move(view), name, view.box.width);
   }
 
   void place_strips(std::size_t column, double left, double room) {
@@ -84,13 +90,15 @@ class Arranger {
       const double above = top + heading + static_cast<double>(i) * (strip_height_ + heading);
       strips[i].box = {left + numbers, above, room - numbers - gap, strip_height_};
       require(strips[i].box.width >= least_width);
-      add(std::move(strips[i]), i + 1 == strips.size() ? scene_.time : "");
+      add(std::move(strips[i]), i + 1 == strips.size() ? scene_.time : "", result_.time_title.width);
     }
   }
 
-  double add(View view, const std::string& name) {
+  /// `name`: of the axis to the right, which has so much room for its title; empty: it has none.
+  double add(View view, const std::string& name, double room) {
     const double right = view.box.right();
-    result_.frames.push_back({view.y.title(scene_.channels[view.up]), name.empty() ? "" : view.x.title(name)});
+    result_.frames.push_back({title_within(view.y, scene_.channels[view.up], view.box.width),
+                              name.empty() ? "" : title_within(view.x, name, room)});
     result_.views.push_back(std::move(view));
     return right;
   }

@@ -84,14 +84,14 @@ std::vector<Tick> Axis::ticks(double most) const {
   int exponent = exponent_above(length() / most) - 1;
   int factor = 1;
   const auto step = [&] { return factor * power_of_ten(exponent); };
-  while (length() / step() > most - 1) {
-    factor = factor == 1 ? 2 : factor == 2 ? 5 : 1;
-    if (factor == 1) ++exponent;
-  }
   constexpr double slack = 1e-9;  // an end of the axis may be a tick
   const auto first = [&] { return static_cast<std::int64_t>(std::ceil(low_ / step() - slack)); };
   const auto last = [&] { return static_cast<std::int64_t>(std::floor(high_ / step() + slack)); };
-  while (last() <= first()) {  // two ticks tell the scale
+  while (static_cast<double>(last() - first() + 1) > most) {
+    factor = factor == 1 ? 2 : factor == 2 ? 5 : 1;
+    if (factor == 1) ++exponent;
+  }
+  while (static_cast<double>(last() - first()) * step() < length() / 2) {  // two ticks far apart show the scale
     factor = factor == 5 ? 2 : factor == 2 ? 1 : 5;
     if (factor == 5) --exponent;
   }

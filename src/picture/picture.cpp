@@ -54,7 +54,7 @@ class Composer {
     const std::size_t views = arrangement_.views.size();
     const auto fits = [&](std::uint64_t count, double between) {
       const double room = view.is_graph() ? view.box.width : 3 * view.box.width;
-      return static_cast<double>(count) * between <= room && count * views <= most_dots;
+      return static_cast<double>(count) * between <= room && count * (view.is_graph() ? views : 1) <= most_dots;
     };
     Marks marks;
     marks.keys = fits(keys, between_keys);
@@ -78,8 +78,7 @@ class Composer {
       named_time = named_time || is_graph;
       const Box& box = is_graph ? arrangement_.time_title : arrangement_.views[i].box;
       const double bottom = is_graph ? box.top : box.bottom();
-      const std::string name = fitted(arrangement_.frames[i].name, box.width, bold_size);
-      svg_.add_text({box.left + box.width / 2, bottom + 34}, name, "n", "middle");
+      svg_.add_text({box.left + box.width / 2, bottom + 34}, arrangement_.frames[i].name, "n", "middle");
     }
   }
 

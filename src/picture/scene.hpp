@@ -29,7 +29,7 @@ struct SceneCurve {
   std::function<Source<SegmentBlock>()> segments;
   bool closed = false;
   std::uint64_t rows = 0;
-  std::vector<SceneSample> samples = {};  ///< all of them, or none where there are too many to tell apart
+  std::vector<SceneSample> samples = {};  ///< all of them, or none where there are more than Scene::most_samples
 };
 
 struct Scene {

@@ -125,7 +125,7 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
   }
   svg.add_path(grid, "g");
   svg.add_box(box, "f");
-  svg.add_text({box.left, box.top - above}, fitted(frame.heading, box.width, bold_size), "n");
+  svg.add_text({box.left, box.top - above}, frame.heading, "n");
 }
 
 bool is_corner(const Pixel& incoming, const Pixel& outgoing) {

@@ -94,6 +94,21 @@ TEST(Conflicts, that_depend_on_values_show_them) {
             "them; remove one");
 }
 
+TEST(Conflicts, of_pictures_are_refused) {
+  for (const char* option : {"--fields=time", "--digits=3", "--golden", "--meta", "--no-output-header"}) {
+    EXPECT_THAT(
+        stepped_refusal({option, "-f", "svg"}),
+        HasSubstr("has no effect with --output-format svg, which draws the curve and has no rows; take it out"));
+    EXPECT_THAT(stepped_refusal({option, "--plot"}), HasSubstr("has no effect with --plot, which draws the curve"));
+  }
+  for (const char* option : {"--axes=x:y", "--title=a", "--size=200x200"}) {
+    EXPECT_THAT(stepped_refusal({option}), HasSubstr("has no effect on an output that is not a picture; take it out"));
+    EXPECT_EQ(stepped_refusal({option, "-f", "svg"}), "") << option;
+  }
+  EXPECT_EQ(stepped_refusal({"--plot", "--metric=x,y"}), "");
+  EXPECT_THAT(stepped_refusal({"--plot", "-f", "csv"}), HasSubstr("--plot and --output-format exclude each other"));
+}
+
 TEST(Conflicts, of_the_format_of_the_input_are_refused) {
   for (const char* option : {"--delimiter=;", "--header", "--no-header", "--comment=%", "--decimal=,"}) {
     EXPECT_THAT(stepped_refusal({option, "-i", "json"}),

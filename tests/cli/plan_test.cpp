@@ -229,4 +229,13 @@ TEST(ProvenanceOptions, are_there_only_with_their_option) { EXPECT_FALSE(job_of(
 
 }  // namespace
 
+TEST(Plan, a_plot_has_samples_of_its_own) {
+  const Job job = job_of({"--plot"});
+  EXPECT_EQ(job.output_format, FormatId::svg);
+  EXPECT_EQ(job.sampling.mode, Mode::segments);
+  EXPECT_EQ(job.sampling.count, 50U);
+  EXPECT_EQ(job_of({"--plot", "--count=7"}).sampling.mode, Mode::count);
+  EXPECT_THAT(refusal({"-f", "svg"}), testing::HasSubstr("--step"));
+}
+
 }  // namespace tcb

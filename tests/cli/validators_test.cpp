@@ -127,5 +127,17 @@ TEST(Validators, names_come_from_the_tables) {
             "--duplicates: unknown name \"fist\"; expected one of error, first, last, break; did you mean first?");
 }
 
+TEST(Validators, pictures) {
+  EXPECT_EQ(axis_names("x:3"), (std::vector<std::string>{"x", "3"}));
+  EXPECT_EQ(picture_size("800x600").height, 600);
+  EXPECT_EQ(stepped_refusal({"-f", "svg", "--axes", "x"}),
+            "--axes \"x\": expected two channels by name or number, with a colon between them, such as x:z");
+  for (const char* size : {"800", "800x", "99x600", "800x10001", "-800x600", "800x600x2"}) {
+    EXPECT_THAT(stepped_refusal({"--plot", std::string("--size=") + size}),
+                testing::HasSubstr("expected width and height"))
+        << size;
+  }
+}
+
 }  // namespace
 }  // namespace tcb
