@@ -360,7 +360,7 @@ constexpr std::array all_words{
         ErrorCode::picture_beyond_doubles,
         "the numbers of a channel are farther apart than a double can tell; expected less than 1.8e308; correct them"},
     Words{ErrorCode::picture_too_small,
-          "the picture has no room for {0} channels; expected a larger one; give a larger {subject}, or take it out"},
+          "the picture has no room for {0} channels; expected a larger one; give a larger {subject}, or remove it"},
     // app
     Words{ErrorCode::out_of_memory, "out of memory"},
     Words{ErrorCode::unexpected, "{0}"},
@@ -368,7 +368,8 @@ constexpr std::array all_words{
           "{subject} makes times, but column \"{0}\" has them; expected one of the two; remove {subject}, or choose "
           "other columns with --columns"},
     Words{ErrorCode::unknown_axis, "{subject}: no channel \"{0}\"; expected two of {1}, or numbers from 1{nearest}"},
-    Words{ErrorCode::same_axes, "{subject}: channel \"{0}\" twice; expected two different ones; give another one"},
+    Words{ErrorCode::same_axes,
+          "{subject}: channel \"{0}\" is given twice; expected two different ones; give another one"},
     // compare: errors
     Words{ErrorCode::nothing_to_compare,
           "nothing to compare: the columns are {0}; expected some of {1}; rename the columns"},

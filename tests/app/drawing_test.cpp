@@ -65,11 +65,11 @@ TEST(Drawing, the_title_is_the_file_and_what_is_done_with_it) {
 
 TEST(Drawing, rules_other_than_those_of_the_preset_are_named) {
   Job job = sampled();
-  job.curve.ends = "quadratic";
+  job.curve.ends = "natural";
   EXPECT_THAT(drawn(job, {keys}), Not(HasSubstr("preset")));
   job = sampled();
-  job.curve.preset = "maya";
-  EXPECT_THAT(drawn(job, {keys}), HasSubstr("preset maya"));
+  job.curve.preset = "vtk";
+  EXPECT_THAT(drawn(job, {keys}), HasSubstr("preset vtk"));
 }
 
 TEST(Drawing, several_files_have_a_colour_each) {

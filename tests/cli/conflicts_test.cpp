@@ -98,11 +98,11 @@ TEST(Conflicts, of_pictures_are_refused) {
   for (const char* option : {"--fields=time", "--digits=3", "--golden", "--meta", "--no-output-header"}) {
     EXPECT_THAT(
         stepped_refusal({option, "-f", "svg"}),
-        HasSubstr("has no effect with --output-format svg, which draws the curve and has no rows; take it out"));
+        HasSubstr("has no effect with --output-format svg, which draws the curve and has no rows; remove it"));
     EXPECT_THAT(stepped_refusal({option, "--plot"}), HasSubstr("has no effect with --plot, which draws the curve"));
   }
   for (const char* option : {"--axes=x:y", "--title=a", "--size=200x200"}) {
-    EXPECT_THAT(stepped_refusal({option}), HasSubstr("has no effect on an output that is not a picture; take it out"));
+    EXPECT_THAT(stepped_refusal({option}), HasSubstr("has no effect on an output that is not a picture; remove it"));
     EXPECT_EQ(stepped_refusal({option, "-f", "svg"}), "") << option;
   }
   EXPECT_EQ(stepped_refusal({"--plot", "--metric=x,y"}), "");
