@@ -21,7 +21,7 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// The rules in words: the preset, or what is not as it has it.
+/// The rules in words: the preset, and what differs from it.
 std::string rules_text(const RuleFacts& rules, const Wording& wording) {
   const CurveSpec& spec = rules.spec;
   const auto preset = std::ranges::find(spline::presets, spline::name_of(spec.preset), &spline::PresetRow::name);
@@ -72,7 +72,7 @@ void Drawing::begin(const std::string& path, const Input& input, const RuleFacts
   }
 }
 
-/// The channels of the path: those that are asked for, or the first two metric ones.
+/// The channels of the path: those requested, or the first two metric ones.
 void Drawing::set_axes(const std::vector<std::string>& channels, const std::vector<std::size_t>& metric) {
   std::vector<std::size_t> axes = metric;
   for (std::size_t i = 0; metric.empty() && i < channels.size(); ++i) axes.push_back(i);

@@ -22,11 +22,11 @@ class Drawing {
  public:
   Drawing(const Job& job, std::string path) : job_(job), output_(std::move(path)) {}
 
-  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
-  /// other columns than the curves before, or not the axes that are asked for.
+  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) if they have other
+  /// columns than the previous curves, or lack the requested axes.
   void begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording);
 
-  /// Adds a curve, and counts its samples; few ones are evaluated, to be drawn.
+  /// Adds a curve, and counts its samples; if they are few, they are evaluated to be drawn.
   void add(const std::vector<std::string>& group, const StoredCurve& curve);
 
   /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.

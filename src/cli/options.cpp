@@ -60,9 +60,8 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::tcb, "--tcb", "T,C,B", input, "Tension, continuity and bias of keys that have none", "0,0,0", other,
      recorded, [](Typed& to, Text text) { to.job.input.tcb = tcb_values(text); }},
     {Option::tcb_scale, "--tcb-scale", "SCALE", input,
-     "How tension, continuity and bias are given: 3dsmax, from 0 to 50 with 25 for 0; none, as they are, whatever their "
-     "size; by default as they are, and numbers beyond 5 are refused with presets of products that show 0 to 50 or "
-     "percent",
+     "The scale of tension, continuity and bias: 3dsmax, from 0 to 50 with 25 for 0; none, unchanged; by default "
+     "unchanged, and numbers beyond 5 are rejected with presets of products that show 0 to 50 or percent",
      "", name, recorded, [](Typed& to, Text text) { to.job.input.tcb_scale = named_row(tcb_scales, text).scale; },
      names_in<tcb_scales>},
     {Option::decimal, "--decimal", "MARK", input, "The decimal mark of numbers, a point or a comma", ".", other,
@@ -75,7 +74,7 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.input.roles.push_back({Role::group, column_list(text), Option::group});
      }},
     {Option::missing, "--missing", "POLICY", input,
-     "For a cell that is empty or a sign of a missing number, such as NA: error refuses it; skip-row leaves the key out; skip-cell interpolates "
+     "For a cell that is empty or a sign of a missing number, such as NA: error rejects it; skip-row skips the key; skip-cell interpolates "
      "that channel through its other keys; break begins a new curve after it",
      "error", name, recorded,
      [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).way; },
@@ -268,7 +267,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "", other, unrecorded, [](Typed& to, Text text) { to.job.picture.axes = axis_names(text); }},
     {Option::title, "--title", "TEXT", output, "With a picture: its title; by default the name of the file", "", other,
      unrecorded, [](Typed& to, Text text) { to.job.picture.title = text; }},
-    {Option::size, "--size", "WxH", output, "With a picture: its size in pixels; by default as its contents need it", "",
+    {Option::size, "--size", "WxH", output, "With a picture: its size in pixels; by default as required by its contents", "",
      other, unrecorded, [](Typed& to, Text text) { to.job.picture.size = picture_size(text); }},
 
     {Option::output_dir, "--output-dir", "DIR", files,

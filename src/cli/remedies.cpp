@@ -68,7 +68,7 @@ constexpr std::array all_words{
           "column \"{0}\" is close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename "
           "it, or give --columns {1}={0} or position=NAME:NAME"},
     Words{ErrorCode::times_unclear,
-          "no time column, and column \"{0}\" may be it; expected a column called time; give --columns time={0}, or "
+          "no time column, but column \"{0}\" may be one; expected a column called time; give --columns time={0}, or "
           "--parameter uniform if the keys have no times"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
@@ -105,10 +105,9 @@ constexpr std::array all_words{
           "row, or give the delimiter with -d"},
     Words{ErrorCode::empty_group,
           "{0}: an empty cell; expected the name of a curve; fill it in, or give --missing skip-row"},
-    Words{
-        ErrorCode::number_in_text_column,
-        "{c0}: {q1} is a number in a column of text; expected numbers or text alone; give the text that marks missing "
-        "numbers to --na, or leave the column out with --columns position=NAME:NAME"},
+    Words{ErrorCode::number_in_text_column,
+          "{c0}: {q1} is a number in a column of text; expected only numbers or only text; give the text that marks "
+          "missing numbers to --na, or leave the column out with --columns position=NAME:NAME"},
     Words{
         ErrorCode::number_empty,
         "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
@@ -162,12 +161,10 @@ constexpr std::array all_words{
           "{0}: not in the first key; expected the same members in every key; add it there"},
     Words{ErrorCode::json_array_unused,
           "{0}: an array that is not used; expected \"position\" as the name of an array of positions; rename it, or "
-          "give "
-          "--columns position={1}, or position=NAME:NAME for the members to take"},
-    Words{
-        ErrorCode::json_object_unused,
-        "{0}: numbers in an object, or in arrays in an array, are not used; expected an array of numbers, or a member "
-        "for each number; write them so, or give --columns position=NAME:NAME for the members to take"},
+          "give --columns position={1}, or position=NAME:NAME for the members to take"},
+    Words{ErrorCode::json_object_unused,
+          "{0}: numbers in an object, or in arrays in an array, are not used; expected an array of numbers, or a "
+          "member for each number; write them so, or give --columns position=NAME:NAME for the members to take"},
     Words{ErrorCode::json_member_missing,
           "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row, skip-cell "
           "or break"},
@@ -223,17 +220,15 @@ constexpr std::array all_words{
     Words{ErrorCode::decreasing_times_in_list,
           "{3}: time {0} is less than the time {1} of {2}; expected increasing times; sort the rows by time, or give "
           "--sort"},
-    Words{
-        ErrorCode::curves_interleaved,
-        "time {0} does not increase after {1} in line {2}, but it does for each value of \"{3}\"; expected the rows of "
-        "one curve; give --group {3} for a curve each"},
-    Words{
-        ErrorCode::curves_interleaved_in_list,
-        "{3}: time {0} does not increase after {1} of {2}, but it does for each value of \"{4}\"; expected the keys of "
-        "one curve; give --group {4} for a curve each"},
+    Words{ErrorCode::curves_interleaved,
+          "time {0} does not increase after {1} in line {2}, but it does for each value of \"{3}\"; expected the rows "
+          "of one curve; give --group {3} for one curve per value"},
+    Words{ErrorCode::curves_interleaved_in_list,
+          "{3}: time {0} does not increase after {1} of {2}, but it does for each value of \"{4}\"; expected the keys "
+          "of one curve; give --group {4} for one curve per value"},
     Words{ErrorCode::sort_interleaves,
           "--sort would mix rows with different values of \"{0}\" in one curve; expected the rows of one curve; give "
-          "--group {0} for a curve each, or --columns carry={0} if it does not distinguish curves"},
+          "--group {0} for one curve per value, or --columns carry={0} if it does not distinguish curves"},
     Words{ErrorCode::sort_without_times,
           "--sort orders rows by time, and there is no time column; remove it, or name the column with --columns "
           "time=NAME"},
@@ -243,13 +238,13 @@ constexpr std::array all_words{
     Words{ErrorCode::no_keys, "only 0 keys; a curve needs at least two; add keys"},
     Words{ErrorCode::single_key, "only 1 key; a curve needs at least two; add keys"},
     Words{ErrorCode::tcb_from_0_to_50,
-          "{0} is {1}, and 3ds Max shows 0 to 50 with 25 for 0, as does what was made for it; expected -1 to 1 as a "
-          "rule; "
-          "give --tcb-scale 3dsmax, or --tcb-scale none if the number is meant as it is"},
+          "{0} is {1}, and 3ds Max and programs like it show 0 to 50 with 25 for 0; expected a number, usually from -1 "
+          "to 1; give "
+          "--tcb-scale 3dsmax, or --tcb-scale none to take the number unchanged"},
     Words{ErrorCode::tcb_in_percent,
-          "{0} is {1}, and the product shows percent; expected -1 to 1 as a rule; divide by 100, or give --tcb-scale "
-          "none "
-          "if the number is meant as it is"},
+          "{0} is {1}, and the product shows percent; expected a number, usually from -1 to 1; divide by 100, or give "
+          "--tcb-scale "
+          "none to take the number unchanged"},
     Words{ErrorCode::ease_out_of_range, "{0} is {1}; expected 0 to 1; correct it, or give --no-ease"},
     Words{ErrorCode::position_repeats,
           "the position repeats that of line {0}; times are made from distances, and here the distance is 0; remove "
@@ -274,8 +269,8 @@ constexpr std::array all_words{
           "{subject} {0} is before {1}, where samples begin unless --from is given; expected a later one; correct it, "
           "or give --from"},
     Words{ErrorCode::start_after_end,
-          "{subject} {0} lies beyond {1}, where samples end unless --to is given; expected it before; give an earlier "
-          "one, or --to"},
+          "{subject} {0} lies beyond {1}, where samples end unless --to is given; expected an earlier one; correct it, "
+          "or give --to"},
     Words{ErrorCode::samples_beyond_doubles,
           "the distances between samples are beyond the range of doubles; expected less than 1.8e308 from the first to "
           "the last; scale the keys down"},
@@ -340,13 +335,13 @@ constexpr std::array all_words{
           "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, such as "
           "csv"},
     Words{ErrorCode::time_beyond_doubles,
-          "time {0} has more digits than a double; expected one that is a double, or a text format; choose one, "
-          "such as csv"},
+          "time {0} has more digits than a double; expected one that is a double, or a text format; choose one, such "
+          "as csv"},
     Words{ErrorCode::other_columns,
           "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an output "
           "for each file"},
     Words{ErrorCode::file_column_taken,
-          "there is a column \"{0}\" already; expected another name for that of files; give --file-column=NAME"},
+          "there is a column \"{0}\" already; expected another name for the column of files; give --file-column=NAME"},
     Words{ErrorCode::name_not_utf8,
           "the byte {0} of the file's name is not UTF-8; expected UTF-8 for --file-column; rename the file"},
     Words{ErrorCode::other_checksum,
@@ -356,9 +351,8 @@ constexpr std::array all_words{
     Words{ErrorCode::no_provenance,
           "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
     // picture
-    Words{
-        ErrorCode::picture_beyond_doubles,
-        "the numbers of a channel are farther apart than a double can tell; expected less than 1.8e308; correct them"},
+    Words{ErrorCode::picture_beyond_doubles,
+          "the differences of a channel are beyond the range of doubles; expected less than 1.8e308; correct them"},
     Words{ErrorCode::picture_too_small,
           "the picture has no room for {0} channels; expected a larger one; give a larger {subject}, or remove it"},
     // app
@@ -453,9 +447,8 @@ constexpr std::array all_words{
     Words{ErrorCode::output_of_other_format,
           "--output {0} names {1} by its ending, but --output-format is {2}; expected the same; change one of them"},
     Words{ErrorCode::output_not_written,
-          "--output {0}: {1} is no format of the output; expected .csv, .tsv, .ssv, .json, .jsonl, .npy or .svg; give "
-          "another "
-          "ending, and convert the file afterwards"},
+          "--output {0}: {1} is not an output format; expected .csv, .tsv, .ssv, .json, .jsonl, .npy or .svg; give "
+          "another ending, and convert the file afterwards"},
     Words{ErrorCode::binary_to_terminal,
           "npy is not text, and standard output is a terminal; expected a file or a pipe; give -o FILE.npy"},
     Words{ErrorCode::standard_input_twice,

@@ -1,4 +1,4 @@
-// Missing cells: the table of the signs that programs and people write for them.
+// Missing cells: the table of the texts that programs and people write for them.
 #include "input/missing.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Missing cells: what is done with them, and the texts that are signs of them.
+// Missing cells: their treatments, and the texts that are signs of them.
 #pragma once
 
 #include <array>

@@ -36,7 +36,7 @@ std::string_view without_unit(std::string_view name) {
   return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
 }
 
-/// Whether `longer` is `shorter` with one letter more.
+/// Whether `longer` is `shorter` with one additional letter.
 bool is_with_a_letter(std::string_view longer, std::string_view shorter) {
   if (longer.size() != shorter.size() + 1) return false;
   std::size_t at = 0;
@@ -57,7 +57,7 @@ bool is_near(std::string_view name, std::string_view known) {
   return swapped || (changed && known.size() > 4);
 }
 
-/// The names of times that people and programs use besides those above, in lower case without blanks, "_", "-" and ".".
+/// Other usual names of times, in lower case without blanks, "_", "-" and ".".
 /// A unit may follow.
 constexpr std::array time_names{
     "t",          "time",        "times",      "timestamp",      "timestamps",    "stamp",        "stamps",
@@ -81,7 +81,7 @@ constexpr std::array time_units{
     "minutes", "hours",  "hrs",      "days",        "frames",       "ticks",
 };
 
-/// Units that are other words by themselves.
+/// Units that are also words of other meanings.
 constexpr std::array short_units{"m", "min", "mins", "h", "hr", "d"};
 
 /// Names of arrays and objects that hold positions, in the same form.
@@ -89,12 +89,12 @@ constexpr std::array positions{"position", "positions", "pos",    "translation",
                                "point",    "coords",    "coord",  "coordinate",  "coordinates", "xyz",       "xy",
                                "p",        "vec",       "vector", "value",       "values",      "transform", "pose"};
 
-/// Names of what distinguishes curves, in the same form.
+/// Names of columns that distinguish curves, in the same form.
 constexpr std::array labels{"id",    "name",  "group", "curve", "track",  "object",  "series", "trajectory", "traj",
                             "node",  "bone",  "joint", "agent", "marker", "channel", "target", "particle",   "vehicle",
                             "actor", "label", "class", "key",   "no",     "nr",      "index",  "number",     "sensor"};
 
-/// Names of coordinates, in the same form. No column with one of them is taken for a time.
+/// Names of coordinates, in the same form. A column with one of them is never taken for a time.
 constexpr std::array coordinates{
     "x",   "y",     "z",         "w",        "px",      "py",       "pz",     "tx",        "ty",   "tz",
     "rx",  "ry",    "rz",        "sx",       "sy",      "sz",       "qx",     "qy",        "qz",   "qw",
@@ -118,7 +118,7 @@ bool has(const std::array<const char*, size>& names, std::string_view name) {
   return std::ranges::any_of(names, [&](std::string_view known) { return known == name; });
 }
 
-/// A name such as "timems" is one of a time and its unit.
+/// Whether a name is that of a time and its unit, such as "timems".
 bool is_time(std::string_view name) {
   if (has(time_names, name) || (name.size() > 2 && name != "second" && has(time_units, name))) return true;
   if (name == "ms" || name == "ns") return true;

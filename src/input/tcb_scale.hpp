@@ -9,7 +9,7 @@
 namespace tcb {
 
 enum class TcbScale {
-  unknown,  ///< as they are, and checked where the preset's product shows another scale
+  unknown,  ///< as they are, and checked if the preset's product shows another scale
   none,     ///< as they are
   max3ds,   ///< from 0 to 50, with 25 for 0
 };

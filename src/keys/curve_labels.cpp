@@ -13,7 +13,7 @@
 namespace tcb {
 namespace {
 
-/// The value of a key in a column; nothing where it distinguishes no curves.
+/// The value of a key in a column; nothing if it distinguishes no curves.
 using Label = std::function<std::optional<std::size_t>(std::size_t key)>;
 
 /// Whether times increase for each value of a column, and there are several values, some of several keys.

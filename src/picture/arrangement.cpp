@@ -1,4 +1,4 @@
-// Arrangement: the size of a picture, and where its views are.
+// Arrangement: the size of a picture, and the boxes of its views.
 #include "picture/arrangement.hpp"
 
 #include <algorithm>

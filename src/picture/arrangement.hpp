@@ -1,4 +1,4 @@
-// Arrangement: the size of a picture, and where its views are.
+// Arrangement: the size of a picture, and the boxes of its views.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@ double picture_width(const Scene& scene, const PictureSize& size);
 
 struct Arrangement {
   double width = 0, height = 0;
-  std::vector<View> views;        ///< the path, where there is one, then a strip a channel
-  std::vector<ViewFrame> frames;  ///< one a view
+  std::vector<View> views;        ///< the path, if there is one, then a strip per channel
+  std::vector<ViewFrame> frames;  ///< one per view
   Box time_title;                 ///< below the strips
 };
 
-/// The path to the left, the strips to the right, in columns where there are many. `legend_height` is left free at the
-/// bottom. Throws: Error (usage) where the channels need a larger picture.
+/// The path to the left, the strips to the right, in columns if there are many. `legend_height` is left free at the
+/// bottom. Throws: Error (usage) if the channels need a larger picture.
 Arrangement arranged(const Scene& scene, const SceneExtent& extent, const PictureSize& size, double legend_height);
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// Axis: a range of numbers from a round base on, with round numbers as its ticks.
+// Axis: a range of numbers relative to a round base, with round numbers as its ticks.
 #include "picture/axis.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ std::string decimal_text(const std::string& whole, int exponent) {
 Axis::Axis(const Interval& interval, double margin) {
   const double size = interval.length();
   const double largest = std::max(std::abs(interval.low.hi), std::abs(interval.high.hi));
-  constexpr double many_digits = 1e4;  // a number so many times the length has that many digits that do not change
+  constexpr double many_digits = 1e4;  // the ratio of number to length from which digits that do not change are omitted
   if (size > 0 && largest >= many_digits * size) {
     const int exponent = exponent_above(size);
     const Rational unit = *parse_rational(fmt::format("1e{}", exponent));

@@ -1,4 +1,4 @@
-// Axis: a range of numbers from a round base on, with round numbers as its ticks.
+// Axis: a range of numbers relative to a round base, with round numbers as its ticks.
 #pragma once
 
 #include <string>
@@ -23,27 +23,27 @@ struct Interval {
 
 /// A number on an axis with its text.
 struct Tick {
-  double value;  ///< from the base on
+  double value;  ///< relative to the base
   std::string text;
 };
 
-/// Numbers that have many equal digits are shown without these: from a round base on.
+/// Numbers that share many leading digits are shown without them, relative to a round base.
 class Axis {
  public:
   Axis() = default;
-  /// Covers the interval, and `margin` of its length more on either side. Requires: of finite length.
+  /// Covers the interval, and `margin` of its length on either side. Requires: a finite length.
   Axis(const Interval& interval, double margin);
 
-  /// A number from the base on.
+  /// A number relative to the base.
   double from_base(const Time& value) const { return (value - base_).hi; }
   double low() const { return low_; }
   double length() const { return high_ - low_; }
   /// The same middle with another length.
   void set_length(double length);
 
-  /// What the ticks show: the name, less the base where that is not 0, as in "time − 1731931200".
+  /// What the ticks show: the name, less the base if that is not 0, as in "time − 1731931200".
   std::string title(std::string_view name) const;
-  /// At most so many ticks, at multiples of 1, 2 or 5 times a power of ten; `most` is 2 at least.
+  /// At most `most` ticks, at multiples of 1, 2 or 5 times a power of ten. Requires: most >= 2.
   std::vector<Tick> ticks(double most) const;
 
  private:
@@ -52,7 +52,7 @@ class Axis {
   double low_ = 0, high_ = 1;
 };
 
-/// whole · 10^exponent in decimal digits, with as many decimals as the exponent asks for.
+/// whole · 10^exponent in decimal digits, with as many decimals as the exponent requires.
 std::string decimal_text(const std::string& whole, int exponent);
 
 }  // namespace tcb

@@ -13,7 +13,7 @@ namespace tcb {
 /// The class of a curve's colour and dashes.
 std::string colour_of(std::size_t name);
 
-/// Entries side by side, in as many lines as the width asks for.
+/// Entries side by side, in as many lines as the width requires.
 class Legend {
  public:
   Legend(const Scene& scene, double width) : scene_(scene), width_(width) {}

@@ -1,7 +1,7 @@
 // Outlines: segments as exact Bezier curves in pixels, or many of them as a polyline within a quarter of a pixel.
 //
-// A quarter of a pixel is what three steps leave: chords within 0.05 of the curve, vertices nearer than 0.1 to the one
-// before dropped, and the rest thinned by 0.1.
+// Three steps sum up to a quarter of a pixel: chords within 0.05 of the curve, vertices nearer than 0.1 to the previous
+// one dropped, and the others thinned by 0.1.
 #include "picture/outline.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Pixel bezier(const std::array<Pixel, 4>& p, double u) {
 }
 
 /// The number of equal chords that stay within chord_error of the curve: its second derivative is at most 6 times the
-/// larger second difference of its control points, and a chord is off by an eighth of that, at most.
+/// larger second difference of its control points, and a chord errs by at most an eighth of that.
 int chords(const std::array<Pixel, 4>& p) {
   double second = 0;
   for (const std::size_t i : {0, 1}) {
@@ -109,7 +109,7 @@ void ThinnedOutline::add_vertex(const Pixel& at) {
   if (vertices_.size() > spare * most_) halve();
 }
 
-/// The vertices between the first and the last of a column fill its height from the lowest to the highest.
+/// Replaces the vertices between the first and the last of a column by the lowest and the highest.
 void ThinnedOutline::add_to_column(const Pixel& at) {
   const double number = std::floor((at.x - left_) / column_width_);
   if (column_.empty() || number != column_number_) {
@@ -133,7 +133,7 @@ void ThinnedOutline::end_column() {
 }
 
 /// Keeps of every 24 successive vertices the first and those with the extremes of x and y, so that no more than about
-/// a fifth remain of vertices in disorder.
+/// a fifth of randomly placed vertices remain.
 void ThinnedOutline::halve() {
   constexpr std::size_t together = 24;
   std::vector<Pixel> kept;

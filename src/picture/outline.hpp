@@ -17,7 +17,7 @@ namespace tcb {
 struct PixelSegment {
   std::array<Pixel, 4> points;
   spline::Warp<double> warp = {};  ///< of the local parameter; `is_graph` only
-  bool is_graph = false;           ///< the view shows time to the right, which is linear where there is no warp
+  bool is_graph = false;           ///< the view shows time to the right, which is linear without a warp
 };
 
 /// The outline of one curve in one view as the data of a path.
@@ -38,7 +38,7 @@ class ExactOutline : public Outline {
   std::string data_;
 };
 
-/// A polyline of a bounded number of vertices. Promises: within a quarter of a pixel of the curve where that needs no
+/// A polyline of a bounded number of vertices. Promises: within a quarter of a pixel of the curve if that needs no
 /// more vertices; otherwise it has the extremes of each part of the curve, in a graph of each column of pixels.
 /// Memory: a few times the number of vertices.
 class ThinnedOutline : public Outline {
@@ -59,7 +59,7 @@ class ThinnedOutline : public Outline {
   std::vector<Pixel> vertices_;
   std::vector<Pixel> column_;  ///< first, lowest, highest and last vertex of the current column
   double column_number_ = 0;
-  double nearest_ = 0.1;       ///< vertices of a path that are nearer to the one before are dropped
+  double nearest_ = 0.1;       ///< vertices of a path that are nearer to the previous one are dropped
   std::optional<Pixel> last_;  ///< of all
 };
 

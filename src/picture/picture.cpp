@@ -12,10 +12,10 @@
 namespace tcb {
 namespace {
 
-/// The size in bytes that a picture has at most, a little less than 300 kB.
+/// The largest size of a picture in bytes, a little less than 300 kB.
 constexpr std::size_t most_bytes = 290000;
 
-/// How many bytes an element has, about, with the one between others.
+/// The approximate size of an element in bytes, with the one between others.
 constexpr std::size_t bytes_of_vertex = 13, bytes_of_segment = 42, bytes_of_dot = 48, bytes_of_tick = 26,
                       bytes_of_path = 40;
 
@@ -82,7 +82,7 @@ class Composer {
     }
   }
 
-  /// How many bytes are left for the outlines of all curves in one view.
+  /// The number of bytes left for the outlines of all curves in one view.
   std::size_t bytes_for_outlines() const {
     std::size_t others = svg_.size() + scene_.curves.size() * bytes_of_path;
     for (const Marks& marks : marks_) {

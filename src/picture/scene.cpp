@@ -1,4 +1,4 @@
-// Scene: the curves of a picture with their samples, what they are called, and the extent of each channel.
+// Scene: the curves of a picture with their samples and names, and the extent of each channel.
 #include "picture/scene.hpp"
 
 #include <algorithm>

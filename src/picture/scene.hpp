@@ -1,4 +1,4 @@
-// Scene: the curves of a picture with their samples, what they are called, and the extent of each channel.
+// Scene: the curves of a picture with their samples and names, and the extent of each channel.
 #pragma once
 
 #include <array>
@@ -29,34 +29,34 @@ struct SceneCurve {
   std::function<Source<SegmentBlock>()> segments;
   bool closed = false;
   std::uint64_t rows = 0;
-  std::vector<SceneSample> samples = {};  ///< all of them, or none where there are more than Scene::most_samples
+  std::vector<SceneSample> samples = {};  ///< all of them, or none if there are more than Scene::most_samples
 };
 
 struct Scene {
   std::string title, subtitle;
   std::string time;                                ///< name of the time
   std::vector<std::string> channels;               ///< names of the channels
-  std::vector<std::string> names;                  ///< of groups or files, each with a colour of its own
+  std::vector<std::string> names;                  ///< of groups or files, each with its own colour
   std::optional<std::array<std::size_t, 2>> path;  ///< the channels of the path, to the right and up
   std::vector<SceneCurve> curves;
 
-  /// A curve with more samples has none that are drawn.
+  /// The samples of a curve with more are not drawn.
   static constexpr std::uint64_t most_samples = 400;
   /// Further curves are counted, not drawn.
   static constexpr std::size_t most_curves = 400;
 
   std::uint64_t keys() const;
   std::uint64_t rows() const;
-  /// Every curve has its samples.
+  /// Whether every curve has its samples.
   bool has_samples() const;
 };
 
-/// The size of a picture; 0: as the contents need it.
+/// The size of a picture; 0: as required by the contents.
 struct PictureSize {
   int width = 0, height = 0;
 };
 
-/// From where to where the curves, their keys and their samples are.
+/// The extent of the curves, their keys and their samples.
 struct SceneExtent {
   Interval time;
   std::vector<Interval> channels;
@@ -64,11 +64,11 @@ struct SceneExtent {
   std::size_t segments = 0;      ///< of all curves
 };
 
-/// Reads all curves. Throws: Error (data) where the difference of two numbers is beyond the range of doubles.
+/// Reads all curves. Throws: Error (data) if the difference of two numbers is beyond the range of doubles.
 SceneExtent extent_of(const Scene& scene);
 
 /// The picture as SVG: at most 300 kB, and the same bytes everywhere.
-/// Throws: Error (data) as extent_of(), Error (usage) where the channels need a larger picture.
+/// Throws: Error (data) as extent_of(), Error (usage) if the channels need a larger picture.
 std::string picture(const Scene& scene, const PictureSize& size);
 
 }  // namespace tcb

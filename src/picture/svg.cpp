@@ -14,8 +14,8 @@
 namespace tcb {
 namespace {
 
-/// Colours have a contrast of at least 3 to 1 with the background, texts of 4.5 to 1, in light and in dark. The curves'
-/// differ for people who do not see red or green, too.
+/// Colours have a contrast of at least 3 to 1 with the background, texts of 4.5 to 1, in light and in dark. Those of
+/// curves also differ for people who cannot distinguish red and green.
 /// Source: Okabe and Ito, "Color Universal Design", darker for light backgrounds.
 constexpr std::string_view style = R"css(<style>
 text{font:12px "DejaVu Sans",Verdana,"Segoe UI",Roboto,Helvetica,Arial,sans-serif;fill:#1b1f24}
@@ -60,7 +60,7 @@ text{fill:#f0f3f6}
 </style>
 )css";
 
-/// The size in bytes of the character at the beginning of a text; 0 where it is not UTF-8.
+/// The size in bytes of the character at the beginning of a text; 0 if it is not UTF-8.
 std::size_t first_character(std::string_view text) {
   const auto first = static_cast<unsigned char>(text.front());
   const std::size_t size = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;

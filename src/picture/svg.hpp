@@ -22,15 +22,15 @@ struct Box {
   double bottom() const { return top + height; }
 };
 
-/// Appends a number of pixels with two decimals at most.
+/// Appends a number of pixels with at most two decimals.
 void append_pixels(std::string& out, double value);
-/// Appends "x y", after a blank where a digit is before.
+/// Appends "x y", after a blank if a digit precedes it.
 void append_pixel(std::string& out, const Pixel& at);
 
 /// A text as the content of an element: escaped, and without characters that XML does not have.
 std::string xml_text(std::string_view text);
 
-/// The width of a text in a sans-serif font of this size, rather too large than too small.
+/// An upper estimate of the width of a text in a sans-serif font of this size.
 double text_width(std::string_view text, double size);
 
 /// The text, or its beginning with an ellipsis, in at most this width.
@@ -48,7 +48,7 @@ class Svg {
   const std::string& text() const { return text_; }
   std::size_t size() const { return text_.size(); }
 
-  /// A picture with its background. `title` is what readers of the screen say of it.
+  /// A picture with its background. `title` is for screen readers.
   void begin(double width, double height, std::string_view title);
   void end() { text_ += "</svg>\n"; }
 

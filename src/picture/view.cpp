@@ -17,7 +17,7 @@ Pixel first_direction(std::initializer_list<Pixel> differences) {
   return {};
 }
 
-/// The tangents of a segment at its ends, a third of them as a Bezier curve has it. In a graph they are by time.
+/// The tangents of a segment at its ends, divided by 3 as for a Bezier curve. In a graph they are by time.
 std::pair<Pixel, Pixel> tangents(const PixelSegment& segment) {
   const auto& [a, b, c, d] = segment.points;
   Pixel out = b - a, in = d - c;

@@ -41,7 +41,7 @@ struct ViewFrame {
   std::string name;     ///< of the axis to the right; empty: it has no texts
 };
 
-/// The numbers of an axis that have room, where each needs `room` pixels.
+/// The ticks of an axis whose numbers have room in `pixels`.
 std::vector<Tick> ticks_with_room(const Axis& axis, double pixels, bool is_upward);
 
 /// Room for the numbers to the left of an axis that points up.
@@ -56,7 +56,7 @@ struct Marks {
 
 inline constexpr double key_radius = 3.2, half_tick = 4;
 
-/// Draws one curve in one view while its segments come in order.
+/// Draws one curve in one view, segment by segment in order.
 class CurveDrawing {
  public:
   CurveDrawing(const View& view, const Marks& marks, std::unique_ptr<Outline> outline)
@@ -77,11 +77,11 @@ class CurveDrawing {
   std::string handles_;
   bool has_corner_ = false;
   std::vector<bool> corners_;      ///< of the keys so far
-  std::optional<Pixel> incoming_;  ///< the direction at the end of the segment before
+  std::optional<Pixel> incoming_;  ///< the direction at the end of the previous segment
   std::optional<Pixel> first_;     ///< the direction at the start of the first segment
 };
 
-/// The directions differ by more than an eye could miss.
+/// Whether the directions differ visibly.
 bool is_corner(const Pixel& incoming, const Pixel& outgoing);
 
 }  // namespace tcb

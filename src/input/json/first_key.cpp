@@ -1,4 +1,4 @@
-// First key of JSON: its members, and those of the next keys where it has texts.
+// First key of JSON: its members, and those of the next keys if it has texts.
 #include "input/json/first_key.hpp"
 
 #include <unordered_set>
@@ -81,12 +81,12 @@ class FirstKeyReader : public JsonObjectReader {
   TextPosition position_;
 };
 
-/// Finds members of numbers among those that are texts in the first key, in the first keys.
+/// Finds members that are texts in the first key, but numbers in one of the first keys.
 class LaterKeys : public JsonObjectReader {
  public:
   LaterKeys(const Chunk& chunk, const std::vector<std::string>& signs) : JsonObjectReader(chunk), signs_(signs) {}
 
-  /// It has a number in some key, or no other texts than signs of missing numbers.
+  /// Whether it has a number in some key, or only signs of missing numbers.
   bool holds_numbers(const std::string& member) const {
     return numbers_.contains(member) || (missing_.contains(member) && !texts_.contains(member));
   }

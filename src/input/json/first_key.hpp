@@ -1,4 +1,4 @@
-// First key of JSON: the members that it has, and what kinds of values.
+// First key of JSON: its members, and the kinds of their values.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct FoundMember {
   bool nested = false;         ///< it is an object, or an array with arrays or objects,
   bool deep_numbers = false;   ///< with numbers in them
   bool empty = true;           ///< it has neither a number nor a text
-  std::size_t numbers = 0;     ///< that it has, or that are missing there
+  std::size_t numbers = 0;     ///< the count of its numbers, also missing ones
   std::string path = "";       ///< as in "keys[0].x"
   TextPosition position = {};  ///< of its name
 };
