@@ -96,9 +96,8 @@ TEST(Conflicts, that_depend_on_values_show_them) {
 
 TEST(Conflicts, of_pictures_are_refused) {
   for (const char* option : {"--fields=time", "--digits=3", "--golden", "--meta", "--no-output-header"}) {
-    EXPECT_THAT(
-        stepped_refusal({option, "-f", "svg"}),
-        HasSubstr("has no effect with --output-format svg, which draws the curve and has no rows; remove it"));
+    EXPECT_THAT(stepped_refusal({option, "-f", "svg"}),
+                HasSubstr("has no effect with --output-format svg, which draws the curve and has no rows; remove it"));
     EXPECT_THAT(stepped_refusal({option, "--plot"}), HasSubstr("has no effect with --plot, which draws the curve"));
   }
   for (const char* option : {"--axes=x:y", "--title=a", "--size=200x200"}) {
