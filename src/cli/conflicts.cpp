@@ -198,8 +198,9 @@ void set_output_format(TypedOptions& typed, bool earlier) {
   const std::optional<FormatId> named = format_by_ending(path);
   if (!named || (is_report && *named != FormatId::json)) return;
   const std::string name(format_of(*named).name), given(format_of(typed.job.output_format).name);
-  if ((typed.has(Option::output_format) || earlier) && name != given) {
-    throw Error(Exit::usage, ErrorCode::output_of_other_format, {path, name, given});
+  if (typed.has(Option::output_format) || typed.has(Option::plot) || earlier) {
+    if (name != given) throw Error(Exit::usage, ErrorCode::output_of_other_format, {path, name, given});
+    return;
   }
   if (*named == formats[0].id) return;  // as without the ending
   typed.job.output_format = *named;
