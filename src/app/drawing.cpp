@@ -21,20 +21,6 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// The rules in words: the preset, and what differs from it.
-std::string rules_text(const RuleFacts& rules, const Wording& wording) {
-  const CurveSpec& spec = rules.spec;
-  const auto preset = std::ranges::find(spline::presets, spline::name_of(spec.preset), &spline::PresetRow::name);
-  const bool plain = spec.rules.tangents == preset->tangents && !spec.rules.equal_speed &&
-                     (spec.closed || (spec.rules.start.rule == preset->ends && spec.rules.end.rule == preset->ends));
-  if (plain) return fmt::format("preset {}{}", preset->name, spec.closed ? ", closed" : "");
-  std::vector<std::string> words;
-  for (const auto& [name, value] : rules_in_words(rules, wording)) {
-    words.push_back(value == "yes" ? std::string(name) : fmt::format("{} {}", name, value));
-  }
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
 /// The samples of a block, each with its position and velocity.
 void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed, const SampleBlock& block) {
   std::vector<std::size_t> chosen;
@@ -56,13 +42,25 @@ void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed
 
 }  // namespace
 
-void Drawing::begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording) {
+std::string short_rules(const RuleFacts& rules, const Wording& wording) {
+  const CurveSpec& spec = rules.spec;
+  const auto preset = std::ranges::find(spline::presets, spline::name_of(spec.preset), &spline::PresetRow::name);
+  const bool plain = spec.rules.tangents == preset->tangents && !spec.rules.equal_speed &&
+                     (spec.closed || (spec.rules.start.rule == preset->ends && spec.rules.end.rule == preset->ends));
+  if (plain) return fmt::format("preset {}{}", preset->name, spec.closed ? ", closed" : "");
+  std::vector<std::string> words;
+  for (const auto& [name, value] : rules_in_words(rules, wording)) {
+    words.push_back(value == "yes" ? std::string(name) : fmt::format("{} {}", name, value));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+void Drawing::begin(const std::string& path, const Input& input, const RuleFacts& rules) {
   const std::string name = shown_name(path);
   files_.push_back(name.substr(name.rfind('/') + 1));
   if (files_.size() == 1) {
     scene_.time = input.time;
     scene_.channels = input.channels;
-    rules_ = rules_text(rules, wording);
     set_axes(input.channels, rules.spec.rules.metric);
   } else if (input.time != scene_.time || input.channels != scene_.channels) {
     std::vector<std::string> columns{input.time}, before{scene_.time};
@@ -100,7 +98,9 @@ std::size_t Drawing::name_of(const std::vector<std::string>& group) {
   return static_cast<std::size_t>(known - scene_.names.begin());
 }
 
-void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stored) {
+void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules) {
+  if (curves_ > 0 && rules != rules_) rules = "several rules";
+  rules_ = std::move(rules);
   SceneCurve curve{0, stored.keys, stored.segments, stored.closed};
   const bool is_drawn = curves_++ < Scene::most_curves;
   while (stored.placed) {
@@ -149,7 +149,7 @@ Sink::Sink(const Job& job, const WriterOptions& options, const std::string& path
 }
 
 void Sink::begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording) {
-  if (drawing) return drawing->begin(path, input, rules, wording);
+  if (drawing) return drawing->begin(path, input, rules);
   Facts facts{{"preset", std::string(spline::name_of(rules.spec.preset))}};
   const Facts more = rules_in_words(rules, wording);
   facts.insert(facts.end(), more.begin(), more.end());

@@ -24,10 +24,10 @@ class Drawing {
 
   /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) if they have other
   /// columns than the previous curves, or lack the requested axes.
-  void begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording);
+  void begin(const std::string& path, const Input& input, const RuleFacts& rules);
 
-  /// Adds a curve, and counts its samples; if they are few, they are evaluated to be drawn.
-  void add(const std::vector<std::string>& group, const StoredCurve& curve);
+  /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
+  void add(const std::vector<std::string>& group, const StoredCurve& curve, std::string rules);
 
   /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.
   void commit();
@@ -42,10 +42,13 @@ class Drawing {
   Output output_;
   Scene scene_;
   std::vector<std::string> files_;  ///< names without their folders
-  std::string rules_;               ///< of the first curve, in words
+  std::string rules_;               ///< of the curves, in words
   std::size_t curves_ = 0;          ///< of all, also of those that are not drawn
   std::uint64_t rows_ = 0, keys_ = 0;
 };
+
+/// The rules of a curve in words: the preset, and what differs from it.
+std::string short_rules(const RuleFacts& rules, const Wording& wording);
 
 /// One output: of rows, or a picture.
 struct Sink {

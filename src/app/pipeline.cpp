@@ -87,7 +87,7 @@ class FileRun {
   void draw(const CurveKeys& curve, Drawing& drawing) {
     StoredCurve stored = pipeline_->stored(curve.keys);  // segments, measure, place
     if (stored.placed) stored.placed->blocks = report_.observe_rows(std::move(stored.placed->blocks), rows_);
-    drawing.add(curve.group, stored);  // evaluate, draw
+    drawing.add(curve.group, stored, short_rules(pipeline_->facts(), wording_));  // evaluate, draw
     if (stored.placed) note_curve(*stored.placed);
   }
 
