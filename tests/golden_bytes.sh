@@ -45,9 +45,9 @@ hashes() {
   for file in "$scratch/mixed.csv" "$here"/../samples/*.csv "$here"/../samples/*.tsv "$here"/../samples/*.json \
     "$here"/../samples/*.jsonl "$here"/../samples/*.txt; do
     ways | while read -r way; do
-      # An error message is hashed as well.
+      # An error message is hashed as well, but no note.
       # shellcheck disable=SC2086
-      sum=$( (cd "$(dirname "$file")" && tcbsample $way "$(basename "$file")" 2>&1 || echo "exit code $?") | sha256sum)
+      sum=$( (cd "$(dirname "$file")" && tcbsample -q $way "$(basename "$file")" 2>&1 || echo "exit code $?") | sha256sum)
       echo "${sum%% *} $(basename "$file") $way"
     done
   done
