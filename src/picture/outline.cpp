@@ -22,7 +22,7 @@ Pixel bezier(const std::array<Pixel, 4>& p, double u) {
 /// larger second difference of its control points, and a chord errs by at most an eighth of that.
 int chords(const std::array<Pixel, 4>& p) {
   double second = 0;
-  for (const std::size_t i : {0, 1}) {
+  for (std::size_t i = 0; i < 2; ++i) {
     const Pixel difference = p[i] - 2 * p[i + 1] + p[i + 2];
     second = std::max(second, std::abs(difference.x) + std::abs(difference.y));
   }
@@ -83,7 +83,7 @@ void ExactOutline::add(const PixelSegment& segment) {
     return;
   }
   data_ += 'C';
-  for (const std::size_t i : {1, 2, 3}) append_pixel(data_, segment.points[i]);
+  for (std::size_t i = 1; i < 4; ++i) append_pixel(data_, segment.points[i]);
 }
 
 ThinnedOutline::ThinnedOutline(bool is_graph, double left, double width, std::size_t most_vertices)
@@ -147,8 +147,8 @@ void ThinnedOutline::halve() {
       if (vertices_[i].y > vertices_[chosen[4]].y) chosen[4] = i;
     }
     std::ranges::sort(chosen);
-    const auto repeated = std::ranges::unique(chosen);
-    for (auto i = chosen.begin(); i != repeated.begin(); ++i) kept.push_back(vertices_[*i]);
+    const auto end_of_unique = std::unique(chosen.begin(), chosen.end());
+    for (auto i = chosen.begin(); i != end_of_unique; ++i) kept.push_back(vertices_[*i]);
   }
   vertices_ = std::move(kept);
 }
