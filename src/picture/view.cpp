@@ -150,7 +150,7 @@ void CurveDrawing::add(const spline::Segments<double>& segments, std::size_t i) 
 
 void CurveDrawing::add_handles(const PixelSegment& segment, const Pixel& out, const Pixel& in) {
   const Pixel starts[] = {segment.points[0], segment.points[3]}, ends[] = {out, -1.0 * in};
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     if (length(ends[i]) < 0.5) continue;
     handles_ += 'M';
     append_pixel(handles_, starts[i]);

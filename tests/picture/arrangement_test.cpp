@@ -28,7 +28,7 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 TEST(Arrangement, views_are_within_the_picture_and_do_not_overlap) {
-  for (const std::size_t channels : {1, 2, 3, 10, 11, 57, 200}) {
+  for (const std::size_t channels : {1U, 2U, 3U, 10U, 11U, 57U, 200U}) {
     const Arrangement arrangement = arrangement_of(scene_of_channels(channels));
     ASSERT_EQ(arrangement.views.size(), channels + (channels > 1 ? 1 : 0));
     for (std::size_t i = 0; i < arrangement.views.size(); ++i) {
