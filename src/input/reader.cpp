@@ -74,6 +74,14 @@ void require_known_format(std::string_view beginning) {
   }
 }
 
+/// Whether further bytes may complete the beginning of another format.
+bool may_begin_other_format(std::string_view beginning) {
+  beginning.remove_prefix(std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size()));
+  return std::ranges::any_of(other_formats, [&](const auto& row) {
+    return row.bytes.size() > beginning.size() && row.bytes.starts_with(beginning);
+  });
+}
+
 /// Throws: Error (data) for a text in two or four bytes a character, and for what is not text.
 void require_bytes(std::string_view beginning) {
   if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(ErrorCode::npy_as_input);
@@ -88,7 +96,7 @@ Source<std::string> without_mark(Source<std::string> bytes) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   std::string beginning;
   constexpr std::size_t enough = 6;  // for require_bytes()
-  while (beginning.size() < enough) {
+  while (beginning.size() < enough || may_begin_other_format(beginning)) {
     auto more = bytes();
     if (!more) break;
     beginning += *more;
