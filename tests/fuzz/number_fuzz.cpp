@@ -85,7 +85,7 @@ void read(const std::string& text) {
   if (!wanted) return;
   const auto whole = is_decimal(text) && text.find('.') == std::string::npos ? expected_whole(text) : std::nullopt;
   const auto digits = std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
-  const bool may_be_longer = digits > 17;  // then a time has the digits that its double does not hold
+  const bool may_be_longer = digits > 15;  // then a time may have digits that its double does not hold
   if (!whole) {
     return require(time->hi == *wanted && (time->lo == 0 || may_be_longer), "a time is not its number", text);
   }
