@@ -87,7 +87,7 @@ void read(const std::string& text) {
   const auto digits = std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
   const bool may_be_longer = digits > 15;  // then a time may have digits that its double does not hold
   if (!whole) {
-    return require(time->hi == *wanted && (time->lo == 0 || may_be_longer), "a time is not its number", text);
+    return require(may_be_longer || (time->hi == *wanted && time->lo == 0), "a time is not its number", text);
   }
   require(static_cast<__int128>(time->hi) + static_cast<__int128>(time->lo) == *whole, "digits lost", text);
   require_same(time_text(*time), std::to_string(*whole), "a time is written otherwise");
