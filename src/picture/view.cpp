@@ -143,8 +143,9 @@ void CurveDrawing::add(const spline::Segments<double>& segments, std::size_t i) 
   const auto& [a, b, c, d] = segment.points;
   const Pixel outgoing = first_direction({out, c - a, d - a});
   corners_.push_back(incoming_ && is_corner(*incoming_, outgoing));
-  if (!first_) first_ = outgoing;
-  incoming_ = first_direction({in, d - b, d - a});
+  const bool rests = length(outgoing) == 0;  // a hold has no direction; the one before it counts at its end
+  if (!first_ && !rests) first_ = outgoing;
+  if (!rests) incoming_ = first_direction({in, d - b, d - a});
   if (marks_.handles) add_handles(segment, out, in);
 }
 
@@ -169,7 +170,7 @@ void CurveDrawing::draw(Svg& svg, const SceneCurve& curve, const Keys& keys) {
   }
   if (!ticks.empty()) svg.add_path(ticks, "s");
   if (!marks_.keys) return;
-  if (curve.closed && first_ && !corners_.empty()) corners_[0] = is_corner(*incoming_, *first_);
+  if (curve.closed && first_ && incoming_ && !corners_.empty()) corners_[0] = is_corner(*incoming_, *first_);
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Pixel at = view_.at(keys.times[i], keys.position(i));
     if (!is_finite(at)) continue;  // the channel has no position here

@@ -68,5 +68,22 @@ TEST(View, a_key_without_a_position_has_no_dot) {
   EXPECT_EQ(dots, 3U);
 }
 
+TEST(View, a_turn_after_a_hold_is_a_corner) {
+  Scene scene = small_scene();
+  Keys keys = keys_of({0, 1, 2, 3}, {0, 0, 1, 1, 1, 1, 2, 0});
+  keys.tcbs.assign(4, {1, 0, 0});
+  scene.curves = {scene_curve(keys)};
+  View view = graph();
+  view.right = 0;
+  CurveDrawing drawing(view, {.keys = true}, std::make_unique<ExactOutline>());
+  const Source<SegmentBlock> blocks = scene.curves[0].segments();
+  while (const auto block = blocks()) {
+    for (std::size_t i = 0; i < block->segments.size(); ++i) drawing.add(block->segments, i);
+  }
+  Svg svg;
+  drawing.draw(svg, scene.curves[0], keys);
+  EXPECT_TRUE(drawing.has_corner());
+}
+
 }  // namespace
 }  // namespace tcb
