@@ -133,12 +133,12 @@ IndexedCurve CurvePipeline::whole(Source<KeyBlock> blocks) const {
           spec_.extrapolation};
 }
 
-StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks) const {
+StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled) const {
   KeyStore keys(prepared(std::move(blocks), 1));
   const Extent range = extent(keys);
   const auto again = [pipeline = *this, keys, range] { return pipeline.segments(keys, range, false); };
   StoredCurve curve{keys, again, spec_.closed, {}};
-  if (keys.size() > 1 || is_single()) curve.placed = place_stored(keys, range, ExactKeys(false));
+  if (sampled && (keys.size() > 1 || is_single())) curve.placed = place_stored(keys, range, ExactKeys(false));
   return curve;
 }
 

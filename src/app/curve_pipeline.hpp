@@ -51,7 +51,7 @@ struct StoredCurve {
   KeyStore keys;
   std::function<Source<SegmentBlock>()> segments;
   bool closed = false;
-  std::optional<PlacedCurve> placed;  ///< nothing where a single key has no samples
+  std::optional<PlacedCurve> placed;  ///< nothing if a single key has no samples, or none are wanted
 };
 
 /// A curve with random access.
@@ -74,7 +74,7 @@ class CurvePipeline {
   IndexedCurve whole(Source<KeyBlock> blocks) const;
 
   /// The curve as it is drawn; it may have a single key. Throws: Error (data) for keys that make no curve.
-  StoredCurve stored(Source<KeyBlock> blocks) const;
+  StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true) const;
 
   RuleFacts facts() const { return {spec_, timed_}; }
 

@@ -61,29 +61,13 @@ void Drawing::begin(const std::string& path, const Input& input, const RuleFacts
   if (files_.size() == 1) {
     scene_.time = input.time;
     scene_.channels = input.channels;
-    set_axes(input.channels, rules.spec.rules.metric);
+    scene_.path = path_axes(input.channels, job_.picture.axes, rules.spec.rules.metric);
   } else if (input.time != scene_.time || input.channels != scene_.channels) {
     std::vector<std::string> columns{input.time}, before{scene_.time};
     columns.insert(columns.end(), input.channels.begin(), input.channels.end());
     before.insert(before.end(), scene_.channels.begin(), scene_.channels.end());
     throw Error(Exit::data, ErrorCode::other_columns, {columns, before});
   }
-}
-
-/// The channels of the path: those requested, or the first two metric ones.
-void Drawing::set_axes(const std::vector<std::string>& channels, const std::vector<std::size_t>& metric) {
-  std::vector<std::size_t> axes = metric;
-  for (std::size_t i = 0; metric.empty() && i < channels.size(); ++i) axes.push_back(i);
-  if (!job_.picture.axes.empty()) axes.clear();
-  for (const std::string& name : job_.picture.axes) {
-    const auto channel = find_channel(name, channels);
-    if (!channel) throw Error(Exit::usage, ErrorCode::unknown_axis, {name, channels}).about(Option::axes);
-    if (!axes.empty() && axes[0] == *channel) {
-      throw Error(Exit::usage, ErrorCode::same_axes, {name}).about(Option::axes);
-    }
-    axes.push_back(*channel);
-  }
-  if (axes.size() > 1) scene_.path = {axes[0], axes[1]};
 }
 
 std::size_t Drawing::name_of(const std::vector<std::string>& group) {

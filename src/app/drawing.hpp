@@ -33,7 +33,6 @@ class Drawing {
   void commit();
 
  private:
-  void set_axes(const std::vector<std::string>& channels, const std::vector<std::size_t>& metric);
   std::size_t name_of(const std::vector<std::string>& group);
   std::string title() const;
   std::string subtitle() const;

@@ -241,7 +241,8 @@ void require_columns(const Comparison& comparison, const ComparisonInputs& input
 }
 
 /// Compares the rows of one curve.
-void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs, Checker& checker, Check& result) {
+void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs, Checker& checker, Check& result,
+                const std::function<void(const CheckedPair&)>& observe) {
   const MatchedColumns& columns = inputs.columns;
   SamplingRequest request = job.sampling;
   request.mode = columns.by_length ? Mode::arc_at : Mode::at;
@@ -253,6 +254,7 @@ void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
   for_each_row(places, columns, curve, request.from_left, inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
+  if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, request.from_left});
 }
 
 }  // namespace
@@ -277,14 +279,14 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
   return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
 }
 
-Check check(const Job& job) {
+Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe) {
   ComparisonInputs inputs = read_inputs(job, job.fields);
   require_columns(*job.comparison, inputs);
   const Pairs pairs = pair_up(inputs.kept, inputs.table);
   Check result{summary(inputs, pairs)};
   Checker checker(inputs, *job.comparison, result);
   for (const Pair& pair : pairs.pairs) {
-    in_file(inputs.keys, [&] { check_pair(pair, job, inputs, checker, result); });
+    in_file(inputs.keys, [&] { check_pair(pair, job, inputs, checker, result, observe); });
   }
   return result;
 }

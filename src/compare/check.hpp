@@ -67,10 +67,6 @@ struct Check : ComparisonSummary {
   bool passed() const { return mismatches == 0 && problems.empty(); }
 };
 
-/// Compares every number of the samples with the curve. Throws: Error if the keys make no curve, or there is nothing
-/// to compare.
-Check check(const Job& job);
-
 /// A curve and its given rows.
 struct Pair {
   const KeptCurve* curve;
@@ -102,5 +98,20 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
 /// Calls `use` for each of the rows, in order, with its cells. Throws: Error (data) for a number beyond the range.
 void for_each_row(const Places& places, const MatchedColumns& columns, const IndexedCurve& curve, bool from_left,
                   unsigned threads, const std::function<void(std::size_t row, std::span<const Cell> cells)>& use);
+
+/// A curve with the places of its samples, as it is compared.
+struct CheckedPair {
+  const ComparisonInputs& inputs;
+  const CurvePipeline& pipeline;
+  const KeptCurve& curve;
+  const SampleRows& rows;
+  const IndexedCurve& indexed;
+  const Places& places;
+  bool from_left;
+};
+
+/// Compares every number of the samples with the curve. `observe` sees each curve with its samples, if it is given.
+/// Throws: Error if the keys make no curve, or there is nothing to compare.
+Check check(const Job& job, const std::function<void(const CheckedPair& pair)>& observe = {});
 
 }  // namespace tcb

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "compare/check_picture.hpp"
 #include "io/atomic_output.hpp"
 #include "output/layout.hpp"
 #include "stream/ordered_map.hpp"
@@ -213,6 +214,11 @@ Exit compare(const Job& job, ErrorWords words) {
   if (job.comparison->identify) {
     const Identification result = identify(job);
     return write(job, as_json ? json(result, words) : text(result, words), result.fits());
+  }
+  if (format_of(job.output_format).is_picture) {
+    CheckPicture picture(job);
+    const Check result = check(job, [&picture](const CheckedPair& pair) { picture.add(pair); });
+    return write(job, picture.svg(result), result.passed());
   }
   const Check result = check(job);
   return write(job, as_json ? json(result, words) : text(result, words), result.passed());

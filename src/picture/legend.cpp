@@ -22,7 +22,9 @@ std::string colour_of(std::size_t name) {
   return fmt::format("c{}{}", name % colours, dashes == 0 ? "" : fmt::format(" d{}", dashes));
 }
 
-double Legend::height() const { return entries({true, true, true, true}, true).back().at.y + line_height + 8; }
+double Legend::height() const {
+  return entries({true, true, true, true, scene_.worst.has_value()}, true).back().at.y + line_height + 8;
+}
 
 std::vector<Legend::Entry> Legend::entries(const Marks& marks, bool samples_hidden) const {
   std::vector<Entry> all;
@@ -36,6 +38,7 @@ std::vector<Legend::Entry> Legend::entries(const Marks& marks, bool samples_hidd
   if (marks.corners) all.push_back({Symbol::corner, "key at a corner", css});
   if (marks.handles) all.push_back({Symbol::tangent, "tangents", css});
   if (marks.samples) all.push_back({Symbol::sample, "sample", css});
+  if (marks.worst) all.push_back({Symbol::worst, "largest difference", css});
   if (samples_hidden) all.push_back({Symbol::none, "samples are too dense to be shown", css});
   Pixel at;
   for (Entry& entry : all) {
@@ -69,6 +72,7 @@ void Legend::draw_symbol(Svg& svg, Symbol symbol, const Pixel& at) {
     case Symbol::key: return svg.add_circle(middle, key_radius, "k");
     case Symbol::corner: return svg.add_circle(middle, key_radius, "q");
     case Symbol::tangent: return line(at, "h22", "h");
+    case Symbol::worst: return svg.add_circle(middle, worst_radius, "w");
     case Symbol::sample: return line(middle - Pixel{0, half_tick}, "v8", "s");
   }
 }

@@ -41,7 +41,9 @@ class Composer {
     }
     bytes_for_outlines_ = bytes_for_outlines();
     for (const SceneCurve& curve : scene_.curves) draw_curve(curve);
-    const Marks shown{any(&Marks::keys), any(&Marks::corners), any(&Marks::handles), any(&Marks::samples)};
+    if (scene_.worst) draw_worst(*scene_.worst);
+    const Marks shown{any(&Marks::keys), any(&Marks::corners), any(&Marks::handles), any(&Marks::samples),
+                      scene_.worst.has_value()};
     legend_.draw(svg_, {picture_margin, arrangement_.height - legend_.height()}, shown,
                  scene_.rows() > 0 && !shown.samples);
     svg_.end();
@@ -103,7 +105,11 @@ class Composer {
   void draw_curve(const SceneCurve& curve) {
     const std::vector<View>& views = arrangement_.views;
     std::vector<CurveDrawing> drawings;
-    for (std::size_t i = 0; i < views.size(); ++i) drawings.emplace_back(views[i], marks_[i], outline_of(views[i]));
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      Marks marks = marks_[i];
+      marks.handles = marks.handles && !curve.is_polyline;
+      drawings.emplace_back(views[i], marks, outline_of(views[i]));
+    }
     const Source<SegmentBlock> blocks = curve.segments();
     while (const std::optional<SegmentBlock> block = blocks()) {
       for (CurveDrawing& drawing : drawings) {
@@ -117,6 +123,13 @@ class Composer {
       marks_[i].corners = marks_[i].corners || drawings[i].has_corner();
     }
     svg_.end_group();
+  }
+
+  void draw_worst(const SceneMark& mark) {
+    for (const View& view : arrangement_.views) {
+      if (std::ranges::count(mark.channels, view.up) == 0) continue;
+      svg_.add_circle(view.at(mark.t, mark.position), worst_radius, "w");
+    }
   }
 
   const Scene& scene_;

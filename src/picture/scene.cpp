@@ -77,6 +77,23 @@ bool Scene::has_samples() const {
   return std::ranges::all_of(curves, [](const SceneCurve& curve) { return curve.samples.size() == curve.rows; });
 }
 
+std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
+                                                    const std::vector<std::string>& requested,
+                                                    const std::vector<std::size_t>& metric) {
+  std::vector<std::size_t> axes = metric;
+  for (std::size_t i = 0; metric.empty() && i < channels.size(); ++i) axes.push_back(i);
+  if (!requested.empty()) axes.clear();
+  for (const std::string& name : requested) {
+    const auto channel = find_channel(name, channels);
+    if (!channel) throw Error(Exit::usage, ErrorCode::unknown_axis, {name, channels}).about(Option::axes);
+    if (!axes.empty() && axes[0] == *channel) {
+      throw Error(Exit::usage, ErrorCode::same_axes, {name}).about(Option::axes);
+    }
+    axes.push_back(*channel);
+  }
+  return axes.size() < 2 ? std::nullopt : std::optional(std::array{axes[0], axes[1]});
+}
+
 SceneExtent extent_of(const Scene& scene) {
   SceneExtent extent;
   extent.channels.resize(scene.channels.size());

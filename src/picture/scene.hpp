@@ -30,6 +30,15 @@ struct SceneCurve {
   bool closed = false;
   std::uint64_t rows = 0;
   std::vector<SceneSample> samples = {};  ///< all of them, or none if there are more than Scene::most_samples
+  bool is_polyline = false;               ///< through samples of another program, which are its keys
+  std::size_t dotted = 0;                 ///< of a polyline: in so many channels its dots are enough, if they have room
+};
+
+/// A place that is marked in the views of some channels.
+struct SceneMark {
+  Time t;
+  std::vector<double> position;
+  std::vector<std::size_t> channels;
 };
 
 struct Scene {
@@ -39,6 +48,7 @@ struct Scene {
   std::vector<std::string> names;                  ///< of groups or files, each with its own colour
   std::optional<std::array<std::size_t, 2>> path;  ///< the channels of the path, to the right and up
   std::vector<SceneCurve> curves;
+  std::optional<SceneMark> worst = {};  ///< where given samples differ most from the curve
 
   /// The samples of a curve with more are not drawn.
   static constexpr std::uint64_t most_samples = 400;
@@ -50,6 +60,11 @@ struct Scene {
   /// Whether every curve has its samples.
   bool has_samples() const;
 };
+
+/// The channels of the path: those requested by name or number, or else the first two of some. Throws: Error (usage).
+std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
+                                                    const std::vector<std::string>& requested,
+                                                    const std::vector<std::size_t>& metric = {});
 
 /// The size of a picture; 0: as required by the contents.
 struct PictureSize {

@@ -162,7 +162,8 @@ void CurveDrawing::add_handles(const PixelSegment& segment, const Pixel& out, co
 
 void CurveDrawing::draw(Svg& svg, const SceneCurve& curve, const Keys& keys) {
   if (!handles_.empty()) svg.add_path(handles_, "h");
-  if (const std::string data = outline_->data(); !data.empty()) svg.add_path(data, "l");
+  const bool is_dotted = marks_.keys && view_.up < curve.dotted;
+  if (const std::string data = outline_->data(); !data.empty() && !is_dotted) svg.add_path(data, "l");
   std::string ticks;
   for (std::size_t i = 0; marks_.samples && i < curve.samples.size(); ++i) {
     const SceneSample& sample = curve.samples[i];
@@ -174,9 +175,9 @@ void CurveDrawing::draw(Svg& svg, const SceneCurve& curve, const Keys& keys) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Pixel at = view_.at(keys.times[i], keys.position(i));
     if (!is_finite(at)) continue;  // the channel has no position here
-    const bool corner = i < corners_.size() && corners_[i];
+    const bool corner = !curve.is_polyline && i < corners_.size() && corners_[i];
     has_corner_ = has_corner_ || corner;
-    svg.add_circle(at, key_radius, corner ? "q" : "k");
+    svg.add_circle(at, curve.is_polyline ? sample_radius : key_radius, corner ? "q" : "k");
   }
 }
 

@@ -51,10 +51,10 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame);
 
 /// Which marks a picture has.
 struct Marks {
-  bool keys = false, corners = false, handles = false, samples = false;
+  bool keys = false, corners = false, handles = false, samples = false, worst = false;
 };
 
-inline constexpr double key_radius = 3.2, half_tick = 4;
+inline constexpr double key_radius = 3.2, sample_radius = 2.2, half_tick = 4, worst_radius = 7;
 
 /// Draws one curve in one view, segment by segment in order.
 class CurveDrawing {

@@ -1,0 +1,36 @@
+// Pictures of checks: the samples over the curve, their differences over time, and the worst place.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/job.hpp"
+#include "compare/check.hpp"
+#include "picture/scene.hpp"
+
+namespace tcb {
+
+/// Collects the curves of a check with their samples.
+class CheckPicture {
+ public:
+  explicit CheckPicture(const Job& job) : job_(job) {}
+
+  /// Adds a curve with the samples that are on it. Throws: Error (data) if no position is compared.
+  void add(const CheckedPair& pair);
+
+  /// The picture as SVG. Throws: Error as picture() does.
+  std::string svg(const Check& check);
+
+ private:
+  void begin(const ComparisonInputs& inputs);
+  void add_curve(const CheckedPair& pair);
+  void add_samples(const CheckedPair& pair);
+
+  const Job& job_;
+  Scene scene_;
+  std::vector<std::size_t> channels_;  ///< of the keys: those that are compared
+  std::vector<std::size_t> given_;     ///< their columns in the table of samples
+  double largest_ = 0;                 ///< difference so far
+};
+
+}  // namespace tcb
