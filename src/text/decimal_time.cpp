@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "text/shortest_decimal.hpp"
+
 namespace tcb {
 namespace {
 
@@ -16,10 +18,10 @@ using Digits = LongDecimal::Digits;
 __extension__ using SignedDigits = __int128;
 
 constexpr double low_parts_from = 1e-270;  ///< below, the low part would be subnormal
-constexpr int most_power = 38;             ///< of ten, in 128 bits
+constexpr int largest_power = 38;          ///< of ten, in 128 bits
 
 constexpr auto powers = [] {
-  std::array<Digits, most_power + 1> all{1};
+  std::array<Digits, largest_power + 1> all{1};
   for (std::size_t i = 1; i < all.size(); ++i) all[i] = all[i - 1] * 10;
   return all;
 }();
@@ -167,24 +169,34 @@ double low_part(const LongDecimal& decimal, double high) {
   return std::ldexp(static_cast<double>(difference) / static_cast<double>(power), -shift);
 }
 
+/// Whether a stripped decimal is the shortest one of its double. Requires: nearest > 0, finite.
+bool is_shortest(const LongDecimal& decimal, double nearest) {
+  const Decimal found = shortest(nearest);
+  const LongDecimal of_double = stripped({found.digits, found.exponent});
+  return decimal.digits == of_double.digits && decimal.exponent == of_double.exponent;
+}
+
+/// The low part of a decimal that is a double but not its shortest decimal: too small to change the 31st digit.
+double low_part_of_exact(double high) { return std::ldexp(high, -107); }
+
 /// Requires: a stripped decimal; `high` is the double nearest to it without its sign, 0 if that is not known.
 Time time_of(const LongDecimal& decimal, double high) {
   const auto with_sign = [&](const Time& time) { return decimal.negative ? -time : time; };
   if (decimal.digits == 0) return {};
   if (high == 0) high = nearest_double(LongDecimal{decimal.digits, decimal.exponent}.value());
   if (high < low_parts_from || !std::isfinite(high)) return with_sign(high);
-  if (decimal.exponent <= 0 && decimal.exponent >= -22 && high >= 1e-5 && high < 0x1p53) {
-    return with_sign({high, low_part(decimal, high)});
-  }
-  const Rational exact = LongDecimal{decimal.digits, decimal.exponent}.value();
-  return with_sign({high, nearest_double(exact - Rational(high))});
+  const bool fits = decimal.exponent <= 0 && decimal.exponent >= -22 && high >= 1e-5 && high < 0x1p53;
+  const Rational value = fits ? Rational() : LongDecimal{decimal.digits, decimal.exponent}.value();
+  const double low = fits ? low_part(decimal, high) : nearest_double(value - Rational(high));
+  const bool is_exact = low == 0 && high != std::trunc(high) && !is_shortest(decimal, high);
+  return with_sign({high, is_exact ? low_part_of_exact(high) : low});
 }
 
 }  // namespace
 
 int LongDecimal::size() const {
   int count = 0;
-  while (count < most_power && power_of_ten(count) <= digits) ++count;
+  while (count < largest_power && power_of_ten(count) <= digits) ++count;
   return count;
 }
 
@@ -210,7 +222,7 @@ LongDecimal decimal_of(const Time& time) {
 LongDecimal rounded(const LongDecimal& decimal, int decimals) {
   const int dropped = -decimal.exponent - decimals;
   if (dropped <= 0) return decimal;
-  const Digits unit = dropped <= most_power ? power_of_ten(dropped) : 0;
+  const Digits unit = dropped <= largest_power ? power_of_ten(dropped) : 0;
   LongDecimal result{unit == 0 ? 0 : decimal.digits / unit, -decimals, decimal.negative};
   const Digits rest = unit == 0 ? 0 : decimal.digits % unit * 2;
   if (rest > unit || (rest == unit && result.digits % 2 != 0)) ++result.digits;
@@ -224,11 +236,13 @@ std::optional<Time> parse_long_time(std::string_view text, double nearest) {
   const auto found = scan(text);
   if (!found || found->size <= always_double) return std::nullopt;
   const LongDecimal decimal = stripped(rounded(*found));
-  if (decimal.size() <= always_double) return std::nullopt;
+  const int size = decimal.size();
+  if (size <= always_double) return std::nullopt;
   constexpr int most_of_double = 17;
-  if (decimal.size() <= most_of_double && std::abs(nearest) >= 0x1p53) return Time(nearest);
+  const double high = std::abs(nearest);
+  if (size <= most_of_double && (high >= 0x1p53 || is_shortest(decimal, high))) return Time(nearest);
   const bool is_rounded = found->size > digits_of_time;
-  return time_of(decimal, is_rounded ? 0 : std::abs(nearest));
+  return time_of(decimal, is_rounded ? 0 : high);
 }
 
 bool has_many_digits(const Time& time) {

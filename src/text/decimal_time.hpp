@@ -45,7 +45,8 @@ LongDecimal rounded(const LongDecimal& decimal, int decimals);
 Time time_of(const LongDecimal& decimal);
 
 /// A decimal number with 16 digits or more as it is written, but the 31 first digits rounded; nothing for any other
-/// text, for fewer digits, and for a number beyond the doubles. `nearest`: the double nearest to it.
+/// text, for fewer digits, and for a number beyond the doubles. A double's shortest decimal has no low part.
+/// `nearest`: the double nearest to the number.
 std::optional<Time> parse_long_time(std::string_view text, double nearest);
 
 /// Whether a time has more than 17 digits and is not whole, as no double needs them.

@@ -71,6 +71,26 @@ std::optional<std::int64_t> expected_whole(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
+/// A time is its decimal of up to 31 digits; a double alone where that is its shortest decimal, or where no digits
+/// beyond a double's are kept: up to 17 of them from 2^53 on, and in the smallest doubles.
+void read_decimal_time(const std::string& text, double nearest, const Time& time) {
+  const std::size_t mantissa = std::min(text.find_first_of("eEpP"), text.size());
+  const auto digits = std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(mantissa),
+                                    [](char c) { return c >= '0' && c <= '9'; });
+  if (!is_decimal(text) || digits <= 15 || std::abs(nearest) < 1e-270 || std::abs(nearest) >= 0x1p53) {
+    const bool may_be_long = digits > 17 && std::abs(nearest) >= 0x1p53;
+    return require(may_be_long || (time.hi == nearest && time.lo == 0), "a time is not its number", text);
+  }
+  const auto exact = parse_rational(text);
+  if (digits > 31 || !exact) return;  // rounded, which the tests of decimals compare
+  require(time.hi == nearest, "the high part of a time is not its number", text);
+  require(exact_time(time) == *exact, "a time is not its decimal", text);
+  std::string shortest;
+  append_number(shortest, nearest);
+  const bool is_shortest = *parse_rational(shortest) == *exact;
+  require(is_shortest == (time.lo == 0), "a low part beside a shortest decimal, or none beside another", text);
+}
+
 void read(const std::string& text) {
   const std::optional<double> wanted = expected_number(text);
   require(same(parse_number(text), wanted), "read otherwise than by strtod", text);
@@ -84,11 +104,7 @@ void read(const std::string& text) {
   require(time.has_value() == wanted.has_value(), "a time, but no number", text);
   if (!wanted) return;
   const auto whole = is_decimal(text) && text.find('.') == std::string::npos ? expected_whole(text) : std::nullopt;
-  const auto digits = std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
-  const bool may_be_longer = digits > 15;  // then a time may have digits that its double does not hold
-  if (!whole) {
-    return require(may_be_longer || (time->hi == *wanted && time->lo == 0), "a time is not its number", text);
-  }
+  if (!whole) return read_decimal_time(text, *wanted, *time);
   require(static_cast<__int128>(time->hi) + static_cast<__int128>(time->lo) == *whole, "digits lost", text);
   require_same(time_text(*time), std::to_string(*whole), "a time is written otherwise");
 }

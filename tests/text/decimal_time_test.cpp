@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -89,6 +90,29 @@ TEST(DecimalTimes, of_17_digits_at_most_are_doubles_until_more_are_needed) {
   EXPECT_NE(with_all_digits(Time(0.1)), Time(0.1));
   EXPECT_EQ(with_all_digits(Time(0.5)), Time(0.5));
   EXPECT_EQ(as_double(time_in("1700000000000000001")), time_in("1700000000000000001"));
+}
+
+TEST(DecimalTimes, that_are_shortest_decimals_of_doubles_are_these_doubles) {
+  EXPECT_EQ(time_in("2.000800825531961"), Time(2.000800825531961));
+  EXPECT_EQ(time_in("-0.30000000000000004"), Time(-0.30000000000000004));
+  EXPECT_NE(time_in("0.30000000000000003"), Time(0.30000000000000003)) << "the shortest decimal ends in 4";
+  std::mt19937_64 random(21);
+  for (int i = 0; i < 30'000; ++i) {
+    const double value = std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 200) - 150);
+    const std::string text = time_text(Time(value));
+    ASSERT_EQ(time_in(text), Time(value)) << text;
+  }
+}
+
+TEST(DecimalTimes, that_are_doubles_with_more_than_17_digits_keep_them) {
+  for (const std::string text : {"1.00000095367431640625", "9.31322574615478515625e-10", "-4.00000095367431640625"}) {
+    const Time time = time_in(text);
+    EXPECT_EQ(time_text(time), text);
+    EXPECT_EQ(exact_time(time), parse_rational(text)) << text;
+    EXPECT_TRUE(has_many_digits(time)) << text;
+    EXPECT_TRUE(is_earlier(time, Time(time.hi)) || is_earlier(Time(time.hi), time)) << text;
+  }
+  EXPECT_EQ(time_text(nearest_time(Rational(1) + Rational(1, 1 << 20), 3)), "1.00000095367431640625");
 }
 
 TEST(DecimalTimes, are_ordered_as_decimals_whether_short_or_long) {
