@@ -193,7 +193,7 @@ std::vector<Time> CurvePipeline::places(const CurveIndex& curve, const Extent& e
   std::vector<Time> places;
   if (request_.mode == Mode::tolerance) {
     const CurveSegments segments{[&curve](std::uint64_t number) { return curve.segment(number); }, curve.size()};
-    places = times_within_tolerance(segments, request_.tolerance, request_.max_rows);
+    places = times_within_tolerance(segments, request_.tolerance, request_.max_rows, request_.keys);
   } else if (request_.places.empty()) {
     places = grid_times(extent);
   } else {

@@ -73,13 +73,23 @@ class Chord {
 /// Finds row after row along a curve.
 class Walker {
  public:
-  Walker(const CurveSegments& segments, double tolerance) : segments_(segments), tolerance_(tolerance) {}
+  Walker(const CurveSegments& segments, double tolerance, bool at_keys)
+      : segments_(segments), tolerance_(tolerance), at_keys_(at_keys) {}
 
   Vertex start() const { return at(0, 0); }
 
-  /// The farthest place that a chord from here may reach.
+  /// The next row: the farthest place that a chord from here may reach. Where keys between them are rows as well, the
+  /// chords by these keys are near the curve, too.
   Vertex next(const Vertex& from) {
-    const std::uint64_t corner = next_corner(from);
+    const Vertex far = farthest(from, next_corner(from));
+    return at_keys_ && !reaches_by_keys(from, far) ? farthest(from, next_key(from)) : far;
+  }
+
+  bool is_end(const Vertex& place) const { return place.segment + 1 == segments_.count && place.u == 1; }
+
+ private:
+  /// The farthest place that a chord from here may reach, up to the key `corner`.
+  Vertex farthest(const Vertex& from, std::uint64_t corner) const {
     std::uint64_t good = from.segment, step = 1;  // the keys that end the segments before `good` can be reached
     while (good < corner && reaches(from, key(std::min(good + step, corner)))) {
       good = std::min(good + step, corner);
@@ -92,9 +102,6 @@ class Walker {
     return within(from, good);
   }
 
-  bool is_end(const Vertex& place) const { return place.segment + 1 == segments_.count && place.u == 1; }
-
- private:
   Vertex at(std::uint64_t number, double u) const {
     const CurveSegment segment = segments_.segment(number);
     Vertex place{number, u, u == 0 ? segment.start : u == 1 ? segment.end : time_of(segment, u), {}};
@@ -150,6 +157,16 @@ class Walker {
     return true;
   }
 
+  /// The chords from key to key between two places are near the curve.
+  bool reaches_by_keys(Vertex from, const Vertex& to) const {
+    for (std::uint64_t number = next_key(from); number <= to.segment; ++number) {
+      const Vertex end = key(number);
+      if (!reaches(from, end)) return false;
+      from = end;
+    }
+    return reaches(from, to);
+  }
+
   /// The segment between two local parameters is near the chord, so its control points are, or those of its halves.
   bool is_near(const Chord& chord, const CurveSegment& segment, double low, double high, int depth) const {
     const Local at_low{low, low - 1};
@@ -189,10 +206,13 @@ class Walker {
     return segment.start + segment.warp.inverse({u, u - 1}) * (segment.end - segment.start);
   }
 
+  /// The number of the first key after a place.
+  static std::uint64_t next_key(const Vertex& from) { return from.segment + (from.u == 1 ? 2 : 1); }
+
   /// The number of the first key after a place where the curve has a corner, or of the last one.
   std::uint64_t next_corner(const Vertex& from) {
-    if (corner_ > from.segment + (from.u == 1 ? 1 : 0)) return corner_;
-    corner_ = from.segment + (from.u == 1 ? 2 : 1);
+    if (corner_ >= next_key(from)) return corner_;
+    corner_ = next_key(from);
     while (corner_ < segments_.count && !is_corner(corner_)) ++corner_;
     return corner_;
   }
@@ -221,16 +241,18 @@ class Walker {
 
   const CurveSegments& segments_;
   double tolerance_;
+  bool at_keys_;
   std::uint64_t corner_ = 0;  ///< the last one found
 };
 
 }  // namespace
 
-std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows) {
+std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows,
+                                         bool at_keys) {
   constexpr double most = 1e300;
   const double least = std::min(std::floor(least_rows(segments, tolerance)), most);
   require_rows(Rational(least) - 1, max_rows, true);
-  Walker walker(segments, tolerance);
+  Walker walker(segments, tolerance, at_keys);
   std::vector<Time> times;
   Vertex place = walker.start();
   times.push_back(place.t);

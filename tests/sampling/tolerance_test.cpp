@@ -69,7 +69,12 @@ TEST(Tolerance, no_point_of_the_curve_is_farther_from_the_polyline) {
     const auto keys = random_keys(random, round % 2 == 0 ? 2 : 3);
     const Curve curve(keys);
     const double tolerance = std::pow(10, -1 - round % 3);
-    const auto rows = times_within_tolerance(curve.segments(), tolerance, 1'000'000);
+    const bool at_keys = round % 4 >= 2;
+    auto rows = times_within_tolerance(curve.segments(), tolerance, 1'000'000, at_keys);
+    if (at_keys) {
+      rows.insert(rows.end(), keys.times.begin(), keys.times.end());
+      std::ranges::sort(rows);
+    }
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
       const auto a = curve.at(rows[i].hi), b = curve.at(rows[i + 1].hi);
       for (double f = 0; f <= 1; f += 1.0 / 64) {
