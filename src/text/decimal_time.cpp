@@ -169,8 +169,9 @@ double low_part(const LongDecimal& decimal, double high) {
   return std::ldexp(static_cast<double>(difference) / static_cast<double>(power), -shift);
 }
 
-/// Whether a stripped decimal is the shortest one of its double. Requires: nearest > 0, finite.
+/// Whether a stripped decimal is the shortest one of its double. Requires: nearest >= 0, finite.
 bool is_shortest(const LongDecimal& decimal, double nearest) {
+  if (nearest == 0) return false;
   const Decimal found = shortest(nearest);
   const LongDecimal of_double = stripped({found.digits, found.exponent});
   return decimal.digits == of_double.digits && decimal.exponent == of_double.exponent;

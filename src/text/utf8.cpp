@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 namespace tcb {
 namespace {
 
@@ -29,6 +31,19 @@ std::size_t character_size(std::string_view text) {
   return overlong || surrogate || beyond ? 0 : size;
 }
 
+/// The number of bytes that begin a character; those after its first are 10xxxxxx. Eight bytes at a time.
+std::uint64_t count_characters(std::string_view text) {
+  std::uint64_t count = text.size();
+  for (; text.size() >= sizeof(std::uint64_t); text.remove_prefix(sizeof(std::uint64_t))) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, text.data(), sizeof bytes);
+    constexpr std::uint64_t ones = 0x0101010101010101;
+    count -= (bytes >> 7 & ~(bytes >> 6) & ones) * ones >> 56;  // the sum of eight bytes of 0 or 1
+  }
+  for (const char c : text) count -= (code(c) & 0xC0U) == 0x80U ? 1 : 0;
+  return count;
+}
+
 }  // namespace
 
 std::uint64_t column_after(std::string_view text, std::uint64_t column) {
@@ -37,9 +52,7 @@ std::uint64_t column_after(std::string_view text, std::uint64_t column) {
     text.remove_prefix(last + 1);
     column = 1;
   }
-  constexpr unsigned continues = 0x80, mask = 0xC0;  // the bytes of a character after its first
-  const auto characters = std::ranges::count_if(text, [](char c) { return (code(c) & mask) != continues; });
-  return column + static_cast<std::uint64_t>(characters);
+  return column + count_characters(text);
 }
 
 std::size_t find_invalid_utf8(std::string_view text) {

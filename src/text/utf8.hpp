@@ -10,7 +10,9 @@ namespace tcb {
 
 /// How many line ends a text has.
 inline std::uint64_t count_lines(std::string_view text) {
-  return static_cast<std::uint64_t>(std::ranges::count(text, '\n'));
+  std::uint64_t count = 0;
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) ++count;
+  return count;
 }
 
 /// The column after a text that begins in the given one; columns count characters.

@@ -36,6 +36,11 @@ TEST(Utf8, columns_count_characters_after_the_last_line_end) {
   EXPECT_EQ(column_after("", 5), 5U);
   EXPECT_EQ(column_after("a\xC3\xBC", 5), 7U);
   EXPECT_EQ(column_after("abc\n\xE2\x82\xAC", 5), 2U);
+  std::string text;
+  for (std::uint64_t characters = 1; characters < 40; ++characters) {
+    text += characters % 3 == 0 ? "\xE2\x82\xAC" : characters % 5 == 0 ? "\xF0\x9F\x98\x80" : "x";
+    EXPECT_EQ(column_after(text, 1), characters + 1) << text;
+  }
   const LinePosition position = position_after("a\nb\nc", {7, 3});
   EXPECT_EQ(position.line, 9U);
   EXPECT_EQ(position.column, 2U);
