@@ -63,7 +63,8 @@ struct IndexedCurve {
 
 class CurvePipeline {
  public:
-  /// Throws: Error if the settings of the job and of the input contradict each other, or do not fit the input.
+  /// Requires: `request` outlives it. Throws: Error if the settings of the job and of the input contradict each other,
+  /// or do not fit the input.
   CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, std::vector<std::size_t> fields,
                 const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
 

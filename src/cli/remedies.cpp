@@ -503,7 +503,7 @@ std::string option_with_value(std::string_view name) {
   return found;
 }
 
-/// The name that is meant: the nearest one, else the only one that begins with the text, or has it inside.
+/// The name that is probably meant, or "".
 std::string meant(const std::string& text, const std::vector<std::string>& names) {
   const std::string wanted = compared(text);
   if (text.starts_with("--")) {
@@ -511,18 +511,8 @@ std::string meant(const std::string& text, const std::vector<std::string>& names
   }
   std::vector<std::string> all;
   std::ranges::transform(names, std::back_inserter(all), compared);
-  const std::string nearest = nearest_name(wanted, std::vector<std::string_view>(all.begin(), all.end()));
-  auto found = nearest.empty() ? all.end() : std::ranges::find(all, nearest);
-  const auto only = [&](const auto& is_it) {
-    return std::ranges::count_if(all, is_it) == 1 ? std::ranges::find_if(all, is_it) : all.end();
-  };
-  const auto begins = [&](const std::string& name) { return wanted.size() > 1 && name.starts_with(wanted); };
-  const auto has = [&](const std::string& name) { return wanted.size() > 2 && name.find(wanted) != std::string::npos; };
-  const auto same_letters = [&](const std::string& name) { return std::ranges::is_permutation(name, wanted); };
-  if (nearest.empty() && text.starts_with("--")) found = only(same_letters);
-  if (nearest.empty() && found == all.end()) found = only(begins);
-  if (found == all.end()) found = only(has);
-  return found == all.end() ? "" : names[static_cast<std::size_t>(found - all.begin())];
+  const std::string_view likely = likely_name(wanted, std::vector<std::string_view>(all.begin(), all.end()));
+  return likely.empty() ? "" : names[static_cast<std::size_t>(std::ranges::find(all, likely) - all.begin())];
 }
 
 /// "; did you mean NAME?", or "".

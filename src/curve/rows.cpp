@@ -58,17 +58,16 @@ class Placer {
       require_length(s_, segments.times[i + 1]);
     }
     const bool last = block_->last && index_ == segments.size();
-    CurveSegment segment{segments.times[i],
-                         segments.times[i + 1],
-                         s_start,
-                         s_,
-                         segments[i],
-                         metric_,
-                         last,
-                         segments.warp(i),
-                         {},
-                         number_++,
-                         s_error_};
+    CurveSegment segment{.start = segments.times[i],
+                         .end = segments.times[i + 1],
+                         .s_start = s_start,
+                         .s_end = s_,
+                         .cubics = segments[i],
+                         .metric = metric_,
+                         .last = last,
+                         .warp = segments.warp(i),
+                         .number = number_++,
+                         .s_error = s_error_};
     if (last && block_->closes) segment.end_key = 0;
     decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
     segment.decimals = decimals_;

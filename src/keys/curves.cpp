@@ -70,8 +70,12 @@ class Order {
     if (column_.empty() && !is_in_order(block)) column_ = labels_.distinguishing(all, duplicates_ != Duplicates::error);
     for (std::size_t i = held; i < all.size(); ++i) {
       const bool begins_curve = block.begins_curve(i - held);
-      if (begins_curve) breaks.push_back(kept.size());
-      if (!keeps(all, i, begins_curve, block.faults, kept, breaks)) continue;
+      const Placement placement = begins_curve ? Placement::begins_curve : placement_of(all.keys.times[i]);
+      const bool repeats = placement == Placement::repeats;
+      if (repeats || placement == Placement::goes_back) block.faults.push_back(fault(all, i, repeats));
+      if (repeats || placement == Placement::dropped) continue;
+      if (placement == Placement::replaces_last) kept.pop_back();
+      if (placement == Placement::begins_curve) breaks.push_back(kept.size());
       before_ = location(all, i);
       kept.push_back(i);
     }
@@ -82,27 +86,20 @@ class Order {
     return result;
   }
 
-  /// Whether a key is kept. The last of equal times replaces the previous one in `kept`.
-  bool keeps(const KeyBlock& block, std::size_t key, bool begins_curve, std::vector<Error>& faults,
-             std::vector<std::size_t>& kept, std::vector<std::size_t>& breaks) const {
-    const Time time = block.keys.times[key];
-    if (begins_curve || !before_ || is_earlier(before_->time, time)) return true;
-    const bool equal = !is_earlier(time, before_->time);
-    if (equal && !column_.empty()) {
-      faults.push_back(fault(block, key, equal));
-      return false;
+  /// The place of a key after those that were kept. With the time of the last one it is a fault or as requested;
+  /// with an earlier time it is a fault, and the next key is compared with it.
+  enum class Placement { follows, begins_curve, replaces_last, dropped, repeats, goes_back };
+  Placement placement_of(const Time& time) const {
+    if (!before_ || is_earlier(before_->time, time)) return Placement::follows;
+    if (is_earlier(time, before_->time)) return Placement::goes_back;
+    if (!column_.empty()) return Placement::repeats;
+    switch (duplicates_) {
+      case Duplicates::first: return Placement::dropped;
+      case Duplicates::last: return Placement::replaces_last;
+      case Duplicates::break_curve: return Placement::begins_curve;
+      case Duplicates::error: break;
     }
-    if (equal && duplicates_ == Duplicates::first) return false;
-    if (equal && duplicates_ == Duplicates::break_curve) {
-      breaks.push_back(kept.size());
-      return true;
-    }
-    if (equal && duplicates_ == Duplicates::last) {
-      kept.pop_back();
-      return true;
-    }
-    faults.push_back(fault(block, key, equal));
-    return !equal;
+    return Placement::repeats;
   }
 
   Error fault(const KeyBlock& block, std::size_t key, bool equal) const {

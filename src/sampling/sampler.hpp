@@ -20,8 +20,8 @@
 
 namespace tcb {
 
-/// Rows on a segment, by their numbers. Besides those of the grid there are rows at the segment's first key and at the
-/// end of the range.
+/// The numbers of two rows that are not on the grid, for locate(): at the segment's first key, and at the end of the
+/// range.
 struct Row {
   static constexpr std::uint64_t at_key = std::numeric_limits<std::uint64_t>::max() - 1;
   static constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();

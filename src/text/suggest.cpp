@@ -34,6 +34,24 @@ std::string nearest_name(std::string_view name, std::span<const std::string_view
   return std::string(*nearest);
 }
 
+std::string_view likely_name(std::string_view name, std::span<const std::string_view> known) {
+  if (const std::string nearest = nearest_name(name, known); !nearest.empty())
+    return *std::ranges::find(known, nearest);
+  const auto only = [&](const auto& is_likely) {
+    const auto found = std::ranges::find_if(known, is_likely);
+    const bool is_one = found != known.end() && std::find_if(found + 1, known.end(), is_likely) == known.end();
+    return is_one ? *found : std::string_view();
+  };
+  const auto has_same_letters = [&](std::string_view other) { return std::ranges::is_permutation(other, name); };
+  const auto begins_so = [&](std::string_view other) { return name.size() > 1 && other.starts_with(name); };
+  const auto contains_it = [&](std::string_view other) {
+    return name.size() > 2 && other.find(name) != std::string_view::npos;
+  };
+  if (const std::string_view found = only(has_same_letters); !found.empty()) return found;
+  if (const std::string_view found = only(begins_so); !found.empty()) return found;
+  return only(contains_it);
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {

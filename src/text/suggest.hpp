@@ -12,6 +12,10 @@ namespace tcb {
 /// dropped or added. Upper and lower case are different letters.
 std::string nearest_name(std::string_view name, std::span<const std::string_view> known);
 
+/// The known name that is probably meant, or "": the nearest one; else the only one that has the same letters, begins
+/// with `name`, or contains it.
+std::string_view likely_name(std::string_view name, std::span<const std::string_view> known);
+
 /// The parts of a text between separators, one at least.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

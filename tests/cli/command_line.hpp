@@ -1,4 +1,4 @@
-// Command lines in tests: the job that they make, or the error.
+// Command lines in tests: the names of options, and the job that a line makes, or its error.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -11,6 +11,15 @@
 #include "error.hpp"
 
 namespace tcb {
+
+/// The names of all options, with their dashes.
+inline std::vector<std::string> option_names() {
+  std::vector<std::string> all;
+  for (const OptionRow& row : option_table()) {
+    for (const std::string_view name : row.all_names()) all.emplace_back(name);
+  }
+  return all;
+}
 
 inline Invocation parsed(const std::vector<std::string>& words) {
   std::vector<const char*> arguments{"tcbsample"};

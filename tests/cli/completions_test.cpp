@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "cli/command_line.hpp"
 #include "cli/options.hpp"
 
 namespace tcb {
@@ -17,15 +18,6 @@ using testing::StartsWith;
 
 class CompletionTest : public testing::Test {
  protected:
-  /// Every name with its dashes.
-  static std::vector<std::string> names() {
-    std::vector<std::string> all;
-    for (const OptionRow& row : option_table()) {
-      for (const std::string_view name : row.all_names()) all.emplace_back(name);
-    }
-    return all;
-  }
-
   /// What a program prints for a script; nothing where there is no such program.
   static std::optional<std::string> run(const std::string& program, const std::string& script) {
     if (std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) != 0) return std::nullopt;
@@ -48,7 +40,7 @@ TEST_F(CompletionTest, bash_completes_options) {
                                        "\nCOMP_WORDS=(tcbsample -); COMP_CWORD=1; _tcbsample; echo ${#COMPREPLY[@]}"
                                        "\nCOMP_WORDS=(tcbsample a); COMPREPLY=(); _tcbsample; echo ${#COMPREPLY[@]}\n");
   if (!printed) GTEST_SKIP();
-  EXPECT_EQ(*printed, "--arc-step --arc-count --arc-at\n" + std::to_string(names().size()) + "\n0\n");
+  EXPECT_EQ(*printed, "--arc-step --arc-count --arc-at\n" + std::to_string(option_names().size()) + "\n0\n");
 }
 
 TEST_F(CompletionTest, bash_completes_names_that_are_values) {
@@ -61,7 +53,7 @@ TEST_F(CompletionTest, bash_completes_names_that_are_values) {
 
 TEST_F(CompletionTest, zsh_and_fish_have_every_option_and_its_values) {
   const std::string zsh = generated_text(Generated::zsh), fish = generated_text(Generated::fish);
-  for (const std::string& name : names()) {
+  for (const std::string& name : option_names()) {
     EXPECT_THAT(zsh, HasSubstr("\n  '" + name + "["));
     EXPECT_THAT(fish,
                 HasSubstr(name.starts_with("--") ? " -l " + name.substr(2) + " " : " -s " + name.substr(1) + " "));

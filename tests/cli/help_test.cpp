@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "cli/command_line.hpp"
 #include "cli/options.hpp"
 
 namespace tcb {
@@ -14,21 +15,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class HelpTest : public testing::Test {
- protected:
-  /// Every name with its dashes.
-  static std::vector<std::string> names() {
-    std::vector<std::string> all;
-    for (const OptionRow& row : option_table()) {
-      for (const std::string_view name : row.all_names()) all.emplace_back(name);
-    }
-    return all;
-  }
-};
-
-TEST_F(HelpTest, the_help_shows_every_option_in_80_columns) {
+TEST(Help, the_help_shows_every_option_in_80_columns) {
   const std::string help = help_text();
-  for (const std::string& name : names())
+  for (const std::string& name : option_names())
     EXPECT_TRUE(std::regex_search(help, std::regex("\n  (-., )?(--[a-z-]+, )*" + name + "[ ,\n]"))) << name;
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
@@ -37,9 +26,9 @@ TEST_F(HelpTest, the_help_shows_every_option_in_80_columns) {
   EXPECT_THAT(help, HasSubstr("\n  -V, --version\n")) << "a flag shows no value";
 }
 
-TEST_F(HelpTest, the_manual_shows_every_option_with_its_dashes_escaped) {
+TEST(Help, the_manual_shows_every_option_with_its_dashes_escaped) {
   const std::string page = generated_text(Generated::manual);
-  for (std::string name : names()) {
+  for (std::string name : option_names()) {
     name = std::regex_replace(name, std::regex("-"), "\\-");
     EXPECT_THAT(page, HasSubstr("\\fB" + name + "\\fR"));
   }
@@ -48,12 +37,12 @@ TEST_F(HelpTest, the_manual_shows_every_option_with_its_dashes_escaped) {
   EXPECT_FALSE(page.ends_with('\n')) << "whoever prints it ends the line";
 }
 
-TEST_F(HelpTest, defaults_are_shown) {
+TEST(Help, defaults_are_shown) {
   EXPECT_THAT(help_text(), HasSubstr("default 1e9\n"));
   EXPECT_THAT(help_text(), HasSubstr("default error\n"));
 }
 
-TEST_F(HelpTest, the_version_has_the_name_and_three_numbers) {
+TEST(Help, the_version_has_the_name_and_three_numbers) {
   EXPECT_TRUE(std::regex_match(version_text(), std::regex("tcbsample [0-9]+\\.[0-9]+\\.[0-9]+"))) << version_text();
 }
 

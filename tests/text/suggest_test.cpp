@@ -39,6 +39,18 @@ TEST(Nearest, the_nearest_of_several_is_named) {
   EXPECT_EQ(nearest_name("--quiet", known), "");
 }
 
+TEST(LikelyName, is_the_nearest_or_the_only_one_that_begins_so_or_contains_it) {
+  const std::array<std::string_view, 5> known{"uniform", "finite-difference", "interval", "interval-c", "3dsmax"};
+  EXPECT_EQ(likely_name("unifrm", known), "uniform");
+  EXPECT_EQ(likely_name("fin", known), "finite-difference");
+  EXPECT_EQ(likely_name("difference", known), "finite-difference");
+  EXPECT_EQ(likely_name("max", known), "3dsmax");
+  EXPECT_EQ(likely_name("i", known), "") << "one letter is too little";
+  EXPECT_EQ(likely_name("int", known), "") << "two begin so";
+  EXPECT_EQ(likely_name("xamsd3", known), "3dsmax") << "the same letters";
+  EXPECT_EQ(likely_name("velocity", known), "");
+}
+
 TEST(Nearest, of_no_names_none_is_near) {
   EXPECT_EQ(nearest_name("step", {}), "");
   EXPECT_EQ(nearest("", "step"), "");
