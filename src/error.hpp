@@ -42,6 +42,9 @@ enum class Option {
   group,
   missing,
   na,
+  time_unit,
+  input_fps,
+  scale,
   duplicates,
   sort,
   // curve
@@ -86,6 +89,7 @@ enum class Option {
   hex,
   no_output_header,
   file_column,
+  rename,
   plot,
   axes,
   title,
@@ -103,6 +107,7 @@ enum class Option {
   abs,
   rel,
   ulp,
+  map,
   identify,
   // about
   explain,
@@ -147,8 +152,10 @@ enum class ErrorCode {
   column_with_two_roles,  ///< name
   two_columns_for_role,   ///< role, name of the second column
   no_channel_column,
-  column_nearly_role,    ///< name, role
-  times_unclear,         ///< name of the column that may be the time
+  column_nearly_role,  ///< name, role
+  times_unclear,       ///< name of the column that may be the time
+  time_units_differ,   ///< name of the column, its unit, the given one
+  unit_without_times,
   invalid_role_request,  ///< part of the option's text
   // input/csv
   record_too_long,
@@ -353,6 +360,8 @@ enum class ErrorCode {
   expected_decimal_mark,
   expected_tcb,
   expected_columns,
+  expected_renamings,
+  expected_scales,
   expected_name_part,
   expected_axes,
   expected_size,

@@ -49,6 +49,9 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       threads_(input.threads),
       may_miss_(input.may_miss),
       channels_(input.channels) {
+  const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
+  request_.frame_rate = input.frame_rate;
+  if (is_in_seconds) request_.step *= units_per_second(*input.time_unit);
   if (timed_ && spec_.parameter) {
     throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);
   }

@@ -63,7 +63,7 @@ struct IndexedCurve {
 
 class CurvePipeline {
  public:
-  /// Requires: `request` outlives it. Throws: Error if the settings of the job and of the input contradict each other,
+  /// Throws: Error if the settings of the job and of the input contradict each other,
   /// or do not fit the input.
   CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, std::vector<std::size_t> fields,
                 const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
@@ -78,6 +78,9 @@ class CurvePipeline {
   StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true) const;
 
   RuleFacts facts() const { return {spec_, timed_}; }
+
+  /// The request, with its step in the unit of the times.
+  const SamplingRequest& request() const { return request_; }
 
  private:
   bool is_single() const;
@@ -99,7 +102,7 @@ class CurvePipeline {
   Evaluate exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
                       const std::shared_ptr<const Locator>& locator) const;
 
-  const SamplingRequest& request_;
+  SamplingRequest request_;
   CurveSpec spec_;
   std::vector<std::size_t> fields_;
   std::optional<GoldenOptions> golden_;

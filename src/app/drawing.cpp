@@ -72,6 +72,7 @@ void Drawing::begin(const std::string& path, const Input& input, const RuleFacts
 
 std::size_t Drawing::name_of(const std::vector<std::string>& group) {
   std::vector<std::string_view> texts;
+  texts.reserve(group.size());
   for (const std::string& text : group) texts.push_back(content(text));
   const std::string name = group.empty() ? files_.back() : fmt::format("{}", fmt::join(texts, ", "));
   const auto known = std::ranges::find(scene_.names, name);

@@ -27,7 +27,7 @@ class Drawing {
   void begin(const std::string& path, const Input& input, const RuleFacts& rules);
 
   /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
-  void add(const std::vector<std::string>& group, const StoredCurve& curve, std::string rules);
+  void add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules);
 
   /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.
   void commit();

@@ -233,6 +233,8 @@ std::string samples_in_words(const SamplingRequest& request) {
   const std::string_view of = by_length(request.mode) ? "arc length" : "time";
   switch (request.mode) {
     case Mode::step:
+      if (request.is_rate) return fmt::format("{} per unit of time", shown(Rational(1) / request.step));
+      [[fallthrough]];
     case Mode::arc_step: return fmt::format("every {} of {}", shown(request.step), of);
     case Mode::count:
     case Mode::arc_count: return fmt::format("{}, equally spaced in {}", request.count, of);

@@ -37,6 +37,7 @@ struct Comparison {
   std::string file;                      ///< of the samples; "-" is standard input
   bool identify = false;                 ///< rank the conventions by agreement with them; otherwise check them
   std::vector<Tolerance> abs, rel, ulp;  ///< a number has to be within one of the three
+  std::vector<Renaming> maps = {};       ///< of the columns of the file
 };
 
 /// Rows of correctly rounded numbers.

@@ -114,6 +114,9 @@ class FileRun {
 
   void note_input(const Input& input) {
     if (!input.timed && !job_.curve.parameter) report_.note(path_, {NoteCode::no_time_column});
+    if (job_.sampling.is_rate && input.time_unit == TimeUnit::frames) {
+      report_.note(path_, {NoteCode::rate_of_frames, {input.time}});
+    }
     const bool chosen = std::ranges::count(job_.input.roles, Role::position, &RoleRequest::role) > 0;
     if (input.ignored.empty()) return;
     report_.note(path_, {chosen ? NoteCode::unchosen_columns : NoteCode::ignored_columns, {input.ignored}});

@@ -67,7 +67,7 @@ Report::~Report() { clear(); }
 
 void Report::note(const std::string& path, const Note& note) {
   constexpr std::array losses{NoteCode::ignored_columns, NoteCode::remainder, NoteCode::range_remainder,
-                              NoteCode::more_remainders};
+                              NoteCode::more_remainders, NoteCode::rate_of_frames};
   const bool is_loss = std::ranges::count(losses, note.code) > 0;
   if (is_loss ? !verbosity_.quiet : verbosity_.notes)
     print(fmt::format("{}: note: {}", shown_name(path), wording_.note(note)));

@@ -23,6 +23,7 @@ enum class NoteCode {
   remainder,         ///< distance of the end from the last row
   range_remainder,   ///< the same, where the range does not end at a key
   more_remainders,   ///< number of further curves with one
+  rate_of_frames,    ///< name of the time column
   step,              ///< the step, as text
   skipped_rows,      ///< number
   made_times,        ///< the parameterization, as given

@@ -98,6 +98,7 @@ constexpr std::array table{
     // comparison
     Conflict{{O::check, O::identify}, exclude},
     Conflict{{O::abs, O::rel, O::ulp}, need, {O::check}},
+    Conflict{{O::map}, need, {O::check, O::identify}},
     Conflict{modes | OptionSet{O::from, O::to, O::end, O::keys, O::max_rows}, idle, reports, for_report},
     Conflict{{O::output_dir, O::files, O::explain, O::progress, O::meta}, idle, reports, for_report},
     Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header, O::file_column}, idle, reports,
@@ -110,6 +111,7 @@ constexpr std::array table{
     Conflict{rules, idle, {O::identify}, ", which tries all rules on positions"},
     // input
     Conflict{{O::header, O::no_header}, exclude},
+    Conflict{{O::time_unit, O::input_fps}, exclude},
     Conflict{text_input, idle, {O::input_format}, "", has_json_input},
     Conflict{{O::decimal, O::delimiter}, exclude, {}, "", has_one_comma_for_two},
     // curve

@@ -82,6 +82,17 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::na, "--na", "TEXT,...", input,
      "Further signs of a missing number, besides NA, N/A, nan, null, None, missing, - and the like", "", other, recorded,
      [](Typed& to, Text text) { to.job.input.signs = column_list(text); }},
+    {Option::time_unit, "--time-unit", "UNIT", input,
+     "The unit of the times: s, ms, us, ns, min, h, d or frames; --rate then is per second; by default that of the "
+     "column's name, as in time_ms",
+     "", name, recorded,
+     [](Typed& to, Text text) { to.job.input.time_unit = named_row(time_units, text).unit; }, names_in<time_units>},
+    {Option::input_fps, "--input-fps", "HZ", input,
+     "The times are numbers of frames, HZ a second, such as 24 or 30000/1001; they become seconds", "", other, recorded,
+     [](Typed& to, Text text) { to.job.input.input_rate = positive_ratio(text); }},
+    {Option::scale, "--scale", "CHANNEL=FACTOR,...", input,
+     "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", other, recorded,
+     [](Typed& to, Text text) { to.job.input.scales = channel_scales(text); }},
     {Option::duplicates, "--duplicates", "POLICY", input,
      "For keys with equal times: error rejects them; first or last keeps that one; break begins a new curve with the "
      "second",
@@ -131,10 +142,11 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.mode = Mode::step;
        to.job.sampling.step = positive_ratio(text);
      }},
-    {Option::rate, "--rate,--fps", "HZ", sampling, "HZ samples per unit of time: a step of exactly 1/HZ", "", other,
-     recorded,
+    {Option::rate, "--rate,--fps", "HZ", sampling, 
+     "HZ samples per second, or per unit of time if that is not known: a step of exactly 1/HZ", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::step;
+       to.job.sampling.is_rate = true;
        to.job.sampling.step = step_of_rate(text);
      }},
     {Option::count, "-n,--count", "N", sampling,
@@ -258,6 +270,9 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::file_column, "--file-column", "[=NAME]", output,
      "Adds the input's name as the first column, called NAME; without a blank line between files", "file", other,
      recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
+    {Option::rename, "--rename", "OLD=NEW,...", output,
+     "Other names for columns of the input, in the output and in the options about channels", "", other, recorded,
+     [](Typed& to, Text text) { to.job.input.renamings = renamings(text); }},
     {Option::plot, "--plot", "", output,
      "Draws the curve and its samples, as -f svg does; without a sampling option, 51 of them equally spaced in time",
      "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; }},
@@ -301,6 +316,9 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::ulp, "--ulp", "[COL=]N,...", comparison,
      "The same, in units in the last place: steps between neighbouring doubles; by default 0, so equality", "", other,
      recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }},
+    {Option::map, "--map", "THEIRS=OURS,...", comparison,
+     "Names that the columns of FILE are compared by, as in frame_time=t,px=x", "", other, recorded,
+     [](Typed& to, Text text) { to.comparison.maps = renamings(text); }},
     {Option::identify, "--identify", "FILE", comparison,
      "Finds the tangents, ends, speeds, and order and signs of T, C, B that gave the positions in FILE, and prints a "
      "ranked table; exit code 1 if none fits",

@@ -80,7 +80,7 @@ inline const OptionRow& row_of(Option option) { return option_table()[index_of(o
 
 /// Reads the words of a command line. Throws: Error (usage) for unknown options, and for values that are wrong in
 /// themselves.
-TypedOptions read_options(const std::vector<std::string>& words);
+TypedOptions read_options(const std::vector<std::string>& given);
 
 /// What the command line requests: a text to print, or else a job.
 struct Invocation {
@@ -190,6 +190,10 @@ char decimal_mark(const std::string& text);
 spline::Tcb<double> tcb_values(const std::string& text);
 /// Columns by name or number, separated by commas.
 std::vector<std::string> column_list(const std::string& text);
+/// "OLD=NEW", or several separated by commas.
+std::vector<Renaming> renamings(const std::string& text);
+/// "CHANNEL=FACTOR", or several separated by commas.
+std::vector<ChannelScale> channel_scales(const std::string& text);
 /// Indices into fields(), each once.
 std::vector<std::size_t> field_list(const std::string& text);
 /// A part of a file's name.
@@ -221,6 +225,7 @@ const auto& named_row(const Table& table, std::string_view name) {
   const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
   if (found != std::ranges::end(table)) return *found;
   std::vector<std::string> known;
+  known.reserve(std::ranges::size(table));
   for (const auto& row : table) known.emplace_back(row.name);
   throw Error(Exit::usage, ErrorCode::unknown_name, {std::string(name), known});
 }

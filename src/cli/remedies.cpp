@@ -70,6 +70,12 @@ constexpr std::array all_words{
     Words{ErrorCode::times_unclear,
           "no time column, but column \"{0}\" may be one; expected a column called time; give --columns time={0}, or "
           "--parameter uniform if the keys have no times"},
+    Words{ErrorCode::time_units_differ,
+          "the times in column \"{0}\" are in {1} by its name, but in {2} by {subject}; expected one unit; remove the "
+          "option, or rename the column"},
+    Words{ErrorCode::unit_without_times,
+          "no time column, but {subject} is given; expected one; name it with --columns time=NAME, or remove the "
+          "option"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
           "continuity=, bias=, ease_in=, ease_out=, group= or carry=; for example --columns time=frame,position=px:py"},
@@ -411,6 +417,12 @@ constexpr std::array all_words{
     Words{ErrorCode::expected_ratio, "{subject} \"{0}\": expected a decimal or a ratio, such as 1.5 or 7/24"},
     Words{ErrorCode::expected_ratios,
           "{subject} \"{0}\": expected decimals or ratios, separated by commas, such as 0,0.5,7/24"},
+    Words{ErrorCode::expected_renamings,
+          "{subject} \"{0}\": expected two names with = between, or several such pairs separated by commas, as in "
+          "pos_x=x,pos_y=y"},
+    Words{ErrorCode::expected_scales,
+          "{subject} \"{0}\": expected a channel and a factor other than 0, or several separated by commas, such as "
+          "x=0.01,y=1/3"},
     Words{ErrorCode::expected_rate, "{subject} \"{0}\": expected a rate whose step is a double, less than 1.8e308"},
     Words{ErrorCode::expected_range, "{subject} \"{0}\": expected a range FIRST:LAST:STEP, such as 0:10:0.5"},
     Words{ErrorCode::endless_range,
@@ -507,7 +519,7 @@ std::string option_with_value(std::string_view name) {
 std::string meant(const std::string& text, const std::vector<std::string>& names) {
   const std::string wanted = compared(text);
   if (text.starts_with("--")) {
-    if (const std::string option = option_with_value(wanted); !option.empty()) return option;
+    if (std::string option = option_with_value(wanted); !option.empty()) return option;
   }
   std::vector<std::string> all;
   std::ranges::transform(names, std::back_inserter(all), compared);
@@ -592,6 +604,8 @@ constexpr std::array note_words{
     NoteWords{NoteCode::range_remainder,
               "the end of the range is {0} after the last row; --end keep or --end fit includes it"},
     NoteWords{NoteCode::more_remainders, "the same in {0} more curves, with their own distances"},
+    NoteWords{NoteCode::rate_of_frames,
+              "the times in column \"{0}\" count frames, so --rate is per frame; --input-fps HZ makes them seconds"},
     NoteWords{NoteCode::step, "the step is {0}"},
     NoteWords{NoteCode::skipped_rows, "rows skipped for missing numbers: {0}"},
     NoteWords{NoteCode::made_times, "none; made with --parameter {0}"},

@@ -204,6 +204,36 @@ std::vector<std::string> column_list(const std::string& text) {
   return {names.begin(), names.end()};
 }
 
+namespace {
+
+/// "a=b,c=d". Throws: Error (usage) `expected` unless all names and values are there.
+std::vector<std::pair<std::string, std::string>> named_values(const std::string& text, ErrorCode expected) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const std::string_view item : split(text, ',')) {
+    const std::size_t equals = item.rfind('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size()) refuse(expected, text);
+    all.emplace_back(item.substr(0, equals), item.substr(equals + 1));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Renaming> renamings(const std::string& text) {
+  std::vector<Renaming> all;
+  for (const auto& [from, to] : named_values(text, ErrorCode::expected_renamings)) all.push_back({from, to});
+  return all;
+}
+
+std::vector<ChannelScale> channel_scales(const std::string& text) {
+  std::vector<ChannelScale> all;
+  for (const auto& [channel, factor] : named_values(text, ErrorCode::expected_scales)) {
+    all.push_back({channel, ratio_or(ErrorCode::expected_scales, factor)});
+    if (all.back().factor == 0) refuse(ErrorCode::expected_scales, text);
+  }
+  return all;
+}
+
 std::vector<std::size_t> field_list(const std::string& text) {
   std::vector<std::size_t> chosen;
   for (const std::string_view name : split(text, ',')) {

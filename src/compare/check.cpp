@@ -27,6 +27,7 @@ bool has_content(const std::vector<std::string>& group) {
 /// The characters of a group's texts, without their kinds, which differ between formats.
 std::vector<std::string> contents(const std::vector<std::string>& group) {
   std::vector<std::string> texts;
+  texts.reserve(group.size());
   for (const std::string& text : group) texts.emplace_back(content(text));
   return texts;
 }

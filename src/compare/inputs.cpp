@@ -65,14 +65,16 @@ KeptCurves keep(const Job& job) {
   return kept;
 }
 
-SampleTable read_samples(const std::string& path, const Input& keys, bool timeless, unsigned threads) {
+SampleTable read_samples(const Job& job, const Input& keys, bool timeless) {
+  const std::string& path = job.comparison->file;
   Source<std::string> bytes = read_file(path);
   std::string beginning = bytes().value_or("");
   InputOptions options;
-  options.samples = SampleNames{keys.time, keys.groups, keys.carried};
+  options.samples = SampleNames{keys.time, keys.groups, keys.carried, job.comparison->maps};
   options.missing = Missing::skip_cell;
   options.timeless = timeless;
-  options.threads = threads;
+  options.threads = job.threads();
+  options.input_rate = job.input.input_rate;
   options.decimal = decimal_mark_of(beginning);
   Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
   SampleTable table{input.named, input.timed, input.time, input.channels, input.ignored, {}};
@@ -93,7 +95,7 @@ ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& cho
   inputs.kept = in_file(inputs.keys, [&] { return keep(job); });
   const bool timeless = !chosen.empty() && chosen[0] != field_of("time");
   in_file(inputs.file, [&] {
-    inputs.table = read_samples(job.comparison->file, inputs.kept.input, timeless, inputs.threads);
+    inputs.table = read_samples(job, inputs.kept.input, timeless);
     inputs.columns = match_columns(inputs.table, inputs.kept.input, chosen);
   });
   return inputs;

@@ -56,7 +56,7 @@ struct SampleTable {
 /// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;
 /// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `timeless`:
 /// the first column of a file without names is not the time. Throws: Error.
-SampleTable read_samples(const std::string& path, const Input& keys, bool timeless, unsigned threads);
+SampleTable read_samples(const Job& job, const Input& keys, bool timeless);
 
 /// A column of the samples that is also one of the curve's rows.
 struct MatchedColumn {
@@ -94,7 +94,7 @@ struct ComparisonInputs {
   std::string place_name() const { return columns.by_length ? "s" : kept.input.time; }
 };
 
-/// Reads both files and matches the columns; `fields` as for match_columns. Throws: Error, naming the file.
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& fields);
+/// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen);
 
 }  // namespace tcb

@@ -45,6 +45,7 @@ std::string list_json(const std::vector<std::string>& texts) {
 
 std::vector<std::string> texts(const std::vector<Error>& problems, ErrorWords words) {
   std::vector<std::string> all;
+  all.reserve(problems.size());
   for (const Error& problem : problems) all.push_back(words(problem));
   return all;
 }

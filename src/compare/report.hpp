@@ -13,11 +13,11 @@ using ErrorWords = std::string (*)(const Error&);
 
 /// The report as text.
 std::string text(const Check& check, ErrorWords words);
-std::string text(const Identification& identification, ErrorWords words);
+std::string text(const Identification& found, ErrorWords words);
 
 /// The report as a JSON object.
 std::string json(const Check& check, ErrorWords words);
-std::string json(const Identification& identification, ErrorWords words);
+std::string json(const Identification& found, ErrorWords words);
 
 /// Compares and writes the report. Returns Exit::data if the samples do not agree with the curve.
 /// Requires: job.comparison. Throws: Error, naming the file.

@@ -182,8 +182,14 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   return columns;
 }
 
-Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+Columns find_sample_columns(std::span<const std::string> given, const std::vector<bool>& numeric,
                             const SampleNames& names, bool timeless) {
+  std::vector<std::string> header(given.begin(), given.end());
+  for (const auto& [theirs, ours] : names.maps) {
+    const auto found = std::ranges::find(given, theirs);
+    if (found == given.end()) throw Error(Exit::data, ErrorCode::no_such_column, {theirs, header}).about(Option::map);
+    header[static_cast<std::size_t>(found - given.begin())] = ours;
+  }
   const auto place = [&](const auto& is_it) { return std::ranges::find_if(header, is_it) - header.begin(); };
   std::vector<RoleRequest> requests;
   std::vector<std::ptrdiff_t> taken;

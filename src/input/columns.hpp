@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "input/time_unit.hpp"
 
 namespace tcb {
 
@@ -33,6 +34,9 @@ std::optional<Role> near_role(std::string_view name);
 
 /// Whether a name is a usual one of times, such as "Frame Number", "time_ms" or "header.stamp".
 bool is_usual_time(std::string_view name);
+
+/// The unit of times in a column of this name, such as "timestamp [ns]", "time_ms" or "frame"; nothing if it has none.
+std::optional<TimeUnit> unit_of_time(std::string_view name);
 
 /// Whether a name is a usual one of positions with several coordinates, such as "pos" or "translation".
 bool is_usual_position(std::string_view name);
@@ -98,16 +102,22 @@ struct Columns {
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                      std::span<const RoleRequest> requests, bool timeless = false);
 
+/// Another name for a column.
+struct Renaming {
+  std::string from, to;
+};
+
 /// The names that samples of a curve are expected to have.
 struct SampleNames {
   std::string time;                      ///< of the time column, if it is not one of the usual names
   std::vector<std::string> groups = {};  ///< of the group columns, if they are there
   std::vector<std::string> labels = {};  ///< of columns to ignore
+  std::vector<Renaming> maps = {};       ///< of columns of the samples
 };
 
 /// The columns of samples: the time, the groups, and every other column of numbers as a channel, whatever its name.
 /// Throws: Error (data) as find_columns.
-Columns find_sample_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+Columns find_sample_columns(std::span<const std::string> given, const std::vector<bool>& numeric,
                             const SampleNames& names, bool timeless);
 
 /// The role of which a channel's name is a near miss, unless a column has that role or channels were requested.

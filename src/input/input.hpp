@@ -12,6 +12,7 @@
 #include "input/key_block.hpp"
 #include "input/missing.hpp"
 #include "input/tcb_scale.hpp"
+#include "input/time_unit.hpp"
 #include "io/formats.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
@@ -26,6 +27,13 @@ struct KeyRules {
   bool keeps_decimals = false;          ///< keys keep their numbers as written
   std::vector<std::string> signs = {};  ///< of missing cells, besides the common ones
   TcbScale tcb_scale = TcbScale::none;  ///< of keys
+  std::vector<Rational> factors = {};   ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
+};
+
+/// The factor of a channel's positions.
+struct ChannelScale {
+  std::string channel;
+  Rational factor;
 };
 
 /// Options of the reading of an input.
@@ -46,6 +54,10 @@ struct InputOptions {
   std::vector<std::string> signs;  ///< of missing cells, besides the common ones
 
   TcbScale tcb_scale = TcbScale::unknown;
+  std::optional<TimeUnit> time_unit;   ///< of the times; nothing: that of the column's name, if it has one
+  std::optional<Rational> input_rate;  ///< the times are frames, so many of them a second
+  std::vector<ChannelScale> scales;
+  std::vector<Renaming> renamings;  ///< of columns in the output
 
   KeyRules key_rules() const { return {tcb, missing, keeps_decimals, signs, tcb_scale}; }
 };
@@ -95,20 +107,29 @@ struct Input {
   CurveInfo curve_info;               ///< of all curves, unless they have their own
   Source<KeyBlock> keys;
   InputFacts facts = {};
-  std::vector<std::string> ignored = {};  ///< names of the columns without a role
-  std::vector<Mark> marks = {};           ///< the first of them
-  std::vector<std::string> groups = {};   ///< names of the group columns
-  std::vector<std::string> carried = {};  ///< names of the columns of labels
-  unsigned threads = 1;                   ///< at most
-  bool may_break = false;                 ///< a curve may end before the input does
-  bool may_miss = false;                  ///< positions may be missing
-  bool has_tcb_scale = false;             ///< that of tension, continuity and bias is given
-  bool may_be_timed = false;              ///< its first channel may be the time
-  bool own_curves = false;                ///< blocks have the beginnings of curves, and their information
+  std::vector<std::string> ignored = {};    ///< names of the columns without a role
+  std::vector<Mark> marks = {};             ///< the first of them
+  std::vector<std::string> groups = {};     ///< names of the group columns
+  std::vector<std::string> carried = {};    ///< names of the columns of labels
+  unsigned threads = 1;                     ///< at most
+  bool may_break = false;                   ///< a curve may end before the input does
+  bool may_miss = false;                    ///< positions may be missing
+  bool has_tcb_scale = false;               ///< that of tension, continuity and bias is given
+  bool may_be_timed = false;                ///< its first channel may be the time
+  std::optional<Rational> frame_rate = {};  ///< the times were frames, and are seconds
+  std::optional<TimeUnit> time_unit = {};   ///< of the times, if it is known
+  bool own_curves = false;                  ///< blocks have the beginnings of curves, and their information
 
   /// Takes over the columns of the input.
   void set_columns(const Columns& columns);
 };
+
+/// The factors of the numbers of a key, as in KeyRules. Throws: Error (data) for a channel that no column is, and for
+/// units of time that contradict each other.
+std::vector<Rational> key_factors(const InputOptions& options, const Columns& columns);
+
+/// Sets the unit of the times, and renames columns. Throws: Error (data) where there is no such column.
+void set_units_and_names(Input& input, const InputOptions& options);
 
 /// The largest number of faults of an input that are reported.
 inline constexpr std::size_t most_faults = 10;

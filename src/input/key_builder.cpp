@@ -57,10 +57,23 @@ void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal
   decimals_[number_of_key(column)] = std::move(decimal);
 }
 
-void KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) {
-  const Rational scaled = from_0_to_50(parse_rational(decimal).value_or(Rational(number(column))));
-  number(column) = nearest_double(scaled);
+bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) {
+  const bool is_tcb = column.role == Role::tension || column.role == Role::continuity || column.role == Role::bias;
+  const bool is_from_0_to_50 = is_tcb && rules_.tcb_scale == TcbScale::max3ds;
+  const std::size_t index = number_of_key(column);
+  const Rational factor = rules_.factors.empty() ? Rational(1) : rules_.factors[index];
+  if (!is_from_0_to_50 && factor == 1) return true;
+  const bool is_time = column.role == Role::time;
+  const Rational given = parse_rational(decimal).value_or(is_time ? exact_time(time_) : Rational(number(column)));
+  const Rational scaled = is_from_0_to_50 ? from_0_to_50(given) : given * factor;
+  if (!within_doubles(scaled)) return false;
+  if (is_time) {
+    time_ = nearest_time(scaled);
+  } else {
+    number(column) = nearest_double(scaled);
+  }
   if (keeps_decimals()) keep_decimal(column, whole_text(numerator(scaled)) + "/" + whole_text(denominator(scaled)));
+  return true;
 }
 
 bool KeyBuilder::miss(const Columns::Column& column) {

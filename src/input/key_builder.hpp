@@ -37,13 +37,11 @@ class KeyBuilder {
       default: return block_.keys.positions[position_ + column.channel];
     }
   }
-  /// The number of a cell is to be scaled, from its decimal.
-  bool is_scaled(const Columns::Column& column) const {
-    return rules_.tcb_scale == TcbScale::max3ds &&
-           (column.role == Role::tension || column.role == Role::continuity || column.role == Role::bias);
-  }
-  /// Scales the number of a cell. Requires: is_scaled(column); the number is set.
-  void scale(const Columns::Column& column, std::string_view decimal);
+  /// The number of a cell may have to be scaled, from its decimal.
+  bool scales() const { return rules_.tcb_scale == TcbScale::max3ds || !rules_.factors.empty(); }
+  /// Scales the number of a cell, where that is requested; false for a result beyond the doubles.
+  /// Requires: the number is set.
+  bool scale(const Columns::Column& column, std::string_view decimal);
   void set_time(const Time& time) { time_ = time; }
   /// A text as in texts.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }

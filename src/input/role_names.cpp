@@ -72,17 +72,56 @@ constexpr std::array time_names{
     "timevalue",  "timepoint",   "timesec",    "timeindex",      "framestamp",    "frametime",    "frametimestamp",
 };
 
-/// Units of time, which may be a name by themselves if they are two letters or more.
-constexpr std::array time_units{
-    "s",       "sec",    "secs",     "second",      "seconds",      "ms",      "msec",
-    "msecs",   "millis", "millisec", "millisecond", "milliseconds", "us",      "usec",
-    "usecs",   "micros", "microsec", "microsecond", "microseconds", "ns",      "nsec",
-    "nsecs",   "nanos",  "nanosec",  "nanosecond",  "nanoseconds",  "\u00B5s", "\u03BCs",
-    "minutes", "hours",  "hrs",      "days",        "frames",       "ticks",
+/// Names of units of time, which may be a name by themselves if they are two letters or more.
+struct UnitName {
+  const char* name;
+  std::optional<TimeUnit> unit;
+};
+using enum TimeUnit;
+constexpr std::array unit_names{
+    UnitName{"s", s},
+    UnitName{"sec", s},
+    UnitName{"secs", s},
+    UnitName{"second", s},
+    UnitName{"seconds", s},
+    UnitName{"ms", ms},
+    UnitName{"msec", ms},
+    UnitName{"msecs", ms},
+    UnitName{"millis", ms},
+    UnitName{"millisec", ms},
+    UnitName{"millisecond", ms},
+    UnitName{"milliseconds", ms},
+    UnitName{"us", us},
+    UnitName{"usec", us},
+    UnitName{"usecs", us},
+    UnitName{"micros", us},
+    UnitName{"microsec", us},
+    UnitName{"microsecond", us},
+    UnitName{"microseconds", us},
+    UnitName{"\u00B5s", us},
+    UnitName{"\u03BCs", us},
+    UnitName{"ns", ns},
+    UnitName{"nsec", ns},
+    UnitName{"nsecs", ns},
+    UnitName{"nanos", ns},
+    UnitName{"nanosec", ns},
+    UnitName{"nanosecond", ns},
+    UnitName{"nanoseconds", ns},
+    UnitName{"minutes", minutes},
+    UnitName{"hours", hours},
+    UnitName{"hrs", hours},
+    UnitName{"days", days},
+    UnitName{"frames", frames},
+    UnitName{"ticks", {}},
 };
 
 /// Units that are also words of other meanings.
-constexpr std::array short_units{"m", "min", "mins", "h", "hr", "d"};
+constexpr std::array short_unit_names{UnitName{"m", {}},    UnitName{"min", minutes}, UnitName{"mins", minutes},
+                                      UnitName{"h", hours}, UnitName{"hr", hours},    UnitName{"d", days}};
+
+/// Names of times that count frames, in the same form as the names of times.
+constexpr std::array frame_names{"frame",   "frames",   "frameno",    "framenr",    "framenum", "framenumber",
+                                 "frameid", "frameidx", "frameindex", "framecount", "keyframe", "keyframes"};
 
 /// Names of arrays and objects that hold positions, in the same form.
 constexpr std::array positions{"position", "positions", "pos",    "translation", "translate",   "location",  "loc",
@@ -118,15 +157,28 @@ bool has(const std::array<const char*, size>& names, std::string_view name) {
   return std::ranges::any_of(names, [&](std::string_view known) { return known == name; });
 }
 
-/// Whether a name is that of a time and its unit, such as "timems".
+template <std::size_t size>
+const UnitName* find_unit(const std::array<UnitName, size>& names, std::string_view name) {
+  const auto found = std::ranges::find_if(names, [&](const UnitName& known) { return known.name == name; });
+  return found == names.end() ? nullptr : &*found;
+}
+
+/// The unit at the end of a name such as "timems"; null where that is no name of a time with a unit.
+const UnitName* unit_at_end(std::string_view name) {
+  for (const std::string_view known : time_names) {
+    if (!name.starts_with(known)) continue;
+    const std::string_view text = name.substr(known.size());
+    if (const UnitName* const unit = find_unit(unit_names, text)) return unit;
+    const UnitName* const short_unit = known.size() > 1 ? find_unit(short_unit_names, text) : nullptr;
+    if (short_unit != nullptr) return short_unit;
+  }
+  return nullptr;
+}
+
+/// Whether a name is that of a time, or of a time and its unit, such as "timems".
 bool is_time(std::string_view name) {
-  if (has(time_names, name) || (name.size() > 2 && name != "second" && has(time_units, name))) return true;
-  if (name == "ms" || name == "ns") return true;
-  return std::ranges::any_of(time_names, [&](std::string_view known) {
-    if (!name.starts_with(known)) return false;
-    const std::string_view unit = name.substr(known.size());
-    return has(time_units, unit) || (known.size() > 1 && has(short_units, unit));
-  });
+  const bool is_unit = name.size() > 2 && name != "second" && find_unit(unit_names, name) != nullptr;
+  return has(time_names, name) || is_unit || name == "ms" || name == "ns" || unit_at_end(name) != nullptr;
 }
 
 }  // namespace
@@ -162,10 +214,31 @@ std::optional<Role> near_role(std::string_view name) {
 
 bool is_usual_time(std::string_view name) {
   const std::string_view alone = without_unit(name);
-  if (alone == "T") return has(time_units, compact(name.substr(alone.size())));  // T by itself is tension
-  const std::size_t path = alone.find_last_of("./");                             // as in header.stamp
+  // T by itself is tension.
+  if (alone == "T") return find_unit(unit_names, compact(name.substr(alone.size()))) != nullptr;
+  const std::size_t path = alone.find_last_of("./");  // as in header.stamp
   const std::string last = compact(path == std::string_view::npos ? alone : alone.substr(path + 1));
   return is_time(compact(alone)) || is_time(last);
+}
+
+std::optional<TimeUnit> unit_of_time(std::string_view name) {
+  const std::string_view alone = without_unit(name);
+  const std::string whole = compact(name);
+  const std::size_t separator = name.find_last_of("_-. ");
+  const UnitName* found = nullptr;
+  if (alone.size() < name.size()) {  // in brackets
+    const std::string unit = compact(name.substr(alone.size()));
+    found = find_unit(unit_names, unit);
+    if (found == nullptr) found = find_unit(short_unit_names, unit);
+  } else if (has(frame_names, whole)) {
+    return TimeUnit::frames;
+  } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s
+    found = find_unit(unit_names, compact(name.substr(separator)));
+  } else if (whole.size() > 1) {
+    found = find_unit(unit_names, whole);
+  }
+  if (found == nullptr && !has(time_names, whole)) found = unit_at_end(whole);
+  return found == nullptr ? std::nullopt : found->unit;
 }
 
 bool is_usual_position(std::string_view name) { return has(positions, compact(name)); }

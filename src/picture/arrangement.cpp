@@ -75,7 +75,8 @@ class Arranger {
     view.x.set_length(box.width / scale);
     view.y.set_length(box.height / scale);
     const std::string name = scene_.channels[*view.right];
-    return add(std::move(view), name, view.box.width);
+    const double name_room = view.box.width;
+    return add(std::move(view), name, name_room);
   }
 
   void place_strips(std::size_t column, double left, double room) {

@@ -166,15 +166,22 @@ void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) 
               {shown(rows), max_rows});
 }
 
+Rational SamplingRequest::exact(const Time& time) const {
+  const Rational decimal = exact_time(time);
+  if (!frame_rate) return decimal;
+  const Rational frames = floor(decimal * *frame_rate + Rational(1, 2)) / *frame_rate;
+  return nearest_time(frames) == time ? frames : decimal;
+}
+
 Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   const bool arc = by_length(request.mode);
-  const Rational from = request.from.value_or(arc ? Rational(0) : exact_time(extent.first));
+  const Rational from = request.from.value_or(arc ? Rational(0) : request.exact(extent.first));
   std::optional<Rational> to = request.to;
   if (to && *to < from) {  // a start that was given is before it
     throw Error(Exit::usage, ErrorCode::end_before_start, {text(*to), text(from)}).about(Option::to);
   }
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
-  if (!to && !arc && extent.last) to = exact_time(*extent.last);
+  if (!to && !arc && extent.last) to = request.exact(*extent.last);
   if (to && *to < from && request.count != 1) {
     if (arc) require_not_after(Option::from, from, curve_length(*extent.length));
     throw Error(Exit::usage, ErrorCode::start_after_end, {text(from), text(*to)}).about(Option::from);

@@ -34,6 +34,7 @@ inline constexpr std::array end_policies{
 struct SamplingRequest {
   Mode mode = Mode::step;
   Rational step;                     ///< time or arc length between rows: step, arc_step
+  bool is_rate = false;              ///< the step is in seconds, where the unit of the times is known: step
   std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
   std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
   double tolerance = 0;              ///< how far the polyline may be from the curve
@@ -42,6 +43,10 @@ struct SamplingRequest {
   bool keys = false;                 ///< every key is a row too
   bool from_left = true;             ///< a row at a key is on the segment before it, not on the one after
   std::uint64_t max_rows = 1'000'000'000;
+  std::optional<Rational> frame_rate = {};  ///< the times of the keys are frames in seconds
+
+  /// The exact time of a key: a decimal, or a whole number of frames in seconds.
+  Rational exact(const Time& time) const;
 };
 
 /// Samples are placed by arc length, so every segment has to be measured.

@@ -88,15 +88,20 @@ class ByLength : public OnGrid {
 /// Samples at equal intervals within every segment: the inbetweens of the paper.
 class PerSegment : public Sampler {
  public:
-  explicit PerSegment(const SamplingRequest& request) : intervals_(request.count), max_rows_(request.max_rows) {}
+  explicit PerSegment(const SamplingRequest& request) : request_(request) {}
 
   Run place(const CurveSegment& segment) override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
   bool done() const override { return false; }
 
  private:
-  std::uint64_t intervals_;
-  std::uint64_t max_rows_;
+  /// Row 0 on a segment, and the step.
+  Grid grid(const CurveSegment& segment) const {
+    const Rational start = request_.exact(segment.start);
+    return {start, (request_.exact(segment.end) - start) / request_.count};
+  }
+
+  SamplingRequest request_;
 };
 
 OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
@@ -215,21 +220,18 @@ void ByLength::locate(const CurveSegment& segment, std::uint64_t first, std::uin
 }
 
 Run PerSegment::place(const CurveSegment& segment) {
-  require_rows(Rational(segment.number + 1) * intervals_, max_rows_, !segment.last);
-  const Rational start = exact_time(segment.start);
-  const Grid grid(start, (exact_time(segment.end) - start) / intervals_);
-  if (segment.start < segment.end) require_resolution(grid, segment.end, segment.decimals);
-  return {1, intervals_, true, segment.last};
+  require_rows(Rational(segment.number + 1) * request_.count, request_.max_rows, !segment.last);
+  if (segment.start < segment.end) require_resolution(grid(segment), segment.end, segment.decimals);
+  return {1, request_.count, true, segment.last};
 }
 
 void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
   const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
-  const Rational start = exact_time(segment.start);
-  const Rational step = (exact_time(segment.end) - start) / intervals_;
+  const Grid grid = this->grid(segment);
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     if (row == Row::at_key) return {segment.start, {0, -1}};
     if (row == Row::at_end) return {segment.end, {1, 0}};
-    const Time t = nearest_time(start + step * row, segment.decimals);
+    const Time t = nearest_time(grid.start() + grid.step() * row, segment.decimals);
     return {t, locate(t)};
   });
 }

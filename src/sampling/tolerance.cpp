@@ -136,7 +136,7 @@ class Walker {
       const double middle = (low + high) / 2;
       (reaches(from, at(number, middle)) ? low : high) = middle;
     }
-    const Vertex reached = low == 0 && number > 0 ? key(number) : at(number, low);
+    Vertex reached = low == 0 && number > 0 ? key(number) : at(number, low);
     if (number == from.segment && reached.u <= from.u) {
       throw Error(Exit::usage, ErrorCode::tolerance_too_small, {tolerance_}).about(Option::tolerance);
     }

@@ -61,7 +61,8 @@ char* write_decimal(LongDecimal decimal, const Notation& notation, char* out) {
   std::string digits = text_of(decimal.digits);
   const int before = static_cast<int>(digits.size()) + decimal.exponent;
   if (!fixed && (before < -3 || before > count)) return write_scientific(std::move(digits), before - 1, out);
-  if (fixed) digits.append(static_cast<std::size_t>(notation.count + decimal.exponent), '0');
+  const int zeros = fixed ? notation.count + decimal.exponent : 0;
+  digits.append(static_cast<std::size_t>(zeros), '0');
   return write_plain(std::move(digits), before, out);
 }
 

@@ -21,7 +21,8 @@ std::string word(Option option) {
     case ValueKind::other: break;
   }
   if (!row.default_value.empty()) return name + "=" + std::string(row.default_value);
-  return name + (option == Option::delimiter ? "=tab" : option == Option::columns ? "=time=t" : "=1");
+  const bool is_named = option == Option::columns || option == Option::map;
+  return name + (option == Option::delimiter ? "=tab" : is_named ? "=time=t" : "=1");
 }
 
 std::vector<Option> members(const OptionSet& options) {

@@ -87,6 +87,7 @@ class RecordReader {
         if (const auto time = decimals_.time(bare(cell)); time && !is_given_sign(cell)) {
           keys_.set_time(*time);
           if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+          if (keys_.scales()) scale(cell, column);
         } else {
           read_no_number(cell, column);
         }
@@ -95,11 +96,16 @@ class RecordReader {
         if (const auto number = decimals_.number(bare(cell)); number && !is_given_sign(cell)) {
           keys_.number(column) = *number;
           if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
-          if (keys_.is_scaled(column)) keys_.scale(column, decimals_.text(bare(cell)));
+          if (keys_.scales()) scale(cell, column);
         } else {
           read_no_number(cell, column);
         }
     }
+  }
+
+  void scale(std::string_view cell, const Columns::Column& column) {
+    if (keys_.scale(column, decimals_.text(bare(cell)))) return;
+    add_fault(cell, ErrorCode::number_too_large, {head_.columns.name_of(column), unquoted(cell)});
   }
 
   /// A number such as -999 may be a sign of a missing one.

@@ -213,6 +213,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
                                    : find_columns(names, numeric, options.roles, options.timeless);
     if (!options.samples) require_no_near_miss(names, head.columns, options.roles, options.timeless);
+    head.rules.factors = key_factors(options, head.columns);
   });
   const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
   if (!chosen && !options.samples) require_text(rest[0], head, numeric);

@@ -172,7 +172,9 @@ class KeyReader : public JsonObjectReader {
       default: keys_.number(column) = value.hi;
     }
     if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimal_text(value));
-    if (keys_.is_scaled(column)) keys_.scale(column, decimal_text(value));
+    if (keys_.scales() && !keys_.scale(column, decimal_text(value))) {
+      add_value_fault(ErrorCode::json_number_too_large, {decimal_text(value)});
+    }
   }
 
   /// Tension, continuity or bias: a member, or a number of "tcb", but not both.

@@ -49,7 +49,7 @@ std::vector<std::string> names_in(const Found& array, const Arrays& arrays, cons
   std::vector<std::string> names = default_channel_names(array.numbers);
   const auto is_member = [&](const auto& name) { return std::ranges::count(members, name, &Found::name) > 0; };
   if (array.name == "position" || (is_alone && std::ranges::none_of(names, is_member))) return names;
-  for (std::string& name : names) name = array.name + "_" + name;
+  for (std::string& name : names) name.insert(0, array.name + "_");
   return names;
 }
 
@@ -195,6 +195,7 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);
   result.rules = options.key_rules();
+  result.rules.factors = key_factors(options, result.columns);
   return result;
 }
 

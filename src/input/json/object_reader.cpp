@@ -76,7 +76,7 @@ struct JsonObjectReader::Adapter {
   bool end_object() { return reader.close(true); }
   bool start_array(std::size_t) { return reader.open(false); }
   bool end_array() { return reader.close(false); }
-  bool parse_error(std::size_t, const std::string&, const json::exception& error) {
+  bool parse_error(std::size_t, const std::string&, const json::exception& error) const {
     constexpr int out_of_range = 406;
     if (error.id == out_of_range) reader.refuse_large_number();
     reader.refuse_syntax();

@@ -79,9 +79,8 @@ class JsonGrammar {
     if ((first == '[' || first == '{') && value_expected) {
       open_.push_back(first);
       expected_ = first == '[' ? value_or_end : name_or_end;
-    } else if (first == ']' && (expected_ == value_or_end || expected_ == comma_in_array)) {
-      close();
-    } else if (first == '}' && (expected_ == name_or_end || expected_ == comma_in_object)) {
+    } else if ((first == ']' && (expected_ == value_or_end || expected_ == comma_in_array)) ||
+               (first == '}' && (expected_ == name_or_end || expected_ == comma_in_object))) {
       close();
     } else if (first == ',' && after_item) {
       expected_ = expected_ == comma_in_array ? value : name;

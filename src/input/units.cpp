@@ -1,0 +1,97 @@
+// Units and names of an input: factors of its numbers, the unit of its times, and new names for its columns.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "input/columns.hpp"
+#include "input/input.hpp"
+
+namespace tcb {
+namespace {
+
+/// Whether the times of these columns are frames that a rate turns into seconds.
+bool is_converted(const InputOptions& options, const std::string& time) {
+  if (!options.input_rate) return false;
+  return !options.samples || unit_of_time(time) == TimeUnit::frames;
+}
+
+/// Throws: Error (data) where the column's name has another unit than the options.
+void require_unit(const InputOptions& options, const std::string& time) {
+  const auto named = unit_of_time(time);
+  if (!named || options.samples) return;
+  const auto refuse = [&](Option option, TimeUnit unit) {
+    throw Error(Exit::data, ErrorCode::time_units_differ,
+                {time, std::string(row_of(*named).name), std::string(row_of(unit).name)})
+        .about(option);
+  };
+  if (options.input_rate && *named != TimeUnit::frames) refuse(Option::input_fps, TimeUnit::frames);
+  if (options.time_unit && *options.time_unit != *named) refuse(Option::time_unit, *options.time_unit);
+}
+
+/// All names of an input.
+std::vector<std::string*> names_of(Input& input) {
+  std::vector<std::string*> names;
+  if (input.timed) names.push_back(&input.time);
+  for (auto* const list : {&input.channels, &input.groups, &input.carried}) {
+    for (std::string& name : *list) names.push_back(&name);
+  }
+  return names;
+}
+
+/// Throws: Error (data) for a name that no column has, and where two columns would have the same name.
+void rename(Input& input, const std::vector<Renaming>& renamings) {
+  const std::vector<std::string*> names = names_of(input);
+  std::vector<std::string> before, after;
+  for (const std::string* name : names) before.push_back(*name);
+  for (const Renaming& renaming : renamings) {
+    const auto found = std::ranges::find(before, renaming.from);
+    if (found == before.end()) {
+      throw Error(Exit::data, ErrorCode::no_such_column, {renaming.from, before}).about(Option::rename);
+    }
+    *names[static_cast<std::size_t>(found - before.begin())] = renaming.to;
+  }
+  for (const std::string* name : names) {
+    if (std::ranges::count(after, *name) > 0) {
+      throw Error(Exit::data, ErrorCode::same_column_names, {*name}).about(Option::rename);
+    }
+    after.push_back(*name);
+  }
+}
+
+}  // namespace
+
+std::vector<Rational> key_factors(const InputOptions& options, const Columns& columns) {
+  if (columns.has(Role::time)) require_unit(options, columns.time);
+  const bool is_time_converted = columns.has(Role::time) && is_converted(options, columns.time);
+  if (!is_time_converted && options.scales.empty()) return {};
+  std::vector<Rational> factors(NumberOfKey::position + columns.channels.size(), 1);
+  if (is_time_converted) factors[NumberOfKey::time] = Rational(1) / *options.input_rate;
+  for (const ChannelScale& scale : options.scales) {
+    const auto channel = std::ranges::find(columns.channels, scale.channel);
+    if (channel == columns.channels.end()) {
+      throw Error(Exit::data, ErrorCode::no_such_column, {scale.channel, columns.channels}).about(Option::scale);
+    }
+    factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
+  }
+  return factors;
+}
+
+void set_units_and_names(Input& input, const InputOptions& options) {
+  if (!input.timed) {
+    if (options.input_rate || options.time_unit) {
+      throw Error(Exit::data, ErrorCode::unit_without_times)
+          .about(options.input_rate ? Option::input_fps : Option::time_unit);
+    }
+  } else {
+    input.time_unit = options.time_unit ? options.time_unit : unit_of_time(input.time);
+    if (is_converted(options, input.time)) {
+      input.time_unit = TimeUnit::s;
+      input.frame_rate = options.input_rate;
+      if (unit_of_time(input.time) == TimeUnit::frames && !options.samples) input.time = "time";
+    }
+  }
+  if (!options.renamings.empty()) rename(input, options.renamings);
+}
+
+}  // namespace tcb
