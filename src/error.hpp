@@ -179,6 +179,7 @@ enum class ErrorCode {
   time_missing,           ///< column, cell
   number_with_point,      ///< column, cell
   number_with_comma,      ///< column, cell
+  number_with_thousands,  ///< column, cell
   number_too_large,       ///< column, cell
   several_numbers,        ///< column, cell
   not_a_number,           ///< column, cell

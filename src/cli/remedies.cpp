@@ -127,6 +127,9 @@ constexpr std::array all_words{
           "{c0}: {q1} has a point; expected a decimal comma; correct the cell, or remove --decimal"},
     Words{ErrorCode::number_with_comma,
           "{c0}: {q1} is not a number; expected a decimal point; give --decimal , if this is a decimal comma"},
+    Words{ErrorCode::number_with_thousands,
+          "{c0}: {q1} is not a number; expected one without separators of thousands; remove them, or give --decimal , "
+          "if this is a decimal comma"},
     Words{ErrorCode::number_too_large,
           "{c0}: {q1} is not a finite double; expected less than 1.8e308 in size; correct the cell"},
     Words{ErrorCode::several_numbers,

@@ -7,6 +7,7 @@
 #include "input/key_builder.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/parse_number.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -163,6 +164,18 @@ std::string hexadecimal(char byte) {
   return {digits[code / 16], digits[code % 16]};
 }
 
+bool has_thousands_separators(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  const auto groups = split(text.substr(0, text.find('.')), ',');
+  const bool is_fraction = text.starts_with('0');  // as in 0,125
+  if (groups.size() < 2 || groups[0].empty() || groups[0].size() > 3 || is_fraction) return false;
+  if (std::any_of(groups.begin() + 1, groups.end(), [](std::string_view group) { return group.size() != 3; }))
+    return false;
+  std::string digits(text);
+  std::erase(digits, ',');
+  return digits.find_first_not_of(".0123456789") == std::string::npos && parse_number(digits);
+}
+
 ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<std::string>& signs) {
   if (is_missing_sign(cell, signs)) return cell.empty() ? ErrorCode::number_empty : ErrorCode::number_missing;
   if (looks_numeric(cell) || (decimal != '.' && looks_numeric(with_point(cell)))) {
@@ -170,6 +183,7 @@ ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<
     return has_point ? ErrorCode::number_with_point : ErrorCode::number_too_large;
   }
   const bool has_comma = decimal == '.' && cell.find(',') != std::string_view::npos;
+  if (has_comma && has_thousands_separators(cell)) return ErrorCode::number_with_thousands;
   if (has_comma && parse_number(with_point(cell))) return ErrorCode::number_with_comma;
   const std::size_t blank = cell.find_first_of(" \t");
   const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
@@ -179,9 +193,12 @@ ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
 
 Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
+  const std::optional<char> named = take_named_delimiter(bytes);
+  const std::optional<char> delimiter = options.delimiter ? options.delimiter : named;
   Beginning beginning;
-  if (options.delimiter) beginning.delimiter = *options.delimiter;
-  if (!options.delimiter) beginning = find_delimiter(bytes, options);
+  if (delimiter) beginning.delimiter = *delimiter;
+  if (!delimiter) beginning = find_delimiter(bytes, options);
+  if (named) ++beginning.line;
   const Dialect dialect{beginning.delimiter, options.comment, options.samples.has_value()};
   if (dialect.delimiter == options.decimal) throw Error(Exit::data, ErrorCode::decimal_comma_is_delimiter);
   Source<Chunk> chunks =

@@ -45,6 +45,9 @@ struct Beginning {
 /// Reads until the first record is whole. Throws: Error (data) for a record over 64 MiB.
 Beginning find_delimiter(const Source<std::string>& bytes, const InputOptions& options);
 
+/// The delimiter that a first line such as "sep=;" names, as spreadsheets write it; that line is dropped.
+std::optional<char> take_named_delimiter(Source<std::string>& bytes);
+
 /// Cuts bytes into chunks of whole records. `line` is that of the first byte.
 /// Requires: the bytes have no byte order mark. Throws: Error (data) for a NUL, and for a record over 64 MiB, which
 /// usually comes from a missing quote.
@@ -68,6 +71,9 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
 
 /// A byte as two digits.
 std::string hexadecimal(char byte);
+
+/// Whether a text is a number such as 1,234.5 or 1,234,567.
+bool has_thousands_separators(std::string_view text);
 
 /// Why a cell is not a number where one was expected. `decimal` is the decimal mark, `signs` those of missing numbers.
 ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<std::string>& signs = {});

@@ -72,10 +72,11 @@ class FirstRecords {
   std::string comment_;  ///< the last line, if it is a comment
 };
 
-/// Whether the cell looks like a number. One with the other decimal mark does too, and is an error later.
+/// Whether the cell looks like a number. One with the other decimal mark, or with
+/// separators of thousands, does too, and is an error later.
 bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
   return is_missing_sign(cell, head.rules.signs) || Decimals('.').looks_numeric(cell) ||
-         (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
+         has_thousands_separators(cell) || (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
 }
 
 bool is_header(const FirstRecords::Record& record, const DelimitedHead& head) {

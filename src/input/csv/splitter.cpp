@@ -200,6 +200,28 @@ Beginning find_delimiter(const Source<std::string>& bytes, const InputOptions& o
   }
 }
 
+std::optional<char> take_named_delimiter(Source<std::string>& bytes) {
+  constexpr std::string_view name = "sep=";
+  std::string beginning;
+  const auto may_name = [&] {
+    const std::size_t size = std::min(beginning.size(), name.size());
+    return same_in_any_case(std::string_view(beginning).substr(0, size), name.substr(0, size));
+  };
+  while (may_name() && beginning.find('\n') == std::string::npos && beginning.size() < name.size() + 3) {
+    auto more = bytes();
+    if (!more) break;
+    beginning += *more;
+  }
+  const std::size_t end = std::min(beginning.find('\n'), beginning.size());
+  std::string_view line = std::string_view(beginning).substr(0, end);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  const bool names = line.size() == name.size() + 1 && may_name() && end < beginning.size();
+  const std::optional<char> delimiter = names ? std::optional(line.back()) : std::nullopt;
+  if (names) beginning.erase(0, end + 1);
+  bytes = preceded_by(std::move(beginning), std::move(bytes));
+  return delimiter;
+}
+
 void refuse_long_record(std::uint64_t line) { throw Error(Exit::data, ErrorCode::record_too_long).at({"", line, 1}); }
 
 Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line) {

@@ -199,6 +199,10 @@ TEST(Csv, a_cell_that_is_not_a_number_has_the_code_of_its_remedy) {
   EXPECT_EQ(why_not_number("", '.'), ErrorCode::number_empty);
   EXPECT_EQ(why_not_number("NA", '.'), ErrorCode::number_missing);
   EXPECT_EQ(why_not_number("0,5", '.'), ErrorCode::number_with_comma);
+  EXPECT_EQ(why_not_number("0,500", '.'), ErrorCode::number_with_comma);
+  EXPECT_EQ(why_not_number("1,234", '.'), ErrorCode::number_with_thousands);
+  EXPECT_EQ(why_not_number("-1,234,567.8", '.'), ErrorCode::number_with_thousands);
+  EXPECT_EQ(why_not_number("1234,567.8", '.'), ErrorCode::not_a_number);
   EXPECT_EQ(why_not_number("1.234,5", '.'), ErrorCode::not_a_number) << "that is two marks";
   EXPECT_EQ(why_not_number("1.5", ','), ErrorCode::number_with_point);
   EXPECT_EQ(why_not_number("1,5e999", ','), ErrorCode::number_too_large);

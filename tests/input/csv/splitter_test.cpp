@@ -47,6 +47,24 @@ TEST(FindDelimiter, reads_the_first_record_and_drops_the_lines_before) {
   EXPECT_EQ(found("a b", "a b", 1), " ");
 }
 
+TEST(NamedDelimiter, is_that_of_a_first_line_of_its_own) {
+  const auto named = [](const std::string& text, std::size_t piece, const std::string& rest) {
+    Source<std::string> bytes = pieces(text, piece);
+    const std::optional<char> delimiter = take_named_delimiter(bytes);
+    std::string left;
+    while (const auto more = bytes()) left += *more;
+    EXPECT_EQ(left, rest) << text << " in pieces of " << piece;
+    return delimiter.value_or('?');
+  };
+  for (const std::size_t piece : {1U, 5U, 6U, 100U}) {
+    EXPECT_EQ(named("sep=;\nt;x\n", piece, "t;x\n"), ';');
+    EXPECT_EQ(named("SEP=|\r\nt|x\n", piece, "t|x\n"), '|');
+    for (const std::string text : {"sep=;", "sep=\nt\n", "sep=;;\nt\n", "sep,x\n", "s", "", "\nsep=;\n"}) {
+      EXPECT_EQ(named(text, piece, text), '?') << text;
+    }
+  }
+}
+
 TEST(FindDelimiter, many_lines_before_the_first_record_are_not_kept) {
   int left = 300;
   const Source<std::string> lines = [&]() -> std::optional<std::string> {
