@@ -10,7 +10,7 @@ file(WRITE ${documents}/changelog.Debian
 
   * This version; its changes are in changelog.gz.
 
- -- tcbsample maintainers <maintainers@tcbsample.example>  Sun, 22 Nov 2026 00:00:00 +0000
+ -- tcbsample maintainers <maintainers@tcbsample.example>  Mon, 23 Nov 2026 00:00:00 +0000
 
 tcbsample (0.1.0-1) unstable; urgency=medium
 

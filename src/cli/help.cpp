@@ -109,6 +109,7 @@ std::string manual() {
   const auto fill = [&](std::string_view mark, const std::string& text) {
     page.replace(page.find(mark), mark.size(), text);
   };
+  fill("@VERSION@", TCBSAMPLE_VERSION);
   fill("@OPTIONS@\n", manual_options());
   fill("@PRESETS@\n", manual_presets());
   fill("@TANGENTS@\n", manual_tangents());
