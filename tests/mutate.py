@@ -7,6 +7,7 @@ optimization off; each source is restored afterwards. Exit 1: a mutation survive
 import os
 import random
 import re
+import signal
 import subprocess
 import sys
 
@@ -59,6 +60,8 @@ def is_noticed():
     return done.returncode != 0
 
 
+for number in (signal.SIGINT, signal.SIGTERM):  # so that the source is restored
+    signal.signal(number, lambda *_: sys.exit(2))
 everything = list(mutations())
 chosen = rng.sample(everything, min(count, len(everything)))
 survived = 0
