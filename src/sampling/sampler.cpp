@@ -157,8 +157,7 @@ void OnGrid::add_keys(Run& run, const CurveSegment& segment, const Range& on, co
     return distance <= near_ && -distance <= near_;
   };
   const auto is_in_range = [&](const Time& key) { return key >= first(decimals) - near_ && key <= stop + near_; };
-  const bool is_first = segment.number == 0;
-  run.key = (!from_left_ || is_first) && is_in_range(on.start) && on.start <= stop;
+  run.key = (!from_left_ || segment.number == 0) && is_in_range(on.start) && on.start <= stop;
   if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
   if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
   if ((from_left_ || final) && is_in_range(on.end)) run.end = true;
