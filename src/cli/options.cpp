@@ -196,7 +196,7 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.places = ratios(to.text(Option::arc_at));
      }},
     {Option::tolerance, "--tolerance", "D", sampling,
-     "The fewest samples whose polyline stays within D of the curve, over the metric channels", "", other, recorded,
+     "Samples, as few as a greedy search finds, whose polyline stays within D of the curve, over the metric channels", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::tolerance;
        to.job.sampling.tolerance = positive_distance(text);

@@ -65,14 +65,14 @@ KeptCurves keep(const Job& job) {
   return kept;
 }
 
-SampleTable read_samples(const Job& job, const Input& keys, bool timeless) {
+SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place) {
   const std::string& path = job.comparison->file;
   Source<std::string> bytes = read_file(path);
   std::string beginning = bytes().value_or("");
   InputOptions options;
-  options.samples = SampleNames{keys.time, keys.groups, keys.carried, job.comparison->maps};
+  options.samples = SampleNames{keys.time, keys.groups, keys.carried, time_place.value_or(0), job.comparison->maps};
   options.missing = Missing::skip_cell;
-  options.timeless = timeless;
+  options.timeless = !time_place;
   options.threads = job.threads();
   options.input_rate = job.input.input_rate;
   options.decimal = decimal_mark_of(beginning);
@@ -85,20 +85,6 @@ SampleTable read_samples(const Job& job, const Input& keys, bool timeless) {
     while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
   }
   return table;
-}
-
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen) {
-  ComparisonInputs inputs;
-  inputs.keys = shown_name(job.files[0]);
-  inputs.file = shown_name(job.comparison->file);
-  inputs.threads = job.threads();
-  inputs.kept = in_file(inputs.keys, [&] { return keep(job); });
-  const bool timeless = !chosen.empty() && chosen[0] != field_of("time");
-  in_file(inputs.file, [&] {
-    inputs.table = read_samples(job, inputs.kept.input, timeless);
-    inputs.columns = match_columns(inputs.table, inputs.kept.input, chosen);
-  });
-  return inputs;
 }
 
 namespace {
@@ -116,6 +102,14 @@ std::optional<std::size_t> find(const Names& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) return std::nullopt;
   return static_cast<std::size_t>(found - names.begin());
+}
+
+/// How many columns the fields have before the time; nothing: the time is not among them.
+std::optional<std::size_t> place_of_time(const Fields& chosen, const Input& keys) {
+  const auto time = std::ranges::find(chosen, field_of("time"));
+  if (chosen.empty()) return 0;
+  if (time == chosen.end()) return std::nullopt;
+  return names_of({chosen.begin(), time}, keys).size();
 }
 
 bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(chosen, field) > 0; }
@@ -207,21 +201,18 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
   const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
   const Names names = names_of(chosen, keys);
   MatchedColumns result{chosen, {}, {}, false, {}, {}};
-  const std::size_t skipped = table.timed ? 1 : 0;
-  if (names.size() != table.columns.size() + skipped) {
-    throw Error(Exit::data, ErrorCode::unnamed_sample_columns, {table.columns.size() + skipped, names.size(), names});
+  const std::size_t columns = table.columns.size() + (table.timed ? 1 : 0);
+  if (names.size() != columns)
+    throw Error(Exit::data, ErrorCode::unnamed_sample_columns, {columns, names.size(), names});
+  const auto time = place_of_time(chosen, keys);
+  const auto length = time ? std::nullopt : find(names, "s");
+  if (!time && !length) throw Error(Exit::usage, ErrorCode::fields_without_places).about(Option::fields);
+  result.place = length;
+  result.by_length = length.has_value();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i != (time ? time : length)) result.compared.push_back({names[i], i - (time && i > *time ? 1 : 0), i});
   }
-  const bool has_time = has(chosen, field_of("time"));
-  const std::string place = has_time ? keys.time : "s";
-  for (std::size_t i = skipped; i < names.size(); ++i) {
-    if (!table.timed && !result.place && names[i] == place)
-      result.place = i;
-    else
-      result.compared.push_back({names[i], i - skipped, i});
-  }
-  result.by_length = !has_time;
-  if (table.timed || result.place) return result;
-  throw Error(Exit::usage, ErrorCode::fields_without_places).about(Option::fields);
+  return result;
 }
 
 }  // namespace
@@ -232,6 +223,20 @@ std::size_t field_of(std::string_view name) {
 
 MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
   return table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
+}
+
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen) {
+  ComparisonInputs inputs;
+  inputs.keys = shown_name(job.files[0]);
+  inputs.file = shown_name(job.comparison->file);
+  inputs.threads = job.threads();
+  inputs.kept = in_file(inputs.keys, [&] { return keep(job); });
+  in_file(inputs.file, [&] {
+    const auto time_place = place_of_time(chosen, inputs.kept.input);
+    inputs.table = read_samples(job, inputs.kept.input, time_place);
+    inputs.columns = match_columns(inputs.table, inputs.kept.input, chosen);
+  });
+  return inputs;
 }
 
 }  // namespace tcb

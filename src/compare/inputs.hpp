@@ -54,9 +54,10 @@ struct SampleTable {
 };
 
 /// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;
-/// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `timeless`:
-/// the first column of a file without names is not the time. Throws: Error.
-SampleTable read_samples(const Job& job, const Input& keys, bool timeless);
+/// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `time_place`: in
+/// a file without names, how many columns are before the time, without groups; nothing: none is the time. Throws:
+/// Error.
+SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place);
 
 /// A column of the samples that is also one of the curve's rows.
 struct MatchedColumn {

@@ -12,7 +12,7 @@ namespace {
 
 using spline::DoubleDouble;
 
-/// Rows in blocks; `find` gives the number of a row's segment.
+/// Rows in blocks; `find` gives the number of a row's segment. Neighbouring rows on one segment are located together.
 Source<SampleBlock> blocks(std::shared_ptr<const CurveIndex> curve, std::uint64_t rows,
                            std::function<std::uint64_t(std::uint64_t)> find) {
   return [curve = std::move(curve), rows, find = std::move(find),
@@ -20,7 +20,13 @@ Source<SampleBlock> blocks(std::shared_ptr<const CurveIndex> curve, std::uint64_
     if (row == rows) return std::nullopt;
     SampleBlock block{curve, {}, row == 0};
     const std::uint64_t end = row + std::min(SampleBlock::most_rows, rows - row);
-    for (; row < end; ++row) block.parts.push_back({curve->segment(find(row)), row, row + 1});
+    for (; row < end; ++row) {
+      const std::uint64_t number = find(row);
+      if (block.parts.empty() || block.parts.back().segment.number != number) {
+        block.parts.push_back({curve->segment(number), row, row});
+      }
+      block.parts.back().last = row + 1;
+    }
     return block;
   };
 }

@@ -45,6 +45,7 @@ struct FastRow {
   const CurveSegment& segment;
   const Sample& sample;
   std::uint64_t number;
+  std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
 };
 
 /// The exact arc lengths of rows.
@@ -67,7 +68,12 @@ struct RowsOfCurve {
 class AnyLevel {
  public:
   virtual ~AnyLevel() = default;
+
+  /// Requires: where rows are placed by length and the scalar has no roots, the row is at a key.
   virtual std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) = 0;
+
+  /// Whether the last row was at the key at its segment's end, or at its start; nothing if it was at none.
+  virtual std::optional<bool> key_at_end() const = 0;
 };
 
 /// The level of one scalar. Each scalar has an object of its own, made of level.cpp.in: they take long to compile.
@@ -84,10 +90,14 @@ class Level final : public AnyLevel {
 
   std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) override {
     outside_.reset();
-    if constexpr (spline::has_roots<S>) {
-      if (rows_.arc) place_by_length(row);
+    if (!rows_.arc) {
+      place_by_time(row);
+    } else if constexpr (spline::has_roots<S>) {
+      place_by_length(row);
+    } else {
+      segment_ = segment(row.segment.number);
+      sample_ = sample_at_key(segment_, *row.key_at_end);
     }
-    if (!rows_.arc) place_by_time(row);
     const bool measured = std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
     point_.set(segment_, measured && !sample_.s ? measured_arc() : nullptr);
     point_.set(sample_, outside_ ? &*outside_ : nullptr);
@@ -96,6 +106,11 @@ class Level final : public AnyLevel {
       field_table<S>[field].write(point_, CellWriter<S>(result, rows_.facts));
     }
     return result;
+  }
+
+  std::optional<bool> key_at_end() const override {
+    if (sample_.at.u == S(0)) return false;
+    return sample_.at.w == S(0) ? std::optional(true) : std::nullopt;
   }
 
  private:
@@ -151,7 +166,7 @@ class Level final : public AnyLevel {
 
   S arc_length(std::uint64_t row) {
     const ArcLengths& arc = *rows_.arc;
-    if (row == Row::at_end) return arc.to ? scalar_of<S>(*arc.to) : length_to(curve_->size());
+    if (row == Row::at_end) return arc.to ? scalar_of<S>(*arc.to) : length_to(segment_.number + 1);
     if (!arc.places.empty()) return scalar_of<S>(arc.places[row]);
     if (arc.intervals == 0) return scalar_of<S>(arc.from + arc.step * row);
     const S from = scalar_of<S>(arc.from);
@@ -170,6 +185,10 @@ class Level final : public AnyLevel {
     segment_ = segment(row.segment.number);
     segment_.s_start = length_to(segment_.number);
     if (row.number == Row::at_key) return place_at_key(false, segment_.s_start);
+    if (row.number == Row::at_end && row.sample.at.w == 0) {
+      segment_.s_end = length_to(segment_.number + 1);
+      return place_at_key(true, segment_.s_end);
+    }
     const S s = arc_length(row.number);
     const double shown = printed(s);
     if (shown <= printed(segment_.s_start)) return place_at_key(false, segment_.s_start);

@@ -47,7 +47,7 @@ class ExactRows::Evaluation {
     std::vector<Column> columns;
     for (const std::size_t index : chosen) {
       const Field& field = fields()[index];
-      const bool rational = rows_.exact.is_rational() && !rows_.arc && field.is_rational;
+      const bool rational = rows_.exact.is_rational() && field.is_rational;
       columns.insert(columns.end(), field.per_channel ? rows_.exact.keys.channels : 1, {field.kind, rational});
     }
     std::vector<Printed> cells;
@@ -64,7 +64,8 @@ class ExactRows::Evaluation {
   }
 
  private:
-  /// A column of the current row; if it is rational, or the root of a rational, it can be computed as that.
+  /// A column of the current row; if it is rational, or the root of a rational, it can be computed as that where the
+  /// row's place is rational.
   struct Column {
     CellKind kind;
     bool rational;
@@ -80,7 +81,8 @@ class ExactRows::Evaluation {
     return floats_[level]->values(row, chosen);
   }
 
-  std::vector<Value> rational_values(const FastRow& row, std::span<const std::size_t> chosen) {
+  std::vector<Value> rational_values(FastRow row, std::span<const std::size_t> chosen, std::optional<bool> key_at_end) {
+    row.key_at_end = key_at_end;
     if (rational_ == nullptr) rational_ = make_level<Rational>(rows_);
     return rational_->values(row, chosen);
   }
@@ -91,14 +93,16 @@ class ExactRows::Evaluation {
                                   std::span<const Column> columns, const std::vector<Value>& rough) {
     const bool last = level + 1 == float_levels.size();
     const std::vector<Value> fine = float_values(level, row, chosen);
+    const std::optional<bool> key_at_end = floats_[level]->key_at_end();
+    const bool place_is_rational = !rows_.arc || key_at_end;
     std::vector<Value> exact;
     std::vector<Printed> cells;
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const Rounding rounding(notation_, columns[i].kind, row.segment.decimals);
       const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && row.sample.t.lo != 0;
       auto cell = is_known ? rounding.exactly({exact_time(row.sample.t)}) : rounding.between(rough[i], fine[i]);
-      if (!cell && columns[i].rational) {
-        if (exact.empty()) exact = rational_values(row, chosen);
+      if (!cell && columns[i].rational && place_is_rational) {
+        if (exact.empty()) exact = rational_values(row, chosen, key_at_end);
         cell = rounding.exactly(exact[i]);
       } else if (!cell) {
         if (!last) return cells_from(level + 1, row, chosen, columns, fine);

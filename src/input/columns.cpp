@@ -208,6 +208,8 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   if (std::ranges::all_of(groups, [&](std::ptrdiff_t cell) { return cell < cells; })) {
     for (const std::ptrdiff_t cell : groups) request(Role::group, cell);
   }
+  const auto time_place = std::ssize(taken) + static_cast<std::ptrdiff_t>(names.time_place);
+  if (header.empty() && !timeless && time_place < cells) request(Role::time, time_place);
   if (header.empty()) return find_columns(header, numeric, requests, timeless);
   std::ptrdiff_t time = place([&](const auto& name) { return name == names.time; });
   if (time == cells) time = place([](const auto& name) { return role_of_name(name) == Role::time; });

@@ -112,6 +112,7 @@ struct SampleNames {
   std::string time;                      ///< of the time column, if it is not one of the usual names
   std::vector<std::string> groups = {};  ///< of the group columns, if they are there
   std::vector<std::string> labels = {};  ///< of columns to ignore
+  std::size_t time_place = 0;            ///< where columns have no names: how many are before the time, without groups
   std::vector<Renaming> maps = {};       ///< of columns of the samples
 };
 

@@ -36,6 +36,8 @@ class OnGrid : public Sampler {
   void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                        std::vector<Time>& coordinates) const;
 
+  bool keys() const { return keys_; }  ///< every key is a row
+
  private:
   /// Row 0 of the grid, and the end that the request has of its own.
   Time first(int decimals) const { return decimals != 0 ? spacing_.grid.time(0, decimals) : first_; }
@@ -43,7 +45,7 @@ class OnGrid : public Sampler {
 
   void require_bounds(const CurveSegment& segment, const Range& on) const;
   std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
-  void add_keys(Run& run, const Range& on, const Time& stop, bool final, int decimals) const;
+  void add_keys(Run& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
   void finish(const Run& run, const Time& stop, int decimals);
 
   Spacing spacing_;
@@ -146,17 +148,19 @@ std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, c
   return std::min(spacing_.rows, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits));
 }
 
-/// Every key in the range becomes a row, and no other row is left near it.
-void OnGrid::add_keys(Run& run, const Range& on, const Time& stop, bool final, int decimals) const {
+/// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near it.
+void OnGrid::add_keys(Run& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
   const Grid& grid = spacing_.grid;
+  const int decimals = this->decimals(segment);
   const auto is_near = [&](std::uint64_t row, const Time& key) {
     const Time distance = grid.time(row, decimals) - key;
     return distance <= near_ && -distance <= near_;
   };
-  run.key = on.start >= first(decimals) - near_ && on.start <= stop;
+  const auto is_in_range = [&](const Time& key) { return key >= first(decimals) - near_ && key <= stop + near_; };
+  run.key = (!from_left_ || segment.number == 0) && is_in_range(on.start) && on.start <= stop;
   if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
   if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
-  if (final && on.end <= stop + near_) run.end = true;
+  if ((from_left_ || final) && is_in_range(on.end)) run.end = true;
 }
 
 /// Notes the remainder of the steps, and keeps the end if requested.
@@ -175,7 +179,7 @@ Run OnGrid::place(const CurveSegment& segment) {
   const bool final = segment.last || ends_here;
   Run run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
   next_ = run.last;
-  if (keys_) add_keys(run, on, stop, final, digits);
+  if (keys_) add_keys(run, segment, on, stop, final);
   if (final) {
     finish(run, stop, digits);
     run.end = run.end || (policy_ == EndPolicy::keep && remainder_);
@@ -217,12 +221,16 @@ Sample sample_at_length(const CurveSegment& segment, const Time& duration, const
 void ByLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
   set_coordinates(segment, first, last, located.coordinates);
   locate_lengths(segment, located);
+  // A row that is there for a key is at its time, also at the end of a hold.
+  const bool is_key = first == Row::at_end && keys() && located.coordinates[0] >= Time(segment.s_end.hi);
+  if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
 }
 
 Run PerSegment::place(const CurveSegment& segment) {
   require_rows(Rational(segment.number + 1) * request_.count, request_.max_rows, !segment.last);
   if (segment.start < segment.end) require_resolution(grid(segment), segment.end, segment.decimals);
-  return {1, request_.count, true, segment.last};
+  const bool left = request_.from_left;
+  return {1, request_.count, !left || segment.number == 0, left || segment.last};
 }
 
 void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {

@@ -140,8 +140,8 @@ struct CurveSegments {
 /// A lower bound on the number of rows whose polyline stays within the tolerance of the curve; infinite beyond doubles.
 double least_rows(const CurveSegments& segments, double tolerance);
 
-/// The times of the fewest rows whose polyline stays within the tolerance of the curve, from its first key to its last;
-/// see tolerance.cpp. Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within
+/// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last; see
+/// tolerance.cpp. Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within
 /// the tolerance, too. Throws: Error (usage) for more than max_rows rows.
 std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows,
                                          bool at_keys = false);

@@ -1,4 +1,4 @@
-// Tolerance: the fewest rows whose polyline stays near the curve.
+// Tolerance: few rows whose polyline stays near the curve, by a greedy search.
 //
 // From each row the next one is taken as far along as the chord between them keeps every point of the curve
 // within the tolerance. The points within D of a chord form a convex set, so a part of the curve lies in it
@@ -150,9 +150,8 @@ class Walker {
       const double low = number == from.segment ? from.u : 0;
       const double high = number == to.segment ? to.u : 1;
       const CurveSegment segment = segments_.segment(number);
-      // With ease, the bound on a graph tightens slowly; what is not decided by then counts as too far.
-      const int depth = segment.warp.is_identity() ? 40 : 16;
-      if (low < high && !is_near(chord, segment, low, high, depth)) return false;
+      Effort effort = effort_for(segment);
+      if (low < high && !is_near(chord, segment, low, high, effort.depth, effort.parts)) return false;
     }
     return true;
   }
@@ -167,8 +166,25 @@ class Walker {
     return reaches(from, to);
   }
 
-  /// The segment between two local parameters is near the chord, so its control points are, or those of its halves.
-  bool is_near(const Chord& chord, const CurveSegment& segment, double low, double high, int depth) const {
+  /// How often parts of a segment are halved, and how many are tried with one chord. A cubic comes near the limit at a
+  /// few places only; with ease, the bound on a graph tightens slowly. What is not decided by then counts as too far.
+  /// Where positions are rounded by more than the tolerance, halving decides nothing.
+  struct Effort {
+    int depth, parts;
+  };
+  Effort effort_for(const CurveSegment& segment) const {
+    double size = 0;
+    for (std::size_t i = 0; i < metric_size(segment); ++i) {
+      const auto& x = metric_cubic(segment, i);
+      size = std::max({size, std::abs(x.p0), std::abs(x.p1)});
+    }
+    if (tolerance_ < size * 0x1p-53) return {0, 1};
+    return segment.warp.is_identity() ? Effort{40, 1 << 10} : Effort{16, 1 << 14};
+  }
+
+  /// The segment between two local parameters is near the chord, so its control points are, or those of its halves; as
+  /// far as `parts` parts decide that.
+  bool is_near(const Chord& chord, const CurveSegment& segment, double low, double high, int depth, int& parts) const {
     const Local at_low{low, low - 1};
     const Local at_high{high, high - 1};
     const double third = (high - low) / 3;
@@ -186,9 +202,10 @@ class Walker {
     const Time t3 = time_of(segment, high);
     if (!chord.is_near(points[0], t0, t0) || !chord.is_near(points[3], t3, t3)) return false;
     if (control_points_are_near(chord, segment, points, t0, t3)) return true;
-    if (depth == 0) return false;
+    if (depth == 0 || --parts <= 0) return false;
     const double middle = (low + high) / 2;
-    return is_near(chord, segment, low, middle, depth - 1) && is_near(chord, segment, middle, high, depth - 1);
+    return is_near(chord, segment, low, middle, depth - 1, parts) &&
+           is_near(chord, segment, middle, high, depth - 1, parts);
   }
 
   /// Without ease, time is linear along the segment, so control point k has its own time.

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 
 SampleTable table_of(const std::string& rows) {
   const Comparing files("t,x\n0,0\n1,1\n", rows);
-  return read_samples(files.job, keep(files.job).input, false);
+  return read_samples(files.job, keep(files.job).input, 0);
 }
 
 TEST(KeptCurves, can_be_read_more_than_once) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace tcb {
@@ -47,6 +48,19 @@ TEST(CurveIndex, finds_the_first_segment_that_reaches_a_length) {
   EXPECT_EQ(whole.find_length(3.0, false), 1U) << "the hold begins here, and with it its first key";
   EXPECT_EQ(whole.find_length(3.5, false), 2U);
   EXPECT_EQ(whole.find_length(7.0, false), 2U);
+}
+
+TEST(CurveIndex, neighbouring_rows_on_a_segment_are_located_together) {
+  const auto whole = std::make_shared<const CurveIndex>(curve());
+  const std::array<double, 5> times{0.25, 0.5, 3, 3.5, 0.75};
+  const auto place = [times](std::uint64_t row) { return Time(times.at(row)); };
+  const auto rows = std::make_shared<const AnywhereInTime>(place, times.size(), Extrapolation::error, 0.0, 4.0);
+  const auto block = look_up(whole, rows, false)();
+  ASSERT_TRUE(block);
+  ASSERT_EQ(block->parts.size(), 3U);
+  EXPECT_EQ(block->parts[0].last, 2U);
+  EXPECT_EQ(block->parts[1].segment.number, 2U);
+  EXPECT_EQ(block->parts[2].first, 4U);
 }
 
 TEST(CurveIndex, segments_have_their_place_on_the_curve) {

@@ -79,8 +79,14 @@ bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
          has_thousands_separators(cell) || (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
 }
 
-bool is_header(const FirstRecords::Record& record, const DelimitedHead& head) {
-  return !std::ranges::all_of(record.cells, [&](const auto& cell) { return looks_numeric(cell, head); });
+/// Whether a cell is text. In samples the groups, which come first, and the labels, which come last, may be text.
+bool is_header(const FirstRecords::Record& record, const DelimitedHead& head,
+               const std::optional<SampleNames>& samples) {
+  std::span<const std::string> cells = record.cells;
+  if (samples && samples->groups.size() + samples->labels.size() < cells.size()) {
+    cells = cells.first(cells.size() - samples->labels.size()).subspan(samples->groups.size());
+  }
+  return !std::ranges::all_of(cells, [&](const auto& cell) { return looks_numeric(cell, head); });
 }
 
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
@@ -186,7 +192,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   DelimitedHead head{dialect, {}, options.key_rules(), options.decimal};
   if (first.records.empty()) throw Error(Exit::data, ErrorCode::empty_input);
   if (!options.delimiter) require_delimiter(first, dialect);
-  const bool header = options.header.value_or(is_header(first.records[0], head));
+  const bool header = options.header.value_or(is_header(first.records[0], head, options.samples));
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   TextPosition position{"", first.records[0].line, 0};  // of the names

@@ -2,7 +2,7 @@
 //
 // Source: G. H. Golub, J. H. Welsch, "Calculation of Gauss quadrature rules", doi:10.1090/S0025-5718-69-99647-1.
 // Differs: the roots of P_n are found by bisection between those of P_(n-1), which interlace with them, then by Newton
-//   steps, the last ones in full precision, so that no trigonometric function is needed.
+//   steps, the last ones in full precision, so that no trigonometric function is needed. They are symmetric about 0.
 #pragma once
 
 #include <array>
@@ -72,15 +72,21 @@ constexpr GaussRule<S, N> make_gauss_rule() {
   std::array<double, N + 2> fence{-1, 0, 1};  // -1, the roots of P_n, 1
   for (std::size_t n = 2; n <= N; ++n) {
     const auto previous = fence;
-    for (std::size_t i = 1; i <= n; ++i) fence[i] = legendre_root(n, previous[i - 1], previous[i]);
+    for (std::size_t i = 1; i <= (n + 1) / 2; ++i) {
+      const double root = legendre_root(n, previous[i - 1], previous[i]);
+      fence[n + 1 - i] = -root;
+      fence[i] = root;
+    }
     fence[n + 1] = 1;
   }
   GaussRule<S, N> rule;
-  for (std::size_t i = 0; i < N; ++i) {
+  const working_t<S> one(1), half(0.5);
+  for (std::size_t i = 0; i < (N + 1) / 2; ++i) {
     const working_t<S> x = polished_root(N, working_t<S>(fence[i + 1]));
-    const working_t<S> one(1), slope = legendre_slope(N, x);
-    rule.node[i] = high_part<S>((x + one) * working_t<S>(0.5));
-    rule.weight[i] = high_part<S>(one / ((one - x * x) * slope * slope));
+    const working_t<S> slope = legendre_slope(N, x);
+    rule.node[N - 1 - i] = high_part<S>((one - x) * half);
+    rule.node[i] = high_part<S>((x + one) * half);
+    rule.weight[i] = rule.weight[N - 1 - i] = high_part<S>(one / ((one - x * x) * slope * slope));
   }
   return rule;
 }
