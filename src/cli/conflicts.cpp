@@ -28,8 +28,7 @@ bool has_json_input(const Typed& typed) {
 
 const Format& output_of(const Typed& typed) { return format_of(typed.job.output_format); }
 bool has_rows_as_report(const Typed& typed) {
-  const bool is_drawn = output_of(typed).is_picture && typed.has(O::check);
-  return typed.job.output_format != FormatId::json && !is_drawn;
+  return typed.job.output_format != FormatId::json && !output_of(typed).is_picture;
 }
 bool has_binary_output(const Typed& typed) { return output_of(typed).is_binary; }
 bool has_no_header(const Typed& typed) { return !output_of(typed).has_header; }
@@ -103,11 +102,7 @@ constexpr std::array table{
     Conflict{{O::output_dir, O::files, O::explain, O::progress, O::meta}, idle, reports, for_report},
     Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header, O::file_column}, idle, reports,
              for_report},
-    Conflict{{O::output_format, O::plot},
-             idle,
-             reports,
-             ", whose report is text, json, or with --check svg",
-             has_rows_as_report},
+    Conflict{{O::output_format, O::plot}, idle, reports, ", whose report is text, json or svg", has_rows_as_report},
     Conflict{rules, idle, {O::identify}, ", which tries all rules on positions"},
     // input
     Conflict{{O::header, O::no_header}, exclude},

@@ -281,7 +281,10 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
 }
 
 Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe) {
-  ComparisonInputs inputs = read_inputs(job, job.fields);
+  return check(job, read_inputs(job, job.fields), observe);
+}
+
+Check check(const Job& job, ComparisonInputs inputs, const std::function<void(const CheckedPair&)>& observe) {
   require_columns(*job.comparison, inputs);
   const Pairs pairs = pair_up(inputs.kept, inputs.table);
   Check result{summary(inputs, pairs)};

@@ -1,4 +1,4 @@
-// Pictures of checks: the samples over the curve, their differences over time, and the worst place.
+// Pictures of comparisons: the samples over the curve, their differences over time, and the worst place.
 //
 // The scene has the compared channels, and after them a channel for each of their differences, in which the curve is
 // 0. The samples are a curve of their own: a polyline through them.
@@ -128,14 +128,12 @@ void CheckPicture::add_samples(const CheckedPair& pair) {
   scene_.curves.push_back({1, store, segments, false, 0, {}, true, size});
 }
 
-std::string CheckPicture::svg(const Check& check) {
+std::string CheckPicture::svg(const ComparisonSummary& files, const std::string& result) {
   std::string largest;
   append_number(largest, largest_);
   scene_.title =
-      job_.picture.title.value_or(fmt::format("{} against {}", file_name(check.file), file_name(check.keys)));
-  scene_.subtitle =
-      fmt::format("check {} · {} rows · {} values · {} mismatches · largest difference {}",
-                  check.passed() ? "passed" : "failed", check.rows, check.values, check.mismatches, largest);
+      job_.picture.title.value_or(fmt::format("{} against {}", file_name(files.file), file_name(files.keys)));
+  scene_.subtitle = fmt::format("{} · largest difference {}", result, largest);
   return picture(scene_, job_.picture.size);
 }
 

@@ -1,4 +1,4 @@
-// Pictures of checks: the samples over the curve, their differences over time, and the worst place.
+// Pictures of comparisons: the samples over the curve, their differences over time, and the worst place.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tcb {
 
-/// Collects the curves of a check with their samples.
+/// Collects the curves of a comparison with their samples.
 class CheckPicture {
  public:
   explicit CheckPicture(const Job& job) : job_(job) {}
@@ -18,8 +18,8 @@ class CheckPicture {
   /// Adds a curve with the samples that are on it. Throws: Error (data) if no position is compared.
   void add(const CheckedPair& pair);
 
-  /// The picture as SVG. Throws: Error as picture() does.
-  std::string svg(const Check& check);
+  /// The picture as SVG, with the result in words. Throws: Error as picture() does.
+  std::string svg(const ComparisonSummary& files, const std::string& result);
 
  private:
   void begin(const ComparisonInputs& inputs);

@@ -18,6 +18,11 @@ namespace {
 
 constexpr std::size_t most_selected = 64, most_mixed = 16;
 
+void set_order(KeyBlock& block, const TcbOrder& order) {
+  block.keys.common_tcb = order.of(block.keys.common_tcb);
+  for (auto& tcb : block.keys.tcbs) tcb = order.of(tcb);
+}
+
 /// Compares samples with conventions. Requires: the arguments of the constructor outlive it.
 class Comparer {
  public:
@@ -43,8 +48,7 @@ class Comparer {
     const TcbOrder& order = orders_[convention.order].order;
     if (order.is_plain()) return pipeline.whole(curve.keys());
     return pipeline.whole(mapped(curve.keys(), [&order](KeyBlock block) {
-      block.keys.common_tcb = order.of(block.keys.common_tcb);
-      for (auto& tcb : block.keys.tcbs) tcb = order.of(tcb);
+      set_order(block, order);
       return block;
     }));
   }
@@ -237,10 +241,16 @@ Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool close
   return result;
 }
 
-Identification identify(const Job& job) {
+ComparisonInputs read_positions(const Job& job) {
   ComparisonInputs inputs =
       read_inputs(job, job.fields.empty() ? std::vector{field_of("time"), field_of("position")} : job.fields);
   in_file(inputs.file, [&] { compare_positions_only(inputs); });
+  return inputs;
+}
+
+Identification identify(const Job& job) { return identify(job, read_positions(job)); }
+
+Identification identify(const Job& job, ComparisonInputs inputs) {
   Pairs pairs = pair_up(inputs.kept, inputs.table);
   Identification result{summary(inputs, pairs)};
   in_file(inputs.keys, [&] {
@@ -249,6 +259,17 @@ Identification identify(const Job& job) {
     rank(result, job, inputs, samples_of(std::move(pairs.pairs), inputs));
   });
   return result;
+}
+
+Check check_best(const Job& job, const Identification& found, ComparisonInputs inputs,
+                 const std::function<void(const CheckedPair&)>& observe) {
+  const Convention& best = found.ranking.candidates.front().convention;
+  Job with_rules = job;
+  with_rules.curve = settings_of(best, job.curve, found.closed);
+  for (KeptCurve& curve : inputs.kept.curves) {
+    for (KeyBlock& block : curve.blocks) set_order(block, found.orders[best.order].order);
+  }
+  return check(with_rules, std::move(inputs), observe);
 }
 
 }  // namespace tcb

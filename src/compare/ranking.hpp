@@ -133,5 +133,13 @@ struct Identification : ComparisonSummary {
 /// keys selects the 64 best conventions and all that fit, which are then compared with all rows. Throws: Error as
 /// check().
 Identification identify(const Job& job);
+Identification identify(const Job& job, ComparisonInputs inputs);
+
+/// Reads both files, and drops what is not a position. Throws: Error, naming the file.
+ComparisonInputs read_positions(const Job& job);
+
+/// Compares the samples with the best convention. `observe` as for check().
+Check check_best(const Job& job, const Identification& found, ComparisonInputs inputs,
+                 const std::function<void(const CheckedPair& pair)>& observe);
 
 }  // namespace tcb

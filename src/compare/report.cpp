@@ -207,19 +207,41 @@ Exit write(const Job& job, const std::string& report, bool agrees) {
   return agrees ? Exit::done : Exit::data;
 }
 
+/// The subtitles of pictures.
+std::string in_short(const Check& check) {
+  return fmt::format("check {} · {} rows · {} values · {} mismatches", check.passed() ? "passed" : "failed", check.rows,
+                     check.values, check.mismatches);
+}
+
+std::string in_short(const Identification& found) {
+  const std::string_view precision = found.fits() ? name_of(*found.ranking.precision) : "";
+  return fmt::format("{} · {} · {} rows", title(found, found.ranking.candidates.front()),
+                     found.fits() ? fmt::format("fits within {}", precision) : "the nearest, but it does not fit",
+                     found.rows);
+}
+
+Exit draw(const Job& job) {
+  CheckPicture picture(job);
+  const auto observe = [&picture](const CheckedPair& pair) { picture.add(pair); };
+  if (!job.comparison->identify) {
+    const Check result = check(job, observe);
+    return write(job, picture.svg(result, in_short(result)), result.passed());
+  }
+  const ComparisonInputs inputs = read_positions(job);
+  const Identification result = identify(job, inputs);
+  (void)check_best(job, result, inputs, observe);
+  return write(job, picture.svg(result, in_short(result)), result.fits());
+}
+
 }  // namespace
 
 Exit compare(const Job& job, ErrorWords words) {
   const ThreadPool pool(job.threads());
   const bool as_json = job.output_format == FormatId::json;
+  if (format_of(job.output_format).is_picture) return draw(job);
   if (job.comparison->identify) {
     const Identification result = identify(job);
     return write(job, as_json ? json(result, words) : text(result, words), result.fits());
-  }
-  if (format_of(job.output_format).is_picture) {
-    CheckPicture picture(job);
-    const Check result = check(job, [&picture](const CheckedPair& pair) { picture.add(pair); });
-    return write(job, picture.svg(result), result.passed());
   }
   const Check result = check(job);
   return write(job, as_json ? json(result, words) : text(result, words), result.passed());

@@ -18,14 +18,14 @@ const std::string keys = "time,x,y\n0,0,0\n1,1,2\n2,4,4\n";
 std::string drawn(const Job& job) {
   CheckPicture picture(job);
   const Check result = check(job, [&picture](const CheckedPair& pair) { picture.add(pair); });
-  return picture.svg(result);
+  return picture.svg(result, result.passed() ? "check passed" : "check failed");
 }
 
 TEST(CheckPicture, the_largest_difference_is_marked_in_its_channel) {
   const Comparing comparing(keys, "time,x,y\n0,0,0\n1,1,2.5\n2,4,4\n");
   const std::string svg = drawn(comparing.job);
-  EXPECT_THAT(svg, AllOf(HasSubstr("rows.csv against keys.csv"), HasSubstr("check failed · 3 rows"),
-                         HasSubstr("1 mismatches · largest difference 0.5"), HasSubstr(">y, difference<")));
+  EXPECT_THAT(svg, AllOf(HasSubstr("rows.csv against keys.csv"), HasSubstr("check failed · largest difference 0.5"),
+                         HasSubstr(">y, difference<")));
   std::size_t marks = 0;
   for (std::size_t at = 0; (at = svg.find("class=\"w\"", at)) != std::string::npos; ++at) ++marks;
   EXPECT_EQ(marks, 4U);  // the path, y, its difference, and the legend
