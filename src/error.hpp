@@ -89,6 +89,7 @@ enum class Option {
   hex,
   no_output_header,
   file_column,
+  time_format,
   rename,
   plot,
   axes,
@@ -156,7 +157,11 @@ enum class ErrorCode {
   times_unclear,       ///< name of the column that may be the time
   time_units_differ,   ///< name of the column, its unit, the given one
   unit_without_times,
-  invalid_role_request,  ///< part of the option's text
+  timecode_without_rate,   ///< name of the column
+  no_such_time,            ///< column, cell
+  time_in_other_notation,  ///< column, cell
+  no_time_in_words,        ///< the time, the notation
+  invalid_role_request,    ///< part of the option's text
   // input/csv
   record_too_long,
   too_many_cells,  ///< the most

@@ -51,6 +51,11 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       channels_(input.channels) {
   const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
   request_.frame_rate = input.frame_rate;
+  for (auto* const bound : {&request_.from, &request_.to}) {
+    // The printed time of a frame is the frame.
+    const Time nearest = *bound ? nearest_time(**bound) : Time();
+    if (*bound && request_.exact(nearest) != exact_time(nearest)) *bound = request_.exact(nearest);
+  }
   if (is_in_seconds) request_.step *= units_per_second(*input.time_unit);
   if (timed_ && spec_.parameter) {
     throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);

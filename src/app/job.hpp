@@ -72,9 +72,10 @@ struct Job {
   std::optional<Comparison> comparison;  ///< instead of printing samples
   FormatId output_format = FormatId::csv;
   std::optional<bool> output_header;
-  std::optional<GoldenOptions> golden;    ///< rows are exact, and rounded once
-  Notation notation;                      ///< of numbers that may have a fraction
-  std::optional<ProvenanceRequest> meta;  ///< the output has its provenance
+  std::optional<GoldenOptions> golden;        ///< rows are exact, and rounded once
+  std::optional<TimeNotation> time_notation;  ///< of the output; nothing: that of the input
+  Notation notation;                          ///< of numbers that may have a fraction
+  std::optional<ProvenanceRequest> meta;      ///< the output has its provenance
   PictureOptions picture;
   bool explain = false;          ///< print what was detected and would be done, no rows
   std::optional<unsigned> jobs;  ///< threads; nothing: all cores, one for a live pipe

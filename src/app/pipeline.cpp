@@ -20,7 +20,8 @@ namespace tcb {
 namespace {
 
 WriterOptions writer_options(const Job& job) {
-  return {job.output_format, job.output_header, job.notation, job.fields, job.meta, job.file_column};
+  return {job.output_format, job.output_header, job.notation,      job.fields,
+          job.meta,          job.file_column,   job.time_notation, job.input.input_rate};
 }
 
 InputOptions input_options(const Job& job, unsigned threads, bool live) {

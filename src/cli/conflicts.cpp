@@ -30,6 +30,9 @@ const Format& output_of(const Typed& typed) { return format_of(typed.job.output_
 bool has_rows_as_report(const Typed& typed) {
   return typed.job.output_format != FormatId::json && !output_of(typed).is_picture;
 }
+bool has_frames_without_rate(const Typed& typed) {
+  return typed.job.time_notation && counts_frames(*typed.job.time_notation);
+}
 bool has_binary_output(const Typed& typed) { return output_of(typed).is_binary; }
 bool has_no_header(const Typed& typed) { return !output_of(typed).has_header; }
 bool has_picture(const Typed& typed) { return output_of(typed).is_picture; }
@@ -100,8 +103,8 @@ constexpr std::array table{
     Conflict{{O::map}, need, {O::check, O::identify}},
     Conflict{modes | OptionSet{O::from, O::to, O::end, O::keys, O::max_rows}, idle, reports, for_report},
     Conflict{{O::output_dir, O::files, O::explain, O::progress, O::meta}, idle, reports, for_report},
-    Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header, O::file_column}, idle, reports,
-             for_report},
+    Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header, O::file_column, O::time_format},
+             idle, reports, for_report},
     Conflict{{O::output_format, O::plot}, idle, reports, ", whose report is text, json or svg", has_rows_as_report},
     Conflict{rules, idle, {O::identify}, ", which tries all rules on positions"},
     // input
@@ -134,6 +137,8 @@ constexpr std::array table{
     Conflict{{O::side}, idle, {}, " on these fields, which are the same on both sides", has_no_side},
     Conflict{notations, exclude},
     Conflict{notations, idle, {O::output_format}, ", which holds the doubles themselves", has_binary_output},
+    Conflict{{O::time_format}, idle, {O::output_format}, ", which holds numbers only", has_binary_output},
+    Conflict{{O::time_format}, need, {O::input_fps}, ", the rate of the frames", has_frames_without_rate},
     Conflict{{O::hex}, idle, {O::output_format}, ", which has no hexadecimal numbers", has_no_header},
     Conflict{{O::no_output_header}, idle, {O::output_format}, ", which has no line of names", has_no_header},
     Conflict{{O::exact_input}, need, {O::golden}},

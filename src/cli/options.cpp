@@ -270,6 +270,12 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::file_column, "--file-column", "[=NAME]", output,
      "Adds the input's name as the first column, called NAME; without a blank line between files", "file", other,
      recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
+    {Option::time_format, "--time-format", "FORMAT", output,
+     "The notation of times: seconds, frames, clock (hh:mm:ss.fff), smpte (timecode) or iso (dates of ISO 8601); by "
+     "default that of the input",
+     "", name, recorded,
+     [](Typed& to, Text text) { to.job.time_notation = named_row(time_notations, text).notation; },
+     names_in<time_notations>},
     {Option::rename, "--rename", "OLD=NEW,...", output,
      "Other names for columns of the input, in the output and in the options about channels", "", other, recorded,
      [](Typed& to, Text text) { to.job.input.renamings = renamings(text); }},

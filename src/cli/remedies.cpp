@@ -76,6 +76,17 @@ constexpr std::array all_words{
     Words{ErrorCode::unit_without_times,
           "no time column, but {subject} is given; expected one; name it with --columns time=NAME, or remove the "
           "option"},
+    Words{ErrorCode::timecode_without_rate,
+          "the times in column \"{0}\" are frames or timecode, but there is no rate; expected one; give it with "
+          "--input-fps, as in --input-fps 24 or 30000/1001"},
+    Words{ErrorCode::no_such_time,
+          "{c0}: {q1} does not exist; expected a time of a day, a frame below the rate that is not dropped, and no "
+          "leap second; correct the cell"},
+    Words{ErrorCode::time_in_other_notation,
+          "{c0}: {q1} is not in the notation of the first time; expected one notation in a column; convert the cell"},
+    Words{ErrorCode::no_time_in_words,
+          "the time {0} of a row cannot be written as {1}; expected a time at a frame for timecode, not before 0, and "
+          "a year from 0 to 9999 for a date; give --time-format seconds"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
           "continuity=, bias=, ease_in=, ease_out=, group= or carry=; for example --columns time=frame,position=px:py"},

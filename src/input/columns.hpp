@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "error.hpp"
-#include "input/time_unit.hpp"
+#include "input/time_notation.hpp"
 
 namespace tcb {
 

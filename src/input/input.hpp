@@ -12,7 +12,7 @@
 #include "input/key_block.hpp"
 #include "input/missing.hpp"
 #include "input/tcb_scale.hpp"
-#include "input/time_unit.hpp"
+#include "input/time_notation.hpp"
 #include "io/formats.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
@@ -24,10 +24,12 @@ namespace tcb {
 struct KeyRules {
   spline::Tcb<double> tcb = {};  ///< of keys that have none
   Missing missing = Missing::error;
-  bool keeps_decimals = false;          ///< keys keep their numbers as written
-  std::vector<std::string> signs = {};  ///< of missing cells, besides the common ones
-  TcbScale tcb_scale = TcbScale::none;  ///< of keys
-  std::vector<Rational> factors = {};   ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
+  bool keeps_decimals = false;                    ///< keys keep their numbers as written
+  std::vector<std::string> signs = {};            ///< of missing cells, besides the common ones
+  TcbScale tcb_scale = TcbScale::none;            ///< of keys
+  TimeNotation notation = TimeNotation::seconds;  ///< of the times
+  std::optional<Rational> frame_rate = {};        ///< of timecode
+  std::vector<Rational> factors = {};             ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
 };
 
 /// The factor of a channel's positions.
@@ -107,28 +109,30 @@ struct Input {
   CurveInfo curve_info;               ///< of all curves, unless they have their own
   Source<KeyBlock> keys;
   InputFacts facts = {};
-  std::vector<std::string> ignored = {};    ///< names of the columns without a role
-  std::vector<Mark> marks = {};             ///< the first of them
-  std::vector<std::string> groups = {};     ///< names of the group columns
-  std::vector<std::string> carried = {};    ///< names of the columns of labels
-  unsigned threads = 1;                     ///< at most
-  bool may_break = false;                   ///< a curve may end before the input does
-  bool may_miss = false;                    ///< positions may be missing
-  bool has_tcb_scale = false;               ///< that of tension, continuity and bias is given
-  bool may_be_timed = false;                ///< its first channel may be the time
-  std::optional<Rational> frame_rate = {};  ///< the times were frames, and are seconds
-  std::optional<TimeUnit> time_unit = {};   ///< of the times, if it is known
-  bool own_curves = false;                  ///< blocks have the beginnings of curves, and their information
+  std::vector<std::string> ignored = {};               ///< names of the columns without a role
+  std::vector<Mark> marks = {};                        ///< the first of them
+  std::vector<std::string> groups = {};                ///< names of the group columns
+  std::vector<std::string> carried = {};               ///< names of the columns of labels
+  unsigned threads = 1;                                ///< at most
+  bool may_break = false;                              ///< a curve may end before the input does
+  bool may_miss = false;                               ///< positions may be missing
+  bool has_tcb_scale = false;                          ///< that of tension, continuity and bias is given
+  bool may_be_timed = false;                           ///< its first channel may be the time
+  std::optional<Rational> frame_rate = {};             ///< the times were frames, and are seconds
+  TimeNotation time_notation = TimeNotation::seconds;  ///< as it was given
+  std::optional<TimeUnit> time_unit = {};              ///< of the times, if it is known
+  bool own_curves = false;                             ///< blocks have the beginnings of curves, and their information
 
   /// Takes over the columns of the input.
   void set_columns(const Columns& columns);
 };
 
-/// The factors of the numbers of a key, as in KeyRules. Throws: Error (data) for a channel that no column is, and for
-/// units of time that contradict each other.
-std::vector<Rational> key_factors(const InputOptions& options, const Columns& columns);
+/// Sets the notation of the times, by the first of them, and the factors of the numbers. Throws: Error (data) for
+/// timecode without a rate, units of time that contradict each other, and a channel that no column is.
+void set_units(KeyRules& rules, const InputOptions& options, const Columns& columns, std::string_view first_time);
 
-/// Sets the unit of the times, and renames columns. Throws: Error (data) where there is no such column.
+/// Sets the notation and the unit of the times, and renames columns. Throws: Error (data) where there is no such
+/// column.
 void set_units_and_names(Input& input, const InputOptions& options);
 
 /// The largest number of faults of an input that are reported.

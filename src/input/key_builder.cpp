@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "text/decimal_time.hpp"
+
 namespace tcb {
 namespace {
 
@@ -73,6 +75,15 @@ bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) 
     number(column) = nearest_double(scaled);
   }
   if (keeps_decimals()) keep_decimal(column, whole_text(numerator(scaled)) + "/" + whole_text(denominator(scaled)));
+  return true;
+}
+
+bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_view text) {
+  const auto seconds = read_time(text, rules_.notation, rules_.frame_rate.value_or(1));
+  if (!seconds) return false;
+  constexpr int as_many_as_it_has = 1;
+  time_ = counts_frames(rules_.notation) ? nearest_time(*seconds) : nearest_time(*seconds, as_many_as_it_has);
+  if (keeps_decimals()) keep_decimal(column, whole_text(numerator(*seconds)) + "/" + whole_text(denominator(*seconds)));
   return true;
 }
 

@@ -43,6 +43,11 @@ class KeyBuilder {
   /// Requires: the number is set.
   bool scale(const Columns::Column& column, std::string_view decimal);
   void set_time(const Time& time) { time_ = time; }
+  /// The times are numbers, of seconds or another unit.
+  bool has_times_as_numbers() const { return rules_.notation == TimeNotation::seconds; }
+  /// Sets the time from a text in the notation of the input; false for another text, and for a time that does not
+  /// exist.
+  bool set_time_in_words(const Columns::Column& column, std::string_view text);
   /// A text as in texts.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
 

@@ -61,20 +61,26 @@ void rename(Input& input, const std::vector<Renaming>& renamings) {
 
 }  // namespace
 
-std::vector<Rational> key_factors(const InputOptions& options, const Columns& columns) {
-  if (columns.has(Role::time)) require_unit(options, columns.time);
-  const bool is_time_converted = columns.has(Role::time) && is_converted(options, columns.time);
-  if (!is_time_converted && options.scales.empty()) return {};
-  std::vector<Rational> factors(NumberOfKey::position + columns.channels.size(), 1);
-  if (is_time_converted) factors[NumberOfKey::time] = Rational(1) / *options.input_rate;
+void set_units(KeyRules& rules, const InputOptions& options, const Columns& columns, std::string_view first_time) {
+  const bool is_timed = columns.has(Role::time);
+  if (is_timed) rules.notation = find_notation(first_time).value_or(TimeNotation::seconds);
+  rules.frame_rate = options.input_rate;
+  if (counts_frames(rules.notation) && !options.input_rate) {
+    throw Error(Exit::data, ErrorCode::timecode_without_rate, {columns.time});
+  }
+  const bool is_number = rules.notation == TimeNotation::seconds;
+  if (is_timed && is_number) require_unit(options, columns.time);
+  const bool is_time_converted = is_timed && is_number && is_converted(options, columns.time);
+  if (!is_time_converted && options.scales.empty()) return;
+  rules.factors.assign(NumberOfKey::position + columns.channels.size(), 1);
+  if (is_time_converted) rules.factors[NumberOfKey::time] = Rational(1) / *options.input_rate;
   for (const ChannelScale& scale : options.scales) {
     const auto channel = std::ranges::find(columns.channels, scale.channel);
     if (channel == columns.channels.end()) {
       throw Error(Exit::data, ErrorCode::no_such_column, {scale.channel, columns.channels}).about(Option::scale);
     }
-    factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
+    rules.factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
   }
-  return factors;
 }
 
 void set_units_and_names(Input& input, const InputOptions& options) {
@@ -84,8 +90,12 @@ void set_units_and_names(Input& input, const InputOptions& options) {
           .about(options.input_rate ? Option::input_fps : Option::time_unit);
     }
   } else {
+    const bool is_number = input.time_notation == TimeNotation::seconds;
     input.time_unit = options.time_unit ? options.time_unit : unit_of_time(input.time);
-    if (is_converted(options, input.time)) {
+    if (!is_number) {
+      input.time_unit = TimeUnit::s;
+      if (counts_frames(input.time_notation)) input.frame_rate = options.input_rate;
+    } else if (is_converted(options, input.time)) {
       input.time_unit = TimeUnit::s;
       input.frame_rate = options.input_rate;
       if (unit_of_time(input.time) == TimeUnit::frames && !options.samples) input.time = "time";

@@ -122,6 +122,7 @@ void Writer::begin(const Input& input, bool live, Facts rules, const std::string
   if (columns_.numbers.empty()) {
     const Format& format = format_of(options_.format);
     columns_ = std::move(columns);
+    set_times(input);
     frame_ = Frame(columns_, {format.id, options_.header.value_or(input.named), options_.notation,
                               format.nests && options_.provenance.has_value()});
     recorder_.set_rules(std::move(rules));
@@ -139,9 +140,48 @@ void Writer::begin_curve(std::vector<std::string> group) {
   group_ = std::move(group);
 }
 
+void Writer::set_times(const Input& input) {
+  const auto given = options_.time_notation;
+  if (!given) {
+    if (!format_of(options_.format).is_binary) notation_ = input.time_notation;
+    return;
+  }
+  if (input.time_unit == TimeUnit::frames) throw Error(Exit::data, ErrorCode::timecode_without_rate, {input.time});
+  if (input.time_unit) unit_ = Rational(1) / units_per_second(*input.time_unit);
+  const bool drops = given == TimeNotation::smpte && input.time_notation == TimeNotation::drop_frame;
+  notation_ = drops ? TimeNotation::drop_frame : *given;
+}
+
+std::vector<std::string> Writer::texts(const Table& table) const {
+  const bool is_number = notation_ == TimeNotation::seconds || notation_ == TimeNotation::frames;
+  if (notation_ == TimeNotation::seconds && unit_ == 1) return table.texts;
+  std::vector<std::string> texts = table.texts;
+  texts.resize(table.cells.size());
+  const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
+  const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
+  const bool in_quotes = format_of(options_.format).delimiter == '\0';
+  for (std::size_t i = 0; i < table.cells.size(); ++i) {
+    if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
+    const Rational seconds = exact_time(table.cells[i]) * unit_, rate = options_.frame_rate.value_or(1);
+    if (is_number) {
+      const Rational frames = Rational(table.cells[i].hi) * unit_ * rate;  // of the double, whose error is the smaller
+      texts[i] = time_text(nearest_time(notation_ == TimeNotation::frames ? frames : seconds));
+      continue;
+    }
+    const auto text = time_in_words(seconds, notation_, rate, decimals);
+    if (!text) {
+      const auto name = std::ranges::find(time_notations, notation_, &TimeNotationName::notation);
+      throw Error(Exit::data, ErrorCode::no_time_in_words,
+                  {time_text(table.cells[i]), std::string(name == time_notations.end() ? "smpte" : name->name)});
+    }
+    texts[i] = in_quotes ? json_text(*text) : *text;
+  }
+  return texts;
+}
+
 std::string Writer::print(const Table& table, bool first) const {
   std::string text;
-  append_rows(text, frame_.layout(), columns_.numbers, table.cells, table.texts, first && frame_.is_first());
+  append_rows(text, frame_.layout(), columns_.numbers, table.cells, texts(table), first && frame_.is_first());
   return text;
 }
 
@@ -149,7 +189,7 @@ std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) 
   const auto print_row = [this, layout = frame_.layout()](std::string& out, const Table& row,
                                                           const std::string& row_end, bool first) mutable {
     layout.row_end = row_end;
-    append_rows(out, layout, columns_.numbers, row.cells, row.texts, first && frame_.is_first());
+    append_rows(out, layout, columns_.numbers, row.cells, texts(row), first && frame_.is_first());
   };
   return print_labelled(block, evaluate, options_.fields, print_row);
 }

@@ -73,7 +73,9 @@ struct WriterOptions {
   Notation notation;                ///< of numbers that may have a fraction
   std::vector<std::size_t> fields;  ///< indices into fields()
   std::optional<ProvenanceRequest> provenance;
-  std::optional<std::string> file_column = {};  ///< the name of a first column with that of the input's file
+  std::optional<std::string> file_column = {};     ///< the name of a first column with that of the input's file
+  std::optional<TimeNotation> time_notation = {};  ///< nothing: that of the input
+  std::optional<Rational> frame_rate = {};         ///< of timecode and frames
 };
 
 /// One output of the rows of one file or of several.
@@ -110,9 +112,18 @@ class Writer {
   void commit();
 
  private:
+  /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
+  void set_times(const Input& input);
+
+  /// The cells of times as they are printed, where they are no seconds; the texts of other cells as they are.
+  /// Throws: Error (data) for a time that the notation does not have.
+  std::vector<std::string> texts(const Table& table) const;
+
   const WriterOptions& options_;
   Output output_;
   OutputColumns columns_;
+  TimeNotation notation_ = TimeNotation::seconds;
+  Rational unit_ = 1;  ///< of the times, in seconds, where they are printed in another one
   Frame frame_;
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before

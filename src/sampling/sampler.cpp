@@ -36,7 +36,10 @@ class OnGrid : public Sampler {
   void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                        std::vector<Time>& coordinates) const;
 
-  bool keys() const { return keys_; }  ///< every key is a row
+  bool keys() const { return request_.keys; }  ///< every key is a row
+
+  /// The exact time of a key.
+  Rational exact(const Time& time) const { return request_.exact(time); }
 
  private:
   /// Row 0 of the grid, and the end that the request has of its own.
@@ -48,11 +51,8 @@ class OnGrid : public Sampler {
   void add_keys(Run& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
   void finish(const Run& run, const Time& stop, int decimals);
 
+  SamplingRequest request_;
   Spacing spacing_;
-  EndPolicy policy_;
-  bool keys_, from_left_;
-  std::uint64_t max_rows_;
-  bool cut_;    ///< the request has an end
   Time first_;  ///< row 0, and the end, in doubles
   std::optional<Time> end_;
   Time near_;  ///< a row this near to a key is that key
@@ -69,8 +69,8 @@ class ByTime : public OnGrid {
 
  protected:
   Range range(const CurveSegment& segment) const override { return {segment.start, segment.end}; }
-  Bound lower(const Range& range) const override { return first_key(range.start); }
-  Bound upper(const Range& range) const override { return last_key(range.end); }
+  Bound lower(const Range& range) const override { return {ErrorCode::before_first_key, exact(range.start)}; }
+  Bound upper(const Range& range) const override { return {ErrorCode::after_last_key, exact(range.end)}; }
   int decimals(const CurveSegment& segment) const override { return segment.decimals; }
 };
 
@@ -107,12 +107,8 @@ class PerSegment : public Sampler {
 };
 
 OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
-    : spacing_(std::move(spacing)),
-      policy_(request.end),
-      keys_(request.keys),
-      from_left_(request.from_left),
-      max_rows_(request.max_rows),
-      cut_(request.to.has_value()),
+    : request_(request),
+      spacing_(std::move(spacing)),
       first_(spacing_.grid.time(0)),
       end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
       near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
@@ -122,7 +118,7 @@ void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const 
   if (segment.number == 0) require_not_before(Option::from, from, lower(on));
   if (!segment.last) return;
   require_not_after(Option::from, from, upper(on));
-  if (cut_) require_not_after(Option::to, exact_time(end(decimals(segment))), upper(on));
+  if (request_.to) require_not_after(Option::to, exact(end(decimals(segment))), upper(on));
 }
 
 /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
@@ -131,15 +127,15 @@ std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, c
   const Grid& grid = spacing_.grid;
   const int digits = decimals(segment);
   const Time start = first(digits);
-  const bool with_end = final || from_left_ || on.start == on.end;
+  const bool with_end = final || request_.from_left || on.start == on.end;
   if (grid.is_single()) {
     const bool here = with_end ? start <= stop : start < stop;
     return here ? spacing_.rows : 0;
   }
   if (stop < start) return 0;
   if (spacing_.rows == Spacing::unlimited) {
-    if (grid.rough_rows(stop) > static_cast<double>(max_rows_) * 0.99) {
-      require_rows(steps_between(grid.start(), exact_time(stop), grid.step()), max_rows_, !final);
+    if (grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
+      require_rows(steps_between(grid.start(), exact(stop), grid.step()), request_.max_rows, !final);
     }
     require_resolution(grid, stop, digits);
   } else if (segment.last) {
@@ -157,35 +153,35 @@ void OnGrid::add_keys(Run& run, const CurveSegment& segment, const Range& on, co
     return distance <= near_ && -distance <= near_;
   };
   const auto is_in_range = [&](const Time& key) { return key >= first(decimals) - near_ && key <= stop + near_; };
-  run.key = (!from_left_ || segment.number == 0) && is_in_range(on.start) && on.start <= stop;
+  run.key = (!request_.from_left || segment.number == 0) && is_in_range(on.start) && on.start <= stop;
   if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
   if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
-  if ((from_left_ || final) && is_in_range(on.end)) run.end = true;
+  if ((request_.from_left || final) && is_in_range(on.end)) run.end = true;
 }
 
 /// Notes the remainder of the steps, and keeps the end if requested.
 void OnGrid::finish(const Run& run, const Time& stop, int decimals) {
   if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
   const Time last = spacing_.grid.time(next_ - 1, decimals);
-  if (last < stop) remainder_ = exact_time(stop) - exact_time(last);
+  if (last < stop) remainder_ = exact(stop) - exact_time(last);
 }
 
 Run OnGrid::place(const CurveSegment& segment) {
   const Range on = range(segment);
   require_bounds(segment, on);
   const int digits = decimals(segment);
-  const bool ends_here = cut_ && end(digits) <= on.end;
+  const bool ends_here = request_.to && end(digits) <= on.end;
   const Time stop = ends_here ? end(digits) : on.end;
   const bool final = segment.last || ends_here;
   Run run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
   next_ = run.last;
-  if (keys_) add_keys(run, segment, on, stop, final);
+  if (request_.keys) add_keys(run, segment, on, stop, final);
   if (final) {
     finish(run, stop, digits);
-    run.end = run.end || (policy_ == EndPolicy::keep && remainder_);
+    run.end = run.end || (request_.end == EndPolicy::keep && remainder_);
     if (run.end) remainder_.reset();
   }
-  done_ = ends_here || (next_ == spacing_.rows && !keys_);
+  done_ = ends_here || (next_ == spacing_.rows && !request_.keys);
   return run;
 }
 
@@ -194,7 +190,7 @@ void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, s
   const int digits = decimals(segment);
   if (first < Row::at_key) return spacing_.grid.set_times(first, last, digits, coordinates);
   const Range on = range(segment);
-  const Time end = cut_ ? std::min(this->end(digits), on.end) : on.end;
+  const Time end = request_.to ? std::min(this->end(digits), on.end) : on.end;
   coordinates.assign(1, first == Row::at_key ? on.start : end);
 }
 

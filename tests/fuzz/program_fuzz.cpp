@@ -160,7 +160,8 @@ void require_sound(const Job& plan, std::string_view text, std::string_view rows
     return std::exchange(read, true) ? std::nullopt : std::optional(std::string(text));
   };
   const Input input = open_input("-", bytes, plan.input);
-  if (!input.groups.empty() || !input.carried.empty()) return;  // their texts may be anything
+  if (!input.groups.empty() || !input.carried.empty()) return;                     // their texts may be anything
+  if (plan.time_notation || input.time_notation != TimeNotation::seconds) return;  // times are words
   const auto drop_line = [&rows] { rows.remove_prefix(std::min(rows.size(), rows.find('\n') + 1)); };
   while (rows.starts_with('#')) drop_line();  // provenance
   if (plan.output_header.value_or(input.named)) {
@@ -179,7 +180,7 @@ void require_sound(const Job& plan, std::string_view text, std::string_view rows
 namespace {
 
 /// Whole options: bytes that are changed one by one hardly ever make several valid ones.
-constexpr std::array<std::string_view, 68> whole_options{"--step=0.25",
+constexpr std::array<std::string_view, 76> whole_options{"--step=0.25",
                                                          "--step=1/3",
                                                          "--step=1e-9",
                                                          "--rate=7",
@@ -246,7 +247,15 @@ constexpr std::array<std::string_view, 68> whole_options{"--step=0.25",
                                                          "--decimal=,",
                                                          "--fields=time,s,speed,curvature,torsion",
                                                          "--fields=time,position,key,segment,u",
-                                                         "--fields=jerk,arc_error"};
+                                                         "--fields=jerk,arc_error",
+                                                         "--input-fps=24",
+                                                         "--input-fps=30000/1001",
+                                                         "--time-unit=ms",
+                                                         "--time-format=clock",
+                                                         "--time-format=smpte",
+                                                         "--time-format=iso",
+                                                         "--scale=1=1/3",
+                                                         "--rename=2=3"};
 
 /// The line with a whole option more, less, or in the place of another.
 std::string with_other_option(std::string_view line, unsigned seed) {

@@ -85,11 +85,12 @@ class RecordReader {
       case Role::group:
       case Role::carry: read_text(cell, column); break;
       case Role::time:
-        if (const auto time = decimals_.time(bare(cell)); time && !is_given_sign(cell)) {
+        if (const auto time = decimals_.time(bare(cell));
+            time && !is_given_sign(cell) && keys_.has_times_as_numbers()) {
           keys_.set_time(*time);
           if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
           if (keys_.scales()) scale(cell, column);
-        } else {
+        } else if (!keys_.set_time_in_words(column, unquoted(cell))) {
           read_no_number(cell, column);
         }
         break;
@@ -127,6 +128,11 @@ class RecordReader {
     if (is_missing_sign(bare(cell), head_.rules.signs) && keys_.miss(column)) return;
     const std::string text = unquoted(cell);
     ErrorCode why = why_not_number(text, head_.decimal, head_.rules.signs);
+    const bool is_wrong_notation = column.role == Role::time && why != ErrorCode::number_empty &&
+                                   why != ErrorCode::number_missing &&
+                                   (!keys_.has_times_as_numbers() || find_notation(text));
+    if (is_wrong_notation)
+      why = head_.rules.notation == find_notation(text) ? ErrorCode::no_such_time : ErrorCode::time_in_other_notation;
     if (column.role == Role::time && why == ErrorCode::number_empty) why = ErrorCode::time_empty;
     if (column.role == Role::time && why == ErrorCode::number_missing) why = ErrorCode::time_missing;
     add_fault(cell, why, {head_.columns.name_of(column), text});
@@ -210,6 +216,7 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   Input input;
   input.set_columns(head->columns);
   input.keys = ordered_map(std::move(chunks), parse, options.threads);
+  input.time_notation = head->rules.notation;
   input.facts.delimiter = dialect.delimiter;
   input.facts.comment = dialect.comment;
   input.facts.decimal = options.decimal;

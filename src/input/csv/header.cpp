@@ -184,6 +184,13 @@ void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
   throw Error(Exit::data, code).at({"", record.line, 1});
 }
 
+/// The cell of the time, without quotes; empty where there is none.
+std::string first_time(const std::vector<std::string>& cells, const Columns& columns) {
+  const auto time = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
+  const auto index = static_cast<std::size_t>(time - columns.cells.begin());
+  return index < cells.size() ? cells[index] : "";
+}
+
 }  // namespace
 
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
@@ -220,7 +227,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
                                    : find_columns(names, numeric, options.roles, options.timeless);
     if (!options.samples) require_no_near_miss(names, head.columns, options.roles, options.timeless);
-    head.rules.factors = key_factors(options, head.columns);
+    set_units(head.rules, options, head.columns, first_time(row.cells, head.columns));
   });
   const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
   if (!chosen && !options.samples) require_text(rest[0], head, numeric);

@@ -45,6 +45,10 @@ class FirstKeyReader : public JsonObjectReader {
     member.empty = false;
     const bool has_role = role_of_name(member.name) != Role::position;
     const bool is_sign = is_quoted() && is_missing_sign(text, signs_);
+    if (!in_array() && is_quoted() && find_notation(text)) {
+      member.value = text;
+      if (role_of_name(member.name) == Role::time) return count();
+    }
     if (has_role && is_sign && !in_array() && !is_requested_text()) return count();  // refused later, unless allowed
     const bool needs_number = has_role || (!is_sign && looks_numeric(text));
     if (!in_array() && !is_requested_text() && needs_number)

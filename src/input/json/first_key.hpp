@@ -19,6 +19,7 @@ struct FoundMember {
   bool deep_numbers = false;   ///< with numbers in them
   bool empty = true;           ///< it has neither a number nor a text
   std::size_t numbers = 0;     ///< the count of its numbers, also missing ones
+  std::string value = "";      ///< the text, if it is a time in words
   std::string path = "";       ///< as in "keys[0].x"
   TextPosition position = {};  ///< of its name
 };

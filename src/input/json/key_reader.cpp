@@ -83,6 +83,14 @@ class KeyReader : public JsonObjectReader {
       keys_.set_text(*column, (is_quoted() ? "\"" : "") + std::string(text));
       return true;
     }
+    if (column->role == Role::time && is_quoted()) {
+      if (keys_.set_time_in_words(*column, text)) return true;
+      if (find_notation(text) || (!keys_.has_times_as_numbers() && !is_missing_sign(text, signs_))) {
+        return add_value_fault(columns_.rules.notation == find_notation(text) ? ErrorCode::no_such_time
+                                                                              : ErrorCode::time_in_other_notation,
+                               {std::string(text)});
+      }
+    }
     if (is_quoted() && is_missing_sign(text, signs_)) return on_missing(std::string(text));
     return add_value_fault(ErrorCode::json_not_a_number, {std::string(text)});
   }
@@ -161,6 +169,10 @@ class KeyReader : public JsonObjectReader {
   }
 
   void store(const Column& column, const spline::Time<double>& value) {
+    if (column.role == Role::time && !keys_.has_times_as_numbers()) {
+      add_value_fault(ErrorCode::time_in_other_notation, {decimal_text(value)});
+      return;
+    }
     switch (column.role) {
       case Role::ignored: keys_.set_mark(column, decimal_text(value)); return;
       case Role::group:

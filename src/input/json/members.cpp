@@ -195,7 +195,12 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);
   result.rules = options.key_rules();
-  result.rules.factors = key_factors(options, result.columns);
+  const auto is_time = [&](const Member& member) {
+    return member.cells == 1 && result.columns.cells[member.cell].role == Role::time;
+  };
+  const auto time = std::ranges::find_if(result.members, is_time);
+  const auto index = static_cast<std::size_t>(time - result.members.begin());
+  set_units(result.rules, options, result.columns, index < members.size() ? members[index].value : "");
   return result;
 }
 

@@ -148,6 +148,7 @@ void describe(Input& input, const JsonColumns& meaning, JsonShape shape) {
   columns.cells.resize(meaning.found);
   columns.named = true;
   input.set_columns(columns);
+  input.time_notation = meaning.rules.notation;
   input.facts.shape = shape;
 }
 
