@@ -92,7 +92,7 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   if (typed.has(Option::help)) return is_long ? help_text() : short_help_text();
   if (typed.has(Option::list_presets)) return presets_text();
   if (typed.has(Option::version)) return version_text();
-  return generated_text(*typed.generated);
+  return generated_text(*typed.generated, typed.job.files);
 }
 
 /// The option whose value may be left out has it in the same word, so that it does not take the name of a file.
