@@ -184,8 +184,8 @@ std::optional<double> limit(const std::vector<Tolerance>& tolerances, const std:
 /// Compares the rows of one curve after another.
 class Checker {
  public:
-  Checker(const ComparisonInputs& inputs, const Comparison& comparison, Check& result)
-      : table_(inputs.table), columns_(inputs.columns), result_(result) {
+  Checker(const ComparisonInputs& inputs, const Comparison& comparison, Check& result, FileProgress* progress)
+      : table_(inputs.table), columns_(inputs.columns), result_(result), progress_(progress) {
     for (const MatchedColumn& column : columns_.compared) {
       limits_.push_back(limits_of(comparison, column.name));
       result.columns.push_back({column.name, 0, {}});
@@ -193,7 +193,8 @@ class Checker {
   }
 
   void compare_row(const SampleRows& rows, std::size_t row, std::span<const Cell> cells) {
-    ++result_.rows;
+    constexpr std::uint64_t at_once = 1024;
+    if (++result_.rows % at_once == 0 && progress_ != nullptr) progress_->add_rows(at_once);
     for (std::size_t i = 0; i < columns_.compared.size(); ++i) {
       const MatchedColumn& column = columns_.compared[i];
       const Cell& cell = cells[column.computed];
@@ -224,6 +225,7 @@ class Checker {
   const SampleTable& table_;
   const MatchedColumns& columns_;
   Check& result_;
+  FileProgress* const progress_;
   std::vector<Limits> limits_;
 };
 
@@ -280,12 +282,15 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
   return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
 }
 
-Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe) {
-  ComparisonInputs inputs = read_inputs(job, job.fields);
+Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe, FileProgress* progress) {
+  ComparisonInputs inputs = read_inputs(job, job.fields, progress);
   require_columns(*job.comparison, inputs);
   const Pairs pairs = pair_up(inputs.kept, inputs.table);
   Check result{summary(inputs, pairs)};
-  Checker checker(inputs, *job.comparison, result);
+  Checker checker(inputs, *job.comparison, result, progress);
+  std::uint64_t rows = 0;
+  for (const Pair& pair : pairs.pairs) rows += pair.rows.size();
+  if (progress != nullptr) progress->expect_rows(static_cast<double>(rows));
   for (const Pair& pair : pairs.pairs) {
     in_file(inputs.keys, [&] { check_pair(pair, job, inputs, checker, result, observe); });
   }

@@ -112,6 +112,7 @@ struct CheckedPair {
 
 /// Compares every number of the samples with the curve. `observe` sees each curve with its samples, if it is given.
 /// Throws: Error if the keys make no curve, or there is nothing to compare.
-Check check(const Job& job, const std::function<void(const CheckedPair& pair)>& observe = {});
+Check check(const Job& job, const std::function<void(const CheckedPair& pair)>& observe = {},
+            FileProgress* progress = nullptr);
 
 }  // namespace tcb

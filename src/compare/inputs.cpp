@@ -52,11 +52,20 @@ std::size_t KeptCurve::key_count() const {
   return count;
 }
 
-KeptCurves keep(const Job& job) {
+namespace {
+
+/// The bytes of a file, counted as read.
+Source<std::string> observed(const std::string& path, FileProgress* progress) {
+  return progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path));
+}
+
+}  // namespace
+
+KeptCurves keep(const Job& job, FileProgress* progress) {
   const std::string& path = job.files[0];
   InputOptions options = job.input;
   options.threads = job.threads();
-  KeptCurves kept{open_input(path, read_file(path), options), {}};
+  KeptCurves kept{open_input(path, observed(path, progress), options), {}};
   Curves curves(kept.input, job.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
     KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
@@ -65,9 +74,9 @@ KeptCurves keep(const Job& job) {
   return kept;
 }
 
-SampleTable read_samples(const Job& job, const Input& keys, bool timeless) {
+SampleTable read_samples(const Job& job, const Input& keys, bool timeless, FileProgress* progress) {
   const std::string& path = job.comparison->file;
-  Source<std::string> bytes = read_file(path);
+  Source<std::string> bytes = observed(path, progress);
   std::string beginning = bytes().value_or("");
   InputOptions options;
   options.samples = SampleNames{keys.time, keys.groups, keys.carried, job.comparison->maps};
@@ -87,15 +96,15 @@ SampleTable read_samples(const Job& job, const Input& keys, bool timeless) {
   return table;
 }
 
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen) {
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress) {
   ComparisonInputs inputs;
   inputs.keys = shown_name(job.files[0]);
   inputs.file = shown_name(job.comparison->file);
   inputs.threads = job.threads();
-  inputs.kept = in_file(inputs.keys, [&] { return keep(job); });
+  inputs.kept = in_file(inputs.keys, [&] { return keep(job, progress); });
   const bool timeless = !chosen.empty() && chosen[0] != field_of("time");
   in_file(inputs.file, [&] {
-    inputs.table = read_samples(job, inputs.kept.input, timeless);
+    inputs.table = read_samples(job, inputs.kept.input, timeless, progress);
     inputs.columns = match_columns(inputs.table, inputs.kept.input, chosen);
   });
   return inputs;

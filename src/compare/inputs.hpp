@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/job.hpp"
+#include "app/progress.hpp"
 #include "error.hpp"
 #include "input/input.hpp"
 
@@ -30,8 +31,8 @@ struct KeptCurves {
   std::vector<KeptCurve> curves;
 };
 
-/// The curves of the one input of a job. Throws: Error.
-KeptCurves keep(const Job& job);
+/// The curves of the one input of a job. Here and below, `progress` may be null. Throws: Error.
+KeptCurves keep(const Job& job, FileProgress* progress = nullptr);
 
 /// Given rows of one curve. Shapes: numbers has a number per column, row after row; a missing one is NaN.
 struct SampleRows {
@@ -56,7 +57,7 @@ struct SampleTable {
 /// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;
 /// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `timeless`:
 /// the first column of a file without names is not the time. Throws: Error.
-SampleTable read_samples(const Job& job, const Input& keys, bool timeless);
+SampleTable read_samples(const Job& job, const Input& keys, bool timeless, FileProgress* progress = nullptr);
 
 /// A column of the samples that is also one of the curve's rows.
 struct MatchedColumn {
@@ -95,6 +96,6 @@ struct ComparisonInputs {
 };
 
 /// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen);
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress = nullptr);
 
 }  // namespace tcb

@@ -211,17 +211,21 @@ Exit write(const Job& job, const std::string& report, bool agrees) {
 
 Exit compare(const Job& job, ErrorWords words) {
   const ThreadPool pool(job.threads());
+  Report report(job.verbosity, {words, nullptr});
+  report.expect(1, 0);
+  const auto progress = report.begin_file(job.files[0], 0);
   const bool as_json = job.output_format == FormatId::json;
   if (job.comparison->identify) {
-    const Identification result = identify(job);
+    const Identification result = identify(job, progress.get());
     return write(job, as_json ? json(result, words) : text(result, words), result.fits());
   }
   if (format_of(job.output_format).is_picture) {
     CheckPicture picture(job);
-    const Check result = check(job, [&picture](const CheckedPair& pair) { picture.add(pair); });
+    const Check result = check(
+        job, [&picture](const CheckedPair& pair) { picture.add(pair); }, progress.get());
     return write(job, picture.svg(result), result.passed());
   }
-  const Check result = check(job);
+  const Check result = check(job, {}, progress.get());
   return write(job, as_json ? json(result, words) : text(result, words), result.passed());
 }
 

@@ -21,6 +21,7 @@
 
 #include "error.hpp"
 #include "io/input_file.hpp"
+#include "io/terminal.hpp"
 
 namespace tcb {
 namespace {
@@ -48,6 +49,12 @@ sigset_t interruptions() {
   return signals;
 }
 
+/// Ends the program. Only calls that a handler of signals may make.
+[[noreturn]] void end_interrupted() {
+  erase_interrupted_line();
+  ::_exit(static_cast<int>(Exit::interrupted));
+}
+
 /// Threads: only this one receives the signals, so it may call any function.
 [[noreturn]] void wait_for_interruption(const sigset_t& signals) {
   int signal = 0;
@@ -55,7 +62,7 @@ sigset_t interruptions() {
   }
   const std::lock_guard lock(names().mutex);
   for (const std::string& name : names().all) ::unlink(name.c_str());
-  ::_exit(static_cast<int>(Exit::interrupted));
+  end_interrupted();
 }
 
 /// The names that an unfinished `path` may have: more than one, for processes that write the same file at the same
@@ -270,7 +277,7 @@ void Output::commit() {
 void end_when_interrupted() {
   (void)std::signal(SIGPIPE, SIG_DFL);
   struct sigaction action {};
-  action.sa_handler = [](int) { ::_exit(static_cast<int>(Exit::interrupted)); };
+  action.sa_handler = [](int) { end_interrupted(); };
   const sigset_t signals = interruptions();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (::sigismember(&signals, signal) == 1) ::sigaction(signal, &action, nullptr);
