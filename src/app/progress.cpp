@@ -116,11 +116,11 @@ void Report::note(const std::string& path, const Note& note) {
                               NoteCode::more_remainders, NoteCode::rate_of_frames};
   const bool is_loss = std::ranges::count(losses, note.code) > 0;
   if (is_loss ? !verbosity_.quiet : verbosity_.notes)
-    print(fmt::format("{}: note: {}", shown_name(path), wording_.note(note)));
+    print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + wording_.note(note));
 }
 
 void Report::warning(const std::string& path, const Note& note) {
-  if (!verbosity_.quiet) print(fmt::format("{}: warning: {}", path, wording_.note(note)));
+  if (!verbosity_.quiet) print(message_head(path, MessageKind::warning, verbosity_.color) + wording_.note(note));
 }
 
 void Report::error(const Error& error) { print(wording_.error(error)); }

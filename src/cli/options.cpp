@@ -339,6 +339,10 @@ constexpr std::array<OptionRow, option_count> table{{
      [](Typed&, Text) {}},
     {Option::quiet, "-q,--quiet", "", about, "Nothing but errors on standard error", "", flag, unrecorded,
      [](Typed& to, Text) { to.job.verbosity.quiet = true; }},
+    {Option::color, "--color", "WHEN", about,
+     "Colors errors, warnings and notes: auto, on a terminal, unless NO_COLOR is set or TERM is dumb; always; never. With "
+     "auto, CLICOLOR_FORCE colors them anywhere",
+     "auto", name, unrecorded, [](Typed& to, Text text) { to.color = named_row(color_names, text).when; }, names_in<color_names>},
     {Option::generate, "--generate", "KIND", about,
      "Prints the manual page (man), completions for a shell (bash, zsh, fish), or the names of the columns of FILE (columns)", "", name, unrecorded,
      [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; }, names_in<generated_names>},
@@ -361,6 +365,18 @@ std::vector<std::string_view> OptionRow::all_names() const { return split(names,
 
 std::string OptionRow::description() const {
   return std::string(text) + (default_value.empty() ? "" : "; default " + std::string(default_value));
+}
+
+ColorWhen color_of(int argc, const char* const* argv) {
+  const std::string_view name = row_of(Option::color).long_name();
+  std::string_view value;
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string_view word = argv[i];
+    if (word == name && i + 1 < argc) value = argv[i + 1];
+    if (word.starts_with(name) && word.substr(name.size()).starts_with('=')) value = word.substr(name.size() + 1);
+  }
+  const auto row = std::ranges::find(color_names, value, &ColorName::name);
+  return row == color_names.end() ? ColorWhen::by_terminal : row->when;
 }
 
 bool TypedOptions::wants_text() const {

@@ -16,6 +16,7 @@
 
 #include "app/job.hpp"
 #include "error.hpp"
+#include "io/terminal.hpp"
 
 namespace tcb {
 
@@ -34,6 +35,13 @@ inline constexpr std::array generated_names{
     GeneratedName{"zsh", Generated::zsh}, GeneratedName{"fish", Generated::fish},
     GeneratedName{"columns", Generated::columns}};
 
+struct ColorName {
+  std::string_view name;
+  ColorWhen when;
+};
+inline constexpr std::array color_names{ColorName{"auto", ColorWhen::by_terminal},
+                                        ColorName{"always", ColorWhen::always}, ColorName{"never", ColorWhen::never}};
+
 struct DelimiterName {
   std::string_view name;
   char character;
@@ -50,6 +58,7 @@ struct TypedOptions {
   Comparison comparison;
   Notation notation;
   std::optional<Generated> generated;
+  ColorWhen color = ColorWhen::by_terminal;
   bool places_from_input = false;  ///< the times or arc lengths are read from standard input
 
   const std::string& text(Option option) const { return texts[index_of(option)]; }
@@ -110,6 +119,9 @@ struct Invocation {
   Job job = {};
   Exit exit = Exit::done;  ///< after the text; where it is another one, the text is an error message
 };
+
+/// When messages are colored, by words that may be wrong otherwise.
+ColorWhen color_of(int argc, const char* const* argv);
 
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
 Invocation parse(int argc, const char* const* argv);

@@ -8,6 +8,7 @@
 #include "curve/fields.hpp"
 #include "error.hpp"
 #include "input/input.hpp"
+#include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "stream/source.hpp"
@@ -54,9 +55,9 @@ std::size_t KeptCurve::key_count() const {
 
 namespace {
 
-/// The bytes of a file, counted as read.
+/// The bytes of a file, counted as read, and decompressed.
 Source<std::string> observed(const std::string& path, FileProgress* progress) {
-  return progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path));
+  return decompressed(progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path)));
 }
 
 }  // namespace

@@ -49,12 +49,6 @@ sigset_t interruptions() {
   return signals;
 }
 
-/// Ends the program. Only calls that a handler of signals may make.
-[[noreturn]] void end_interrupted() {
-  erase_interrupted_line();
-  ::_exit(static_cast<int>(Exit::interrupted));
-}
-
 /// Threads: only this one receives the signals, so it may call any function.
 [[noreturn]] void wait_for_interruption(const sigset_t& signals) {
   int signal = 0;
@@ -168,8 +162,10 @@ void make_folder(const std::string& path) {
 }
 
 Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
+  const Compression compression = compression_of(path_);
   open();
-  if (!begins_last || unfinished_) return;
+  if (compression != Compression::none) compressor_.emplace(compression);
+  if (!begins_last || (unfinished_ && !compressor_)) return;
   spool_.reset(std::tmpfile());
   if (spool_ == nullptr) fail(ErrorCode::cannot_make_temporary);
 }
@@ -232,7 +228,13 @@ void Output::flush() {
   pending_.clear();
 }
 
-void Output::put(std::string_view text) { send(spool_ == nullptr ? descriptor_ : ::fileno(spool_.get()), text); }
+void Output::put(std::string_view text) {
+  spool_ == nullptr ? send_compressed(text) : send(::fileno(spool_.get()), text);
+}
+
+void Output::send_compressed(std::string_view bytes, bool last) {
+  compressor_ ? send(descriptor_, compressor_->add(bytes, last)) : send(descriptor_, bytes);
+}
 
 void Output::send(int descriptor, std::string_view bytes) const {
   while (!bytes.empty()) {
@@ -258,7 +260,7 @@ void Output::send_spooled() {
   for (ssize_t count = 1; count != 0;) {
     count = ::read(spool, bytes.data(), bytes.size());
     if (count < 0 && errno != EINTR) fail(ErrorCode::cannot_read_temporary);
-    if (count > 0) send(descriptor_, {bytes.data(), static_cast<std::size_t>(count)});
+    if (count > 0) send_compressed({bytes.data(), static_cast<std::size_t>(count)});
   }
   spool_.reset();
 }
@@ -266,6 +268,7 @@ void Output::send_spooled() {
 void Output::commit() {
   flush();
   if (spool_ != nullptr) send_spooled();
+  if (compressor_) send_compressed("", true);
   if (path_ == "-") return;
   if (unfinished_) {
     if (!finish(descriptor_, temporary_, path_)) fail(ErrorCode::cannot_write);

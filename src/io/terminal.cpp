@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cstdlib>
 
+#include "error.hpp"
+
 namespace tcb {
 namespace {
 
@@ -30,14 +32,14 @@ std::string_view variable(const char* name) {
 
 void erase_when_interrupted(std::size_t width) { line_width = width; }
 
-void erase_interrupted_line() {
+void end_interrupted() {
   std::array<char, 512> blanks{};
   constexpr std::size_t echoed = 2;  // ^C, which the terminal shows after the line
-  if (line_width == 0) return;
   const std::size_t size = std::min(line_width + echoed, blanks.size() - 2);
   blanks.fill(' ');
   blanks[0] = blanks[size + 1] = '\r';
-  (void)!::write(STDERR_FILENO, blanks.data(), size + 2);
+  if (line_width > 0) (void)!::write(STDERR_FILENO, blanks.data(), size + 2);
+  ::_exit(static_cast<int>(Exit::interrupted));
 }
 
 bool colors_messages(ColorWhen when) {

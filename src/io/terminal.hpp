@@ -10,8 +10,8 @@ namespace tcb {
 /// When the program is interrupted, the last line on standard error, which has so many characters, is erased; 0: none.
 void erase_when_interrupted(std::size_t width);
 
-/// Erases that line. Only calls that a handler of signals may make.
-void erase_interrupted_line();
+/// Erases that line and ends the program with Exit::interrupted. Makes only calls that a handler of signals may make.
+[[noreturn]] void end_interrupted();
 
 /// When messages are colored.
 enum class ColorWhen { by_terminal, always, never };
