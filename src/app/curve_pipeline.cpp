@@ -122,7 +122,7 @@ PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) const {
   }
   const auto known = std::make_shared<KnownPart>();
   Source<Keys> keys = mapped(std::move(blocks), [known](KeyBlock block) {
-    if (block.size() > 0) known->end = block.keys.times.back();
+    if (!block.keys.times.empty()) known->end = block.keys.times.back();
     known->segments += block.size();
     return std::move(block.keys);
   });
@@ -151,7 +151,7 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
         KnownPart{extent.first, *extent.last, *extent.last, extent.length.value_or(0), count});
   } else {
     segments = mapped(std::move(segments), [known](SegmentBlock block) {
-      known->made = block.segments.times.back();
+      if (!block.segments.times.empty()) known->made = block.segments.times.back();
       for (const auto& length : block.lengths) known->length += length.value;
       return block;
     });
