@@ -115,6 +115,7 @@ enum class Option {
   progress,
   no_progress,
   quiet,
+  color,
   generate,
   list_presets,
   version,
@@ -142,9 +143,11 @@ enum class ErrorCode {
   input_without_name,    ///< standard input, where each input has its own output
   // input
   npy_as_input,
-  compressed_input,       ///< name of the compression, command that decompresses
-  input_of_other_format,  ///< what it is
-  not_in_utf8,            ///< name of the encoding
+  compressed_input,        ///< name of the compression, command that decompresses
+  compressed_data_broken,  ///< name of the compression
+  compressed_data_cut,     ///< name of the compression
+  input_of_other_format,   ///< what it is
+  not_in_utf8,             ///< name of the encoding
   two_byte_order_marks,
   nul_byte,
   same_column_names,      ///< the name

@@ -10,6 +10,7 @@
 #include "error.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
+#include "io/terminal.hpp"
 
 namespace {
 
@@ -29,16 +30,18 @@ void print(const std::string& text) {
 int main(int argc, char** argv) {
   tcb::keep_standard_streams();
   tcb::end_when_interrupted();
+  const bool colored = tcb::colors_messages(tcb::color_of(argc, argv));
+  const auto words = colored ? tcb::colored_error_text : tcb::error_text;
   try {
     const tcb::Invocation invocation = tcb::parse(argc, argv);
     if (invocation.job.writes_files()) tcb::remove_unfinished_when_interrupted();
     if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job, tcb::error_message));
-    if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job, {tcb::error_text, tcb::note_text}));
+    if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job, {words, tcb::note_text}));
     if (invocation.exit != tcb::Exit::done) return refuse(invocation.exit, *invocation.text);
     print(*invocation.text);
     return static_cast<int>(tcb::Exit::done);
   } catch (const tcb::Error& error) {
-    return refuse(error.exit(), error_text(error));
+    return refuse(error.exit(), words(error));
   } catch (const std::bad_alloc&) {
     return refuse(tcb::Exit::usage, "tcbsample: error: out of memory");
   } catch (const std::exception& error) {

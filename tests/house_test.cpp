@@ -64,6 +64,8 @@ const std::map<std::string, std::vector<std::string>> packages{
     {"fast_float", {"text/"}},
     {"CLI", {"cli/"}},
     {"nettle", {"io/"}},
+    {"zlib.h", {"io/"}},
+    {"zstd.h", {"io/"}},
 };
 
 /// Files that hold a table, which may be longer than 300 lines and shorter than others.

@@ -14,7 +14,6 @@ constexpr std::uintmax_t large_file = 4UL * 1024 * 1024;
 
 /// The result of a file.
 struct FileOutcome {
-  std::uintmax_t size = 0;
   std::uint64_t rows = 0;
   std::optional<Error> error = {};
   bool begun = true;
@@ -22,13 +21,13 @@ struct FileOutcome {
 
 FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& convert) {
   try {
-    return {file.size, convert(file, threads), {}};
+    return {convert(file, threads), {}};
   } catch (const Error& error) {
-    return {file.size, 0, error.in(file.path)};
+    return {0, error.in(file.path)};
   } catch (const std::bad_alloc&) {
-    return {file.size, 0, Error(Exit::usage, ErrorCode::out_of_memory).in(file.path)};
+    return {0, Error(Exit::usage, ErrorCode::out_of_memory).in(file.path)};
   } catch (const std::exception& error) {
-    return {file.size, 0, Error(Exit::usage, ErrorCode::unexpected, {error.what()}).in(file.path)};
+    return {0, Error(Exit::usage, ErrorCode::unexpected, {error.what()}).in(file.path)};
   }
 }
 
@@ -42,7 +41,7 @@ Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Repo
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
     for (; next != inputs.files.end() && next->is_current; ++next) {
       ++summary.skipped;
-      report.add_file(next->size);
+      report.skip_file(next->size);
     }
     const InputFile* const file = inputs.files.data() + (next - inputs.files.begin());
     if (file >= stop) return std::nullopt;
@@ -60,7 +59,6 @@ Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Repo
   const Source<FileOutcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);
   while (const std::optional<FileOutcome> outcome = outcomes()) {
     if (!outcome->begun) continue;
-    report.add_file(outcome->size);
     summary.rows += outcome->rows;
     ++(outcome->error ? summary.failed : summary.done);
     if (outcome->error) report.error(*outcome->error);

@@ -95,6 +95,27 @@ Source<KeyBlock> CurvePipeline::recorded(Source<KeyBlock> blocks, const std::sha
   });
 }
 
+/// The part of a curve whose keys were read.
+struct CurvePipeline::KnownPart {
+  Time first, end;    ///< of its keys
+  Time made;          ///< end of its segments
+  double length = 0;  ///< of these
+  std::uint64_t segments = 0;
+};
+
+/// About the number of rows on a part of a curve.
+double CurvePipeline::rows_on(const KnownPart& part, const SamplingRequest& request,
+                              const std::optional<Spacing>& spacing) {
+  const auto segments = static_cast<double>(part.segments);
+  const double keys = request.keys ? segments + 1 : 0;
+  if (!spacing) return segments * static_cast<double>(request.count) + keys + 1;
+  Time end = part.end;
+  if (by_length(request.mode)) end = Time(part.length * ((part.end - part.first) / (part.made - part.first)).hi);
+  if (spacing->end) end = std::min(end, nearest_time(*spacing->end));
+  const double rows = spacing->grid.is_single() ? 1 : std::max(1.0, spacing->grid.rough_rows(end));
+  return std::min(rows, static_cast<double>(spacing->rows)) + keys;
+}
+
 PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) const {
   blocks = prepared(std::move(blocks), 2);
   const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal);
@@ -104,12 +125,18 @@ PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) const {
     const Extent range = extent(keys);
     return place_stored(keys, range, *exact);
   }
-  Source<Keys> keys = mapped(std::move(blocks), [](KeyBlock block) { return std::move(block.keys); });
+  const auto known = std::make_shared<KnownPart>();
+  Source<Keys> keys = mapped(std::move(blocks), [known](KeyBlock block) {
+    if (!block.keys.times.empty()) known->end = block.keys.times.back();
+    known->segments += block.size();
+    return std::move(block.keys);
+  });
   std::optional<Keys> first = keys();
   while (first && first->size() == 0) first = keys();
   const Extent extent{first->times.front(), {}, {}};
+  known->first = extent.first;
   const LinkedKeys linked{preceded_by(std::move(*first), std::move(keys)), {}};
-  return place_in_order(tcb::segment_blocks(linked, spec_.rules, needs_lengths(), threads_), extent);
+  return place_in_order(tcb::segment_blocks(linked, spec_.rules, needs_lengths(), threads_), extent, 0, known);
 }
 
 /// The segments of a curve whose keys are all known.
@@ -120,10 +147,25 @@ Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent&
   return tcb::segment_blocks(std::move(linked), spec_.rules, measured, threads_);
 }
 
-/// Rows segment after segment, each as soon as it is known.
-PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent) const {
+/// Rows segment after segment, each as soon as it is known. `known`: what is read of the curve; null: all of it.
+PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent, std::uint64_t count,
+                                          std::shared_ptr<KnownPart> known) const {
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
-  return {tcb::place(std::move(segments), sampler, spec_.rules.metric), sampler, sampler, {}, fast_rows(sampler)};
+  if (known == nullptr) {
+    known = std::make_shared<KnownPart>(
+        KnownPart{extent.first, *extent.last, *extent.last, extent.length.value_or(0), count});
+  } else {
+    segments = mapped(std::move(segments), [known](SegmentBlock block) {
+      if (!block.segments.times.empty()) known->made = block.segments.times.back();
+      for (const auto& length : block.lengths) known->length += length.value;
+      return block;
+    });
+  }
+  std::optional<Spacing> spacing;
+  if (request_.mode != Mode::per_segment) spacing = tcb::spacing(request_, extent);
+  const auto expected = [known, spacing, request = &request_] { return rows_on(*known, *request, spacing); };
+  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.rules.metric);
+  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected};
 }
 
 /// The first and the last time of the curve.
@@ -177,7 +219,7 @@ PlacedCurve CurvePipeline::place_on_grid(const KeyStore& keys, Extent& extent) c
   if (request_.mode != Mode::per_segment) facts.step = nearest_time(spacing(request_, extent).grid.step());
   auto all = segments(keys, extent, needs_lengths() && !lengths);
   if (lengths) all = with_lengths(std::move(all), std::move(*lengths));
-  PlacedCurve placed = place_in_order(std::move(all), extent);
+  PlacedCurve placed = place_in_order(std::move(all), extent, keys.size() - (spec_.closed ? 0 : 1));
   placed.facts = facts;
   return placed;
 }
@@ -222,13 +264,14 @@ PlacedCurve CurvePipeline::place_anywhere(const Source<SegmentBlock>& segments, 
   std::vector<Time> places = this->places(*curve, extent);
   const std::uint64_t rows = places.size();
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
+  const auto expected = [rows] { return static_cast<double>(rows); };
   if (request_.mode == Mode::arc_at) {
     const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->length());
-    return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator)};
+    return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator), expected};
   }
   const auto locator =
       std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, *extent.last);
-  return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator)};
+  return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator), expected};
 }
 
 /// The same rows, each number rounded once.

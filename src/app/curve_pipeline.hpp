@@ -14,6 +14,7 @@
 #include "curve/rows.hpp"
 #include "input/input.hpp"
 #include "keys/key_store.hpp"
+#include "sampling/grid.hpp"
 #include "sampling/request.hpp"
 #include "sampling/sampler.hpp"
 
@@ -41,6 +42,7 @@ struct PlacedCurve {
   std::shared_ptr<const Sampler> sampler;  ///< the same, where the samples are placed segment after segment
   PlacementFacts facts;
   Evaluate evaluate = {};
+  std::function<double()> expected_rows = {};  ///< about the number of rows, by the segments that were made so far
 
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
@@ -83,6 +85,8 @@ class CurvePipeline {
   const SamplingRequest& request() const { return request_; }
 
  private:
+  struct KnownPart;
+
   bool is_single() const;
   bool needs_random_access() const;
   bool needs_lengths() const;
@@ -93,7 +97,9 @@ class CurvePipeline {
   Source<KeyBlock> recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const;
   Extent extent(KeyStore& keys) const;
   Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
-  PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent) const;
+  PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent, std::uint64_t count,
+                             std::shared_ptr<KnownPart> known = {}) const;
+  static double rows_on(const KnownPart& part, const SamplingRequest& request, const std::optional<Spacing>& spacing);
   PlacedCurve place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const;
   PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
   PlacedCurve place_anywhere(const Source<SegmentBlock>& segments, const Extent& extent) const;

@@ -51,6 +51,7 @@ struct Verbosity {
   bool quiet = false;     ///< nothing
   bool notes = false;     ///< unexpected facts about inputs
   bool progress = false;  ///< the progress, once the work takes a while
+  bool color = false;     ///< places and kinds of messages are colored
 };
 
 /// How the curves are drawn, where the output is a picture.

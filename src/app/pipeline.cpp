@@ -39,13 +39,19 @@ InputListOptions input_list_options(const Job& job) {
 /// One file on its way into an output.
 class FileRun {
  public:
-  FileRun(const std::string& path, const Job& job, const Wording& wording, Report& report, Sink& sink)
-      : path_(path), live_(is_live(path)), job_(job), wording_(wording), report_(report), sink_(sink) {}
+  FileRun(const InputFile& file, const Job& job, const Wording& wording, Report& report, Sink& sink)
+      : path_(file.path),
+        live_(is_live(path_)),
+        job_(job),
+        wording_(wording),
+        report_(report),
+        progress_(report.begin_file(path_, file.size)),
+        sink_(sink) {}
 
   /// The stages of the flow, with their observers. Returns the number of rows.
   std::uint64_t run(unsigned threads) {
     if (is_terminal(path_)) report_.note(path_, {NoteCode::reads_terminal});
-    Source<std::string> bytes = report_.observe_bytes(read_file(path_));
+    Source<std::string> bytes = progress_->observe_bytes(read_file(path_));
     if (sink_.writer) bytes = sink_.writer->recorder().observe_bytes(shown_name(path_), std::move(bytes));
     const Input input = open_input(path_, bytes, input_options(job_, threads, live_));  // split, parse
     note_input(input);
@@ -78,7 +84,7 @@ class FileRun {
     Source<KeyBlock> keys = provenance.observe_keys(curve.keys);
     if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
     PlacedCurve placed = pipeline_->place(std::move(keys));  // segments, measure, place
-    placed.blocks = provenance.observe_rows(report_.observe_rows(std::move(placed.blocks), rows_));
+    placed.blocks = provenance.observe_rows(counted(placed));
     writer.write(printed(writer, placed, labels, input.threads));  // evaluate, print
     provenance.end_curve();
     note_curve(placed);
@@ -87,9 +93,14 @@ class FileRun {
   /// The stages from the keys of a curve to its part of a picture.
   void draw(const CurveKeys& curve, Drawing& drawing) {
     StoredCurve stored = pipeline_->stored(curve.keys);  // segments, measure, place
-    if (stored.placed) stored.placed->blocks = report_.observe_rows(std::move(stored.placed->blocks), rows_);
+    if (stored.placed) stored.placed->blocks = counted(*stored.placed);
     drawing.add(curve.group, stored, short_rules(pipeline_->facts(), wording_));  // evaluate, draw
     if (stored.placed) note_curve(*stored.placed);
+  }
+
+  /// The samples of a curve, counted as done.
+  Source<SampleBlock> counted(PlacedCurve& placed) {
+    return progress_->observe_rows(std::move(placed.blocks), placed.expected_rows, rows_);
   }
 
   /// The labels of a curve, which are the texts of its keys after those of groups; null if there are none.
@@ -137,6 +148,7 @@ class FileRun {
   const Job& job_;
   const Wording& wording_;
   Report& report_;
+  const std::shared_ptr<FileProgress> progress_;
   Sink& sink_;
   std::shared_ptr<const CurveInfo> curve_info_;  ///< of the curve before
   std::optional<CurvePipeline> pipeline_;
@@ -183,7 +195,7 @@ class JobRun {
       const std::string path = output_path(file, files_.outputs);
       if (file.inside > 0) make_folder(folder_of(path));
       Sink sink(job_, options_, path);
-      const std::uint64_t rows = FileRun(file.path, job_, wording_, report_, sink).run(threads);
+      const std::uint64_t rows = FileRun(file, job_, wording_, report_, sink).run(threads);
       sink.commit();
       return rows;
     };
@@ -201,8 +213,7 @@ class JobRun {
   void resample_together() {
     Sink sink(job_, options_, job_.output);
     for (const InputFile& file : inputs_.files) {
-      in_file(shown_name(file.path), [&] { FileRun(file.path, job_, wording_, report_, sink).run(threads_); });
-      report_.add_file(file.size);
+      in_file(shown_name(file.path), [&] { FileRun(file, job_, wording_, report_, sink).run(threads_); });
     }
     sink.commit();
   }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "io/input_file.hpp"
+#include "io/terminal.hpp"
 
 namespace tcb {
 namespace {
@@ -48,19 +49,64 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(std::uint64_t files, std::uint64_t all_files, std::uintmax_t bytes, std::uintmax_t all_bytes,
-                          std::uint64_t rows, double seconds) {
-  const auto done = static_cast<double>(bytes);
-  const auto all = static_cast<double>(all_bytes);
-  const bool partly = bytes < all_bytes;
+namespace {
+
+/// A part of the line. Where there is no room for all, those of the lowest importance are left out.
+struct LinePart {
+  int importance;
   std::string text;
-  if (all_bytes > 0) text += fmt::format("{:.0f} %, ", partly ? 100 * done / all : 100);
-  if (all_files > 1) text += fmt::format("{} of {} files, ", thousands(files), thousands(all_files));
-  text += partly ? fmt::format("{} of {}", size_text(done), size_text(all)) : size_text(done);
-  if (rows > 0) text += fmt::format(", {} rows", thousands(rows));
-  text += fmt::format(", {}/s", size_text(done / seconds));
-  if (partly && bytes > 0) text += fmt::format(", {} left", duration_text(seconds * (all - done) / done));
+};
+
+std::string bar(double fraction) {
+  constexpr std::size_t width = 20;
+  std::string text(width, '-');
+  const auto done = static_cast<std::size_t>(fraction * static_cast<double>(width));
+  std::fill_n(text.begin(), std::min(done, width), '#');
+  return "[" + text + "] ";
+}
+
+/// The parts of the line in their order.
+std::vector<LinePart> line_parts(const Progress& progress) {
+  std::vector<LinePart> parts;
+  const double done = std::min(progress.fraction.value_or(0), 1.0);
+  if (progress.fraction) {
+    parts.push_back({3, bar(done)});
+    parts.push_back({9, fmt::format("{:.0f} %", std::floor(100 * done))});
+  }
+  if (done > 0 && done < 1) {
+    parts.push_back({8, fmt::format("{} left", duration_text(progress.seconds * (1 - done) / done))});
+  }
+  if (progress.all_files > 1) {
+    parts.push_back({7, fmt::format("{} of {} files", thousands(progress.files), thousands(progress.all_files))});
+    if (!progress.file.empty()) parts.push_back({4, progress.file});
+  }
+  const auto rate = [&](double amount) { return amount / std::max(progress.seconds, 1e-3); };
+  if (progress.rows > 0) {
+    parts.push_back({6, fmt::format("{} rows", thousands(progress.rows))});
+    const double rows = rate(static_cast<double>(progress.rows));
+    parts.push_back({5, fmt::format("{} rows/s", thousands(static_cast<std::uint64_t>(rows)))});
+  } else {
+    const auto bytes = static_cast<double>(progress.bytes);
+    parts.push_back({6, fmt::format("{} read", size_text(bytes))});
+    parts.push_back({5, fmt::format("{}/s", size_text(rate(bytes)))});
+  }
+  return parts;
+}
+
+std::string line_of(const std::vector<LinePart>& parts) {
+  std::string text;
+  for (const LinePart& part : parts) text += (text.empty() || text.ends_with(' ') ? "" : ", ") + part.text;
   return text;
+}
+
+}  // namespace
+
+std::string progress_text(const Progress& progress, std::size_t width) {
+  std::vector<LinePart> parts = line_parts(progress);
+  while (parts.size() > 1 && line_of(parts).size() > width) {
+    parts.erase(std::ranges::min_element(parts, {}, &LinePart::importance));
+  }
+  return line_of(parts).substr(0, width);
 }
 
 Report::~Report() { clear(); }
@@ -70,11 +116,11 @@ void Report::note(const std::string& path, const Note& note) {
                               NoteCode::more_remainders, NoteCode::rate_of_frames};
   const bool is_loss = std::ranges::count(losses, note.code) > 0;
   if (is_loss ? !verbosity_.quiet : verbosity_.notes)
-    print(fmt::format("{}: note: {}", shown_name(path), wording_.note(note)));
+    print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + wording_.note(note));
 }
 
 void Report::warning(const std::string& path, const Note& note) {
-  if (!verbosity_.quiet) print(fmt::format("{}: warning: {}", path, wording_.note(note)));
+  if (!verbosity_.quiet) print(message_head(path, MessageKind::warning, verbosity_.color) + wording_.note(note));
 }
 
 void Report::error(const Error& error) { print(wording_.error(error)); }
@@ -84,41 +130,73 @@ void Report::expect(std::uint64_t files, std::uintmax_t bytes) {
   all_bytes_ = bytes;
 }
 
-Source<std::string> Report::observe_bytes(Source<std::string> bytes) {
-  return mapped(std::move(bytes), [this](std::string part) {
-    add_read(part.size());
-    return part;
-  });
+std::shared_ptr<FileProgress> Report::begin_file(const std::string& path, std::uintmax_t size) {
+  return std::make_shared<FileProgress>(*this, path, size);
 }
 
-Source<SampleBlock> Report::observe_rows(Source<SampleBlock> samples, std::uint64_t& rows) {
-  return mapped(std::move(samples), [this, &rows](SampleBlock block) {
+void Report::skip_file(std::uintmax_t bytes) {
+  const std::lock_guard lock(mutex_);
+  ++files_;
+  ended_ += bytes;
+  show();
+}
+
+FileProgress::FileProgress(Report& report, std::string path, std::uintmax_t size)
+    : report_(report), path_(std::move(path)), size_(size) {
+  const std::lock_guard lock(report_.mutex_);
+  report_.active_.push_back(this);
+}
+
+FileProgress::~FileProgress() {
+  const std::lock_guard lock(report_.mutex_);
+  report_.active_.remove(this);
+  ++report_.files_;
+  report_.ended_ += size_;
+  report_.show();
+}
+
+Source<std::string> FileProgress::observe_bytes(Source<std::string> bytes) {
+  if (!report_.verbosity_.progress) return bytes;
+  return [this, bytes = std::move(bytes)]() -> std::optional<std::string> {
+    std::optional<std::string> part = bytes();
+    const std::lock_guard lock(report_.mutex_);
+    at_end_ = !part;
+    read_ += part ? part->size() : 0;
+    report_.read_ += part ? part->size() : 0;
+    report_.show();
+    return part;
+  };
+}
+
+Source<SampleBlock> FileProgress::observe_rows(Source<SampleBlock> samples, std::function<double()> expected,
+                                               std::uint64_t& rows) {
+  before_ = static_cast<double>(rows);
+  return mapped(std::move(samples), [this, expected = std::move(expected), &rows](SampleBlock block) {
     rows += block.rows();
+    if (expected) expect_rows(before_ + expected());
     add_rows(block.rows());
     return block;
   });
 }
 
-void Report::add_read(std::size_t bytes) {
-  if (!verbosity_.progress) return;
-  const std::lock_guard lock(mutex_);
-  read_ += bytes;
-  show();
+void FileProgress::expect_rows(double rows) {
+  const std::lock_guard lock(report_.mutex_);
+  expected_ = rows;
 }
 
-void Report::add_rows(std::uint64_t rows) {
-  if (!verbosity_.progress) return;
-  const std::lock_guard lock(mutex_);
+void FileProgress::add_rows(std::uint64_t rows) {
+  if (!report_.verbosity_.progress) return;
+  const std::lock_guard lock(report_.mutex_);
   rows_ += rows;
-  show();
+  report_.rows_ += rows;
+  report_.show();
 }
 
-void Report::add_file(std::uintmax_t bytes) {
-  if (!verbosity_.progress) return;
-  const std::lock_guard lock(mutex_);
-  ++files_;
-  ended_ += bytes;
-  show();
+std::optional<double> FileProgress::fraction() const {
+  if (expected_ <= 0 || (size_ == 0 && !at_end_)) return std::nullopt;
+  const double rows = std::min(1.0, static_cast<double>(rows_) / expected_);
+  const double bytes = at_end_ ? 1 : std::min(1.0, static_cast<double>(read_) / static_cast<double>(size_));
+  return rows * bytes;
 }
 
 void Report::summary(const Summary& summary) {
@@ -138,15 +216,31 @@ void Report::print(const std::string& line) {
   (void)std::fputs((line + "\n").c_str(), stderr);
 }
 
+/// A single file has its own fraction; of several, the bytes of those that are done count, and of the others as many
+/// as their fractions.
+Progress Report::progress() const {
+  const std::chrono::duration<double> passed = Clock::now() - start_;
+  Progress progress{{}, files_, all_files_, {}, read_, rows_, passed.count()};
+  if (all_files_ <= 1) {
+    if (!active_.empty()) progress.fraction = active_.front()->fraction();
+    return progress;
+  }
+  auto done = static_cast<double>(ended_);
+  for (const FileProgress* file : active_) done += file->fraction().value_or(0) * static_cast<double>(file->size_);
+  if (all_bytes_ > 0) progress.fraction = done / static_cast<double>(all_bytes_);
+  if (!active_.empty()) progress.file = active_.front()->path_;
+  return progress;
+}
+
 /// Prints the progress over the one before, ten times a second.
 void Report::show() {
   const Clock::time_point now = Clock::now();
-  if (now < next_) return;
+  if (!verbosity_.progress || now < next_) return;
   next_ = now + between_updates;
-  const std::chrono::duration<double> passed = now - start_;
-  std::string text = progress_text(files_, all_files_, std::max(read_, ended_), all_bytes_, rows_, passed.count());
-  text.resize(std::min(text.size(), terminal_width() - 1));  // a full line would wrap
+  constexpr std::size_t margin = 3;  // a full line would wrap, also one with the ^C of an interruption
+  std::string text = progress_text(progress(), std::max(terminal_width(), 2 * margin) - margin);
   const std::size_t width = text.size();
+  erase_when_interrupted(std::max(width, width_));
   text.resize(std::max(width, width_), ' ');
   (void)std::fputs(("\r" + text).c_str(), stderr);
   width_ = width;
@@ -155,6 +249,7 @@ void Report::show() {
 void Report::clear() {
   if (width_ == 0) return;
   (void)std::fputs(("\r" + std::string(width_, ' ') + "\r").c_str(), stderr);
+  erase_when_interrupted(0);
   width_ = 0;
 }
 

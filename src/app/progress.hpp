@@ -3,7 +3,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
+#include <list>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +52,22 @@ struct Summary {
   std::uint64_t rows = 0;
 };
 
+/// What is known of the progress.
+struct Progress {
+  std::optional<double> fraction = {};  ///< of the work; nothing: unknown
+  std::uint64_t files = 0, all_files = 1;
+  std::string file = {};  ///< the one at hand
+  std::uintmax_t bytes = 0;
+  std::uint64_t rows = 0;
+  double seconds = 0;
+};
+
+/// The progress in at most `width` characters: "[####------] 41 %, 0:14 left, 12 of 30 files, a.csv, 1,234 rows,
+/// 123 rows/s", without the least important parts where it would be longer.
+std::string progress_text(const Progress& progress, std::size_t width);
+
+class FileProgress;
+
 /// Writes on standard error. Threads: any number at once.
 class Report {
  public:
@@ -65,20 +85,20 @@ class Report {
   /// The amount of work; 0 bytes: unknown.
   void expect(std::uint64_t files, std::uintmax_t bytes);
 
-  /// The same bytes, or samples, counted as done. `rows` is increased by the number of samples.
-  Source<std::string> observe_bytes(Source<std::string> bytes);
-  Source<SampleBlock> observe_rows(Source<SampleBlock> samples, std::uint64_t& rows);
-  /// Ends a file: all its bytes count as done, whether they were read or not.
-  void add_file(std::uintmax_t bytes);
+  /// A file whose work begins; it ends with the result. 0 bytes: unknown.
+  std::shared_ptr<FileProgress> begin_file(const std::string& path, std::uintmax_t size);
+  /// A file without work.
+  void skip_file(std::uintmax_t bytes);
 
   /// Prints the counts of all files; if all of them are done, only with notes.
   void summary(const Summary& summary);
 
  private:
+  friend class FileProgress;
   using Clock = std::chrono::steady_clock;
 
-  void add_read(std::size_t bytes);
-  void add_rows(std::uint64_t rows);
+  void end_file(const FileProgress& file);
+  Progress progress() const;
   void print(const std::string& line);
   void show();
   void clear();
@@ -88,13 +108,42 @@ class Report {
   std::mutex mutex_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
-  std::uint64_t files_ = 0, all_files_ = 0, rows_ = 0;
+  std::list<const FileProgress*> active_;
+  std::uint64_t files_ = 0, all_files_ = 0, rows_ = 0;  ///< rows and bytes: also those of active files
   std::uintmax_t read_ = 0, ended_ = 0, all_bytes_ = 0;
   std::size_t width_ = 0;  ///< of the displayed progress
 };
 
-/// The progress as a line: "41 %, 12 of 30 files, 1.2 of 2.9 GB, 1,234 rows, 85 MB/s, 0:20 left".
-std::string progress_text(std::uint64_t files, std::uint64_t all_files, std::uintmax_t bytes, std::uintmax_t all_bytes,
-                          std::uint64_t rows, double seconds);
+/// The work on one file: its bytes, and then rows, where their number is known. Threads: those of the report.
+class FileProgress {
+ public:
+  FileProgress(Report& report, std::string path, std::uintmax_t size);
+  FileProgress(const FileProgress&) = delete;
+  FileProgress& operator=(const FileProgress&) = delete;
+  ~FileProgress();
+
+  /// The same bytes, or samples, counted as done. `expected`: about the number of rows of this curve by the bytes read
+  /// so far; may be null. `rows` is increased by the number of samples. Requires: this outlives the sources.
+  Source<std::string> observe_bytes(Source<std::string> bytes);
+  Source<SampleBlock> observe_rows(Source<SampleBlock> samples, std::function<double()> expected, std::uint64_t& rows);
+
+  /// The number of all rows or of other equal parts of the work, and that some of them are done.
+  void expect_rows(double rows);
+  void add_rows(std::uint64_t rows);
+
+  /// How much of the work is done; nothing: unknown.
+  std::optional<double> fraction() const;
+
+ private:
+  friend class Report;
+
+  Report& report_;
+  const std::string path_;
+  const std::uintmax_t size_;
+  std::uintmax_t read_ = 0;
+  std::uint64_t rows_ = 0;
+  double before_ = 0, expected_ = 0;  ///< rows of earlier curves, and of all up to this one; 0: unknown
+  bool at_end_ = false;               ///< all bytes were read
+};
 
 }  // namespace tcb

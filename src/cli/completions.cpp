@@ -1,37 +1,104 @@
-// Completions: scripts for bash, zsh and fish, made from the table of options.
+// Completions: scripts for bash, zsh and fish, made from the table of options, and the columns that they offer.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "cli/completion_scripts.hpp"
 #include "cli/options.hpp"
+#include "input/columns.hpp"
+#include "input/input.hpp"
+#include "io/input_file.hpp"
 
 namespace tcb {
 namespace {
 
-std::vector<std::string_view> known_names(const OptionRow& row) {
-  return row.known == nullptr ? std::vector<std::string_view>{} : row.known();
-}
-
-/// Text inside single quotes of a shell, without the characters that mean something to it.
-std::string plain(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string_view("'[]:").find(c) == std::string_view::npos) out += c;
+/// A script with texts in the places marked for them.
+std::string filled(std::string_view script, std::initializer_list<std::pair<std::string_view, std::string>> texts) {
+  std::string out(script);
+  for (const auto& [mark, text] : texts) {
+    for (std::size_t at = 0; (at = out.find(mark, at)) != std::string::npos; at += text.size()) {
+      out.replace(at, mark.size(), text);
+    }
   }
   return out;
 }
 
+std::string known_names(const OptionRow& row) { return fmt::format("{}", fmt::join(row.known(), " ")); }
+
+/// The options whose next word is a value.
+std::string valued_options(std::string_view separator) {
+  std::vector<std::string_view> names;
+  for (const OptionRow& row : option_table()) {
+    if (row.kind == ValueKind::flag || row.kind == ValueKind::attached) continue;
+    const auto own = row.all_names();
+    names.insert(names.end(), own.begin(), own.end());
+  }
+  return fmt::format("{}", fmt::join(names, separator));
+}
+
+std::string role_list() {
+  std::vector<std::string_view> names;
+  for (const Role role : {Role::time, Role::position, Role::tension, Role::continuity, Role::bias, Role::ease_in,
+                          Role::ease_out, Role::group, Role::carry}) {
+    names.push_back(role_name(role));
+  }
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+/// Text in single quotes, where the characters of `special` have a backslash in front, and a quote is `quote`.
+std::string quoted(std::string_view text, std::string_view special, std::string_view quote) {
+  std::string out;
+  for (const char c : text) {
+    if (special.find(c) != std::string_view::npos) out += '\\';
+    out += c == '\'' ? std::string(quote) : std::string(1, c);
+  }
+  return out;
+}
+
+std::string zsh_text(std::string_view text) { return quoted(text, "[]:\\", "'\\''"); }
+std::string fish_text(std::string_view text) { return quoted(text, "\\", "\\'"); }
+
+/// What bash does for the value of an option.
+std::string bash_value(const OptionRow& row) {
+  switch (row.kind) {
+    case ValueKind::flag:
+    case ValueKind::attached: return "";
+    case ValueKind::name: return fmt::format("_tcbsample_offer , '' {}", known_names(row));
+    case ValueKind::names: return fmt::format("compopt -o nospace; _tcbsample_offer , '' {}", known_names(row));
+    case ValueKind::file: return ":";
+    case ValueKind::folder: return "compopt +o default -o dirnames";
+    case ValueKind::columns: return "compopt +o default -o nospace; _tcbsample_columns ,";
+    case ValueKind::column_pair: return "compopt +o default -o nospace; _tcbsample_columns :";
+    case ValueKind::roles:
+      return "compopt +o default -o nospace; if [[ ${word##*,} == *=* ]]; then _tcbsample_columns ,=:; else "
+             "_tcbsample_offer , = " +
+             role_list() + "; fi";
+    case ValueKind::places: return "compopt +o default -o nospace; if [[ $word == @* ]]; then _tcbsample_files; fi";
+    case ValueKind::other: return "compopt +o default";
+  }
+  return "";
+}
+
 /// What zsh offers for the value of an option.
 std::string zsh_value(const OptionRow& row) {
+  const auto action = [&row](const std::string& what) { return fmt::format(":{}:{}", zsh_text(row.value), what); };
   switch (row.kind) {
     case ValueKind::flag: return "";
-    case ValueKind::name: return fmt::format(":{}:({})", plain(row.value), fmt::join(known_names(row), " "));
-    case ValueKind::file: return fmt::format(":{}:_files", plain(row.value));
-    case ValueKind::folder: return fmt::format(":{}:_files -/", plain(row.value));
-    case ValueKind::other: return fmt::format(":{}: ", plain(row.value));
+    case ValueKind::attached: return ":" + action(" ");
+    case ValueKind::name: return action(fmt::format("({})", known_names(row)));
+    case ValueKind::names: return action(fmt::format("_sequence -d compadd - {}", known_names(row)));
+    case ValueKind::file: return action("_files");
+    case ValueKind::folder: return action("_files -/");
+    case ValueKind::columns: return action("_sequence _tcbsample_columns");
+    case ValueKind::column_pair: return action("_tcbsample_pair");
+    case ValueKind::roles: return action("_tcbsample_roles");
+    case ValueKind::places: return action("_tcbsample_places");
+    case ValueKind::other: return action(" ");
   }
   return "";
 }
@@ -39,10 +106,16 @@ std::string zsh_value(const OptionRow& row) {
 /// What fish offers for the value of an option.
 std::string fish_value(const OptionRow& row) {
   switch (row.kind) {
-    case ValueKind::flag: return "";
-    case ValueKind::name: return fmt::format(" -x -a '{}'", fmt::join(known_names(row), " "));
+    case ValueKind::flag:
+    case ValueKind::attached: return "";
+    case ValueKind::name: return fmt::format(" -x -a '{}'", known_names(row));
+    case ValueKind::names: return fmt::format(" -x -a '(__tcbsample_list , {})'", known_names(row));
     case ValueKind::file: return " -r -F";
     case ValueKind::folder: return " -x -a '(__fish_complete_directories)'";
+    case ValueKind::columns: return " -x -a '(__tcbsample_list , (__tcbsample_columns))'";
+    case ValueKind::column_pair: return " -x -a '(__tcbsample_list : (__tcbsample_columns))'";
+    case ValueKind::roles: return " -x -a '(__tcbsample_roles)'";
+    case ValueKind::places: return " -x -a '(__tcbsample_places)'";
     case ValueKind::other: return " -x";
   }
   return "";
@@ -56,45 +129,57 @@ std::string bash_completion() {
   for (const OptionRow& row : option_table()) {
     const auto own = row.all_names();
     names.insert(names.end(), own.begin(), own.end());
-    if (row.kind != ValueKind::name) continue;
-    values += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return;;\n", fmt::join(own, "|"),
-                          fmt::join(known_names(row), " "));
+    const std::string action = bash_value(row);
+    if (!action.empty()) values += fmt::format("    {}) {};;\n", fmt::join(own, "|"), action);
   }
-  return fmt::format(
-      "_tcbsample() {{\n"
-      "  local word=${{COMP_WORDS[COMP_CWORD]}}\n"
-      "  case ${{COMP_WORDS[COMP_CWORD-1]}} in\n"
-      "{}"
-      "  esac\n"
-      "  if [[ $word == -* ]]; then\n"
-      "    COMPREPLY=($(compgen -W '{}' -- \"$word\"))\n"
-      "  fi\n"
-      "}}\n"
-      "complete -o default -F _tcbsample tcbsample",
-      values, fmt::join(names, " "));
+  return filled(bash_script, {{"@VALUED@", valued_options("|")},
+                              {"@VALUES@", values},
+                              {"@OPTIONS@", fmt::format("{}", fmt::join(names, " "))}});
 }
 
 std::string zsh_completion() {
-  std::string out = "#compdef tcbsample\n_arguments \\\n";
+  std::string options;
   for (const OptionRow& row : option_table()) {
-    for (const std::string_view name : row.all_names()) {
-      out += fmt::format("  '{}[{}]{}' \\\n", name, plain(row.description()), zsh_value(row));
+    const std::vector<std::string_view> names = row.all_names();
+    for (const std::string_view name : names) {
+      std::string_view mark = name.starts_with("--") ? "=" : "+";  // the value may be in the same word
+      if (row.kind == ValueKind::flag) mark = "";
+      if (row.kind == ValueKind::attached) mark = "=-";
+      const std::string others = names.size() > 1 ? fmt::format("({})", fmt::join(names, " ")) : "";
+      options += fmt::format("  '{}{}{}[{}]{}' \\\n", others, name, mark, zsh_text(row.description()), zsh_value(row));
     }
   }
-  return out + "  '*:file:_files'";
+  return filled(zsh_script, {{"@VALUED@", valued_options("|")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
 }
 
 std::string fish_completion() {
-  std::string out;
+  std::string options;
   for (const OptionRow& row : option_table()) {
-    out += out.empty() ? "complete -c tcbsample" : "\ncomplete -c tcbsample";
+    options += options.empty() ? "complete -c tcbsample" : "\ncomplete -c tcbsample";
     for (const std::string_view name : row.all_names()) {
       const bool is_long = name.starts_with("--");
-      out += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
+      options += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
     }
-    out += fmt::format("{} -d '{}'", fish_value(row), plain(row.description()));
+    options += fmt::format("{} -d '{}'", fish_value(row), fish_text(row.description()));
   }
-  return out;
+  return filled(fish_script, {{"@VALUED@", valued_options(" ")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
+}
+
+std::string columns_text(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const std::string& file : files.empty() ? std::vector<std::string>{"-"} : files) {
+    try {
+      const Input input = open_input(file, read_file(file), {});
+      if (input.timed) names.push_back(input.time);
+      for (const auto* group : {&input.channels, &input.groups, &input.carried, &input.ignored}) {
+        names.insert(names.end(), group->begin(), group->end());
+      }
+      for (const Role role : input.facts.roles) names.emplace_back(role_name(role));
+    } catch (const Error& error) {
+      throw error.in(shown_name(file));
+    }
+  }
+  return fmt::format("{}", fmt::join(names, "\n"));
 }
 
 }  // namespace tcb

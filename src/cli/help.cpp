@@ -204,12 +204,13 @@ std::string presets_text() {
 
 std::string version_text() { return fmt::format("tcbsample {}", TCBSAMPLE_VERSION); }
 
-std::string generated_text(Generated kind) {
+std::string generated_text(Generated kind, const std::vector<std::string>& files) {
   switch (kind) {
     case Generated::manual: return manual();
     case Generated::bash: return bash_completion();
     case Generated::zsh: return zsh_completion();
     case Generated::fish: return fish_completion();
+    case Generated::columns: return columns_text(files);
   }
   return "";
 }

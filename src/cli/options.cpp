@@ -41,7 +41,8 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::delimiter, "-d,--delimiter", "CHAR", input,
      "The separator of cells: one character, or tab, comma, semicolon, space or pipe; by default the first of tab, ; , "
      "and blank that the first record has",
-     "", other, recorded, [](Typed& to, Text text) { to.job.input.delimiter = delimiter(text); }},
+     "", name, recorded, [](Typed& to, Text text) { to.job.input.delimiter = delimiter(text); },
+     names_in<delimiter_names>},
     {Option::header, "--header", "", input,
      "The first record names the columns; by default it does if a cell in it is not a number", "", flag, recorded,
      [](Typed& to, Text) { to.job.input.header = true; }},
@@ -52,7 +53,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::columns, "--columns", "ROLE=NAME,...", input,
      "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label; by default "
      "from the header, or without one the time first and positions after it",
-     "", other, recorded,
+     "", roles, recorded,
      [](Typed& to, Text text) {
        auto roles = parse_roles(text);
        to.job.input.roles.insert(to.job.input.roles.begin(), roles.begin(), roles.end());
@@ -69,7 +70,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::group, "-g,--group", "COL[,COL]", input,
      "Rows with the same values in these columns make a curve, in any order; the columns are repeated in front of its "
      "samples",
-     "", other, recorded,
+     "", columns, recorded,
      [](Typed& to, Text text) {
        to.job.input.roles.push_back({Role::group, column_list(text), Option::group});
      }},
@@ -112,7 +113,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::ends, "--ends", "RULE[,RULE]", curve,
      "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's; "
      "velocity=V:V... gives a velocity, a number for each channel",
-     "", name, recorded, [](Typed& to, Text text) { to.job.curve.ends = text; }, names_in<spline::end_rules<double>>},
+     "", names, recorded, [](Typed& to, Text text) { to.job.curve.ends = text; }, names_in<spline::end_rules<double>>},
     {Option::closed, "--closed", "", curve,
      "The curve continues from the last key to the first; a last key that repeats the first position gives the time of "
      "the return only",
@@ -127,7 +128,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "Makes times for keys without any: uniform, chordal, centripetal, or an exponent of the distances", "uniform",
      name, recorded, [](Typed& to, Text text) { to.job.curve.parameter = text; }, names_in<parameter_names>},
     {Option::metric, "--metric", "CHANNEL,...", curve,
-     "The channels that lengths and speeds are measured over, by name or number; by default all", "", other, recorded,
+     "The channels that lengths and speeds are measured over, by name or number; by default all", "", columns, recorded,
      [](Typed& to, Text text) { to.job.curve.metric = text; }},
     {Option::no_ease, "--no-ease", "", curve, "Ignores the columns ease_in and ease_out", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.no_ease = true; }},
@@ -168,7 +169,7 @@ constexpr std::array<OptionRow, option_count> table{{
      }},
     {Option::at, "--at", "T,...", sampling,
      "These times, in this order; A:B:H: from A to B in steps of H; @FILE: those in a file, separated by whitespace, "
-     "commas or lines; -: those of standard input", "", other, recorded,
+     "commas or lines; -: those of standard input", "", places, recorded,
      [](Typed& to, Text text) {
        to.places_from_input = text == "-";
        to.texts[index_of(Option::at)] = listed_numbers(text);
@@ -188,7 +189,7 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.count = positive_count(text);
      }},
     {Option::arc_at, "--arc-at", "S,...", sampling, "These arc lengths, in the same forms as times", "",
-     other, recorded,
+     places, recorded,
      [](Typed& to, Text text) {
        to.places_from_input = text == "-";
        to.texts[index_of(Option::arc_at)] = listed_numbers(text);
@@ -230,7 +231,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::fields, "--fields", "FIELD,...", output,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
      "curvature, torsion, segment, u, key, arc_error",
-     "time,position", name, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); }, field_names},
+     "time,position", names, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); }, field_names},
     {Option::side, "--side", "SIDE", output,
      "The segment whose values a row at a key has if they differ: right, the one after the key, or left, the one "
      "before",
@@ -268,7 +269,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "No names above the rows; the default if the input has none", "", flag, recorded,
      [](Typed& to, Text) { to.job.output_header = false; }},
     {Option::file_column, "--file-column", "[=NAME]", output,
-     "Adds the input's name as the first column, called NAME; without a blank line between files", "file", other,
+     "Adds the input's name as the first column, called NAME; without a blank line between files", "file", attached,
      recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
     {Option::time_format, "--time-format", "FORMAT", output,
      "The notation of times: seconds, frames, clock (hh:mm:ss.fff), smpte (timecode) or iso (dates of ISO 8601); by "
@@ -285,7 +286,7 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::axes, "--axes", "X:Y", output,
      "With a picture: the channels to the right and up in the view of the path, by name or number; by default the "
      "first two metric ones",
-     "", other, unrecorded, [](Typed& to, Text text) { to.job.picture.axes = axis_names(text); }},
+     "", column_pair, unrecorded, [](Typed& to, Text text) { to.job.picture.axes = axis_names(text); }},
     {Option::title, "--title", "TEXT", output, "With a picture: its title; by default the name of the file", "", other,
      unrecorded, [](Typed& to, Text text) { to.job.picture.title = text; }},
     {Option::size, "--size", "WxH", output, "With a picture: its size in pixels; by default as required by its contents", "",
@@ -344,8 +345,12 @@ constexpr std::array<OptionRow, option_count> table{{
      [](Typed&, Text) {}},
     {Option::quiet, "-q,--quiet", "", about, "Nothing but errors on standard error", "", flag, unrecorded,
      [](Typed& to, Text) { to.job.verbosity.quiet = true; }},
+    {Option::color, "--color", "WHEN", about,
+     "Colors errors, warnings and notes: auto, on a terminal, unless NO_COLOR is set or TERM is dumb; always; never. With "
+     "auto, CLICOLOR_FORCE colors them anywhere",
+     "auto", name, unrecorded, [](Typed& to, Text text) { to.color = named_row(color_names, text).when; }, names_in<color_names>},
     {Option::generate, "--generate", "KIND", about,
-     "Prints the manual page, or completions for a shell: man, bash, zsh or fish", "", name, unrecorded,
+     "Prints the manual page (man), completions for a shell (bash, zsh, fish), or the names of the columns of FILE (columns)", "", name, unrecorded,
      [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; }, names_in<generated_names>},
     {Option::list_presets, "--list-presets", "", about, "Prints the presets and the rules with their formulas", "",
      flag, unrecorded, [](Typed&, Text) {}},
@@ -366,6 +371,18 @@ std::vector<std::string_view> OptionRow::all_names() const { return split(names,
 
 std::string OptionRow::description() const {
   return std::string(text) + (default_value.empty() ? "" : "; default " + std::string(default_value));
+}
+
+ColorWhen color_of(int argc, const char* const* argv) {
+  const std::string_view name = row_of(Option::color).long_name();
+  std::string_view value;
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string_view word = argv[i];
+    if (word == name && i + 1 < argc) value = argv[i + 1];
+    if (word.starts_with(name) && word.substr(name.size()).starts_with('=')) value = word.substr(name.size() + 1);
+  }
+  const auto row = std::ranges::find(color_names, value, &ColorName::name);
+  return row == color_names.end() ? ColorWhen::by_terminal : row->when;
 }
 
 bool TypedOptions::wants_text() const {

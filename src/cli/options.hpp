@@ -16,6 +16,7 @@
 
 #include "app/job.hpp"
 #include "error.hpp"
+#include "io/terminal.hpp"
 
 namespace tcb {
 
@@ -24,14 +25,30 @@ inline constexpr std::size_t option_count = static_cast<std::size_t>(Option::hel
 constexpr std::size_t index_of(Option option) { return static_cast<std::size_t>(option) - 1; }
 
 /// Texts that are printed instead of rows, by name.
-enum class Generated { manual, bash, zsh, fish };
+enum class Generated { manual, bash, zsh, fish, columns };
 struct GeneratedName {
   std::string_view name;
   Generated kind;
 };
 inline constexpr std::array generated_names{
     GeneratedName{"man", Generated::manual}, GeneratedName{"bash", Generated::bash},
-    GeneratedName{"zsh", Generated::zsh}, GeneratedName{"fish", Generated::fish}};
+    GeneratedName{"zsh", Generated::zsh}, GeneratedName{"fish", Generated::fish},
+    GeneratedName{"columns", Generated::columns}};
+
+struct ColorName {
+  std::string_view name;
+  ColorWhen when;
+};
+inline constexpr std::array color_names{ColorName{"auto", ColorWhen::by_terminal},
+                                        ColorName{"always", ColorWhen::always}, ColorName{"never", ColorWhen::never}};
+
+struct DelimiterName {
+  std::string_view name;
+  char character;
+};
+inline constexpr std::array delimiter_names{DelimiterName{"tab", '\t'}, DelimiterName{"comma", ','},
+                                            DelimiterName{"semicolon", ';'}, DelimiterName{"space", ' '},
+                                            DelimiterName{"pipe", '|'}};
 
 /// The values of the options, each by itself; what they mean together is decided by make_job.
 struct TypedOptions {
@@ -41,6 +58,7 @@ struct TypedOptions {
   Comparison comparison;
   Notation notation;
   std::optional<Generated> generated;
+  ColorWhen color = ColorWhen::by_terminal;
   bool places_from_input = false;  ///< the times or arc lengths are read from standard input
 
   const std::string& text(Option option) const { return texts[index_of(option)]; }
@@ -50,7 +68,19 @@ struct TypedOptions {
 };
 
 /// What the value of an option is, for completions.
-enum class ValueKind { flag, name, file, folder, other };
+enum class ValueKind {
+  flag,
+  name,   ///< one of `known`
+  names,  ///< several of `known`, separated by commas
+  file,
+  folder,
+  columns,      ///< columns of the input, separated by commas
+  column_pair,  ///< two columns with a colon between
+  roles,        ///< ROLE=COLUMN, separated by commas
+  places,       ///< numbers, or @FILE
+  attached,     ///< a text in the word of the option, or none
+  other,
+};
 
 /// An option. To add one: its name in enum class Option, and its row at the same place of the table.
 struct OptionRow {
@@ -64,7 +94,8 @@ struct OptionRow {
   bool changes_rows;  ///< it is part of the provenance of the output
   /// Reads the value. Throws: Error (usage), which the caller makes an error about this option.
   void (*store)(TypedOptions& typed, const std::string& value);
-  std::vector<std::string_view> (*known)() = nullptr;  ///< the names that the value is one of, for ValueKind::name
+  std::vector<std::string_view> (*known)() =
+      nullptr;  ///< the names that the value is made of, for ValueKind::name and names
 
   /// With its dashes.
   std::string_view long_name() const;
@@ -89,6 +120,9 @@ struct Invocation {
   Exit exit = Exit::done;  ///< after the text; where it is another one, the text is an error message
 };
 
+/// When messages are colored, by words that may be wrong otherwise.
+ColorWhen color_of(int argc, const char* const* argv);
+
 /// Throws: Error (usage) that names the option, what was expected, and the remedy.
 Invocation parse(int argc, const char* const* argv);
 
@@ -110,8 +144,11 @@ std::string bash_completion();
 std::string zsh_completion();
 std::string fish_completion();
 
-/// The manual page, or a completion script.
-std::string generated_text(Generated kind);
+/// The names of the columns of files, for completions. Throws: Error.
+std::string columns_text(const std::vector<std::string>& files);
+
+/// The manual page, a completion script, or the names of the columns of files.
+std::string generated_text(Generated kind, const std::vector<std::string>& files = {});
 
 /// A set of options.
 class OptionSet {

@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "curve/build.hpp"
 #include "curve/fields.hpp"
+#include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "text/suggest.hpp"
 
@@ -92,7 +93,7 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   if (typed.has(Option::help)) return is_long ? help_text() : short_help_text();
   if (typed.has(Option::list_presets)) return presets_text();
   if (typed.has(Option::version)) return version_text();
-  return generated_text(*typed.generated);
+  return generated_text(*typed.generated, typed.job.files);
 }
 
 /// The option whose value may be left out has it in the same word, so that it does not take the name of a file.
@@ -205,12 +206,11 @@ void set_side(Job& job, const TypedOptions& typed) {
 }
 
 void set_verbosity(Job& job, const TypedOptions& typed) {
-  const bool quiet = typed.has(Option::quiet);
-  const bool terminal = ::isatty(STDERR_FILENO) != 0;
-  const bool rows_go_there =
-      !typed.has(Option::output) && !typed.has(Option::output_dir) && ::isatty(STDOUT_FILENO) != 0;
-  const bool by_default = !rows_go_there && !typed.has(Option::no_progress) && !quiet;
-  job.verbosity = {quiet, terminal && !quiet, terminal && (typed.has(Option::progress) || by_default)};
+  const bool quiet = typed.has(Option::quiet), terminal = ::isatty(STDERR_FILENO) != 0;
+  const bool to_file = typed.has(Option::output) || typed.has(Option::output_dir) || ::isatty(STDOUT_FILENO) == 0;
+  const bool by_default = to_file && !typed.has(Option::no_progress) && !quiet;
+  const bool progress = terminal && (typed.has(Option::progress) || by_default);
+  job.verbosity = {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
 }
 
 }  // namespace
@@ -288,7 +288,7 @@ ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
   ProvenanceRequest request;
   request.from = from;
   in_file(shown_name(from), [&] {
-    request.earlier = read_meta(read_file(from));
+    request.earlier = read_meta(decompressed(read_file(from)));
     require_recorded(request.earlier.options);
   });
   const std::uint64_t files = std::max<std::size_t>(typed.job.files.size(), 1), before = request.earlier.inputs.size();

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "cli/options.hpp"
+#include "io/terminal.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -45,6 +46,9 @@ constexpr std::array all_words{
     // input
     Words{ErrorCode::npy_as_input,
           "the file is in a format of NumPy; expected text; convert it, for example with numpy.savetxt"},
+    Words{ErrorCode::compressed_data_broken,
+          "the {0} data are broken; expected an undamaged file; make or copy it again"},
+    Words{ErrorCode::compressed_data_cut, "the {0} data end too early; expected a whole file; make or copy it again"},
     Words{ErrorCode::compressed_input,
           "the file is compressed with {0}; expected text; decompress it, as in {1} FILE | tcbsample"},
     Words{ErrorCode::input_of_other_format,
@@ -566,13 +570,20 @@ struct AddNamed {
   }
 };
 
-std::string line_of(const Error& error) {
+std::string line_of(const Error& error, bool colored) {
   const TextPosition& position = error.position();
-  if (position.file.empty()) return in_one_line("tcbsample: error: " + error_message(error));
-  std::string where = position.file;
-  if (position.line != 0) where += fmt::format(":{}", position.line);
-  if (position.line != 0 && position.column != 0) where += fmt::format(":{}", position.column);
-  return in_one_line(where + ": error: " + error_message(error));
+  std::string where = position.file.empty() ? "tcbsample" : in_one_line(position.file);
+  if (!position.file.empty() && position.line != 0) where += fmt::format(":{}", position.line);
+  if (!position.file.empty() && position.line != 0 && position.column != 0)
+    where += fmt::format(":{}", position.column);
+  return message_head(where, MessageKind::error, colored) + in_one_line(error_message(error));
+}
+
+/// A line for the error, and one for each that it holds.
+std::string lines_of(const Error& error, bool colored) {
+  std::string text = line_of(error, colored);
+  for (const Error& other : error.others()) text += "\n" + lines_of(other, colored);
+  return text;
 }
 
 }  // namespace
@@ -594,11 +605,9 @@ std::string error_message(const Error& error) {
   return fmt::vformat(words->text, values) + (columns_help ? columns_remedy : "");
 }
 
-std::string error_text(const Error& error) {
-  std::string text = line_of(error);
-  for (const Error& other : error.others()) text += "\n" + error_text(other);
-  return text;
-}
+std::string error_text(const Error& error) { return lines_of(error, false); }
+
+std::string colored_error_text(const Error& error) { return lines_of(error, true); }
 
 namespace {
 

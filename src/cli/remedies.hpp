@@ -24,6 +24,9 @@ std::span<const Words> remedies();
 /// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" if there is no file; a line for each error.
 std::string error_text(const Error& error);
 
+/// The same with the place and the word "error" in color.
+std::string colored_error_text(const Error& error);
+
 /// The fault, what was expected, and the remedy, separated by "; ".
 std::string error_message(const Error& error);
 

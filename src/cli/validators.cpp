@@ -170,9 +170,7 @@ std::vector<Tolerance> tolerances(const std::string& text) {
 }
 
 char delimiter(const std::string& text) {
-  constexpr std::array names{std::pair{"tab", '\t'}, std::pair{"comma", ','}, std::pair{"semicolon", ';'},
-                             std::pair{"space", ' '}, std::pair{"pipe", '|'}};
-  for (const auto& [name, character] : names) {
+  for (const auto& [name, character] : delimiter_names) {
     if (text == name) return character;
   }
   const bool usable =

@@ -111,12 +111,11 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
   const Time first = columns.by_length ? Time(0.0) : curve.extent.first;
   const Time last = columns.by_length ? Time(curve.curve->length()) : *curve.extent.last;
   const bool anywhere = !columns.by_length && curve.extrapolation != Extrapolation::error;
-  const std::size_t width = table.columns.size();
   Places result;
   std::uint64_t off_curve = 0;
   std::pair<std::size_t, Time> first_off;
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    Time place = columns.place               ? Time(rows.numbers[row * width + *columns.place])
+    Time place = columns.place               ? Time(rows.numbers[row * table.columns.size() + *columns.place])
                  : curve.extent.decimals > 0 ? with_all_digits(rows.times[row])
                                              : as_double(rows.times[row]);
     const bool on_curve = place >= first && place <= last;
@@ -185,20 +184,21 @@ std::optional<double> limit(const std::vector<Tolerance>& tolerances, const std:
 class Checker {
  public:
   Checker(const ComparisonInputs& inputs, const Comparison& comparison, Check& result)
-      : table_(inputs.table), columns_(inputs.columns), result_(result) {
-    for (const MatchedColumn& column : columns_.compared) {
+      : inputs_(inputs), result_(result) {
+    for (const MatchedColumn& column : inputs.columns.compared) {
       limits_.push_back(limits_of(comparison, column.name));
       result.columns.push_back({column.name, 0, {}});
     }
   }
 
   void compare_row(const SampleRows& rows, std::size_t row, std::span<const Cell> cells) {
-    ++result_.rows;
-    for (std::size_t i = 0; i < columns_.compared.size(); ++i) {
-      const MatchedColumn& column = columns_.compared[i];
+    constexpr std::uint64_t at_once = 1024;
+    if (++result_.rows % at_once == 0 && inputs_.progress != nullptr) inputs_.progress->add_rows(at_once);
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      const MatchedColumn& column = inputs_.columns.compared[i];
       const Cell& cell = cells[column.computed];
       const double computed = is_empty(cell) ? std::numeric_limits<double>::quiet_NaN() : cell.hi;
-      const double given = rows.numbers[row * table_.columns.size() + column.given];
+      const double given = rows.numbers[row * inputs_.table.columns.size() + column.given];
       ++result_.values;
       const Distance found = distance(given, computed);
       if (!std::isnan(given) && !std::isnan(computed)) widen(result_.columns[i].largest, found);
@@ -221,8 +221,7 @@ class Checker {
     if (!result_.worst || difference.distance.abs > result_.worst->distance.abs) result_.worst = std::move(difference);
   }
 
-  const SampleTable& table_;
-  const MatchedColumns& columns_;
+  const ComparisonInputs& inputs_;
   Check& result_;
   std::vector<Limits> limits_;
 };
@@ -280,8 +279,8 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
   return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
 }
 
-Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe) {
-  return check(job, read_inputs(job, job.fields), observe);
+Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe, FileProgress* progress) {
+  return check(job, read_inputs(job, job.fields, progress), observe);
 }
 
 Check check(const Job& job, ComparisonInputs inputs, const std::function<void(const CheckedPair&)>& observe) {
@@ -289,6 +288,9 @@ Check check(const Job& job, ComparisonInputs inputs, const std::function<void(co
   const Pairs pairs = pair_up(inputs.kept, inputs.table);
   Check result{summary(inputs, pairs)};
   Checker checker(inputs, *job.comparison, result);
+  std::uint64_t rows = 0;
+  for (const Pair& pair : pairs.pairs) rows += pair.rows.size();
+  if (inputs.progress != nullptr) inputs.progress->expect_rows(static_cast<double>(rows));
   for (const Pair& pair : pairs.pairs) {
     in_file(inputs.keys, [&] { check_pair(pair, job, inputs, checker, result, observe); });
   }

@@ -8,6 +8,7 @@
 #include "curve/fields.hpp"
 #include "error.hpp"
 #include "input/input.hpp"
+#include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "stream/source.hpp"
@@ -52,11 +53,20 @@ std::size_t KeptCurve::key_count() const {
   return count;
 }
 
-KeptCurves keep(const Job& job) {
+namespace {
+
+/// The bytes of a file, counted as read, and decompressed.
+Source<std::string> observed(const std::string& path, FileProgress* progress) {
+  return decompressed(progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path)));
+}
+
+}  // namespace
+
+KeptCurves keep(const Job& job, FileProgress* progress) {
   const std::string& path = job.files[0];
   InputOptions options = job.input;
   options.threads = job.threads();
-  KeptCurves kept{open_input(path, read_file(path), options), {}};
+  KeptCurves kept{open_input(path, observed(path, progress), options), {}};
   Curves curves(kept.input, job.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
     KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
@@ -65,9 +75,10 @@ KeptCurves keep(const Job& job) {
   return kept;
 }
 
-SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place) {
+SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place,
+                         FileProgress* progress) {
   const std::string& path = job.comparison->file;
-  Source<std::string> bytes = read_file(path);
+  Source<std::string> bytes = observed(path, progress);
   std::string beginning = bytes().value_or("");
   InputOptions options;
   options.samples = SampleNames{keys.time, keys.groups, keys.carried, time_place.value_or(0), job.comparison->maps};
@@ -225,15 +236,16 @@ MatchedColumns match_columns(const SampleTable& table, const Input& keys, const 
   return table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
 }
 
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen) {
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress) {
   ComparisonInputs inputs;
+  inputs.progress = progress;
   inputs.keys = shown_name(job.files[0]);
   inputs.file = shown_name(job.comparison->file);
   inputs.threads = job.threads();
-  inputs.kept = in_file(inputs.keys, [&] { return keep(job); });
+  inputs.kept = in_file(inputs.keys, [&] { return keep(job, progress); });
   in_file(inputs.file, [&] {
     const auto time_place = place_of_time(chosen, inputs.kept.input);
-    inputs.table = read_samples(job, inputs.kept.input, time_place);
+    inputs.table = read_samples(job, inputs.kept.input, time_place, progress);
     inputs.columns = match_columns(inputs.table, inputs.kept.input, chosen);
   });
   return inputs;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/job.hpp"
+#include "app/progress.hpp"
 #include "error.hpp"
 #include "input/input.hpp"
 
@@ -30,8 +31,8 @@ struct KeptCurves {
   std::vector<KeptCurve> curves;
 };
 
-/// The curves of the one input of a job. Throws: Error.
-KeptCurves keep(const Job& job);
+/// The curves of the one input of a job. Here and below, `progress` may be null. Throws: Error.
+KeptCurves keep(const Job& job, FileProgress* progress = nullptr);
 
 /// Given rows of one curve. Shapes: numbers has a number per column, row after row; a missing one is NaN.
 struct SampleRows {
@@ -57,7 +58,8 @@ struct SampleTable {
 /// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `time_place`: in
 /// a file without names, how many columns are before the time, without groups; nothing: none is the time. Throws:
 /// Error.
-SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place);
+SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place,
+                         FileProgress* progress = nullptr);
 
 /// A column of the samples that is also one of the curve's rows.
 struct MatchedColumn {
@@ -90,12 +92,13 @@ struct ComparisonInputs {
   MatchedColumns columns;
   std::string keys, file;  ///< names of the files of keys and of samples for messages
   unsigned threads = 1;
+  FileProgress* progress = nullptr;  ///< of both files, if it is shown
 
   /// The column that holds the places of the samples.
   std::string place_name() const { return columns.by_length ? "s" : kept.input.time; }
 };
 
 /// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen);
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress = nullptr);
 
 }  // namespace tcb

@@ -150,11 +150,16 @@ Error no_samples(const Identification& result) {
 
 /// Compares all conventions with samples, on all threads.
 std::vector<Candidate> compared(const Comparer& comparer, const std::vector<Convention>& conventions,
-                                const std::vector<GivenSamples>& samples, unsigned threads) {
+                                const std::vector<GivenSamples>& samples, unsigned threads, FileProgress* progress) {
   Source<Convention> source = [&conventions, next = std::size_t{0}]() mutable {
     return next < conventions.size() ? std::optional(conventions[next++]) : std::nullopt;
   };
-  const auto compare = [&](const Convention& convention) { return comparer.compare(convention, samples); };
+  const std::uint64_t rows = count_rows(samples);
+  const auto compare = [&](const Convention& convention) {
+    Candidate candidate = comparer.compare(convention, samples);
+    if (progress != nullptr) progress->add_rows(rows);
+    return candidate;
+  };
   const auto answers = ordered_map(std::move(source), compare, threads);
   std::vector<Candidate> candidates;
   while (std::optional<Candidate> candidate = answers()) candidates.push_back(std::move(*candidate));
@@ -194,7 +199,7 @@ void rank(Identification& result, const Job& job, const ComparisonInputs& inputs
   if (result.rows == 0) throw no_samples(result).in(inputs.file);
   const Subset subset = subset_of(samples, inputs, !result.closed);
   const auto rank_by = [&](const std::vector<GivenSamples>& rows, const std::vector<Convention>& some) {
-    return ranked(compared(comparer, some, rows, inputs.threads), count_rows(rows), result.closed);
+    return ranked(compared(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows), result.closed);
   };
   const auto rank_some = [&](const std::vector<Convention>& some) {
     Ranking ranking = rank_by(subset.samples, some);
@@ -241,9 +246,9 @@ Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool close
   return result;
 }
 
-ComparisonInputs read_positions(const Job& job) {
+ComparisonInputs read_positions(const Job& job, FileProgress* progress) {
   ComparisonInputs inputs =
-      read_inputs(job, job.fields.empty() ? std::vector{field_of("time"), field_of("position")} : job.fields);
+      read_inputs(job, job.fields.empty() ? std::vector{field_of("time"), field_of("position")} : job.fields, progress);
   in_file(inputs.file, [&] { compare_positions_only(inputs); });
   return inputs;
 }

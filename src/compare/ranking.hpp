@@ -136,7 +136,7 @@ Identification identify(const Job& job);
 Identification identify(const Job& job, ComparisonInputs inputs);
 
 /// Reads both files, and drops what is not a position. Throws: Error, naming the file.
-ComparisonInputs read_positions(const Job& job);
+ComparisonInputs read_positions(const Job& job, FileProgress* progress = nullptr);
 
 /// Compares the samples with the best convention. `observe` as for check().
 Check check_best(const Job& job, const Identification& found, ComparisonInputs inputs,

@@ -220,14 +220,14 @@ std::string in_short(const Identification& found) {
                      found.rows);
 }
 
-Exit draw(const Job& job) {
+Exit draw(const Job& job, FileProgress* progress) {
   CheckPicture picture(job);
   const auto observe = [&picture](const CheckedPair& pair) { picture.add(pair); };
   if (!job.comparison->identify) {
-    const Check result = check(job, observe);
+    const Check result = check(job, observe, progress);
     return write(job, picture.svg(result, in_short(result)), result.passed());
   }
-  const ComparisonInputs inputs = read_positions(job);
+  const ComparisonInputs inputs = read_positions(job, progress);
   const Identification result = identify(job, inputs);
   (void)check_best(job, result, inputs, observe);
   return write(job, picture.svg(result, in_short(result)), result.fits());
@@ -237,13 +237,16 @@ Exit draw(const Job& job) {
 
 Exit compare(const Job& job, ErrorWords words) {
   const ThreadPool pool(job.threads());
+  Report report(job.verbosity, {words, nullptr});
+  report.expect(1, 0);
+  const auto progress = report.begin_file(job.files[0], 0);
   const bool as_json = job.output_format == FormatId::json;
-  if (format_of(job.output_format).is_picture) return draw(job);
+  if (format_of(job.output_format).is_picture) return draw(job, progress.get());
   if (job.comparison->identify) {
-    const Identification result = identify(job);
+    const Identification result = identify(job, read_positions(job, progress.get()));
     return write(job, as_json ? json(result, words) : text(result, words), result.fits());
   }
-  const Check result = check(job);
+  const Check result = check(job, {}, progress.get());
   return write(job, as_json ? json(result, words) : text(result, words), result.passed());
 }
 

@@ -8,6 +8,7 @@
 #include "input/csv/delimited_text.hpp"
 #include "input/input.hpp"
 #include "input/json/json_input.hpp"
+#include "io/compression.hpp"
 
 namespace tcb {
 namespace {
@@ -18,14 +19,14 @@ Error at_first_byte(ErrorCode code, std::vector<ErrorValue> values = {}) {
 
 using namespace std::string_view_literals;
 
-/// Compressed files by their first bytes, and the commands that decompress them.
-struct Compression {
+/// Compressed files that are not read, by their first bytes, and the commands that decompress them.
+struct OtherCompression {
   std::string_view bytes, name, command;
 };
 constexpr std::array compressions{
-    Compression{"\x1F\x8B"sv, "gzip", "zcat"},          Compression{"BZh"sv, "bzip2", "bzcat"},
-    Compression{"\xFD\x37zXZ\0"sv, "xz", "xzcat"},      Compression{"\x28\xB5\x2F\xFD"sv, "Zstandard", "zstdcat"},
-    Compression{"\x04\x22\x4D\x18"sv, "LZ4", "lz4cat"},
+    OtherCompression{"BZh"sv, "bzip2", "bzcat"},
+    OtherCompression{"\xFD\x37zXZ\0"sv, "xz", "xzcat"},
+    OtherCompression{"\x04\x22\x4D\x18"sv, "LZ4", "lz4cat"},
 };
 
 /// Formats that hold keys, or are taken for such, by their first bytes.
@@ -158,7 +159,7 @@ void Input::set_columns(const Columns& columns) {
 }
 
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options) {
-  bytes = without_mark(std::move(bytes));
+  bytes = without_mark(decompressed(std::move(bytes)));
   std::string beginning;
   for (bool blank = true; blank;) {
     auto more = bytes();

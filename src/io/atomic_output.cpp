@@ -21,6 +21,7 @@
 
 #include "error.hpp"
 #include "io/input_file.hpp"
+#include "io/terminal.hpp"
 
 namespace tcb {
 namespace {
@@ -55,7 +56,7 @@ sigset_t interruptions() {
   }
   const std::lock_guard lock(names().mutex);
   for (const std::string& name : names().all) ::unlink(name.c_str());
-  ::_exit(static_cast<int>(Exit::interrupted));
+  end_interrupted();
 }
 
 /// The names that an unfinished `path` may have: more than one, for processes that write the same file at the same
@@ -161,8 +162,10 @@ void make_folder(const std::string& path) {
 }
 
 Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
+  const Compression compression = compression_of(path_);
   open();
-  if (!begins_last || unfinished_) return;
+  if (compression != Compression::none) compressor_.emplace(compression);
+  if (!begins_last || (unfinished_ && !compressor_)) return;
   spool_.reset(std::tmpfile());
   if (spool_ == nullptr) fail(ErrorCode::cannot_make_temporary);
 }
@@ -225,7 +228,13 @@ void Output::flush() {
   pending_.clear();
 }
 
-void Output::put(std::string_view text) { send(spool_ == nullptr ? descriptor_ : ::fileno(spool_.get()), text); }
+void Output::put(std::string_view text) {
+  spool_ == nullptr ? send_compressed(text) : send(::fileno(spool_.get()), text);
+}
+
+void Output::send_compressed(std::string_view bytes, bool last) {
+  compressor_ ? send(descriptor_, compressor_->add(bytes, last)) : send(descriptor_, bytes);
+}
 
 void Output::send(int descriptor, std::string_view bytes) const {
   while (!bytes.empty()) {
@@ -251,7 +260,7 @@ void Output::send_spooled() {
   for (ssize_t count = 1; count != 0;) {
     count = ::read(spool, bytes.data(), bytes.size());
     if (count < 0 && errno != EINTR) fail(ErrorCode::cannot_read_temporary);
-    if (count > 0) send(descriptor_, {bytes.data(), static_cast<std::size_t>(count)});
+    if (count > 0) send_compressed({bytes.data(), static_cast<std::size_t>(count)});
   }
   spool_.reset();
 }
@@ -259,6 +268,7 @@ void Output::send_spooled() {
 void Output::commit() {
   flush();
   if (spool_ != nullptr) send_spooled();
+  if (compressor_) send_compressed("", true);
   if (path_ == "-") return;
   if (unfinished_) {
     if (!finish(descriptor_, temporary_, path_)) fail(ErrorCode::cannot_write);
@@ -270,7 +280,7 @@ void Output::commit() {
 void end_when_interrupted() {
   (void)std::signal(SIGPIPE, SIG_DFL);
   struct sigaction action {};
-  action.sa_handler = [](int) { ::_exit(static_cast<int>(Exit::interrupted)); };
+  action.sa_handler = [](int) { end_interrupted(); };
   const sigset_t signals = interruptions();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (::sigismember(&signals, signal) == 1) ::sigaction(signal, &action, nullptr);

@@ -3,10 +3,12 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "error.hpp"
+#include "io/compression.hpp"
 
 namespace tcb {
 
@@ -16,7 +18,8 @@ std::string folder_of(const std::string& path);
 /// Creates a folder and those above it, unless they exist. Throws: Error (usage).
 void make_folder(const std::string& path);
 
-/// An output: standard output, or a file that appears under its name only when it is complete.
+/// An output: standard output, or a file that appears under its name only when it is complete. An ending such as .gz
+/// compresses it.
 class Output {
  public:
   /// "-" is standard output. `begins_last`: the first bytes are final only when all others are written; an output
@@ -41,6 +44,7 @@ class Output {
   void open();
   void flush();
   void put(std::string_view text);
+  void send_compressed(std::string_view bytes, bool last = false);
   void remove();
   void send(int descriptor, std::string_view bytes) const;
   void send_spooled();
@@ -53,6 +57,7 @@ class Output {
   int descriptor_ = 1;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> spool_{nullptr,
                                                          std::fclose};  ///< all bytes, until the first ones are final
+  std::optional<Compressor> compressor_ = {};                           ///< of the bytes, by the ending of the path
   bool live_ = false;
 };
 

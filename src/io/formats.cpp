@@ -14,7 +14,19 @@ bool has_ending(std::string_view path, std::string_view ending) {
 
 }  // namespace
 
+std::string_view compression_ending(std::string_view path) {
+  for (const std::string_view ending : {".gz", ".zst"}) {
+    if (has_ending(path, ending)) return ending;
+  }
+  return "";
+}
+
+std::string_view without_compression(std::string_view path) {
+  return path.substr(0, path.size() - compression_ending(path).size());
+}
+
 std::optional<FormatId> find_output_format(std::string_view path) {
+  path = without_compression(path);
   for (const Format& format : formats) {
     if (format.can_write && has_ending(path, format.ending)) return format.id;
   }
@@ -22,6 +34,7 @@ std::optional<FormatId> find_output_format(std::string_view path) {
 }
 
 std::string_view other_ending(std::string_view path) {
+  path = without_compression(path);
   const auto found = std::ranges::find_if(other_endings, [&](auto ending) { return has_ending(path, ending); });
   return found == other_endings.end() ? "" : *found;
 }

@@ -49,8 +49,13 @@ constexpr std::optional<FormatId> find_format(std::string_view name) {
   return std::nullopt;
 }
 
-/// The format that can be read and whose ending the path has.
-constexpr std::optional<FormatId> find_input_format(std::string_view path) {
+/// The ending of compressed files that a path has, in lower case, and the path without it; empty: none.
+std::string_view compression_ending(std::string_view path);
+std::string_view without_compression(std::string_view path);
+
+/// The format that can be read and whose ending the path has, before that of compressed files if it has one.
+inline std::optional<FormatId> find_input_format(std::string_view path) {
+  path = without_compression(path);
   for (const Format& format : formats) {
     if (format.can_read && path.ends_with(format.ending)) return format.id;
   }
@@ -58,16 +63,15 @@ constexpr std::optional<FormatId> find_input_format(std::string_view path) {
 }
 
 /// Endings of what is no output of ours, so that none gets such a name: compressed files, tables, scenes, pictures.
-inline constexpr std::array<std::string_view, 57> other_endings{
-    ".gz",      ".bz2",   ".xz",   ".zst",  ".lz4",  ".br",   ".z",       ".zip",  ".7z",     ".rar",
-    ".tar",     ".tgz",   ".xls",  ".xlsx", ".xlsm", ".ods",  ".numbers", ".db",   ".sqlite", ".parquet",
-    ".feather", ".arrow", ".orc",  ".avro", ".h5",   ".hdf5", ".nc",      ".mat",  ".npz",    ".pkl",
-    ".pickle",  ".bag",   ".mcap", ".xml",  ".yaml", ".yml",  ".toml",    ".html", ".htm",    ".pdf",
-    ".png",     ".jpg",   ".jpeg", ".gif",  ".mp4",  ".bvh",  ".fbx",     ".gltf", ".glb",    ".usd",
-    ".usda",    ".usdc",  ".usdz", ".abc",  ".dae",  ".obj",  ".blend",
+inline constexpr std::array<std::string_view, 55> other_endings{
+    ".bz2",  ".xz",   ".lz4",  ".br",      ".z",    ".zip",    ".7z",      ".rar",     ".tar",   ".tgz", ".xls",
+    ".xlsx", ".xlsm", ".ods",  ".numbers", ".db",   ".sqlite", ".parquet", ".feather", ".arrow", ".orc", ".avro",
+    ".h5",   ".hdf5", ".nc",   ".mat",     ".npz",  ".pkl",    ".pickle",  ".bag",     ".mcap",  ".xml", ".yaml",
+    ".yml",  ".toml", ".html", ".htm",     ".pdf",  ".png",    ".jpg",     ".jpeg",    ".gif",   ".mp4", ".bvh",
+    ".fbx",  ".gltf", ".glb",  ".usd",     ".usda", ".usdc",   ".usdz",    ".abc",     ".dae",   ".obj", ".blend",
 };
 
-/// The format that can be written and whose ending the path has, in upper or lower case.
+/// The same for formats that can be written, in upper or lower case.
 std::optional<FormatId> find_output_format(std::string_view path);
 
 /// The ending of a path that is that of other files than ours; empty: it is not.

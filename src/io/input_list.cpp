@@ -145,7 +145,8 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs) {
   if (file.path == "-") refuse(ErrorCode::input_without_name, "");
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
-  return (fs::path(*outputs.folder) / below / kept.stem()) += outputs.suffix + std::string(outputs.ending);
+  return (fs::path(*outputs.folder) / below / fs::path(without_compression(kept.native())).stem()) +=
+         outputs.suffix + std::string(outputs.ending);
 }
 
 Inputs find_inputs(const InputListOptions& options) {

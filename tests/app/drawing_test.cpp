@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -24,7 +26,7 @@ Source<std::string> bytes_of(const std::string& text) {
 
 /// The picture of files named a.csv, b.csv, ….
 std::string drawn(Job job, const std::vector<std::string>& texts) {
-  const std::string path = testing::TempDir() + "drawing_test.svg";
+  const std::string path = testing::TempDir() + fmt::format("drawing_test.{}.svg", getpid());
   job.output_format = FormatId::svg;
   Drawing drawing(job, path);
   char name = 'a';
@@ -43,6 +45,7 @@ std::string drawn(Job job, const std::vector<std::string>& texts) {
   drawing.commit();
   std::ostringstream bytes;
   bytes << std::ifstream(path).rdbuf();
+  std::filesystem::remove(path);
   return bytes.str();
 }
 

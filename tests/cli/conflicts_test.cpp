@@ -15,10 +15,11 @@ std::string word(Option option) {
   const std::string name(row.long_name());
   switch (row.kind) {
     case ValueKind::flag: return name;
-    case ValueKind::name: return name + "=" + std::string(row.known().front());
+    case ValueKind::name:
+    case ValueKind::names: return name + "=" + std::string(row.known().front());
     case ValueKind::file:
     case ValueKind::folder: return name + "=theirs.csv";
-    case ValueKind::other: break;
+    default: break;
   }
   if (!row.default_value.empty()) return name + "=" + std::string(row.default_value);
   const bool is_named = option == Option::columns || option == Option::map;

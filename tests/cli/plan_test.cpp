@@ -45,7 +45,7 @@ TEST(CommandLine, a_text_is_printed_whatever_other_values_are) {
   EXPECT_EQ(parsed({"-h"}).text, short_help_text());
   EXPECT_EQ(parsed({"-qh", "--count=0"}).text, short_help_text());
   EXPECT_THAT(parsed({"-V", "--count=0"}).text.value_or(""), StartsWith("tcbsample "));
-  EXPECT_THAT(parsed({"--generate", "fish"}).text.value_or(""), StartsWith("complete "));
+  EXPECT_THAT(parsed({"--generate", "fish"}).text.value_or(""), StartsWith("function "));
   EXPECT_THAT(parsed({"--list-presets"}).text.value_or(""), StartsWith("PRESET "));
   EXPECT_FALSE(parsed({"-n", "2"}).text);
 }

@@ -1,0 +1,205 @@
+// Compression: gzip and Zstandard, by the ending of a name or by the first bytes, in a stream.
+#include "io/compression.hpp"
+
+#include <zlib.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "error.hpp"
+#include "io/formats.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t part_size = 256UL * 1024;
+constexpr std::string_view gzip_magic = "\x1F\x8B", zstandard_magic = "\x28\xB5\x2F\xFD";
+constexpr int gzip_window = 15 + 16;  ///< the largest, in the format of gzip
+
+Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
+
+[[noreturn]] void refuse(ErrorCode code, const char* name) { throw Error(Exit::data, code, {std::string(name)}); }
+
+/// What is left of compressed bytes, and where decompressed ones go.
+struct Buffers {
+  std::string_view in;
+  std::string out;
+  std::size_t size = 0;  ///< of `out` that is filled
+};
+
+/// Members of a gzip file, one after another; zeros after the last are padding.
+class Gunzip {
+ public:
+  static constexpr const char* name = "gzip";
+
+  Gunzip() {
+    if (inflateInit2(&stream_, gzip_window) != Z_OK) throw std::bad_alloc();
+  }
+  Gunzip(const Gunzip&) = delete;
+  Gunzip& operator=(const Gunzip&) = delete;
+  ~Gunzip() { inflateEnd(&stream_); }
+
+  bool ended() const { return ended_; }
+
+  /// Decompresses some bytes; false: they are broken.
+  bool step(Buffers& buffers) {
+    if (ended_) {
+      const std::size_t next = buffers.in.find_first_not_of('\0');
+      buffers.in.remove_prefix(std::min(next, buffers.in.size()));
+      if (buffers.in.empty()) return true;
+      inflateReset(&stream_);
+    }
+    stream_.next_in = bytes_of(buffers.in.data());
+    stream_.avail_in = static_cast<uInt>(buffers.in.size());
+    stream_.next_out = bytes_of(buffers.out.data() + buffers.size);
+    stream_.avail_out = static_cast<uInt>(buffers.out.size() - buffers.size);
+    const int result = inflate(&stream_, Z_NO_FLUSH);
+    buffers.in.remove_prefix(buffers.in.size() - stream_.avail_in);
+    buffers.size = buffers.out.size() - stream_.avail_out;
+    ended_ = result == Z_STREAM_END;
+    if (result == Z_MEM_ERROR) throw std::bad_alloc();
+    return result == Z_OK || result == Z_STREAM_END || result == Z_BUF_ERROR;
+  }
+
+ private:
+  z_stream stream_{};
+  bool ended_ = false;
+};
+
+/// Frames of a Zstandard file, one after another.
+class Unzstd {
+ public:
+  static constexpr const char* name = "Zstandard";
+
+  Unzstd() : stream_(ZSTD_createDStream(), ZSTD_freeDStream) {
+    if (stream_ == nullptr) throw std::bad_alloc();
+  }
+
+  bool ended() const { return ended_; }
+
+  bool step(Buffers& buffers) {
+    ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
+    ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
+    const std::size_t result = ZSTD_decompressStream(stream_.get(), &out, &in);
+    if (ZSTD_isError(result) != 0) return false;
+    buffers.in.remove_prefix(in.pos);
+    buffers.size = out.pos;
+    ended_ = result == 0;
+    return true;
+  }
+
+ private:
+  std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream_;
+  bool ended_ = false;
+};
+
+/// The bytes of a file of one compression.
+template <class Decoder>
+Source<std::string> decoded(Source<std::string> bytes) {
+  struct State {
+    Source<std::string> bytes;
+    Decoder decoder = {};
+    std::string part = {};
+    std::string_view left = {};
+    bool at_end = false;
+  };
+  const auto state = std::make_shared<State>();
+  state->bytes = std::move(bytes);
+  return [state]() -> std::optional<std::string> {
+    Buffers buffers{state->left, std::string(part_size, '\0')};
+    while (buffers.size == 0) {
+      if (buffers.in.empty() && !state->at_end) {
+        auto more = state->bytes();
+        state->at_end = !more;
+        state->part = std::move(more).value_or("");
+        buffers.in = state->part;
+      }
+      const bool was_ended = state->decoder.ended();
+      if (buffers.in.empty() && was_ended && state->at_end) return std::nullopt;
+      if (!state->decoder.step(buffers)) refuse(ErrorCode::compressed_data_broken, Decoder::name);
+      const bool stuck = state->at_end && buffers.in.empty() && buffers.size == 0;
+      if (stuck && !state->decoder.ended()) refuse(ErrorCode::compressed_data_cut, Decoder::name);
+    }
+    state->left = buffers.in;
+    buffers.out.resize(buffers.size);
+    return std::move(buffers.out);
+  };
+}
+
+}  // namespace
+
+Compression compression_of(std::string_view path) {
+  const std::string_view ending = compression_ending(path);
+  if (ending.empty()) return Compression::none;
+  return ending == ".gz" ? Compression::gzip : Compression::zstandard;
+}
+
+Source<std::string> decompressed(Source<std::string> bytes) {
+  std::string beginning;
+  while (beginning.size() < zstandard_magic.size()) {
+    auto more = bytes();
+    if (!more) break;
+    beginning += *more;
+  }
+  const bool gzip = beginning.starts_with(gzip_magic), zstandard = beginning.starts_with(zstandard_magic);
+  bytes = preceded_by(std::move(beginning), std::move(bytes));
+  if (gzip) return decoded<Gunzip>(std::move(bytes));
+  return zstandard ? decoded<Unzstd>(std::move(bytes)) : bytes;
+}
+
+struct Compressor::State {
+  z_stream gzip{};
+  std::unique_ptr<ZSTD_CStream, std::size_t (*)(ZSTD_CStream*)> zstandard{nullptr, ZSTD_freeCStream};
+
+  /// Compresses some bytes; false: nothing is left to do.
+  bool step(Buffers& buffers, bool last) {
+    if (zstandard != nullptr) {
+      ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
+      ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
+      const std::size_t left = ZSTD_compressStream2(zstandard.get(), &out, &in, last ? ZSTD_e_end : ZSTD_e_continue);
+      if (ZSTD_isError(left) != 0) throw std::bad_alloc();
+      buffers.in.remove_prefix(in.pos);
+      buffers.size = out.pos;
+      return !buffers.in.empty() || (last && left > 0);
+    }
+    gzip.next_in = bytes_of(buffers.in.data());
+    gzip.avail_in = static_cast<uInt>(buffers.in.size());
+    gzip.next_out = bytes_of(buffers.out.data() + buffers.size);
+    gzip.avail_out = static_cast<uInt>(buffers.out.size() - buffers.size);
+    const int result = deflate(&gzip, last ? Z_FINISH : Z_NO_FLUSH);
+    buffers.in.remove_prefix(buffers.in.size() - gzip.avail_in);
+    buffers.size = buffers.out.size() - gzip.avail_out;
+    return gzip.avail_out == 0 || !buffers.in.empty() || (last && result != Z_STREAM_END);
+  }
+};
+
+Compressor::Compressor(Compression compression) : state_(std::make_unique<State>()) {
+  if (compression == Compression::zstandard) {
+    state_->zstandard.reset(ZSTD_createCStream());
+    if (state_->zstandard == nullptr) throw std::bad_alloc();
+    (void)ZSTD_CCtx_setParameter(state_->zstandard.get(), ZSTD_c_checksumFlag, 1);
+    return;
+  }
+  constexpr int memory = 8;  // zlib's default
+  if (deflateInit2(&state_->gzip, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzip_window, memory, Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::bad_alloc();
+  }
+}
+
+Compressor::~Compressor() {
+  if (state_->zstandard == nullptr) deflateEnd(&state_->gzip);
+}
+
+std::string Compressor::add(std::string_view bytes, bool last) {
+  Buffers buffers{bytes, std::string(part_size, '\0')};
+  while (state_->step(buffers, last)) {
+    if (buffers.size == buffers.out.size()) buffers.out.resize(2 * buffers.out.size());
+  }
+  buffers.out.resize(buffers.size);
+  return std::move(buffers.out);
+}
+
+}  // namespace tcb

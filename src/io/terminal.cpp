@@ -1,0 +1,60 @@
+// Terminals: a line that is erased when the program is interrupted, and colors of messages.
+#include "io/terminal.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdlib>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+std::atomic<std::size_t> line_width{0};
+
+struct KindStyle {
+  std::string_view word, style;
+};
+
+/// In the order of MessageKind: red, magenta, cyan.
+constexpr std::array kind_styles{KindStyle{"error:", "\x1b[1;31m"}, KindStyle{"warning:", "\x1b[1;35m"},
+                                 KindStyle{"note:", "\x1b[1;36m"}};
+
+std::string_view variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+}  // namespace
+
+void erase_when_interrupted(std::size_t width) { line_width = width; }
+
+void end_interrupted() {
+  std::array<char, 512> blanks{};
+  constexpr std::size_t echoed = 2;  // ^C, which the terminal shows after the line
+  const std::size_t size = std::min(line_width + echoed, blanks.size() - 2);
+  blanks.fill(' ');
+  blanks[0] = blanks[size + 1] = '\r';
+  if (line_width > 0) (void)!::write(STDERR_FILENO, blanks.data(), size + 2);
+  ::_exit(static_cast<int>(Exit::interrupted));
+}
+
+bool colors_messages(ColorWhen when) {
+  if (when != ColorWhen::by_terminal) return when == ColorWhen::always;
+  if (!variable("NO_COLOR").empty()) return false;
+  const std::string_view forced = variable("CLICOLOR_FORCE");
+  if (!forced.empty() && forced != "0") return true;
+  return ::isatty(STDERR_FILENO) != 0 && !variable("TERM").empty() && variable("TERM") != "dumb";
+}
+
+std::string message_head(std::string_view where, MessageKind kind, bool colored) {
+  const auto& [word, style] = kind_styles.at(static_cast<std::size_t>(kind));
+  const std::string place(where);
+  if (!colored) return place + ": " + std::string(word) + " ";
+  return "\x1b[1m" + place + ":\x1b[0m " + std::string(style) + std::string(word) + "\x1b[0m ";
+}
+
+}  // namespace tcb
