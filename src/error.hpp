@@ -360,6 +360,8 @@ enum class ErrorCode {
   endless_range,
   range_too_long,  ///< text, the largest number of places
   list_without_numbers,
+  group_without_places,  ///< group, as NAME=VALUE
+  grouped_places_in_provenance,
   unreadable_list,
   expected_count,
   expected_whole_number,  ///< text, least, most

@@ -5,6 +5,7 @@ import pty
 import re
 import select
 import struct
+import subprocess
 import sys
 import tempfile
 import termios
@@ -67,11 +68,23 @@ def check_lines(shown, columns):
     return lines
 
 
+def rows_for_a_while(arguments):
+    """So many rows that the program takes a second at least; it has written them to out.csv."""
+    rows, seconds = 10000, 0.0
+    while seconds < 1:
+        rows *= max(2, min(10, int(1.5 / max(seconds, 0.01))))
+        start = time.monotonic()
+        subprocess.run([program, *arguments, "-n", str(rows), "-o", "out.csv", "keys.csv"], check=True)
+        seconds = time.monotonic() - start
+    return rows
+
+
 def main():
     with open("keys.csv", "w", encoding="ascii") as file:
         file.write("t,x,y\n0,0,1\n1,2,3\n3,4,-1\n4,0,0\n")
-    rows = "3000000"
-    shown, code = run(["-n", rows, "-o", "out.csv", "keys.csv"], 80)
+    rows = rows_for_a_while(["--golden"])
+    golden = ["--golden", "-n", str(rows)]
+    shown, code = run([*golden, "-o", "out.csv", "keys.csv"], 80)
     require(code == 0, f"exit code {code}", shown)
     lines = check_lines(shown, 80)
     require(any("left" in line for line in lines), "no time left", shown)
@@ -79,10 +92,10 @@ def main():
     require(any("[#" in line for line in lines), "no bar", shown)
     require(screen(shown) == "", "the progress is not erased", shown)
 
-    shown, code = run(["-s", "1/700000", "-o", "out.csv", "keys.csv"], 30)
+    shown, code = run(["--golden", "-s", f"4/{rows}", "-o", "out.csv", "keys.csv"], 30)
     check_lines(shown, 30)
 
-    shown, code = run(["-n", rows, "-o", "other.csv", "keys.csv"], 80, interrupt=True)
+    shown, code = run([*golden, "-o", "other.csv", "keys.csv"], 80, interrupt=True)
     require(code == 130, f"exit code {code}", shown)
     require(screen(shown) == "", "the progress is not erased by Ctrl-C", shown)
     require(sorted(os.listdir(".")) == ["keys.csv", "out.csv"], "files are left: " + " ".join(os.listdir(".")), shown)
@@ -90,10 +103,11 @@ def main():
     os.mkdir("keys")
     for name in ("a.csv", "b.csv", "c.csv"):
         os.link("keys.csv", "keys/" + name)
-    shown, code = run(["-n", rows, "-j", "1", "--recursive", "--output-dir", "out", "keys"], 100)
+    shown, code = run([*golden, "-j", "1", "--recursive", "--output-dir", "out", "keys"], 100)
     lines = check_lines(shown, 100)
     require(any(re.search(r" of 3 files, keys/[abc]\.csv", line) for line in lines), "no file is named", shown)
 
+    rows_for_a_while([])
     shown, code = run(["--check", "out.csv", "--output", "report.txt", "keys.csv"], 80)
     require(screen(shown) == "" and code == 0, "a check: not erased, or it failed", shown)
     check_lines(shown, 80)

@@ -162,7 +162,8 @@ class Explainer {
   Explainer(const Input& input, const Job& job, const Wording& wording) : input_(input), job_(job), wording_(wording) {}
 
   void add(const CurveKeys& curve) {
-    const CurvePipeline pipeline(job_.sampling, job_.curve, job_.fields, job_.golden, input_, *curve.curve_info);
+    const CurvePipeline pipeline(sampling_of(curve, input_, job_), job_.curve, job_.fields, job_.golden, input_,
+                                 *curve.curve_info);
     if (count_ == 0) {
       append(intended_, rules_in_words(pipeline.facts(), wording_));
       append(intended_, intentions(job_, input_));
@@ -241,7 +242,9 @@ std::string samples_in_words(const SamplingRequest& request) {
     case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
     case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
     case Mode::at:
-    case Mode::arc_at: return fmt::format("at {} places in {}", request.places.size(), of);
+    case Mode::arc_at:
+      if (request.places.empty()) return fmt::format("at places in {} for each group", of);
+      return fmt::format("at {} places in {}", request.places.size(), of);
     case Mode::tolerance: return fmt::format("within {} of the curve", request.tolerance);
   }
   return "";

@@ -1,6 +1,7 @@
 // Everything that one run of the program has to do.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct Tolerance {
   std::string column;  ///< empty: all columns without a tolerance of their own
   double most = 0;
 };
+
+/// The times or arc lengths of samples, by the contents of the texts of groups.
+using GroupedPlaces = std::map<std::vector<std::string>, std::vector<Rational>>;
 
 /// A request to compare the samples of a file with the curve instead of printing samples.
 struct Comparison {
@@ -69,6 +73,7 @@ struct Job {
   CurveOptions curves;
   CurveSettings curve;
   SamplingRequest sampling;
+  GroupedPlaces grouped_places;          ///< instead of sampling.places, where curves have their own
   std::vector<std::size_t> fields;       ///< indices into fields(), in output order; none: those of the comparison
   std::optional<Comparison> comparison;  ///< instead of printing samples
   FormatId output_format = FormatId::csv;

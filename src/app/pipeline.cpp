@@ -69,8 +69,9 @@ class FileRun {
  private:
   /// Begins the output of the next curve. Curves with the same information share their rules.
   void begin(const Input& input, const CurveKeys& curve) {
-    if (curve.curve_info != curve_info_) {
-      pipeline_.emplace(job_.sampling, job_.curve, job_.fields, job_.golden, input, *curve.curve_info);
+    if (curve.curve_info != curve_info_ || !job_.grouped_places.empty()) {
+      pipeline_.emplace(sampling_of(curve, input, job_), job_.curve, job_.fields, job_.golden, input,
+                        *curve.curve_info);
     }
     if (curve_info_ == nullptr) sink_.begin(path_, input, pipeline_->facts(), wording_);
     curve_info_ = curve.curve_info;
@@ -236,6 +237,23 @@ class JobRun {
 };
 
 }  // namespace
+
+SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Job& job) {
+  SamplingRequest request = job.sampling;
+  if (job.grouped_places.empty()) return request;
+  std::vector<std::string> group, title;
+  for (std::size_t i = 0; i < curve.group.size() && i < input.groups.size(); ++i) {
+    group.emplace_back(content(curve.group[i]));
+    title.push_back(input.groups[i] + "=" + group.back());
+  }
+  const auto places = job.grouped_places.find(group);
+  if (places == job.grouped_places.end()) {
+    throw Error(Exit::data, ErrorCode::group_without_places, {title})
+        .about(request.mode == Mode::at ? Option::at : Option::arc_at);
+  }
+  request.places = places->second;
+  return request;
+}
 
 Exit resample(const Job& job, const Wording& wording) {
   JobRun run(job, wording);

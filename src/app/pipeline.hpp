@@ -39,4 +39,7 @@ std::string samples_in_words(const SamplingRequest& request);
 /// How far the end of the range is from the last row. `at_key`: it is the last key.
 Note remainder_note(const Rational& remainder, bool at_key);
 
+/// The samples that the job requests of a curve. Throws: Error (data) for a group without places.
+SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Job& job);
+
 }  // namespace tcb

@@ -169,12 +169,10 @@ constexpr std::array<OptionRow, option_count> table{{
      }},
     {Option::at, "--at", "T,...", sampling,
      "These times, in this order; A:B:H: from A to B in steps of H; @FILE: those in a file, separated by whitespace, "
-     "commas or lines; -: those of standard input", "", places, recorded,
+     "commas or lines; @FILE:COLUMN: those in a column of a file of any format, by groups; -: those of standard input", "", places, recorded,
      [](Typed& to, Text text) {
-       to.places_from_input = text == "-";
-       to.texts[index_of(Option::at)] = listed_numbers(text);
        to.job.sampling.mode = Mode::at;
-       to.job.sampling.places = ratios(to.text(Option::at));
+       store_places(to, Option::at, text);
      }},
     {Option::arc_step, "-a,--arc-step", "H", sampling, "Samples every H of arc length from the first key", "", other,
      recorded,
@@ -191,10 +189,8 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::arc_at, "--arc-at", "S,...", sampling, "These arc lengths, in the same forms as times", "",
      places, recorded,
      [](Typed& to, Text text) {
-       to.places_from_input = text == "-";
-       to.texts[index_of(Option::arc_at)] = listed_numbers(text);
        to.job.sampling.mode = Mode::arc_at;
-       to.job.sampling.places = ratios(to.text(Option::arc_at));
+       store_places(to, Option::arc_at, text);
      }},
     {Option::tolerance, "--tolerance", "D", sampling,
      "Samples, as few as a greedy search finds, whose polyline stays within D of the curve, over the metric channels", "", other, recorded,

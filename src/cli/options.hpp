@@ -42,6 +42,12 @@ struct ColorName {
 inline constexpr std::array color_names{ColorName{"auto", ColorWhen::by_terminal},
                                         ColorName{"always", ColorWhen::always}, ColorName{"never", ColorWhen::never}};
 
+/// A column of a file that has the times or arc lengths of an option.
+struct PlaceColumn {
+  Option option;
+  std::string path, name;
+};
+
 struct DelimiterName {
   std::string_view name;
   char character;
@@ -60,6 +66,7 @@ struct TypedOptions {
   std::optional<Generated> generated;
   ColorWhen color = ColorWhen::by_terminal;
   bool places_from_input = false;  ///< the times or arc lengths are read from standard input
+  std::optional<PlaceColumn> place_column = {};
 
   const std::string& text(Option option) const { return texts[index_of(option)]; }
   bool has(Option option) const { return !text(option).empty(); }
@@ -207,12 +214,16 @@ void set_output_format(TypedOptions& typed, bool earlier);
 Rational positive_ratio(const std::string& text);
 /// The step of a rate.
 Rational step_of_rate(const std::string& text);
-/// A decimal or a ratio of two.
+/// A decimal or a ratio of two within the doubles; for another text the error is `expected`.
+Rational ratio_or(ErrorCode expected, std::string_view text);
 Rational ratio(const std::string& text);
 /// Numbers, and ranges FIRST:LAST:STEP, separated by commas.
 std::vector<Rational> ratios(const std::string& text);
-/// The same; for @FILE the numbers in that file, for "-" those of standard input, as one text separated by commas.
-std::string listed_numbers(const std::string& text);
+/// Stores the places of an option: numbers as above, or for @FILE and "-" those in a file or standard input. A column
+/// of a file is only named. Throws: Error (usage).
+void store_places(TypedOptions& typed, Option option, const std::string& text);
+/// Reads the column of a file that an option names, if one does. Throws: Error.
+void read_place_column(TypedOptions& typed);
 /// In digits, from 1 to 2^63 - 1.
 std::uint64_t positive_count(const std::string& text);
 /// A whole number from `least` to `most`, also as 1e9.

@@ -139,10 +139,9 @@ Invocation parse(int argc, const char* const* argv) {
   }
   set_output_format(typed, provenance.has_value());
   require_no_conflict(typed);
-  if (typed.has(Option::meta)) {
-    if (!provenance) provenance.emplace();
-    provenance->meta = new_provenance(typed);
-  }
+  read_place_column(typed);
+  if (typed.has(Option::meta) && !provenance) provenance.emplace();
+  if (provenance) provenance->meta = new_provenance(typed);
   Job job = make_job(typed);
   job.meta = std::move(provenance);
   return {{}, std::move(job)};

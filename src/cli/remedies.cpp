@@ -448,7 +448,12 @@ constexpr std::array all_words{
     Words{ErrorCode::range_too_long,
           "{subject} \"{0}\": a range of more than {1} places; expected fewer; give --from, --to and --step"},
     Words{ErrorCode::list_without_numbers, "no number for {subject}; expected one at least"},
-    Words{ErrorCode::unreadable_list, "cannot be read for {subject}; expected a file of numbers"},
+    Words{ErrorCode::group_without_places, "curve {0} has no rows in the file of {subject}; expected some; add them"},
+    Words{ErrorCode::grouped_places_in_provenance,
+          "{subject} has other places for each group, which --meta cannot record; expected the same for all; leave out "
+          "one of them"},
+    Words{ErrorCode::unreadable_list,
+          "cannot be read for {subject}; expected a file of numbers, or @FILE:COLUMN for a column of a file"},
     Words{ErrorCode::expected_count, "{subject} \"{0}\": expected a whole number from 1 to 2^63 - 1, in digits"},
     Words{ErrorCode::expected_whole_number, "{subject} \"{0}\": expected a whole number from {1} to {2}"},
     Words{ErrorCode::expected_distance, "{subject} \"{0}\": expected a distance above 0, such as 0.01"},

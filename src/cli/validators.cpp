@@ -3,13 +3,10 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "curve/fields.hpp"
 #include "io/formats.hpp"
-#include "io/input_file.hpp"
 #include "text/parse_number.hpp"
 #include "text/print_number.hpp"
 #include "text/suggest.hpp"
@@ -23,51 +20,11 @@ namespace {
   throw Error(Exit::usage, expected, std::move(values));
 }
 
-/// A decimal or a ratio whose size is that of a double.
-Rational ratio_or(ErrorCode expected, std::string_view text) {
-  auto value = parse_rational(text);
-  if (!value) refuse(expected, text);
-  if (!within_doubles(*value)) refuse(ErrorCode::expected_within_doubles, text);
-  return *value;
-}
-
 template <class Int>
 std::optional<Int> in_digits(std::string_view text) {
   Int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
-/// Appends A, A + H, ... up to B for "A:B:H". The places of a range are kept, so there is a limit to their number.
-void append_range(std::string_view text, std::vector<Rational>& values) {
-  constexpr std::uint64_t most = 10'000'000;
-  const std::vector<std::string_view> parts = split(text, ':');
-  if (parts.size() != 3) refuse(ErrorCode::expected_range, text);
-  const auto part = [&](std::size_t i) { return ratio_or(ErrorCode::expected_range, parts[i]); };
-  const Rational first = part(0), last = part(1), step = part(2);
-  if (step == 0 || (last - first) / step < 0) refuse(ErrorCode::endless_range, text);
-  const Rational steps = floor((last - first) / step);
-  if (steps >= most) refuse(ErrorCode::range_too_long, text, {most});
-  for (std::uint64_t i = 0; i <= whole_number(steps); ++i) values.push_back(first + step * i);
-}
-
-/// The numbers in a text as a list separated by commas. A first line without any number is a header.
-std::string numbers_in(std::istream& file, const std::string& path) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  std::string items, line;
-  for (std::uint64_t number = 1; std::getline(file, line); ++number) {
-    std::ranges::replace_if(line, is_blank, ',');
-    const std::vector<std::string_view> cells = split(line, ',');
-    if (number == 1 && std::ranges::none_of(cells, [](auto cell) { return parse_rational(cell).has_value(); }))
-      continue;
-    for (const std::string_view item : cells) {
-      if (item.empty()) continue;
-      at_position({shown_name(path), number, 0}, [&] { (void)ratio_or(ErrorCode::expected_ratios, item); });
-      items += (items.empty() ? "" : ",") + std::string(item);
-    }
-  }
-  if (items.empty()) throw Error(Exit::usage, ErrorCode::list_without_numbers).in(shown_name(path));
-  return items;
 }
 
 std::vector<std::string_view> format_names(bool Format::*capability) {
@@ -89,6 +46,13 @@ FormatId named_format(const std::string& text, bool Format::*capability) {
 
 }  // namespace
 
+Rational ratio_or(ErrorCode expected, std::string_view text) {
+  auto value = parse_rational(text);
+  if (!value) refuse(expected, text);
+  if (!within_doubles(*value)) refuse(ErrorCode::expected_within_doubles, text);
+  return *value;
+}
+
 Rational positive_ratio(const std::string& text) {
   Rational value = ratio_or(ErrorCode::expected_positive_ratio, text);
   if (value <= 0) refuse(ErrorCode::expected_positive_ratio, text);
@@ -102,32 +66,6 @@ Rational step_of_rate(const std::string& text) {
 }
 
 Rational ratio(const std::string& text) { return ratio_or(ErrorCode::expected_ratio, text); }
-
-std::vector<Rational> ratios(const std::string& text) {
-  std::vector<Rational> values;
-  for (const std::string_view item : split(text, ',')) {
-    if (item.find(':') == std::string_view::npos) {
-      values.push_back(ratio_or(ErrorCode::expected_ratios, item));
-    } else {
-      append_range(item, values);
-    }
-  }
-  return values;
-}
-
-std::string listed_numbers(const std::string& text) {
-  if (text == "-") {
-    std::string bytes;
-    const Source<std::string> parts = read_file(text);
-    while (const auto part = parts()) bytes += *part;
-    std::istringstream input(bytes);
-    return numbers_in(input, text);
-  }
-  if (!text.starts_with('@')) return text;
-  std::ifstream file(text.substr(1));
-  if (!file) throw Error(Exit::usage, ErrorCode::unreadable_list).in(text.substr(1));
-  return numbers_in(file, text.substr(1));
-}
 
 std::uint64_t positive_count(const std::string& text) {
   const auto value = in_digits<std::uint64_t>(text);

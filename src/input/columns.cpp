@@ -148,8 +148,11 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
   return requests;
 }
 
-Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
-                     std::span<const RoleRequest> requests, bool timeless) {
+namespace {
+
+/// The columns with the requested roles.
+Columns requested_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                          std::span<const RoleRequest> requests) {
   Columns columns;
   columns.cells.resize(numeric.size());
   columns.named = !header.empty();
@@ -161,6 +164,14 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
              !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
     }
   }
+  return columns;
+}
+
+}  // namespace
+
+Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                     std::span<const RoleRequest> requests, bool timeless) {
+  Columns columns = requested_columns(header, numeric, requests);
   assign_the_rest(columns, header, numeric, timeless);
   number_texts(columns);
   const bool positions_given = std::ranges::count(requests, Role::position, &RoleRequest::role) > 0;
@@ -207,6 +218,10 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   }
   if (std::ranges::all_of(groups, [&](std::ptrdiff_t cell) { return cell < cells; })) {
     for (const std::ptrdiff_t cell : groups) request(Role::group, cell);
+  }
+  if (names.times_only) {
+    requests.push_back({Role::time, {names.time}, *names.times_only});
+    return requested_columns(header, numeric, requests);
   }
   const auto time_place = std::ssize(taken) + static_cast<std::ptrdiff_t>(names.time_place);
   if (header.empty() && !timeless && time_place < cells) request(Role::time, time_place);

@@ -109,11 +109,12 @@ struct Renaming {
 
 /// The names that samples of a curve are expected to have.
 struct SampleNames {
-  std::string time;                      ///< of the time column, if it is not one of the usual names
-  std::vector<std::string> groups = {};  ///< of the group columns, if they are there
-  std::vector<std::string> labels = {};  ///< of columns to ignore
-  std::size_t time_place = 0;            ///< where columns have no names: how many are before the time, without groups
-  std::vector<Renaming> maps = {};       ///< of columns of the samples
+  std::string time;                       ///< of the time column, if it is not one of the usual names
+  std::vector<std::string> groups = {};   ///< of the group columns, if they are there
+  std::vector<std::string> labels = {};   ///< of columns to ignore
+  std::size_t time_place = 0;             ///< where columns have no names: how many are before the time, without groups
+  std::vector<Renaming> maps = {};        ///< of columns of the samples
+  std::optional<Option> times_only = {};  ///< nothing is read but the groups and `time`, which this option names
 };
 
 /// The columns of samples: the time, the groups, and every other column of numbers as a channel, whatever its name.
