@@ -29,7 +29,7 @@ class PathShape;
 template <class S>
 class Point {
  public:
-  explicit Point(PathShape<S> shape = {}) : shape_(std::move(shape)) {}
+  explicit Point(PathShape<S> shape = PathShape<S>()) : shape_(std::move(shape)) {}
 
   /// Assigns another segment; a sample on it must follow. `arc`: its lengths, if they are known.
   void set(const CurveSegmentOf<S>& segment, const spline::ArcLength<S>* arc = nullptr) {

@@ -160,10 +160,10 @@ struct CurveRows {
 /// An output with these curves. Labels are written only where `labelled`.
 std::string written(const std::string& format, const std::vector<CurveRows>& curves, bool labelled,
                     const std::string& member = "") {
-  OutputColumns columns{{}, {{"x"}}, {}};
-  if (!curves.empty()) columns.groups.assign(curves[0].group.size(), "id");
-  if (labelled) columns.labels = {"label"};
-  Frame frame(columns, {*find_format(format), true, {}, !member.empty()});
+  OutputColumns names{{}, {{"x"}}, {}};
+  if (!curves.empty()) names.groups.assign(curves[0].group.size(), "id");
+  if (labelled) names.labels = {"label"};
+  Frame frame(names, {*find_format(format), true, {}, !member.empty()});
   std::string out = frame.head();
   std::optional<std::vector<std::string>> before;
   for (const CurveRows& curve : curves) {
@@ -174,7 +174,7 @@ std::string written(const std::string& format, const std::vector<CurveRows>& cur
       Layout layout = frame.layout();
       const std::vector<std::string_view> labels(labelled ? 1 : 0, label);
       layout.row_end = frame.row_end(labels);
-      append_rows(out, layout, columns.numbers, {Cell(number)}, first && frame.is_first());
+      append_rows(out, layout, names.numbers, {Cell(number)}, first && frame.is_first());
       first = false;
     }
     if (!first) frame.set_written();

@@ -88,7 +88,7 @@ TEST(Tolerance, no_point_of_the_curve_is_farther_from_the_polyline) {
 spline::Keys<double> late_keys(std::size_t channels) {
   spline::Keys<double> keys{channels, {1403715524.0, 1403715525.0, 1403715526.0, 1403715527.0}, {}, {}, {}, {}};
   for (const double y : {0, 1, 0, 1}) {
-    if (channels == 2) keys.positions.push_back(keys.positions.size() / 2.0);
+    if (channels == 2) keys.positions.push_back(static_cast<double>(keys.positions.size()) / 2);
     keys.positions.push_back(y);
   }
   return keys;
