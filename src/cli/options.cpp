@@ -92,7 +92,7 @@ constexpr std::array<OptionRow, option_count> table{{
      "The times are numbers of frames, HZ a second, such as 24 or 30000/1001; they become seconds", "", other, recorded,
      [](Typed& to, Text text) { to.job.input.input_rate = positive_ratio(text); }},
     {Option::scale, "--scale", "CHANNEL=FACTOR,...", input,
-     "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", other, recorded,
+     "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.scales = channel_scales(text); }},
     {Option::duplicates, "--duplicates", "POLICY", input,
      "For keys with equal times: error rejects them; first or last keeps that one; break begins a new curve with the "
@@ -274,7 +274,7 @@ constexpr std::array<OptionRow, option_count> table{{
      [](Typed& to, Text text) { to.job.time_notation = named_row(time_notations, text).notation; },
      names_in<time_notations>},
     {Option::rename, "--rename", "OLD=NEW,...", output,
-     "Other names for columns of the input, in the output and in the options about channels", "", other, recorded,
+     "Other names for columns of the input, in the output and in the options about channels", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.renamings = renamings(text); }},
     {Option::plot, "--plot", "", output,
      "Draws the curve and its samples, as -f svg does; without a sampling option, 51 of them equally spaced in time",
