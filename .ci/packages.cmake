@@ -3,6 +3,12 @@
 # cmake --workflow --preset package makes tcbsample_*.deb, libtcb-spline-dev_*.deb, and an archive with the program as
 # one static file, which runs on any Linux.
 
+# The time of this version: in the changelog, and of the files in packages, so that each build makes the same bytes.
+if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
+  set(ENV{SOURCE_DATE_EPOCH} 1795392000)
+endif()
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+
 # Debian's documents of a package: manual and changes compressed, without times, and the licence as "copyright".
 set(documents ${PROJECT_BINARY_DIR}/documents)
 file(WRITE ${documents}/changelog.Debian
@@ -10,7 +16,7 @@ file(WRITE ${documents}/changelog.Debian
 
   * This version; its changes are in changelog.gz.
 
- -- tcbsample maintainers <maintainers@tcbsample.example>  Mon, 23 Nov 2026 00:00:00 +0000
+ -- tcbsample maintainers <maintainers@tcbsample.example>  ${date}
 
 tcbsample (0.1.0-1) unstable; urgency=medium
 
@@ -79,7 +85,7 @@ set(CPACK_ARCHIVE_ARCHIVE_FILE_NAME ${archive})
 set(CPACK_COMPONENT_INCLUDE_TOPLEVEL_DIRECTORY OFF)
 
 # Which components go into which kind of package.
-file(WRITE ${documents}/components.cmake [[
+file(WRITE ${documents}/components.cmake "set(ENV{SOURCE_DATE_EPOCH} $ENV{SOURCE_DATE_EPOCH})\n" [[
 if(CPACK_GENERATOR STREQUAL "TGZ")
   set(CPACK_COMPONENTS_ALL archive)
   set(CPACK_PACKAGING_INSTALL_PREFIX "")

@@ -55,7 +55,7 @@ struct Root {
 
 Root root_of(const Rational& square, unsigned bits) {
   const Integer product = integer(numerator(square) * denominator(square));  // n/d = n d / d^2
-  const unsigned width = msb(product) + 1;
+  const auto width = static_cast<unsigned>(msb(product)) + 1;
   const unsigned shift = width < 2 * bits ? bits - width / 2 : 0;
   const Integer shifted = product << 2 * shift;
   Integer rest;
