@@ -1,0 +1,112 @@
+"""The published test vectors against arithmetic of 60 digits: exact.py FOLDER FILE.json...
+
+Every number is computed again by the independent implementation of golden/referee.py, from the decimals of the keys,
+and has to be correctly rounded. The decimals are the shortest, the hexadecimal numbers and the CSV file beside the
+JSON file say the same, and the keys are those of keys.csv. Exit 77: there is no mpmath.
+"""
+import csv
+import json
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "golden"))
+from referee import Curve, mpf  # noqa: E402
+
+RULES = {  # of the presets, by the products
+    "gte": ("velocity", "half"), "fbx": ("velocity", "one-sided"), "gte2021": ("interval", "one-sided"),
+    "wildmagic": ("interval", "one-sided"), "lightwave": ("interval", "lightwave"), "vtk": ("interval", "zero"),
+    "gamebryo": ("interval", "mirror"), "idtech4": ("interval", "mirror"),
+    "3dsmax": ("interval-c", "natural-tension"), "nel": ("interval-c", "natural-tension"),
+    "cryengine": ("interval-c", "cry"), "lib3ds1": ("interval-c", "chord"), "lib3ds2": ("interval-c", "mirror"),
+    "splines": ("finite-difference", "natural"), "synfig": ("synfig", "chord"), "kb1984": ("kb1984", "half"),
+    "wikipedia": ("uniform", "half"), "ogre": ("uniform", "half"),
+}
+QUANTITIES = ["outgoing", "position", "incoming", "length", "arc_time", "arc_position"]
+problems = []
+
+
+def expect(condition, *what):
+    if not condition:
+        problems.append(" ".join(map(str, what)))
+
+
+def number(text):
+    """A decimal of the keys, which is exactly a double."""
+    expect(Fraction(text) == Fraction(float(text)), text, "is not a double")
+    return mpf(text)
+
+
+def keys_of_csv(folder):
+    curves = {}
+    with open(folder / "keys.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            position = [row[channel] for channel in "xyz" if row[channel]]
+            ease = [row["ease_in"], row["ease_out"]]
+            key = (row["time"], position, [row["tension"], row["continuity"], row["bias"]], ease)
+            curves.setdefault(row["curve"], (row["closed"] == "1", []))[1].append(key)
+    return curves
+
+
+def curve_of(given):
+    """The curve of an object of JSON."""
+    tangents, ends = RULES[given["preset"]] if "preset" in given else (given["tangents"], given.get("ends", "half"))
+    ends, _, velocity = ends.partition("=")
+    keys = [(number(k["time"]), [*map(number, k["position"])], [*map(number, k["tcb"])],
+             [number(k.get("ease_in", "0")), number(k.get("ease_out", "0"))]) for k in given["keys"]]
+    period = None
+    if given["closed"]:
+        expect(keys[0][1:] == keys[-1][1:], given["id"], "does not return to its first key")
+        period = keys.pop()[0] - keys[0][0]
+    return Curve(keys, tangents, (ends, ends), period, given.get("equal_speed", False),
+                 [number(v) for v in velocity.split(":") if v])
+
+
+def computed(curve, quantity, at):
+    """The exact values of a quantity at a time, or at an arc length."""
+    segments = range(len(curve.cubics))
+    if quantity.startswith("arc_"):
+        i, warped = curve.place_at(at)
+        t = curve.times[i] + curve.unwarp(i, warped) * (curve.times[i + 1] - curve.times[i])
+        return list(curve.row([quantity.removeprefix("arc_")], i, curve.unwarp(i, warped), warped, t, at))
+    if quantity == "incoming":
+        i = max(k for k in segments if curve.times[k] < at)
+    else:
+        i = max(k for k in segments if curve.times[k] <= at)
+    u = (at - curve.times[i]) / (curve.times[i + 1] - curve.times[i])
+    field = {"position": "position", "length": "s"}.get(quantity, "velocity")
+    return list(curve.row([field], i, u, curve.warp(i, u)[0], at))
+
+
+def rounded(value):
+    return 0.0 if abs(value) < mpf(10) ** -40 else float(value)  # what 60 digits leave of zero
+
+
+def check(path, keys):
+    """The number of values of a file."""
+    lines = []
+    for given in json.loads(path.read_text(), parse_float=str, parse_int=str)["curves"]:
+        closed, expected = keys[given["id"].split("/")[1]]
+        mine = [(k["time"], k["position"], k["tcb"], [k.get("ease_in", "0"), k.get("ease_out", "0")])
+                for k in given["keys"]]
+        expect((given["closed"], mine) == (closed, expected), given["id"], "has other keys than keys.csv")
+        curve = curve_of(given)
+        for quantity in (q for q in QUANTITIES if q in given):
+            for row in given[quantity]:
+                exact = [*map(rounded, computed(curve, quantity, number(row["at"])))]
+                where = (given["id"], quantity, "at", row["at"])
+                expect([*map(float, row["value"])] == exact, *where, "is", row["value"], "expected", exact)
+                expect([*map(float.fromhex, row["hex"])] == exact, *where, "is", row["hex"], "expected", exact)
+                expect(all(Fraction(v) == Fraction(repr(float(v))) for v in row["value"]), *where, "is not shortest")
+                lines += [[given["id"], quantity, row["at"], str(c), *cells]
+                          for c, cells in enumerate(zip(row["value"], row["hex"], strict=True))]
+    with open(path.with_suffix(".csv"), newline="") as file:
+        expect(list(csv.reader(file))[1:] == lines, path, "and its CSV file differ")
+    return len(lines)
+
+
+folder = Path(sys.argv[1])
+keys = keys_of_csv(folder)
+total = sum(check(folder / name, keys) for name in sys.argv[2:])
+print(f"{total} values, {len(problems)} problems", *problems[:20], sep="\n")
+sys.exit(1 if problems or total == 0 else 0)
