@@ -72,7 +72,7 @@ struct TypedOptions {
   std::optional<Generated> generated;
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
-  bool places_from_input = false;  ///< the times or arc lengths are read from standard input
+  bool places_from_input = false;        ///< the times or arc lengths are read from standard input
   std::optional<PlaceColumn> place_column = {};
 
   const std::string& text(Option option) const { return texts[index_of(option)]; }

@@ -204,5 +204,27 @@ for number in range(curves):
                         tiny = size != 0 and abs(Fraction(g) - w) < size / 2 ** 90
                         require(off <= (2 if sharp else 4) or tiny, f"{place}: {float(off)} ulp: {g!r}, expected {float(w)!r}: {what}")
 
+    if form == "hermite" and not keys.sparse:  # the positions are those of samples, bit for bit
+        _, rows = run(text, options)
+        for which, column in ((0, 2), (1, 4)):
+            times = ",".join(repr(float(piece[which])) for piece in pieces)
+            _, at_times = run(text, keys.options() + ["--at", times, "--fields", "position"])
+            got, want = [row[column::4] for row in rows], at_times
+            require(got == want, f"positions {got}, expected {want}: seed {seed} curve {number}: {options}\n{text}")
+    if number % 5 != 0:
+        continue
+    # s is that of a sample at the start of the piece, and length the difference to the end.
+    what = f"seed {seed} curve {number}: {' '.join(options)} --fields s,length\n{text}"
+    for golden in ([], ["--golden"] + (["--exact-input"] if keys.exact_input else [])):
+        _, rows = run(text, options + golden + ["--fields", "length,s"])
+        times = [repr(float(t)) for t in [a for a, _ in pieces] + [pieces[-1][1]]]
+        _, at_times = run(text, keys.options() + golden + ["--at", ",".join(times), "--fields", "s"])
+        lengths = [row[0] for row in at_times]
+        for row, before, after in zip(rows, lengths[:-1], lengths[1:], strict=True):
+            off = 0 if golden else 4 if keys.sparse else 1
+            require(abs(row[-1] - before) <= off * math.ulp(before), f"s {row[-1]!r}, expected {before!r}: {what}")
+            near = (1 if golden else 8) * math.ulp(after)
+            require(abs(row[-2] - (after - before)) <= near, f"length {row[-2]!r}, expected {after - before!r}: {what}")
+
 print(f"{compared} comparisons, {failures} failures")
 sys.exit(1 if failures else 0)
