@@ -69,6 +69,7 @@ enum class Option {
   arc_count,
   arc_at,
   tolerance,
+  emit,
   from,
   to,
   end,
@@ -275,6 +276,9 @@ enum class ErrorCode {
   end_before_start,
   start_after_end,
   samples_beyond_doubles,
+  beyond_curve_end,
+  no_piece_in_range,
+  piece_with_ease,  ///< number of the segment, times of its keys
   tolerance_too_small,
   // curve
   unknown_rule,
@@ -364,6 +368,7 @@ enum class ErrorCode {
   grouped_places_in_provenance,
   unreadable_list,
   expected_count,
+  expected_form,
   expected_whole_number,  ///< text, least, most
   expected_distance,
   expected_tolerance,

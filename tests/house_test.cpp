@@ -226,8 +226,8 @@ TEST(House, documents_and_comments_of_tests_use_no_retired_words) {
     });
   };
   for (const char* name : {"README.md", "CHANGELOG.md", "man/tcbsample.1.in", "src/README.md", "samples/README.md",
-                           "samples/cluster/README.md", "samples/golden/README.md", "samples/vectors/README.md",
-                           "tests/bench/README.md"}) {
+                           "samples/cluster/README.md", "samples/golden/README.md", "samples/pieces/README.md",
+                           "samples/vectors/README.md", "tests/bench/README.md"}) {
     look(name, {1, house::read_text(project / name)});
   }
   for (const SourceFile& file : house::read_sources(project / "tests")) {

@@ -142,7 +142,8 @@ PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) const {
 /// The segments of a curve whose keys are all known.
 Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent& extent, bool measured) const {
   const auto end = spec_.closed ? extent.last : std::nullopt;
-  if (keys.are_sparse()) return sparse_segment_blocks(keys, end, spec_.rules, measured, channels_);
+  const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
+  if (keys.are_sparse()) return sparse_segment_blocks(keys, end, spec_.rules, measured, channels_, expanded);
   LinkedKeys linked = end ? periodic_extension(keys, *end) : LinkedKeys{keys.source(), {}};
   return tcb::segment_blocks(std::move(linked), spec_.rules, measured, threads_);
 }
@@ -162,7 +163,7 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
     });
   }
   std::optional<Spacing> spacing;
-  if (request_.mode != Mode::per_segment) spacing = tcb::spacing(request_, extent);
+  if (!by_segment(request_.mode)) spacing = tcb::spacing(request_, extent);
   const auto expected = [known, spacing, request = &request_] { return rows_on(*known, *request, spacing); };
   Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.rules.metric);
   return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected};
@@ -216,7 +217,7 @@ PlacedCurve CurvePipeline::place_on_grid(const KeyStore& keys, Extent& extent) c
     lengths = all_lengths(segments(keys, extent, true));
     facts.length = extent.length = total_length(*lengths);
   }
-  if (request_.mode != Mode::per_segment) facts.step = nearest_time(spacing(request_, extent).grid.step());
+  if (!by_segment(request_.mode)) facts.step = nearest_time(spacing(request_, extent).grid.step());
   auto all = segments(keys, extent, needs_lengths() && !lengths);
   if (lengths) all = with_lengths(std::move(all), std::move(*lengths));
   PlacedCurve placed = place_in_order(std::move(all), extent, keys.size() - (spec_.closed ? 0 : 1));

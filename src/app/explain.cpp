@@ -245,6 +245,7 @@ std::string samples_in_words(const SamplingRequest& request) {
     case Mode::arc_at:
       if (request.places.empty()) return fmt::format("at places in {} for each group", of);
       return fmt::format("at {} places in {}", request.places.size(), of);
+    case Mode::emit: return "the cubic of each segment";
     case Mode::tolerance: return fmt::format("within {} of the curve", request.tolerance);
   }
   return "";

@@ -50,6 +50,14 @@ bool any_field(const Typed& typed, Predicate predicate) {
   return std::ranges::any_of(typed.job.fields, [&](std::size_t field) { return predicate(fields()[field]); });
 }
 
+/// Fields that rows of pieces do not have.
+bool has_field_of_samples(const Typed& typed) {
+  return any_field(typed, [](const Field& field) { return !field.of_piece && field.name != "s"; });
+}
+bool has_field_of_pieces(const Typed& typed) {
+  return any_field(typed, [](const Field& field) { return field.of_piece; });
+}
+
 bool has_rounded_field(const Typed& typed) {
   return any_field(typed, [](const Field& field) { return !field.is_exact; });
 }
@@ -78,13 +86,14 @@ bool has_no_side(const Typed& typed) {
 
 /// All samples are on the curve, as those of steps and counts are unless their range is given in time.
 bool stays_on_curve(const Typed& typed) {
-  const bool given_range = !by_length(typed.job.sampling.mode) && (typed.has(O::from) || typed.has(O::to));
+  const bool may_leave = !by_length(typed.job.sampling.mode) && !typed.has(O::emit);
+  const bool given_range = may_leave && (typed.has(O::from) || typed.has(O::to));
   return typed.text(O::extrapolate) != "error" && !typed.has(O::at) && !given_range;
 }
 
 constexpr OptionSet modes = sampling_options;
 constexpr OptionSet modes_without_steps{O::count,     O::segments, O::per_segment, O::at,
-                                        O::arc_count, O::arc_at,   O::tolerance};
+                                        O::arc_count, O::arc_at,   O::tolerance,   O::emit};
 constexpr OptionSet text_input{O::delimiter, O::header, O::no_header, O::comment, O::decimal};
 constexpr OptionSet rules{O::preset, O::tangents, O::ends, O::equal_speed, O::side};
 constexpr OptionSet notations{O::digits, O::fixed, O::hex};
@@ -123,16 +132,19 @@ constexpr std::array table{
     Conflict{modes, exclude},
     Conflict{{O::from, O::to}, idle, {O::per_segment, O::at, O::arc_at, O::tolerance}},
     Conflict{{O::end}, idle, modes_without_steps},
-    Conflict{{O::keys}, idle, {O::per_segment, O::at, O::arc_at}},
+    Conflict{{O::keys}, idle, {O::per_segment, O::at, O::arc_at, O::emit}},
+    Conflict{{O::fields}, exclude, {O::emit}, ", as a piece has the fields s and length only", has_field_of_samples},
+    Conflict{{O::fields}, need, {O::emit}, ", for the length of each piece", has_field_of_pieces},
     Conflict{{O::extrapolate}, idle, modes, " alone, whose samples are on the curve", stays_on_curve},
     // pictures
     Conflict{{O::plot}, exclude, {O::output_format}},
     Conflict{{O::axes, O::title, O::size}, idle, {}, " on an output that is not a picture", has_no_picture},
-    Conflict{notations | OptionSet{O::fields, O::side, O::golden, O::exact_input, O::meta, O::no_output_header},
-             idle,
-             {O::output_format, O::plot},
-             ", which draws the curve and has no rows",
-             has_picture},
+    Conflict{
+        notations | OptionSet{O::fields, O::side, O::golden, O::exact_input, O::meta, O::no_output_header, O::emit},
+        idle,
+        {O::output_format, O::plot},
+        ", which draws the curve and has no rows",
+        has_picture},
     // output
     Conflict{{O::side}, idle, {}, " on these fields, which are the same on both sides", has_no_side},
     Conflict{notations, exclude},

@@ -198,6 +198,16 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.mode = Mode::tolerance;
        to.job.sampling.tolerance = positive_distance(text);
      }},
+    {Option::emit, "--emit", "FORM", sampling,
+     "The exact cubics instead of samples, a row for each segment: hermite, position and velocity at both ends; bezier, "
+     "four control points; poly, the coefficients of (t - start)^0 to ^3, or polyN, padded to N with zeros", "", name,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::emit;
+       to.job.sampling.count = 1;
+       to.form = form_of_pieces(text);
+     },
+     names_in<form_table>},
     {Option::from, "--from", "T", sampling,
      "Where sampling begins, in time, or in arc length for the arc modes; by default the first key", "", other,
      recorded, [](Typed& to, Text text) { to.job.sampling.from = ratio(text); }},
@@ -226,7 +236,7 @@ constexpr std::array<OptionRow, option_count> table{{
      [](Typed& to, Text text) { to.job.output_format = output_format(text); }, output_format_names},
     {Option::fields, "--fields", "FIELD,...", output,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
-     "curvature, torsion, segment, u, key, arc_error",
+     "curvature, torsion, segment, u, key, arc_error; with --emit, those added to its cubics: s, length",
      "time,position", names, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); }, field_names},
     {Option::side, "--side", "SIDE", output,
      "The segment whose values a row at a key has if they differ: right, the one after the key, or left, the one "

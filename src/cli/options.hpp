@@ -56,6 +56,12 @@ inline constexpr std::array delimiter_names{DelimiterName{"tab", '\t'}, Delimite
                                             DelimiterName{"semicolon", ';'}, DelimiterName{"space", ' '},
                                             DelimiterName{"pipe", '|'}};
 
+/// The forms of a cubic that help and completions show; a polynomial may have other numbers of coefficients.
+struct FormName {
+  std::string_view name;
+};
+inline constexpr std::array form_table{FormName{"hermite"}, FormName{"bezier"}, FormName{"poly"}, FormName{"poly8"}};
+
 /// The values of the options, each by itself; what they mean together is decided by make_job.
 struct TypedOptions {
   /// The value of each option as typed, "" where it is not given; of a list in a file, its numbers.
@@ -65,7 +71,8 @@ struct TypedOptions {
   Notation notation;
   std::optional<Generated> generated;
   ColorWhen color = ColorWhen::by_terminal;
-  bool places_from_input = false;  ///< the times or arc lengths are read from standard input
+  std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
+  bool places_from_input = false;        ///< the times or arc lengths are read from standard input
   std::optional<PlaceColumn> place_column = {};
 
   const std::string& text(Option option) const { return texts[index_of(option)]; }
@@ -180,9 +187,9 @@ class OptionSet {
 };
 
 /// The options that place the samples.
-inline constexpr OptionSet sampling_options{Option::step,        Option::rate,     Option::count,    Option::segments,
-                                            Option::per_segment, Option::at,       Option::arc_step, Option::arc_count,
-                                            Option::arc_at,      Option::tolerance};
+inline constexpr OptionSet sampling_options{Option::step,        Option::rate,      Option::count,    Option::segments,
+                                            Option::per_segment, Option::at,        Option::arc_step, Option::arc_count,
+                                            Option::arc_at,      Option::tolerance, Option::emit};
 
 enum class Relation {
   exclude,  ///< at most one of `options`, or of `options` and `others`
@@ -224,6 +231,8 @@ std::vector<Rational> ratios(const std::string& text);
 void store_places(TypedOptions& typed, Option option, const std::string& text);
 /// Reads the column of a file that an option names, if one does. Throws: Error.
 void read_place_column(TypedOptions& typed);
+/// The field with the cubics of pieces in a form.
+std::size_t form_of_pieces(const std::string& text);
 /// In digits, from 1 to 2^63 - 1.
 std::uint64_t positive_count(const std::string& text);
 /// A whole number from `least` to `most`, also as 1e9.

@@ -192,9 +192,8 @@ void set_plot(Job& job, const TypedOptions& typed) {
   const bool sampled = std::ranges::any_of(
       option_table(), [&](const OptionRow& row) { return sampling_options.has(row.id) && typed.has(row.id); });
   if (sampled || !typed.has(Option::plot)) return;
-  constexpr std::uint64_t intervals = 50;
   job.sampling.mode = Mode::segments;
-  job.sampling.count = intervals;
+  job.sampling.count = 50;
 }
 
 /// A row at a key has the values of the segment after it, unless no field can differ between the two.
@@ -222,6 +221,7 @@ Job make_job(const TypedOptions& typed) {
   } else {
     require_samples(typed);
     set_plot(job, typed);
+    if (typed.form) job.fields.insert(job.fields.begin(), {field_of("start"), field_of("duration"), *typed.form});
     if (job.fields.empty()) job.fields = field_list(std::string(row_of(Option::fields).default_value));
   }
   if (job.files.empty() && job.batch.list.empty()) job.files = {"-"};

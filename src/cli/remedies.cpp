@@ -298,6 +298,12 @@ constexpr std::array all_words{
     Words{ErrorCode::samples_beyond_doubles,
           "the distances between samples are beyond the range of doubles; expected less than 1.8e308 from the first to "
           "the last; scale the keys down"},
+    Words{ErrorCode::beyond_curve_end, "{subject} {0} lies beyond the last key, at {1}; give one within the curve"},
+    Words{ErrorCode::no_piece_in_range,
+          "no part of the curve lies from --from to --to; expected a range with a duration; correct it"},
+    Words{ErrorCode::piece_with_ease,
+          "segment {0}, from the key at time {1} to the key at {2}, has ease, so it is no cubic in time; expected keys "
+          "without ease; give --no-ease, or a sampling option instead of --emit"},
     Words{ErrorCode::tolerance_too_small, "{subject} {0} is too small: two rows would be the same; give a larger one"},
     // curve
     Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
@@ -455,6 +461,7 @@ constexpr std::array all_words{
     Words{ErrorCode::unreadable_list,
           "cannot be read for {subject}; expected a file of numbers, or @FILE:COLUMN for a column of a file"},
     Words{ErrorCode::expected_count, "{subject} \"{0}\": expected a whole number from 1 to 2^63 - 1, in digits"},
+    Words{ErrorCode::expected_form, "{subject} \"{0}\": expected 4 to 32 coefficients, such as poly8"},
     Words{ErrorCode::expected_whole_number, "{subject} \"{0}\": expected a whole number from {1} to {2}"},
     Words{ErrorCode::expected_distance, "{subject} \"{0}\": expected a distance above 0, such as 0.01"},
     Words{ErrorCode::expected_tolerance,

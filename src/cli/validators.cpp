@@ -173,11 +173,18 @@ std::vector<ChannelScale> channel_scales(const std::string& text) {
 std::vector<std::size_t> field_list(const std::string& text) {
   std::vector<std::size_t> chosen;
   for (const std::string_view name : split(text, ',')) {
-    const auto field = static_cast<std::size_t>(&named_row(fields(), name) - fields().data());
+    const auto field = static_cast<std::size_t>(&named_row(named_fields(), name) - fields().data());
     if (std::ranges::count(chosen, field) > 0) refuse(ErrorCode::field_repeated, name);
     chosen.push_back(field);
   }
   return chosen;
+}
+
+std::size_t form_of_pieces(const std::string& text) {
+  const auto form = std::ranges::find(fields(), text == "poly4" ? "poly" : text, &Field::name);
+  const bool is_form = form != fields().end() && form->of_piece && form->per_channel;
+  if (!is_form && text.starts_with("poly") && in_digits<int>(text.substr(4))) refuse(ErrorCode::expected_form, text);
+  return is_form ? static_cast<std::size_t>(form - fields().begin()) : field_of(named_row(form_table, text).name);
 }
 
 std::string name_part(const std::string& text) {
@@ -216,7 +223,7 @@ std::vector<std::string_view> output_format_names() { return format_names(&Forma
 
 std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
-  std::ranges::transform(fields(), std::back_inserter(names), &Field::name);
+  std::ranges::transform(named_fields(), std::back_inserter(names), &Field::name);
   return names;
 }
 

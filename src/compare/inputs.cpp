@@ -136,7 +136,7 @@ class Matcher {
     find_places();
     Fields candidates = given_;
     if (given_.empty()) {
-      candidates.resize(fields().size());
+      candidates.resize(sample_fields<double>.size());
       std::iota(candidates.begin(), candidates.end(), std::size_t{0});
     }
     for (const std::size_t field : candidates) {
@@ -227,10 +227,6 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
 }
 
 }  // namespace
-
-std::size_t field_of(std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin());
-}
 
 MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
   return table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);

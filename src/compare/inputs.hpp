@@ -77,9 +77,6 @@ struct MatchedColumns {
   std::vector<Error> problems;       ///< of columns that are missing or unknown
 };
 
-/// Index into fields(). Requires: the name of a field.
-std::size_t field_of(std::string_view name);
-
 /// Matches columns with the given fields, or if none are given, with all fields whose columns the table names. A
 /// table without names has the columns of the given fields, or else the time and the positions.
 /// Throws: Error (data) if nothing can be compared.

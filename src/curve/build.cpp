@@ -168,10 +168,11 @@ Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool me
 }
 
 Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
-                                           bool measured, const std::vector<std::string>& channels) {
+                                           bool measured, const std::vector<std::string>& channels, bool expanded) {
   auto [all, missing] = with_missing(keys);
   require_positions(all, missing, channels);
-  const KeyedCurve<double> curve(std::move(all), missing, rules, end);
+  const auto part = expanded ? spline::expanded_part<double> : spline::part<double>;
+  const KeyedCurve<double> curve(std::move(all), missing, rules, end, part);
   SegmentBlock block{curve.segments(0, curve.size()), {}, true, curve.is_closed()};
   if (measured) measure(block, rules);
   return [block = std::optional(std::move(block))]() mutable { return std::exchange(block, std::nullopt); };

@@ -72,9 +72,11 @@ LinkedKeys periodic_extension(const KeyStore& keys, const Time& end);
 Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
 
 /// The segments of a curve whose keys lack positions: each channel runs through the keys that have a position in it.
-/// `end`: of a closed curve. Throws: Error (data) for a channel without any position.
+/// `end`: of a closed curve. `expanded`: cubics are expanded parts of those between a channel's own keys.
+/// Throws: Error (data) for a channel without any position.
 Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
-                                           bool measured, const std::vector<std::string>& channels);
+                                           bool measured, const std::vector<std::string>& channels,
+                                           bool expanded = false);
 
 /// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.
 void require_length(const spline::DoubleDouble& length, const Time& end);

@@ -1,6 +1,8 @@
 // Fields: rows of doubles, by columns where that saves time.
 #include "curve/fields.hpp"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 namespace tcb {
@@ -33,9 +35,13 @@ void write_positions(Cell* first, std::size_t width, const CurveSegment& segment
 
 std::span<const FieldOf<double>> fields() { return field_table<double>; }
 
+std::size_t field_of(std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin());
+}
+
 std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channels) {
   std::size_t cells = 0;
-  for (const std::size_t index : chosen) cells += fields()[index].per_channel ? channels : 1;
+  for (const std::size_t index : chosen) cells += fields()[index].per_channel ? fields()[index].columns * channels : 1;
   return cells;
 }
 
@@ -57,9 +63,21 @@ void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegm
   point.set(segment);
   for (std::size_t i = 0; i < located.samples.size(); ++i) {
     point.set(located.samples[i], located.outside.empty() ? nullptr : &located.outside[i]);
+    point.set_end(located.ends.empty() ? nullptr : &located.ends[i]);
     for (const auto& [write, cells] : by_row) write(point, CellWriter<double>(cells + i * width));
   }
 }
+
+namespace {
+
+/// What follows the channel's name in one of the field's columns.
+std::string column_suffix(const Field& field, std::size_t column) {
+  if (field.columns == 1) return std::string(field.suffix);
+  if (field.odd_suffix.empty()) return std::string(field.suffix) + std::to_string(column);
+  return std::string(column % 2 == 0 ? field.suffix : field.odd_suffix) + std::to_string(column / 2);
+}
+
+}  // namespace
 
 std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Input& input) {
   std::vector<OutputColumn> columns;
@@ -67,10 +85,12 @@ std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, co
     const Field& field = fields()[index];
     if (field.per_channel) {
       for (const std::string& channel : input.channels) {
-        columns.push_back({channel + std::string(field.suffix), field.kind});
+        for (std::size_t i = 0; i < field.columns; ++i)
+          columns.push_back({channel + column_suffix(field, i), field.kind});
       }
     } else {
-      columns.push_back({field.kind == CellKind::time ? input.time : std::string(field.name), field.kind});
+      const bool is_time_of_sample = field.kind == CellKind::time && !field.of_piece;
+      columns.push_back({is_time_of_sample ? input.time : std::string(field.name), field.kind});
     }
   }
   return columns;

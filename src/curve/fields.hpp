@@ -1,6 +1,7 @@
 // Fields: the one table of the quantities that a row can show, for doubles and for exact scalars.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -8,8 +9,10 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "curve/pieces.hpp"
 #include "curve/point.hpp"
 #include "input/input.hpp"
 #include "sampling/sampler.hpp"
@@ -18,7 +21,7 @@
 namespace tcb {
 
 /// What the cells of a column are, which decides how they are written.
-enum class CellKind { time, real, whole };
+enum class CellKind { time, duration, real, whole };
 
 /// The name and kind of a column of the output.
 struct OutputColumn {
@@ -35,14 +38,17 @@ inline bool is_empty(const Cell& cell) { return cell.lo != cell.lo; }
 
 struct Field {
   std::string_view name;
-  std::string_view suffix = {};  ///< of a column's name, for a field with a column for each channel
+  std::string_view suffix = {};  ///< of a column's name, for a field with columns for each channel
   CellKind kind = CellKind::real;
-  bool per_channel = false;    ///< a column for each channel, named after it; otherwise one
-  bool needs_lengths = false;  ///< the segments before it have to be measured
-  bool over_metric = false;    ///< it is a length or a speed over the metric channels
-  bool has_side = false;       ///< at a key it may differ from one side to the other
-  bool is_exact = true;        ///< it has an exact value, which is rounded once
-  bool is_rational = true;     ///< for rational keys at a rational time it is rational, or the root of a rational
+  bool per_channel = false;          ///< columns for each channel, named after it; otherwise one
+  std::size_t columns = 1;           ///< for each channel; several are numbered from 0
+  std::string_view odd_suffix = {};  ///< of every second one of several columns, where the suffixes alternate
+  bool of_piece = false;             ///< it is of a row that is a piece, not of a sample
+  bool needs_lengths = false;        ///< the segments before it have to be measured
+  bool over_metric = false;          ///< it is a length or a speed over the metric channels
+  bool has_side = false;             ///< at a key it may differ from one side to the other
+  bool is_exact = true;              ///< it has an exact value, which is rounded once
+  bool is_rational = true;           ///< for rational keys at a rational time it is rational, or the root of a rational
 };
 
 /// Receives the numbers of a point, one cell after another. For exact scalars see exact/precision_levels.
@@ -112,6 +118,24 @@ void write_arc_error(Point<S>& point, CellWriter<S> out) {
   out.add(static_cast<S>(point.segment().s_error));
 }
 
+template <class S>
+void write_duration(Point<S>& point, CellWriter<S> out) {
+  out.add(piece_duration(point));
+}
+template <class S>
+void write_piece_length(Point<S>& point, CellWriter<S> out) {
+  out.add(piece_length(point));
+}
+/// The four numbers of a piece's cubic in a form, for each channel; then zeros, up to the number of columns.
+template <class S, CubicForm<S> form, std::size_t columns = 4>
+void write_cubics(Point<S>& point, CellWriter<S> out) {
+  const auto h = spline::elapsed<S>(piece_start(point), piece_end(point));
+  for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
+    for (const S& number : form(piece_cubic(point, i), h)) out.add_of_channel(number, i, true);
+    for (std::size_t column = 4; column < columns; ++column) out.add(S(0));
+  }
+}
+
 /// Writes a column of all samples on a segment, in rows of `width` cells. Requires: they are on the curve.
 using WriteColumn = void (*)(Cell* first, std::size_t width, const CurveSegment& segment,
                              std::span<const Sample> samples);
@@ -125,9 +149,10 @@ struct FieldOf : Field {
   WriteColumn write_column = nullptr;  ///< the same for doubles, where that saves time
 };
 
-/// To add a field: its function, and a row. The order is that of fields in help and manual.
+/// The fields of samples, which come first. To add a field: its function, and a row. The order is that of fields in
+/// help and manual.
 template <class S>
-inline constexpr std::array field_table{
+inline constexpr std::array sample_fields{
     FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_time<S>, write_times},
     FieldOf<S>{{.name = "position", .per_channel = true}, write_position<S>, write_positions},
     FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false}, write_length<S>},
@@ -150,7 +175,48 @@ inline constexpr std::array field_table{
         write_arc_error<S>},
 };
 
+/// The fields of pieces. Those with columns for each channel are the forms in which a cubic can be given.
+template <class S>
+inline constexpr std::array piece_fields{
+    FieldOf<S>{{.name = "length", .of_piece = true, .over_metric = true, .is_rational = false}, write_piece_length<S>},
+    FieldOf<S>{{.name = "start", .kind = CellKind::time, .of_piece = true}, write_time<S>},
+    FieldOf<S>{{.name = "duration", .kind = CellKind::duration, .of_piece = true}, write_duration<S>},
+    FieldOf<S>{
+        {.name = "hermite", .suffix = "_p", .per_channel = true, .columns = 4, .odd_suffix = "_v", .of_piece = true},
+        write_cubics<S, hermite_form<S>>},
+    FieldOf<S>{{.name = "bezier", .suffix = "_b", .per_channel = true, .columns = 4, .of_piece = true},
+               write_cubics<S, bezier_form<S>>},
+};
+
+/// Polynomials with 4 coefficients and more, by their number.
+inline constexpr std::array<std::string_view, 29> polynomial_names{
+    "poly",   "poly5",  "poly6",  "poly7",  "poly8",  "poly9",  "poly10", "poly11", "poly12", "poly13",
+    "poly14", "poly15", "poly16", "poly17", "poly18", "poly19", "poly20", "poly21", "poly22", "poly23",
+    "poly24", "poly25", "poly26", "poly27", "poly28", "poly29", "poly30", "poly31", "poly32"};
+
+template <class S, std::size_t... i>
+constexpr auto with_polynomials(std::index_sequence<i...>) {
+  std::array<FieldOf<S>, sample_fields<S>.size() + piece_fields<S>.size() + sizeof...(i)> all{};
+  auto next = std::ranges::copy(piece_fields<S>, std::ranges::copy(sample_fields<S>, all.begin()).out).out;
+  ((*next++ =
+        FieldOf<S>{
+            {.name = polynomial_names[i], .suffix = "^", .per_channel = true, .columns = 4 + i, .of_piece = true},
+            write_cubics<S, polynomial_form<S>, 4 + i>}),
+   ...);
+  return all;
+}
+
+/// All fields.
+template <class S>
+inline constexpr std::array field_table = with_polynomials<S>(std::make_index_sequence<polynomial_names.size()>());
+
 std::span<const FieldOf<double>> fields();
+
+/// The fields that can be chosen by name: those of samples, and the length of a piece.
+inline std::span<const FieldOf<double>> named_fields() { return fields().first(sample_fields<double>.size() + 1); }
+
+/// The index of a field. Requires: its name.
+std::size_t field_of(std::string_view name);
 
 /// The number of cells of these fields in a row.
 std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channels);

@@ -24,6 +24,12 @@ spline::Keys<S> extended_key(KeyAt key, std::ptrdiff_t count, const spline::Time
   return result;
 }
 
+/// What makes the part of a segment between two times.
+template <class S>
+using PartOfSegment = spline::Cubic<S> (*)(const spline::Cubic<S>& whole, const spline::Time<S>& start,
+                                           const spline::Time<S>& end, const spline::Time<S>& from,
+                                           const spline::Time<S>& to);
+
 /// Successive channels of a curve, with the keys that have positions in them, by their numbers from 0.
 template <class S>
 class ChannelKeys {
@@ -63,11 +69,11 @@ class ChannelKeys {
     return spline::segments(window, rules_);
   }
 
-  /// Appends the cubics between the keys `first` to `to` of the curve. Before the first of these keys and after the
-  /// last, an open curve is constant. `times`: of all keys of the curve, and if it is closed of its end.
-  /// Requires: a single channel.
+  /// Appends the cubics between the keys `first` to `to` of the curve, the parts of its own ones. Before the first of
+  /// these keys and after the last, an open curve is constant. `times`: of all keys of the curve, and if it is closed
+  /// of its end. Requires: a single channel.
   void append_cubics(std::vector<spline::Cubic<S>>& cubics, std::size_t first, std::size_t to,
-                     const std::vector<spline::Time<S>>& times) const {
+                     const std::vector<spline::Time<S>>& times, PartOfSegment<S> part) const {
     const std::ptrdiff_t low = period_ ? number_at(first) : std::max<std::ptrdiff_t>(number_at(first), 0);
     const std::ptrdiff_t high = period_ ? number_at(to - 1) + 1 : std::min(number_at(to - 1) + 1, last());
     const spline::Segments<S> own = low < high ? segments(low, high) : spline::Segments<S>{};
@@ -75,7 +81,7 @@ class ChannelKeys {
       const std::ptrdiff_t at = number_at(number);
       if (low < high && low <= at && at < high) {
         const auto i = static_cast<std::size_t>(at - low);
-        cubics.push_back(spline::part(own[i][0], own.times[i], own.times[i + 1], times[number], times[number + 1]));
+        cubics.push_back(part(own[i][0], own.times[i], own.times[i + 1], times[number], times[number + 1]));
       } else {
         const S rest = keys_.position(numbers_[at < 0 ? 0 : numbers_.size() - 1])[channel_];
         cubics.push_back(spline::cubic<S>(rest, rest, spline::working_t<S>(0), spline::working_t<S>(0)));
@@ -118,8 +124,8 @@ class KeyedCurve {
   /// `missing`: whether each position is missing; empty: none. `end`: when a closed curve returns to its first key.
   /// Requires: a key, and a position in every channel.
   KeyedCurve(spline::Keys<S> keys, const std::vector<bool>& missing, const spline::CurveRules<S>& rules,
-             const std::optional<spline::Time<S>>& end)
-      : keys_(std::move(keys)), times_(keys_.times) {
+             const std::optional<spline::Time<S>>& end, PartOfSegment<S> part = spline::part<S>)
+      : keys_(std::move(keys)), times_(keys_.times), part_(part) {
     std::optional<spline::Time<S>> period;
     if (end) period = *end - times_.front();
     if (end) times_.push_back(*end);
@@ -154,7 +160,7 @@ class KeyedCurve {
     result.cubics.resize(size * channels);
     for (std::size_t i = 0; i < channels; ++i) {
       std::vector<spline::Cubic<S>> own;
-      channels_[i].append_cubics(own, first, to, times_);
+      channels_[i].append_cubics(own, first, to, times_, part_);
       for (std::size_t k = 0; k < size; ++k) result.cubics[k * channels + i] = std::move(own[k]);
     }
     return result;
@@ -167,6 +173,7 @@ class KeyedCurve {
 
   spline::Keys<S> keys_;
   std::vector<spline::Time<S>> times_;  ///< of the keys, then of the first one after a period
+  PartOfSegment<S> part_;               ///< of a channel that has fewer keys
   std::vector<ChannelKeys<S>> channels_;
 };
 

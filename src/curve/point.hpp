@@ -44,9 +44,12 @@ class Point {
     has_derivatives_ = false;
     shape_.reset();
   }
+  /// The end of the piece that begins at the sample; null: there is none.
+  void set_end(const SampleOf<S>* end) { end_ = end; }
 
   const CurveSegmentOf<S>& segment() const { return *segment_; }
   const SampleOf<S>& sample() const { return *sample_; }
+  const SampleOf<S>& end() const { return *end_; }
   const OutsideOf<S>* outside() const { return outside_; }
   bool at_start() const { return sample_->at.u == S(0); }
   bool at_end() const { return sample_->at.w == S(0); }
@@ -75,6 +78,7 @@ class Point {
 
   const CurveSegmentOf<S>* segment_ = nullptr;
   const SampleOf<S>* sample_ = nullptr;
+  const SampleOf<S>* end_ = nullptr;
   const OutsideOf<S>* outside_ = nullptr;
   const spline::ArcLength<S>* known_arc_ = nullptr;
   spline::ArcLength<S> arc_;

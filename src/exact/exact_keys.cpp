@@ -58,10 +58,6 @@ Rational cycle(const ExactCurve& exact, std::size_t channel) {
 
 }  // namespace
 
-Rational exact_number(const Time& time, bool decimal) {
-  return decimal || is_long_decimal(time) ? exact_time(time) : Rational(Rational(time.hi) + Rational(time.lo));
-}
-
 spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules, bool decimal) {
   const auto end = [&](const spline::EndChoice<double>& choice) {
     spline::EndChoice<Rational> exact{choice.rule, {}};

@@ -13,12 +13,9 @@
 #include "input/input.hpp"
 #include "sampling/extrapolation.hpp"
 #include "tcb/spline/window.hpp"
+#include "text/decimal_time.hpp"
 
 namespace tcb {
-
-/// A double's own value; with `decimal` its shortest decimal. Whole numbers and long decimals of times are what they
-/// are.
-Rational exact_number(const Time& time, bool decimal);
 
 /// The rules with exact numbers.
 spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules, bool decimal);

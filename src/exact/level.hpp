@@ -45,6 +45,7 @@ struct FastRow {
   const CurveSegment& segment;
   const Sample& sample;
   std::uint64_t number;
+  const Sample* end = nullptr;          ///< of the piece that begins at the sample, if there is one
   std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
 };
 
@@ -101,6 +102,8 @@ class Level final : public AnyLevel {
     const bool measured = std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
     point_.set(segment_, measured && !sample_.s ? measured_arc() : nullptr);
     point_.set(sample_, outside_ ? &*outside_ : nullptr);
+    if (row.end != nullptr) end_ = sample_at(row.segment, row.end->t);
+    point_.set_end(&end_);
     std::vector<Value> result;
     for (const std::size_t field : chosen) {
       field_table<S>[field].write(point_, CellWriter<S>(result, rows_.facts));
@@ -199,14 +202,21 @@ class Level final : public AnyLevel {
     sample_ = {time_at(segment_, S(segment_.end - segment_.start), at), at, s};
   }
 
+  S time(const Time& shown) const { return scalar_of<S>(exact_number(shown, rows_.exact.decimal)); }
+
+  /// The sample at a time on the current segment.
+  SampleOf<S> sample_at(const CurveSegment& fast, const Time& shown) const {
+    if (shown == fast.start || shown == fast.end) return sample_at_key(segment_, shown != fast.start);
+    const S t = time(shown);
+    return {t, spline::TimeMap<S>(segment_.start, segment_.end, segment_.warp)(t)};
+  }
+
   void place_by_time(const FastRow& row) {
     const Time& shown = row.sample.t;
-    const S t = scalar_of<S>(exact_number(shown, rows_.exact.decimal));
+    const S t = time(shown);
     segment_ = segment(row.segment.number);
-    if (shown == row.segment.start || shown == row.segment.end) {
-      sample_ = sample_at_key(segment_, shown != row.segment.start);
-    } else if (shown > row.segment.start && shown < row.segment.end) {
-      sample_ = {t, spline::TimeMap<S>(segment_.start, segment_.end, segment_.warp)(t)};
+    if (shown >= row.segment.start && shown <= row.segment.end) {
+      sample_ = sample_at(row.segment, shown);
     } else {
       const std::vector<S>& times = curve_->times();
       outside_ = map_to_curve<S>(rows_.exact.extrapolation, times.front(), times.back(), t);
@@ -223,7 +233,7 @@ class Level final : public AnyLevel {
   std::vector<S> lengths_;
   std::vector<S> cycle_;
   Segment segment_;
-  SampleOf<S> sample_;
+  SampleOf<S> sample_, end_;
   std::optional<OutsideOf<S>> outside_;
   Point<S> point_;
 };

@@ -48,7 +48,7 @@ class ExactRows::Evaluation {
     for (const std::size_t index : chosen) {
       const Field& field = fields()[index];
       const bool rational = rows_.exact.is_rational() && field.is_rational;
-      columns.insert(columns.end(), field.per_channel ? rows_.exact.keys.channels : 1, {field.kind, rational});
+      columns.insert(columns.end(), cells_in_row({&index, 1}, rows_.exact.keys.channels), {field.kind, rational});
     }
     std::vector<Printed> cells;
     try {
@@ -130,7 +130,8 @@ Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std:
   for (const auto& [segment, first, last] : block.parts) {
     locator.locate(segment, first, last, located);
     for (std::size_t i = 0; i < located.samples.size(); ++i) {
-      evaluation_->add_row({segment, located.samples[i], first + i}, chosen, table);
+      const Sample* const end = located.ends.empty() ? nullptr : &located.ends[i];
+      evaluation_->add_row({segment, located.samples[i], first + i, end}, chosen, table);
     }
   }
   return table;

@@ -75,7 +75,8 @@ namespace {
 
 char* write_cell(char* out, CellKind kind, const Cell& cell) {
   switch (kind) {
-    case CellKind::time: return write_time(cell, out);
+    case CellKind::time:
+    case CellKind::duration: return write_time(cell, out);
     case CellKind::real: return write_shortest(cell.hi, out);
     case CellKind::whole: return write_whole(static_cast<std::uint64_t>(cell.hi), out);
   }

@@ -11,7 +11,7 @@
 
 namespace tcb {
 
-enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance };
+enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance, emit };
 
 /// Where the last rows are if the steps do not meet the end.
 enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
@@ -54,6 +54,9 @@ constexpr bool by_length(Mode mode) {
   return mode == Mode::arc_step || mode == Mode::arc_count || mode == Mode::arc_at;
 }
 
+/// A segment has its rows whatever the others are.
+constexpr bool by_segment(Mode mode) { return mode == Mode::per_segment || mode == Mode::emit; }
+
 /// Rows come in any order, or depend on more than one segment: the curve needs random access.
 constexpr bool needs_curve(Mode mode) { return mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance; }
 
@@ -61,7 +64,7 @@ constexpr bool needs_curve(Mode mode) { return mode == Mode::at || mode == Mode:
 inline bool needs_end(const SamplingRequest& request) {
   const bool steps = request.mode == Mode::step || request.mode == Mode::arc_step;
   const bool fits = request.end != EndPolicy::drop && request.end != EndPolicy::keep;
-  return !(steps || request.mode == Mode::per_segment) || (steps && fits);
+  return !(steps || by_segment(request.mode)) || (steps && fits);
 }
 
 }  // namespace tcb

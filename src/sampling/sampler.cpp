@@ -289,6 +289,7 @@ void AnywhereInLength::locate(const CurveSegment& segment, std::uint64_t first, 
 
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {
   if (request.mode == Mode::per_segment) return std::make_unique<PerSegment>(request);
+  if (request.mode == Mode::emit) return make_piece_sampler(request);
   if (by_length(request.mode)) return std::make_unique<ByLength>(request, spacing(request, extent));
   return std::make_unique<ByTime>(request, spacing(request, extent));
 }

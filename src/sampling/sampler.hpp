@@ -38,6 +38,7 @@ struct Run {
 /// Located samples, and the memory that locating needs.
 struct Located {
   std::vector<Sample> samples;
+  std::vector<Sample> ends = {};       ///< of the pieces that begin at the samples, or none where rows are samples
   std::vector<Outside> outside = {};   ///< one per sample, or none where all samples must be on the curve
   std::vector<Time> coordinates = {};  ///< the times or arc lengths of the samples
   std::vector<spline::LocalParameter<double>> places = {};
@@ -80,6 +81,9 @@ class Sampler : public Locator {
 
 /// Requires: not needs_curve(mode). Throws: Error if the request does not fit the curve.
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent);
+
+/// A row for each segment, or for the piece of it that lies in the range of the request; see pieces.cpp.
+std::unique_ptr<Sampler> make_piece_sampler(const SamplingRequest& request);
 
 /// Locates the samples at the arc lengths in located.coordinates, which lie on the segment. Promises: their times are
 /// rounded once; a length that is printed as that of a key is the key's.

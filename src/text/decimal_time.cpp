@@ -265,6 +265,10 @@ Time with_all_digits(const Time& time) {
   return time_of(stripped(found->decimal), std::abs(time.hi));
 }
 
+Rational exact_number(const Time& time, bool decimal) {
+  return decimal || is_long_decimal(time) ? exact_time(time) : Rational(Rational(time.hi) + Rational(time.lo));
+}
+
 int decimals_of(const Time& time) { return is_long_decimal(time) ? std::max(-decimal_of(time).exponent, 0) : 0; }
 
 Time nearest_time(const Rational& value, int decimals) {

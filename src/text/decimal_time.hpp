@@ -64,6 +64,10 @@ Time with_all_digits(const Time& time);
 /// How many decimals a time has; 0 where it is not a long decimal.
 int decimals_of(const Time& time);
 
+/// A double's own value; with `decimal` its shortest decimal. Whole numbers and long decimals of times are what they
+/// are.
+Rational exact_number(const Time& time, bool decimal);
+
 /// The order of times as decimals: one that is a double is its shortest decimal.
 inline bool is_earlier(const Time& a, const Time& b) {
   if (a.hi != b.hi || a.lo == b.lo) return a < b;

@@ -2,6 +2,7 @@
 #include "cli/plan.hpp"
 
 #include "cli/command_line.hpp"
+#include "curve/fields.hpp"
 #include "input/columns.hpp"
 
 namespace tcb {
@@ -113,12 +114,24 @@ TEST(Plan, each_sampling_option_has_its_mode_and_value) {
   EXPECT_EQ(sampling("--arc-at", "3").mode, Mode::arc_at);
   EXPECT_EQ(sampling("--tolerance", "0.5").mode, Mode::tolerance);
   EXPECT_EQ(sampling("--tolerance", "0.5").tolerance, 0.5);
+  EXPECT_EQ(sampling("--emit", "poly").mode, Mode::emit);
+}
+
+TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
+  const auto names = [](const std::vector<std::string>& words) {
+    std::vector<std::string_view> names;
+    for (const std::size_t field : job_of(words).fields) names.push_back(fields()[field].name);
+    return names;
+  };
+  EXPECT_THAT(names({"--emit", "bezier"}), ElementsAre("start", "duration", "bezier"));
+  EXPECT_THAT(names({"--emit", "poly8", "--fields", "length,s"}),
+              ElementsAre("start", "duration", "poly8", "length", "s"));
 }
 
 TEST(Plan, a_sampling_option_is_needed) {
   EXPECT_EQ(refusal({"a.csv"}),
             "no sampling option given; expected one of --step, --rate, --count, --segments, --per-segment, --at, "
-            "--arc-step, --arc-count, --arc-at, --tolerance; for example tcbsample --step 0.1 keys.csv");
+            "--arc-step, --arc-count, --arc-at, --tolerance, --emit; for example tcbsample --step 0.1 keys.csv");
 }
 
 TEST(Plan, the_range_is_exact_and_goes_forward) {

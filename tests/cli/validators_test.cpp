@@ -105,9 +105,20 @@ TEST(Validators, fields_are_chosen_in_order_each_once) {
   EXPECT_THAT(field_list("s,position,time"), ElementsAre(2, 1, 0));
   EXPECT_EQ(stepped_refusal({"--fields", "time,positon"}),
             "--fields: unknown name \"positon\"; expected one of time, position, s, velocity, acceleration, jerk, "
-            "speed, tangent, curvature, torsion, segment, u, key, arc_error; did you mean position?");
+            "speed, tangent, curvature, torsion, segment, u, key, arc_error, length; did you mean position?");
   EXPECT_EQ(stepped_refusal({"--fields", "time,s,time"}),
             "--fields: time is repeated; expected each field once; remove one");
+}
+
+TEST(Validators, forms_of_pieces_have_their_number_of_coefficients) {
+  EXPECT_EQ(fields()[form_of_pieces("poly8")].columns, 8U);
+  EXPECT_EQ(form_of_pieces("poly4"), form_of_pieces("poly"));
+  for (const auto& [name] : form_table) EXPECT_EQ(fields()[form_of_pieces(std::string(name))].name, name);
+  for (const char* text : {"poly3", "poly33", "poly08", "polynomial", "start", "length", "position", "", "Poly"}) {
+    EXPECT_THROW(form_of_pieces(text), Error) << text;
+  }
+  EXPECT_THROW(field_list("start"), Error);
+  EXPECT_THROW(field_list("poly"), Error);
 }
 
 TEST(Validators, formats_are_those_that_can_be_read_or_written) {

@@ -10,16 +10,12 @@
 namespace tcb {
 namespace {
 
-std::size_t index_of(std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin());
-}
-
 TEST(Fields, names_are_unique) {
   for (const Field& field : fields()) EXPECT_EQ(std::ranges::count(fields(), field.name, &Field::name), 1);
 }
 
 TEST(Fields, a_row_has_a_cell_for_each_channel_or_one) {
-  const std::array chosen{index_of("time"), index_of("velocity"), index_of("speed")};
+  const std::array chosen{field_of("time"), field_of("velocity"), field_of("speed")};
   EXPECT_EQ(cells_in_row(chosen, 3), 5U);
   Input input;
   input.time = "frame";
@@ -29,6 +25,23 @@ TEST(Fields, a_row_has_a_cell_for_each_channel_or_one) {
   EXPECT_EQ(names, (std::vector<std::string>{"frame", "x_v", "y_v", "speed"}));
 }
 
+TEST(Fields, columns_of_pieces_are_numbered) {
+  Input input;
+  input.time = "frame";
+  input.channels = {"x", "y"};
+  const auto names = [&](std::string_view form) {
+    const std::array chosen{field_of("start"), field_of(form)};
+    std::string names;
+    for (const OutputColumn& column : output_columns(chosen, input)) names += column.name + " ";
+    return names;
+  };
+  EXPECT_EQ(names("hermite"), "start x_p0 x_v0 x_p1 x_v1 y_p0 y_v0 y_p1 y_v1 ");
+  EXPECT_EQ(names("bezier"), "start x_b0 x_b1 x_b2 x_b3 y_b0 y_b1 y_b2 y_b3 ");
+  EXPECT_EQ(names("poly5"), "start x^0 x^1 x^2 x^3 x^4 y^0 y^1 y^2 y^3 y^4 ");
+  EXPECT_EQ(cells_in_row(std::array{field_of("duration"), field_of("poly32")}, 3), 97U);
+  EXPECT_EQ(named_fields().back().name, "length");
+}
+
 TEST(Fields, columns_of_times_and_positions_are_what_points_have) {
   const std::array cubics{spline::cubic<double>(0.1, 2, 3, -1), spline::cubic<double>(5, 4, 0.3, 7)};
   const CurveSegment segment{0.0, 2.0, {}, {}, cubics, {}, true};
@@ -36,7 +49,7 @@ TEST(Fields, columns_of_times_and_positions_are_what_points_have) {
   for (const double t : {0.0, 0.3, 0.4, 1.1, 1.9, 2.0}) {
     located.samples.push_back({t, spline::TimeMap<double>(segment.start, segment.end)(t)});
   }
-  const std::array chosen{index_of("time"), index_of("position"), index_of("key")};
+  const std::array chosen{field_of("time"), field_of("position"), field_of("key")};
   const std::size_t width = cells_in_row(chosen, 2);
   std::vector<Cell> by_column(located.samples.size() * width), by_row(by_column);
   Point<double> point;

@@ -1,11 +1,14 @@
 """Rows of --golden against arithmetic of 60 digits: referee.py PROGRAM [CURVES].
 
 Resamples random keys with --golden, and computes every number again with mpmath, by an independent implementation of
-the formulas. No bit may differ. Exit 77: there is no mpmath.
+the formulas, those of the segments in cubics.py. No bit may differ. Exit 77: there is no mpmath.
 """
 import random
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
+from cubics import Cubics
 
 try:
     import mpmath
@@ -22,104 +25,26 @@ rng = random.Random(20260101)
 half = mpf(1) / 2
 
 
-# Tangents: (in, out) of a key, local units, from the chords and steps on both sides.
-def tangents(rule, d0, d1, h0, h1, t, c, b):
-    fa, fb = (1 - t) * (1 + c) * (1 + b), (1 - t) * (1 - c) * (1 - b)
-    fc, fd = (1 - t) * (1 - c) * (1 + b), (1 - t) * (1 + c) * (1 - b)
-    uin = [half * (fc * x + fd * y) for x, y in zip(d0, d1)]
-    uout = [half * (fa * x + fb * y) for x, y in zip(d0, d1)]
-    scaled = lambda f, g: ([f * x for x in uin], [g * x for x in uout])
-    f, g = 2 * h0 / (h0 + h1), 2 * h1 / (h0 + h1)
-    if rule == "velocity":
-        return ([h0 * half * (fc * x / h0 + fd * y / h1) for x, y in zip(d0, d1)],
-                [h1 * half * (fa * x / h0 + fb * y / h1) for x, y in zip(d0, d1)])
-    if rule == "finite-difference":
-        return ([h0 * (fc * h1 * x / h0 + fd * h0 * y / h1) / (h0 + h1) for x, y in zip(d0, d1)],
-                [h1 * (fa * h1 * x / h0 + fb * h0 * y / h1) / (h0 + h1) for x, y in zip(d0, d1)])
-    if rule == "uniform":
-        return scaled(1, 1)
-    if rule == "interval":
-        return scaled(f, g)
-    if rule == "interval-c":
-        return scaled(f + abs(c) * (1 - f), g + abs(c) * (1 - g))
-    if rule == "kb1984":
-        return scaled(g, f)
-    if rule == "synfig":
-        return scaled(mpf(3) / 2 * h0 / (half * h0 + h1), mpf(3) / 2 * h1 / (half * h1 + h0))
-    raise ValueError(rule)
-
-
-def end_tangent(rule, own, missing, t, d, m, h, velocity, two):
-    if rule == "half":
-        return [half * own * x for x in d]
-    if rule == "one-sided":
-        return [own * x for x in d]
-    if rule == "mirror":
-        return [half * (own + missing) * x for x in d]
-    if rule == "chord":
-        return list(d)
-    if rule == "zero":
-        return [mpf(0)] * len(d)
-    if rule == "natural":
-        return list(d) if two else [mpf(3) / 2 * x - half * y for x, y in zip(d, m)]
-    if rule == "natural-tension":
-        return [(1 - t) * (x if two else half * (3 * x - y)) for x, y in zip(d, m)]
-    if rule == "cry":
-        return [(1 - t) * (x if two else mpf(3) / 2 * (x - y)) for x, y in zip(d, m)]
-    if rule == "lightwave":
-        return [own * x * h / (h + mpf(1) / 3600) for x in d]
-    if rule == "velocity":
-        return [h * x for x in velocity]
-    raise ValueError(rule)
-
-
 def norm(v):
     return mpmath.sqrt(sum(x * x for x in v))
 
 
-class Curve:
+class Curve(Cubics):
     """Keys are (time, position, (T, C, B), (ease_in, ease_out))."""
 
     def __init__(self, keys, rule, ends, closed=None, equal=False, velocity=None, exponent=None):
-        self.closed = closed is not None
         times = [k[0] for k in keys]
         if exponent is not None:
             times = [mpf(0)]
             for a, b in zip(keys, keys[1:]):
                 times.append(times[-1] + norm([y - x for x, y in zip(a[1], b[1])]) ** exponent)
-        self.size = n = len(keys)
-        self.keys, self.times = keys, times + ([times[0] + closed] if self.closed else [])
-        segments = n if self.closed else n - 1
-        position = lambda i: keys[i % n][1]
-        chord = lambda i: [y - x for x, y in zip(position(i), position(i + 1))]
-        step = lambda i: self.times[(i % n) + 1] - self.times[i % n] if self.closed else self.times[i + 1] - self.times[i]
-        ins, outs = {}, {}
-        for i in range(n):
-            if not self.closed and i in (0, n - 1):
-                continue
-            ins[i], outs[i] = tangents(rule, chord(i - 1), chord(i), step(i - 1), step(i), *keys[i][2])
-            if equal:
-                vin, vout = norm(ins[i]) / step(i - 1), norm(outs[i]) / step(i)
-                if vin + vout != 0:
-                    ins[i] = [x * 2 * vout / (vin + vout) for x in ins[i]]
-                    outs[i] = [x * 2 * vin / (vin + vout) for x in outs[i]]
-        if not self.closed:
-            t, c, b = keys[0][2]
-            fa, fb = (1 - t) * (1 + c) * (1 + b), (1 - t) * (1 - c) * (1 - b)
-            outs[0] = end_tangent(ends[0], fb, fa, t, chord(0), ins.get(1, chord(0)), step(0), velocity, n == 2)
-            t, c, b = keys[-1][2]
-            fc, fd = (1 - t) * (1 - c) * (1 + b), (1 - t) * (1 + c) * (1 - b)
-            ins[n - 1] = end_tangent(ends[1], fc, fd, t, chord(n - 2), outs.get(n - 2, chord(0)), step(n - 2), velocity, n == 2)
-        self.cubics, self.warps = [], []
-        for i in range(segments):
-            k = (i + 1) % n
-            self.cubics.append([(p, o, 3 * (q - p) - 2 * o - m, -2 * (q - p) + o + m)
-                                for p, q, o, m in zip(position(i), position(k), outs[i], ins[k])])
-            f, e = keys[i][3][1], keys[k][3][0]
+        super().__init__(times, keys, rule, ends, closed, velocity, norm if equal else None)
+        self.warps, self.lengths = [], {}
+        for i in range(len(self.cubics)):
+            f, e = keys[i][3][1], keys[(i + 1) % len(keys)][3][0]
             if f + e > 1:
                 f, e = f / (f + e), e / (f + e)
             self.warps.append((f, e))
-        self.lengths = {}
 
     def warp(self, i, u):
         """The warped u, and its first and second derivative."""

@@ -115,6 +115,37 @@ Cubic<S> part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, c
                   slope(last));
 }
 
+/// The same part with the derivatives of the whole at its ends: its coefficients have few rounding errors, also where
+/// it is short, but it meets its end, or its middle from both sides, only within a few units in the last place.
+template <class S>
+Cubic<S> expanded_part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, const Time<S>& from,
+                       const Time<S>& to) {
+  using W = working_t<S>;
+  struct Derivatives {
+    W slope, half_bend;
+  };
+  const W h = elapsed<S>(start, end), size = elapsed<S>(from, to) / h;
+  const auto at = [&](const Time<S>& t) -> Derivatives {
+    const W passed = elapsed<S>(start, t), left = elapsed<S>(t, end);
+    const bool near_start = passed < left;
+    const W u = (near_start ? passed : -left) / h, cubic = W(3) * u * W(whole.d);
+    const W first = near_start ? whole.out : whole.in;
+    const W second = near_start ? W(whole.c) + W(whole.c_low) : W(whole.e) + W(whole.e_low);
+    return {(first + u * (second + second + cubic)) * size, (second + cubic) * size * size};
+  };
+  Cubic<S> result = part(whole, start, end, from, to);
+  if (from == start && to == end) return result;
+  const Derivatives first = at(from), last = at(to);
+  result.out = high_part<S>(first.slope);
+  result.c = high_part<S>(first.half_bend);
+  result.c_low = low_part<S>(first.half_bend);
+  result.in = high_part<S>(last.slope);
+  result.e = high_part<S>(last.half_bend);
+  result.e_low = low_part<S>(last.half_bend);
+  result.d = high_part<S>(W(whole.d) * size * size * size);
+  return result;
+}
+
 /// dX/du.
 template <class S>
 S first_derivative(const Cubic<S>& x, const LocalParameter<S>& at) {
