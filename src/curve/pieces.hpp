@@ -6,8 +6,7 @@
 //   poly     c0, c1, c2, c3 with X(t) = c0 + c1 (t - t0) + c2 (t - t0)^2 + c3 (t - t0)^3
 // Requires: a segment without ease.
 // Promises: positions are those of samples at t0 and t1. For doubles each other number is within 2 ulp of the exact
-// one,
-//   on a part of a segment within 4 ulp of its largest term.
+//   one; on a part of a segment, within 4 ulp of its largest term.
 #pragma once
 
 #include <array>

@@ -100,14 +100,14 @@ class Unzstd {
 template <class Decoder>
 Source<std::string> decoded(Source<std::string> bytes) {
   struct State {
+    explicit State(Source<std::string> source) : bytes(std::move(source)) {}
     Source<std::string> bytes;
     Decoder decoder = {};
     std::string part = {};
     std::string_view left = {};
     bool at_end = false;
   };
-  const auto state = std::make_shared<State>();
-  state->bytes = std::move(bytes);
+  const auto state = std::make_shared<State>(std::move(bytes));
   return [state]() -> std::optional<std::string> {
     Buffers buffers{state->left, std::string(part_size, '\0')};
     while (buffers.size == 0) {

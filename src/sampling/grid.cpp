@@ -167,7 +167,7 @@ void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) 
 }
 
 Rational SamplingRequest::exact(const Time& time) const {
-  const Rational decimal = exact_time(time);
+  Rational decimal = exact_time(time);
   if (!frame_rate) return decimal;
   const Rational frames = floor(decimal * *frame_rate + Rational(1, 2)) / *frame_rate;
   return nearest_time(frames) == time ? frames : decimal;

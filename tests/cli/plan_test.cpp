@@ -119,9 +119,9 @@ TEST(Plan, each_sampling_option_has_its_mode_and_value) {
 
 TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
   const auto names = [](const std::vector<std::string>& words) {
-    std::vector<std::string_view> names;
-    for (const std::size_t field : job_of(words).fields) names.push_back(fields()[field].name);
-    return names;
+    std::vector<std::string_view> found;
+    for (const std::size_t field : job_of(words).fields) found.push_back(fields()[field].name);
+    return found;
   };
   EXPECT_THAT(names({"--emit", "bezier"}), ElementsAre("start", "duration", "bezier"));
   EXPECT_THAT(names({"--emit", "poly8", "--fields", "length,s"}),

@@ -31,9 +31,9 @@ TEST(Fields, columns_of_pieces_are_numbered) {
   input.channels = {"x", "y"};
   const auto names = [&](std::string_view form) {
     const std::array chosen{field_of("start"), field_of(form)};
-    std::string names;
-    for (const OutputColumn& column : output_columns(chosen, input)) names += column.name + " ";
-    return names;
+    std::string all;
+    for (const OutputColumn& column : output_columns(chosen, input)) all += column.name + " ";
+    return all;
   };
   EXPECT_EQ(names("hermite"), "start x_p0 x_v0 x_p1 x_v1 y_p0 y_v0 y_p1 y_v1 ");
   EXPECT_EQ(names("bezier"), "start x_b0 x_b1 x_b2 x_b3 y_b0 y_b1 y_b2 y_b3 ");
