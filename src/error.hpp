@@ -151,11 +151,13 @@ enum class ErrorCode {
   not_in_utf8,             ///< name of the encoding
   two_byte_order_marks,
   nul_byte,
-  same_column_names,      ///< the name
-  no_such_column,         ///< name or number, names of the columns
-  no_such_column_number,  ///< name or number, number of columns
-  column_with_two_roles,  ///< name
-  two_columns_for_role,   ///< role, name of the second column
+  same_column_names,          ///< the name
+  no_such_column,             ///< name or number, names of the columns
+  no_such_column_number,      ///< name or number, number of columns
+  column_with_two_roles,      ///< name
+  two_columns_for_role,       ///< role, name of the second column
+  column_of_unknown_channel,  ///< name, name of the channel, names of the channels
+  role_of_unknown_channel,    ///< role, name of the channel, names of the channels
   no_channel_column,
   column_nearly_role,  ///< name, role
   times_unclear,       ///< name of the column that may be the time

@@ -50,7 +50,7 @@ Facts input_facts(const Input& input) {
   if (!input.own_curves) list("group", input.groups);
   if (input.timed) add("time", input.time);
   list("position", input.channels);
-  for (const Role role : input.facts.roles) add(role_name(role), "in a column");
+  for (const std::string& role : input.facts.roles) add(role, "in a column");
   list("carry", input.carried);
   list("left out", input.ignored);
   return facts;

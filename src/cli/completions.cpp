@@ -174,7 +174,7 @@ std::string columns_text(const std::vector<std::string>& files) {
       for (const auto* group : {&input.channels, &input.groups, &input.carried, &input.ignored}) {
         names.insert(names.end(), group->begin(), group->end());
       }
-      for (const Role role : input.facts.roles) names.emplace_back(role_name(role));
+      names.insert(names.end(), input.facts.roles.begin(), input.facts.roles.end());
     } catch (const Error& error) {
       throw error.in(shown_name(file));
     }

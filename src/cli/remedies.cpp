@@ -65,6 +65,12 @@ constexpr std::array all_words{
     Words{ErrorCode::column_with_two_roles, "column \"{0}\" has two roles; expected one; correct --columns"},
     Words{ErrorCode::two_columns_for_role,
           "two columns could be the {0} column, the second is \"{1}\"; expected one; choose with --columns"},
+    Words{ErrorCode::column_of_unknown_channel,
+          "column \"{0}\" is for a channel \"{1}\", which does not exist; the channels are {2}; correct the name, or "
+          "name "
+          "the channels with --columns position=NAME:NAME"},
+    Words{ErrorCode::role_of_unknown_channel,
+          "{0} is for a channel \"{1}\", which does not exist; the channels are {2}; correct {subject}"},
     Words{ErrorCode::no_channel_column,
           "no position column; expected at least one column of numbers besides the time; name it with --columns "
           "position=NAME"},
@@ -93,7 +99,8 @@ constexpr std::array all_words{
           "a year from 0 to 9999 for a date; give --time-format seconds"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
-          "continuity=, bias=, ease_in=, ease_out=, group= or carry=; for example --columns time=frame,position=px:py"},
+          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, ease_in=, ease_out=, group= or carry=; for "
+          "example --columns time=frame,position=px:py"},
     // input/csv
     Words{ErrorCode::record_too_long,
           "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was left "

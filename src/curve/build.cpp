@@ -92,7 +92,7 @@ Time end_by_period(const Keys& first, const Keys& last, const Rational& period, 
 /// The time of a last key that repeats the first one. Throws: Error (data) if they differ in anything else.
 Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, const std::optional<Time>& end) {
   const TextPosition position{"", keys.last_line(), 0};
-  if (last.tcb(0) != first.tcb(0)) {
+  if (last.tcbs != first.tcbs) {
     throw Error(Exit::data, ErrorCode::closing_key_differs, {keys.first_line()}).at(position);
   }
   if (end && *end != last.times[0]) {

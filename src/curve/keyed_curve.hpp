@@ -93,7 +93,9 @@ class ChannelKeys {
   spline::Keys<S> own_key(std::size_t number) const {
     const auto position = keys_.position(number).subspan(channel_, channels_);
     spline::Keys<S> key{channels_, {keys_.times[number]}, {position.begin(), position.end()}, {}, keys_.common_tcb, {}};
-    if (!keys_.tcbs.empty()) key.tcbs.push_back(keys_.tcbs[number]);
+    for (std::size_t i = 0; i < (keys_.has_channel_tcbs() ? channels_ : keys_.tcbs_per_key()); ++i) {
+      key.tcbs.push_back(keys_.tcb(number, channel_ + i));
+    }
     if (!keys_.eases.empty()) key.eases.push_back(keys_.eases[number]);
     return key;
   }

@@ -33,9 +33,10 @@ class Numbers {
   bool decimal_;
 };
 
-spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& number) {
-  return {number(NumberOfKey::tension, tcb.tension), number(NumberOfKey::continuity, tcb.continuity),
-          number(NumberOfKey::bias, tcb.bias)};
+/// `first`: the index of the tension among the key's decimals; the others follow after `step` numbers each.
+spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& number, std::size_t first,
+                                std::size_t step) {
+  return {number(first, tcb.tension), number(first + step, tcb.continuity), number(first + 2 * step, tcb.bias)};
 }
 
 /// A time and the time that a distance makes, in a float of 80 digits.
@@ -90,7 +91,11 @@ void ExactKeys::add(const KeyBlock& block) {
   for (std::size_t key = 0; key < keys.size(); ++key) {
     const Numbers number(block, key, decimal_);
     keys_.times.push_back(number(NumberOfKey::time, keys.times[key]));
-    keys_.tcbs.push_back(exact_tcb(keys.tcb(key), number));
+    if (!keys.has_channel_tcbs()) keys_.tcbs.push_back(exact_tcb(keys.tcb(key), number, NumberOfKey::tension, 1));
+    for (std::size_t i = 0; keys.has_channel_tcbs() && i < keys.channels; ++i) {
+      const std::size_t first = NumberOfKey::of_channel(NumberOfKey::tension_of, i, keys.channels);
+      keys_.tcbs.push_back(exact_tcb(keys.tcb(key, i), number, first, keys.channels));
+    }
     if (!keys.eases.empty()) {
       const spline::Ease<double>& ease = keys.eases[key];
       keys_.eases.push_back({number(NumberOfKey::ease_in, ease.in), number(NumberOfKey::ease_out, ease.out)});

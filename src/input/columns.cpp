@@ -43,7 +43,7 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.carried
                                                                    : nullptr;
-  if (several == nullptr && columns.has(role)) {
+  if (several == nullptr && !is_of_channel(role) && columns.has(role)) {
     throw Error(Exit::data, ErrorCode::two_columns_for_role, {std::string(role_name(role)), name});
   }
   columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
@@ -85,14 +85,13 @@ bool may_be_timed(const Columns& columns, std::span<const std::string> header) {
 
 /// Roles by name, or without a header time first; positions only where none were requested.
 void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
-                     bool timeless) {
+                     const std::vector<bool>& usual, bool timeless) {
   const bool positions_given = columns.has(Role::position);
   const auto requested = columns.cells;
   std::array<bool, role_count> is_requested{};
   for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
   const auto is_text = [](const auto& column) { return column.role == Role::group || column.role == Role::carry; };
   const auto front = static_cast<std::size_t>(std::ranges::find_if_not(requested, is_text) - requested.begin());
-  const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
   std::unordered_set<std::string_view> names;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (requested[cell].role != Role::ignored) continue;
@@ -115,10 +114,13 @@ bool Columns::has(Role role) const {
   return std::ranges::any_of(cells, [&](const Column& column) { return column.role == role; });
 }
 
-std::vector<Role> Columns::shape_roles() const {
-  std::vector<Role> roles;
+std::vector<std::string> Columns::shape_roles() const {
+  std::vector<std::string> roles;
   for (const Role role : {Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out}) {
-    if (has(role)) roles.push_back(role);
+    if (has(role)) roles.emplace_back(role_name(role));
+  }
+  for (const Column& column : cells) {
+    if (is_of_channel(column.role)) roles.push_back(name_of(column));
   }
   return roles;
 }
@@ -129,36 +131,24 @@ std::string Columns::name_of(const Column& column) const {
     case Role::position: return channels[column.channel];
     case Role::group: return groups[column.channel];
     case Role::carry: return carried[column.channel - groups.size()];
-    default: return std::string(role_name(column.role));
+    default:
+      if (is_of_channel(column.role)) return role_name(ChannelRole{column.role, channels[column.channel]});
+      return std::string(role_name(column.role));
   }
-}
-
-std::vector<RoleRequest> parse_roles(std::string_view text) {
-  std::vector<RoleRequest> requests;
-  for (const std::string_view part : split(text, ',')) {
-    const std::size_t equals = part.find('=');
-    const std::string_view name = part.substr(0, equals);
-    const std::optional<Role> known = find_role(name);
-    if (equals == std::string::npos || equals + 1 == part.size() || !known) {
-      throw Error(Exit::usage, ErrorCode::invalid_role_request, {std::string(part)}).about(Option::columns);
-    }
-    const auto columns = split(part.substr(equals + 1), ':');
-    requests.push_back({*known, {columns.begin(), columns.end()}});
-  }
-  return requests;
 }
 
 namespace {
 
-/// The columns with the requested roles.
+/// The columns with the requested roles; those in one channel are also added to `of_channels`.
 Columns requested_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
-                          std::span<const RoleRequest> requests) {
+                          std::span<const RoleRequest> requests, std::vector<ColumnOfChannel>& of_channels) {
   Columns columns;
   columns.cells.resize(numeric.size());
   columns.named = !header.empty();
   for (const RoleRequest& request : requests) {
     for (const std::string& name : request.columns) {
       const std::size_t cell = find_cell(name, request.option, header, numeric.size());
+      if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
       const bool is_text = request.role == Role::group || request.role == Role::carry;
       assign(columns, cell, request.role,
              !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
@@ -171,11 +161,22 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
 
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                      std::span<const RoleRequest> requests, bool timeless) {
-  Columns columns = requested_columns(header, numeric, requests);
-  assign_the_rest(columns, header, numeric, timeless);
+  std::vector<ColumnOfChannel> of_channels;
+  Columns columns = requested_columns(header, numeric, requests, of_channels);
+  const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
+  for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual)) {
+    columns.cells[column.cell].role = column.role.role;
+    of_channels.push_back(std::move(column));
+  }
+  assign_the_rest(columns, header, numeric, usual, timeless);
   number_texts(columns);
   const bool positions_given = std::ranges::count(requests, Role::position, &RoleRequest::role) > 0;
   columns.may_be_timed = !timeless && !positions_given && may_be_timed(columns, header);
+  if (header.empty() && !columns.channels.empty()) {
+    columns.time = "t";
+    columns.channels = default_channel_names(columns.channels.size());
+  }
+  assign_channels(columns, of_channels);
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (columns.cells[cell].role != Role::ignored) continue;
     columns.cells[cell].channel = columns.ignored.size();
@@ -185,10 +186,6 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   }
   if (columns.channels.empty()) {
     throw Error(Exit::data, ErrorCode::no_channel_column);
-  }
-  if (header.empty()) {
-    columns.time = "t";
-    columns.channels = default_channel_names(columns.channels.size());
   }
   return columns;
 }
@@ -279,7 +276,8 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   samples.add_groups();
   if (names.times_only) {
     samples.requests().push_back({Role::time, {names.time}, *names.times_only});
-    return requested_columns(header, numeric, samples.requests());
+    std::vector<ColumnOfChannel> none;
+    return requested_columns(header, numeric, samples.requests(), none);
   }
   if (header.empty()) {
     if (!timeless) samples.add_time_by_place();
@@ -288,24 +286,6 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   samples.add_time_by_name();
   samples.add_channels();
   return find_columns(header, numeric, samples.requests(), true);
-}
-
-std::optional<Role> near_miss(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
-                              bool timeless) {
-  const std::optional<Role> near = near_role(name);
-  if (!near || columns.has(*near) || (timeless && *near == Role::time)) return std::nullopt;
-  if (std::ranges::count(requests, Role::position, &RoleRequest::role) > 0) return std::nullopt;
-  return near;
-}
-
-void require_no_near_miss(std::span<const std::string> header, const Columns& columns,
-                          std::span<const RoleRequest> requests, bool timeless) {
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (columns.cells[cell].role != Role::position) continue;
-    const auto near = near_miss(header[cell], columns, requests, timeless);
-    if (!near) continue;
-    throw Error(Exit::data, ErrorCode::column_nearly_role, {header[cell], std::string(role_name(*near))});
-  }
 }
 
 std::vector<std::string> default_channel_names(std::size_t channels) {

@@ -13,12 +13,49 @@
 
 namespace tcb {
 
-enum class Role { ignored, time, position, tension, continuity, bias, ease_in, ease_out, group, carry };
+enum class Role {
+  ignored,
+  time,
+  position,
+  tension,
+  continuity,
+  bias,
+  ease_in,
+  ease_out,
+  group,
+  carry,
+  // Of one channel:
+  channel_tension,
+  channel_continuity,
+  channel_bias,
+};
 
-inline constexpr std::size_t role_count = 10;
+inline constexpr std::size_t role_count = 13;
+inline constexpr auto first_channel_role = Role::channel_tension;
 
-/// The name of a role where roles are requested. Requires: not ignored.
+/// The role is one in a channel.
+constexpr bool is_of_channel(Role role) { return role >= first_channel_role; }
+
+/// The name of a role where roles are requested. Requires: not ignored, not of one channel.
 std::string_view role_name(Role role);
+
+/// A role in one channel.
+struct ChannelRole {
+  Role role = Role::ignored;
+  std::string channel;
+  friend bool operator==(const ChannelRole&, const ChannelRole&) = default;
+};
+
+/// Its name, as in "tension_x".
+std::string role_name(const ChannelRole& role);
+
+/// The role in a channel that a name such as "tension_x" has, whatever the channel and the case of the letters.
+std::optional<ChannelRole> channel_role_of(std::string_view name);
+
+/// For each column, its role in one channel, if its name has one: that of a column that may be a channel. `chosen`: the
+/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`.
+std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
+                                                      const std::vector<bool>& may_be_channel, bool chosen);
 
 /// The role with this name.
 std::optional<Role> find_role(std::string_view name);
@@ -55,6 +92,7 @@ struct RoleRequest {
   Role role;
   std::vector<std::string> columns;
   Option option = Option::columns;
+  std::string channel = {};  ///< of a role in one channel
 };
 
 /// "time=frame,position=px:py:pz". Throws: Error (usage).
@@ -73,9 +111,9 @@ inline constexpr std::size_t most_marks = 4;
 struct Columns {
   struct Column {
     Role role = Role::ignored;
-    std::size_t channel =
-        0;  ///< of positions; of groups and labels, the index among the texts of a key; of others, among the marks
-    bool is_text = false;  ///< it has no role because it holds texts
+    std::size_t channel = 0;  ///< of positions and of roles in one; of groups and labels, the index among the texts of
+                              ///< a key; of others, among the marks
+    bool is_text = false;     ///< it has no role because it holds texts
   };
   std::vector<Column> cells;          ///< one per cell of a record
   bool named = false;                 ///< the input names its columns
@@ -88,12 +126,28 @@ struct Columns {
   bool may_be_timed = false;          ///< the first channel may be the time, by its place and its name
 
   bool has(Role role) const;
-  /// Those of tension to ease_out that a column has.
-  std::vector<Role> shape_roles() const;
+  /// The names of the roles that shape a curve, such as tension and tension_x, and that a column has.
+  std::vector<std::string> shape_roles() const;
   std::size_t texts() const { return groups.size() + carried.size(); }  ///< of each key
   /// The name of a column that has a role.
   std::string name_of(const Column& column) const;
 };
+
+/// A column with a role in one channel, which is known once all channels are.
+struct ColumnOfChannel {
+  std::size_t cell;
+  ChannelRole role;
+  std::string name;
+  bool requested;
+};
+
+/// The columns that have such a role by their names. `times`: for each column, whether it is the time by its name.
+std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::span<const std::string> header,
+                                                 const std::vector<bool>& numeric, const std::vector<bool>& times);
+
+/// Sets the channels of columns with a role in one. A requested column has priority over others. Throws: Error (data)
+/// for two columns with one role, and for an unknown channel.
+void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found);
 
 /// The columns of records. `header` is empty where the input has no names; numeric[i]: column i holds numbers.
 /// Without a header the first column is the time, unless `timeless`. Where no column has a name such as "time", one
@@ -122,9 +176,13 @@ struct SampleNames {
 Columns find_sample_columns(std::span<const std::string> given, const std::vector<bool>& numeric,
                             const SampleNames& names, bool timeless);
 
-/// The role of which a channel's name is a near miss, unless a column has that role or channels were requested.
-std::optional<Role> near_miss(const std::string& name, const Columns& columns, std::span<const RoleRequest> requests,
-                              bool timeless);
+/// The role in one of the channels of which a name such as "tensoin_x" or "x_tension" is a near miss.
+std::optional<ChannelRole> near_channel_role(std::string_view name, const std::vector<std::string>& channels);
+
+/// The name of the role of which a channel's name is a near miss, unless a column has that role or channels were
+/// requested.
+std::optional<std::string> near_miss(const std::string& name, const Columns& columns,
+                                     std::span<const RoleRequest> requests, bool timeless);
 
 /// Throws: Error (data) for the first channel whose name is a near miss.
 void require_no_near_miss(std::span<const std::string> header, const Columns& columns,

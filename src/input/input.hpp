@@ -1,9 +1,11 @@
 // Input: options of its reading, chunks of its text, and an input opened with its columns, its facts and its keys.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,14 +13,31 @@
 #include "input/columns.hpp"
 #include "input/key_block.hpp"
 #include "input/missing.hpp"
-#include "input/tcb_scale.hpp"
 #include "input/time_notation.hpp"
 #include "io/formats.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
+#include "text/rational.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
+
+/// Scales of tension, continuity and bias: as they are, or from 0 to 50 as 3ds Max shows them.
+enum class TcbScale {
+  unknown,  ///< as they are, and checked if the preset's product shows another scale
+  none,     ///< as they are
+  max3ds,   ///< from 0 to 50, with 25 for 0
+};
+
+/// The names of the scales that can be given.
+struct TcbScaleName {
+  std::string_view name;
+  TcbScale scale;
+};
+inline constexpr std::array tcb_scales{TcbScaleName{"3dsmax", TcbScale::max3ds}, TcbScaleName{"none", TcbScale::none}};
+
+/// (v - 25) / 25, exactly.
+inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }
 
 /// How cells become keys.
 struct KeyRules {
@@ -97,7 +116,7 @@ struct InputFacts {
   char delimiter = ',';               ///< of delimited text; ' ' is any run of blanks and tabs
   std::string comment;                ///< the prefix of its comment lines; empty: it has none
   char decimal = '.';                 ///< its decimal mark
-  std::vector<Role> roles;            ///< those of tension to ease_out that have a column
+  std::vector<std::string> roles;     ///< the names of those that shape a curve, such as tension, and have a column
 };
 
 /// An opened input: the meaning of its numbers, and its keys in blocks.

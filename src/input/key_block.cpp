@@ -41,7 +41,7 @@ void KeyBlock::append(const KeyBlock& from, std::size_t first, std::size_t last)
   keys.common_tcb = from.keys.common_tcb;
   copy(keys.times, from.keys.times, first, last);
   copy(keys.positions, from.keys.positions, first * keys.channels, last * keys.channels);
-  copy(keys.tcbs, from.keys.tcbs, first, last);
+  copy(keys.tcbs, from.keys.tcbs, first * from.keys.tcbs_per_key(), last * from.keys.tcbs_per_key());
   copy(keys.eases, from.keys.eases, first, last);
   copy(lines, from.lines, first, last);
   copy(columns, from.columns, first, last);
@@ -81,8 +81,8 @@ KeyBlock KeyBlock::split_last() {
   texts.cut(texts_per_key() * last);
   decimals.cut(decimals.size() / size() * last);
   drop_last(keys.times);
+  keys.tcbs.resize(keys.tcbs_per_key() * last);
   keys.positions.resize(keys.channels * last);
-  drop_last(keys.tcbs);
   drop_last(keys.eases);
   drop_last(lines);
   drop_last(columns);

@@ -96,10 +96,16 @@ struct CurveInfo {
   std::string id = {};                                            ///< a text as in texts.hpp
 };
 
-/// The index of a number among the decimals of its key; from `position` on, channel by channel. An empty text means
-/// the shortest decimal of the double, or a whole number.
+/// The index of a number among the decimals of its key; from `position` on, channel by channel: first all positions,
+/// then all numbers of the next kind, where a column has them. An empty text means the shortest decimal of the double,
+/// or a whole number.
 struct NumberOfKey {
   enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
+  /// The kinds of numbers of a channel.
+  enum Kind : std::size_t { position_of, tension_of, continuity_of, bias_of, kinds };
+  static std::size_t of_channel(Kind kind, std::size_t channel, std::size_t channels) {
+    return position + kind * channels + channel;
+  }
 };
 
 /// Successive keys. If the input has no times, the keys have none either. A position that is NaN is missing; in a
@@ -137,6 +143,12 @@ struct KeyBlock {
   bool has_break_before(std::size_t key) const;
   /// Whether a curve begins with the key: after a break, or because this block has information about a new curve.
   bool begins_curve(std::size_t key) const;
+
+  /// Whether its keys have the same kinds of numbers, so that they can be appended to those of the other.
+  bool has_shape_of(const KeyBlock& other) const {
+    return empty() || other.empty() ||
+           (keys.tcbs_per_key() == other.keys.tcbs_per_key() && keys.eases.empty() == other.keys.eases.empty());
+  }
 
   /// Appends keys [first, last) of another block, without its gaps, breaks and members of the block.
   void append(const KeyBlock& from, std::size_t first, std::size_t last);

@@ -1,6 +1,8 @@
 // Key builder: cells become keys, for delimited text and for JSON alike.
 #include "input/key_builder.hpp"
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "text/decimal_time.hpp"
@@ -11,7 +13,10 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The index of a column's number among the decimals of a key. Requires: the column holds numbers.
-std::size_t number_of_key(const Columns::Column& column) {
+std::size_t number_of_key(const Columns::Column& column, std::size_t channels) {
+  const auto of_channel = [&](NumberOfKey::Kind kind) {
+    return NumberOfKey::of_channel(kind, column.channel, channels);
+  };
   switch (column.role) {
     case Role::time: return NumberOfKey::time;
     case Role::tension: return NumberOfKey::tension;
@@ -19,13 +24,29 @@ std::size_t number_of_key(const Columns::Column& column) {
     case Role::bias: return NumberOfKey::bias;
     case Role::ease_in: return NumberOfKey::ease_in;
     case Role::ease_out: return NumberOfKey::ease_out;
-    default: return NumberOfKey::position + column.channel;
+    case Role::channel_tension: return of_channel(NumberOfKey::tension_of);
+    case Role::channel_continuity: return of_channel(NumberOfKey::continuity_of);
+    case Role::channel_bias: return of_channel(NumberOfKey::bias_of);
+    default: return of_channel(NumberOfKey::position_of);
   }
 }
 
 bool has_any(const Columns& columns, std::initializer_list<Role> roles) {
   return std::ranges::any_of(roles, [&](Role role) { return columns.has(role); });
 }
+
+bool is_tcb(Role role) {
+  constexpr std::array all{Role::tension,         Role::continuity,         Role::bias,
+                           Role::channel_tension, Role::channel_continuity, Role::channel_bias};
+  return std::ranges::count(all, role) > 0;
+}
+
+bool has_channel_tcbs(const Columns& columns) {
+  return has_any(columns, {Role::channel_tension, Role::channel_continuity, Role::channel_bias});
+}
+
+/// The number of the kinds of numbers of a channel that keys have.
+std::size_t kinds(const Columns& columns) { return has_channel_tcbs(columns) ? std::size_t{NumberOfKey::kinds} : 1; }
 
 }  // namespace
 
@@ -34,9 +55,10 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules)
       is_timed_(columns.has(Role::time)),
       has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
+      channel_tcbs_(has_channel_tcbs(columns) ? columns.channels.size() : 0),
       marks_(columns.marks.size()),
       texts_(columns.texts()),
-      decimals_(rules.keeps_decimals ? NumberOfKey::position + columns.channels.size() : 0) {
+      decimals_(rules.keeps_decimals ? NumberOfKey::position + columns.channels.size() * kinds(columns) : 0) {
   block_.keys.channels = columns.channels.size();
   block_.keys.common_tcb = rules.tcb;
 }
@@ -48,6 +70,7 @@ void KeyBuilder::begin_key() {
   time_ = Time(nan);
   tcb_ = rules_.tcb;
   ease_ = {};
+  std::ranges::fill(channel_tcbs_, spline::Tcb<double>{nan, nan, nan});
   std::ranges::fill(marks_, 0);
   for (std::string& text : texts_) text.clear();
   for (std::string& decimal : decimals_) decimal.clear();
@@ -56,14 +79,13 @@ void KeyBuilder::begin_key() {
 }
 
 void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal) {
-  decimals_[number_of_key(column)] = std::move(decimal);
+  decimals_[number_of_key(column, block_.keys.channels)] = std::move(decimal);
 }
 
 bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) {
-  const bool is_tcb = column.role == Role::tension || column.role == Role::continuity || column.role == Role::bias;
-  const bool is_from_0_to_50 = is_tcb && rules_.tcb_scale == TcbScale::max3ds;
-  const std::size_t index = number_of_key(column);
-  const Rational factor = rules_.factors.empty() ? Rational(1) : rules_.factors[index];
+  const bool is_from_0_to_50 = is_tcb(column.role) && rules_.tcb_scale == TcbScale::max3ds;
+  const std::size_t index = number_of_key(column, block_.keys.channels);
+  const Rational factor = index < rules_.factors.size() ? rules_.factors[index] : Rational(1);
   if (!is_from_0_to_50 && factor == 1) return true;
   const bool is_time = column.role == Role::time;
   const Rational given = parse_rational(decimal).value_or(is_time ? exact_time(time_) : Rational(number(column)));
@@ -105,13 +127,35 @@ bool KeyBuilder::end_key() {
   }
   if (is_gap) block_.gaps.push_back(block_.size());
   if (is_timed_) block_.keys.times.push_back(time_);
-  if (has_tcb_) block_.keys.tcbs.push_back(tcb_);
+  complete_channels();
+  if (channel_tcbs_.empty() && has_tcb_) block_.keys.tcbs.push_back(tcb_);
+  block_.keys.tcbs.insert(block_.keys.tcbs.end(), channel_tcbs_.begin(), channel_tcbs_.end());
   if (has_ease_) block_.keys.eases.push_back(ease_);
   block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
   for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
   if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.size());
   return true;
+}
+
+/// Gives channels the common tension, continuity and bias where they have none of their own.
+void KeyBuilder::complete_channels() {
+  struct Value {
+    double spline::Tcb<double>::*member;
+    std::size_t common;
+    NumberOfKey::Kind own;
+  };
+  constexpr std::array values{
+      Value{&spline::Tcb<double>::tension, NumberOfKey::tension, NumberOfKey::tension_of},
+      Value{&spline::Tcb<double>::continuity, NumberOfKey::continuity, NumberOfKey::continuity_of},
+      Value{&spline::Tcb<double>::bias, NumberOfKey::bias, NumberOfKey::bias_of}};
+  for (std::size_t i = 0; i < channel_tcbs_.size(); ++i) {
+    for (const auto& [member, common, own] : values) {
+      if (!std::isnan(channel_tcbs_[i].*member)) continue;
+      channel_tcbs_[i].*member = tcb_.*member;
+      if (keeps_decimals()) decimals_[NumberOfKey::of_channel(own, i, channel_tcbs_.size())] = decimals_[common];
+    }
+  }
 }
 
 KeyBlock KeyBuilder::finish(std::string path) {

@@ -26,7 +26,8 @@ class KeyBuilder {
   /// Begins a key; a key that was not ended is dropped.
   void begin_key();
 
-  /// The number of a cell in the key. Requires: its role is position or one from tension to ease_out.
+  /// The number of a cell in the key. Requires: its role is position, one from tension to ease_out, or one in a
+  /// channel.
   double& number(const Columns::Column& column) {
     switch (column.role) {
       case Role::tension: return tcb_.tension;
@@ -34,6 +35,9 @@ class KeyBuilder {
       case Role::bias: return tcb_.bias;
       case Role::ease_in: return ease_.in;
       case Role::ease_out: return ease_.out;
+      case Role::channel_tension: return channel_tcbs_[column.channel].tension;
+      case Role::channel_continuity: return channel_tcbs_[column.channel].continuity;
+      case Role::channel_bias: return channel_tcbs_[column.channel].bias;
       default: return block_.keys.positions[position_ + column.channel];
     }
   }
@@ -89,6 +93,8 @@ class KeyBuilder {
   KeyBlock finish(std::string path = {});
 
  private:
+  void complete_channels();
+
   const KeyRules rules_;
   const bool is_timed_, has_tcb_, has_ease_;
   KeyBlock block_;
@@ -100,7 +106,8 @@ class KeyBuilder {
   Time time_;
   spline::Tcb<double> tcb_;
   spline::Ease<double> ease_;
-  std::vector<std::size_t> marks_;  ///< as in KeyBlock
+  std::vector<spline::Tcb<double>> channel_tcbs_;  ///< NaN where a channel has none; empty where no channel has any
+  std::vector<std::size_t> marks_;                 ///< as in KeyBlock
   std::vector<std::string> texts_;
   std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty if they are not kept
 };

@@ -68,7 +68,9 @@ class Groups {
 
   void add(KeyBlock block) {
     if (block.curve_info != nullptr) curve_infos_.push_back(std::exchange(block.curve_info, nullptr));
-    if (blocks_.empty() || blocks_.back().size() + block.size() > most_keys) blocks_.emplace_back();
+    const bool fits =
+        !blocks_.empty() && blocks_.back().size() + block.size() <= most_keys && blocks_.back().has_shape_of(block);
+    if (!fits) blocks_.emplace_back();
     KeyBlock& target = blocks_.back();
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (block.has_break_before(i)) ++section_;

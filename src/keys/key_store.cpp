@@ -18,6 +18,7 @@ void KeyStore::Columns::append(const Keys& keys) {
     if (time.lo != 0 || !low_parts.empty()) low_parts.push_back(time.lo);
   }
   positions.insert(positions.end(), keys.positions.begin(), keys.positions.end());
+  tcbs_per_key = keys.tcbs_per_key();
   tcbs.insert(tcbs.end(), keys.tcbs.begin(), keys.tcbs.end());
   eases.insert(eases.end(), keys.eases.begin(), keys.eases.end());
 }
@@ -33,7 +34,7 @@ Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
   copy(keys.times, times, 1);
   for (std::size_t i = 0; !low_parts.empty() && i < keys.times.size(); ++i) keys.times[i].lo = low_parts[first + i];
   copy(keys.positions, positions, channels);
-  if (!tcbs.empty()) copy(keys.tcbs, tcbs, 1);
+  copy(keys.tcbs, tcbs, tcbs_per_key);
   if (!eases.empty()) copy(keys.eases, eases, 1);
   return keys;
 }
@@ -53,7 +54,7 @@ void KeyStore::drop_last() {
   columns.times.pop_back();
   if (!columns.low_parts.empty()) columns.low_parts.pop_back();
   columns.positions.resize(columns.times.size() * columns.channels);
-  if (!columns.tcbs.empty()) columns.tcbs.pop_back();
+  columns.tcbs.resize(columns.times.size() * columns.tcbs_per_key);
   if (!columns.eases.empty()) columns.eases.pop_back();
 }
 

@@ -42,6 +42,7 @@ class KeyStore {
     std::size_t channels = 0;
     std::deque<double> times, low_parts;  ///< high and low parts of the times; low_parts is empty if all are 0
     std::deque<double> positions;
+    std::size_t tcbs_per_key = 0;
     std::deque<spline::Tcb<double>> tcbs;
     spline::Tcb<double> common_tcb;
     std::deque<spline::Ease<double>> eases;

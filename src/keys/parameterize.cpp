@@ -1,6 +1,7 @@
 // Parameterize and check: times for keys without any, from the distances between them; ease and number of keys.
 #include "keys/parameterize.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -113,11 +114,12 @@ Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ErrorCode code) {
       if (std::abs(value) <= 5) return;
       throw error_in_line(block.lines[key], code, {std::string(role_name(role)), value});
     };
-    for (std::size_t key = 0; key < block.size(); ++key) {
-      const auto& tcb = block.keys.tcbs.empty() ? block.keys.common_tcb : block.keys.tcbs[key];
-      require(key, Role::tension, tcb.tension);
-      require(key, Role::continuity, tcb.continuity);
-      require(key, Role::bias, tcb.bias);
+    const std::size_t per_key = std::max<std::size_t>(block.keys.tcbs_per_key(), 1);
+    for (std::size_t i = 0; i < block.size() * per_key; ++i) {
+      const auto& tcb = block.keys.tcb(i / per_key, i % per_key);
+      require(i / per_key, Role::tension, tcb.tension);
+      require(i / per_key, Role::continuity, tcb.continuity);
+      require(i / per_key, Role::bias, tcb.bias);
     }
     return block;
   });

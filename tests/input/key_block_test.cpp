@@ -35,6 +35,22 @@ TEST(KeyBlock, selected_keys_keep_all_that_belongs_to_them) {
   EXPECT_EQ(part.decimals[1], "2.0");
 }
 
+TEST(KeyBlock, tension_of_channels_belongs_to_their_keys) {
+  KeyBlock block = *keys_of("0 5\n1 7\n2 9\n", 3)();
+  block.keys.channels = 2;
+  block.keys.positions = {5, 6, 7, 8, 9, 10};
+  for (const double tension : {1, 2, 3, 4, 5, 6}) block.keys.tcbs.push_back({tension, 0, 0});
+  const KeyBlock part = block.range(1, 3);
+  ASSERT_EQ(part.keys.tcbs.size(), 4U);
+  EXPECT_EQ(part.keys.tcb(1, 0).tension, 5);
+  EXPECT_FALSE(part.has_shape_of(three_keys()));
+  EXPECT_TRUE(part.has_shape_of(block) && part.has_shape_of({}) && KeyBlock().has_shape_of(part));
+  const KeyBlock last = block.split_last();
+  ASSERT_EQ(last.keys.tcbs.size(), 2U);
+  EXPECT_EQ(last.keys.tcb(0, 1).tension, 6);
+  EXPECT_EQ(block.keys.tcbs.size(), 4U);
+}
+
 TEST(KeyBlock, the_last_key_splits_off_with_all_that_belongs_to_it) {
   KeyBlock block = three_keys();
   block.breaks = {1, 2};

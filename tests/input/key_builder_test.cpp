@@ -56,6 +56,30 @@ TEST(KeyBuilder, cells_become_numbers_and_texts_by_their_roles) {
   EXPECT_EQ(block.lines, (std::vector<std::uint64_t>{3, 2}));
 }
 
+TEST(KeyBuilder, channels_without_tension_of_their_own_have_the_common_one) {
+  const Columns with_own =
+      find_columns(std::vector<std::string>{"t", "x", "tension_y", "y", "T", "bias_x"}, std::vector<bool>(6, true), {});
+  KeyRules rules{{0.5, 0.25, 0.125}};
+  rules.keeps_decimals = true;
+  KeyBuilder keys(with_own, rules);
+  const auto set = [&](std::size_t cell, double value, const char* decimal) {
+    keys.number(with_own.cells[cell]) = value;
+    keys.keep_decimal(with_own.cells[cell], decimal);
+  };
+  keys.begin_key();
+  set(2, 1, "1.0");
+  set(4, -1, "-1.0");
+  EXPECT_TRUE(keys.end_key());
+  keys.set_position(1, 1);
+  const KeyBlock block = keys.finish();
+  ASSERT_EQ(block.keys.tcbs.size(), 2U);
+  EXPECT_EQ(block.keys.tcb(0, 0), (spline::Tcb<double>{-1, 0.25, 0.125}));
+  EXPECT_EQ(block.keys.tcb(0, 1), (spline::Tcb<double>{1, 0.25, 0.125}));
+  EXPECT_EQ(block.decimals[NumberOfKey::of_channel(NumberOfKey::tension_of, 0, 2)], "-1.0");
+  EXPECT_EQ(block.decimals[NumberOfKey::of_channel(NumberOfKey::tension_of, 1, 2)], "1.0");
+  EXPECT_EQ(block.decimals[NumberOfKey::of_channel(NumberOfKey::bias_of, 0, 2)], "");
+}
+
 TEST(KeyBuilder, a_missing_number_is_a_fault_or_is_skipped_or_breaks_the_curve) {
   EXPECT_EQ(three(Missing::error).faults.size(), 1U);
   EXPECT_EQ(three(Missing::error).size(), 2U);

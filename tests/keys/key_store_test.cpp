@@ -27,17 +27,18 @@ TEST(KeyStore, keys_are_read_more_than_once_and_the_last_one_can_be_dropped) {
   EXPECT_EQ(kept.size(), 2U);
 }
 
-TEST(KeyStore, keys_are_read_back_unchanged) {
+/// `per_key`: entries of tension, continuity and bias.
+void expect_keys_back(std::size_t per_key) {
   Keys all;
   all.channels = 2;
-  const auto make = [&all](std::size_t size, double low_part) {
+  const auto make = [&all, per_key](std::size_t size, double low_part) {
     KeyBlock block;
     block.keys.channels = 2;
     for (std::size_t i = 0; i < size; ++i) {
       const auto number = static_cast<double>(all.size() + i);
       block.keys.times.push_back(spline::DoubleDouble{0x1p60 + 1024 * number, low_part * number});
       block.keys.positions.insert(block.keys.positions.end(), {number / 3, -number});
-      block.keys.tcbs.push_back({0.25, number, 0.5});
+      block.keys.tcbs.resize(block.keys.tcbs.size() + per_key, {0.25, number, 0.5});
       block.keys.eases.push_back({0, 1 / (1 + number)});
       block.lines.push_back(all.size() + i + 1);
     }
@@ -63,7 +64,13 @@ TEST(KeyStore, keys_are_read_back_unchanged) {
     EXPECT_EQ(found.eases.back().out, expected.eases.back().out);
     EXPECT_EQ(kept.key(900).times[0], expected.times[900]);
     EXPECT_EQ(kept.key(900).positions[1], -900);
+    EXPECT_EQ(kept.key(900).tcb(0, per_key - 1).continuity, 900);
   }
+}
+
+TEST(KeyStore, keys_are_read_back_unchanged) {
+  expect_keys_back(1);
+  expect_keys_back(2);
 }
 
 }  // namespace

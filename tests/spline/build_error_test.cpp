@@ -116,6 +116,11 @@ TEST(BuildError, closed_curves_need_two_keys_and_a_period) {
   const auto differ = closed_error(std::nullopt, [](auto& keys) { keys.positions[4] = keys.positions[0]; });
   EXPECT_EQ(differ.code, seam_tcb_differs);
   EXPECT_EQ(differ.key, 4U);
+  const auto in_channel = closed_error(std::nullopt, [](auto& keys) {
+    keys = Keys<double>{2, {0, 1, 2}, {0, 0, 1, 1, 0, 0}, {{}, {}, {}, {}, {}, {1}}, {}, {}};
+  });
+  EXPECT_EQ(in_channel.code, seam_tcb_differs);
+  EXPECT_EQ(in_channel.channel, 1U);
   EXPECT_EQ(closed_error(9.0, [](auto& keys) { keys = keys_of({{0, 1, 0, 0, 0}}); }).code, closed_too_few_keys);
   EXPECT_EQ(closed_error(std::nullopt,
                          [](auto& keys) {

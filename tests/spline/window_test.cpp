@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "example_keys.hpp"
+#include "tcb/spline/curve.hpp"
 
 namespace tcb::spline {
 namespace {
@@ -41,6 +42,57 @@ TEST(Segments, passes_through_every_key_bit_for_bit) {
       for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(at(curve, keys.times[i].hi, c), keys.position(i)[c]);
     }
   }
+}
+
+/// A channel of keys alone, with its own tension, continuity and bias.
+Keys<double> channel_of(const Keys<double>& keys, std::size_t channel) {
+  Keys<double> one{1, keys.times, {}, {}, {}, keys.eases};
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    one.positions.push_back(keys.position(key)[channel]);
+    one.tcbs.push_back(keys.tcb(key, channel));
+  }
+  return one;
+}
+
+TEST(Segments, channels_with_tension_of_their_own_are_as_if_alone) {
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> parameter(-1.5, 1.5);
+  for (const PresetRow& preset : presets) {
+    for (const std::size_t count : {2U, 3U, 7U}) {
+      auto keys = random_keys(random, count, 3);
+      keys.tcbs.clear();
+      for (std::size_t i = 0; i < 3 * count; ++i) {
+        keys.tcbs.push_back({parameter(random), parameter(random), parameter(random)});
+      }
+      for (const bool closed : {false, true}) {
+        const auto build = [&](const Keys<double>& given) {
+          const auto rules = rules_of<double>(preset.id);
+          return *(
+              closed ? Curve<double>::build_closed(given, rules, given.times.back() - given.times[0] + Time<double>(1))
+                     : Curve<double>::build(given, rules));
+        };
+        const auto all = build(keys);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+          const auto one = build(channel_of(keys, channel));
+          for (std::size_t i = 0; i < all.segment_count(); ++i) {
+            const auto &a = all.segment(i).cubics[channel], &b = one.segment(i).cubics[0];
+            ASSERT_TRUE(a.out == b.out && a.in == b.in && a.c == b.c && a.d == b.d && a.p0 == b.p0) << preset.name;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Segments, channels_with_tension_of_their_own_have_these_tangents) {
+  // At key 1 with D0 = 2 and D1 = -3, h = 1, 2, T = 1/2 and C = B = 0: (1-T)/2 (D0 + D1/2), and twice that.
+  Keys<double> keys{2, {0, 1, 3}, {0, 0, 2, 2, -1, -1}, {{}, {}, {0.5}, {}, {}, {}}, {}, {}};
+  const Window<double> window{keys};
+  const Tangents<double> slopes(window, {});
+  EXPECT_EQ(slopes.incoming(1)[0].hi, 0.125);
+  EXPECT_EQ(slopes.outgoing(1)[0].hi, 0.25);
+  EXPECT_EQ(slopes.incoming(1)[1].hi, 0.25);
+  EXPECT_EQ(slopes.outgoing(1)[1].hi, 0.5);
 }
 
 TEST(Segments, tension_of_one_stops_at_the_key) {

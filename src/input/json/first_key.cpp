@@ -40,6 +40,7 @@ class FirstKeyReader : public JsonObjectReader {
     members.back().nested = true;
     return note(false);
   }
+  void on_members() override { members.pop_back(); }
   bool on_text(std::string_view text) override {
     FoundMember& member = members.back();
     member.empty = false;
@@ -68,7 +69,7 @@ class FirstKeyReader : public JsonObjectReader {
   /// A value that is not a number.
   bool note(bool text) {
     FoundMember& member = members.back();
-    if (in_array() && (member.name == "position" || member.name == "tcb")) return count();  // refused later too
+    if (in_array() && (member.name == "position" || holds_tcb(member.name))) return count();  // refused later too
     member.text = text && !in_array();
     return true;
   }

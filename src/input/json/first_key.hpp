@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "error.hpp"
@@ -28,6 +29,9 @@ struct FirstKey {
   std::vector<FoundMember> members;
   TextPosition position;  ///< where the key begins
 };
+
+/// Whether a member is an array [T,C,B]: of the key, or of one channel as "tcb.x".
+inline bool holds_tcb(std::string_view name) { return name == "tcb" || name.starts_with("tcb."); }
 
 /// Reads the first key of a chunk. A member with a text there holds numbers if one of the first keys has a number, or
 /// all have signs of missing ones. Throws: Error (data).

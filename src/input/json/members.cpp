@@ -15,7 +15,7 @@ using Found = FoundMember;
 using Member = JsonColumns::Member;
 
 /// Whether the name gives a member another role than position.
-bool has_role(const std::string& name) { return name == "tcb" || role_of_name(name) != Role::position; }
+bool has_role(const std::string& name) { return holds_tcb(name) || role_of_name(name) != Role::position; }
 
 /// The members that are arrays of positions: those that are requested, else "position"; and the names of its numbers.
 struct Arrays {
@@ -58,8 +58,12 @@ std::vector<std::string> cell_names(const Found& member, const Arrays& arrays, c
   if (member.text) return {member.name};
   if (arrays.has(member)) return names_in(member, arrays, members);
   if (!member.array) return std::vector<std::string>(member.numbers, member.name);
-  if (member.name == "tcb") return {"tension", "continuity", "bias"};
-  return {};
+  std::vector<std::string> names;
+  for (const Role role : {Role::tension, Role::continuity, Role::bias}) names.emplace_back(role_name(role));
+  if (member.name == "tcb") return names;
+  if (!holds_tcb(member.name)) return {};
+  for (std::string& name : names) name += member.name.substr(3).replace(0, 1, "_");
+  return names;
 }
 
 /// The requests with the names of an array's numbers in the place of its own.
@@ -104,11 +108,11 @@ void add_optional_members(JsonColumns& columns) {
 /// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
 /// requested.
 void require_shape(const Found& member, const InputOptions& options) {
-  const bool is_array = member.name == "tcb";
+  const bool is_array = holds_tcb(member.name);
   if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
   const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
   if (std::ranges::any_of(options.roles, names_it)) return;
-  if (member.numbers == 1 && !member.array) return;  // it may be null
+  if (!is_array && member.numbers == 1 && !member.array) return;  // it may be null
   const ErrorCode code = is_array ? ErrorCode::json_tcb_array_expected : ErrorCode::json_single_number_expected;
   throw Error(Exit::data, code, {member.path}).at(member.position);
 }
@@ -118,8 +122,7 @@ void require_no_near_miss(const Found& member, const Columns& columns, const Inp
   if (member.array || member.text || member.numbers == 0) return;
   const auto near = near_miss(member.name, columns, options.roles, options.timeless);
   if (!near) return;
-  throw Error(Exit::data, ErrorCode::json_member_nearly_role, {member.path, std::string(role_name(*near)), member.name})
-      .at(member.position);
+  throw Error(Exit::data, ErrorCode::json_member_nearly_role, {member.path, *near, member.name}).at(member.position);
 }
 
 bool is_required(const JsonColumns& columns, const Member& member) {
@@ -212,7 +215,7 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
 }
 
 void name_channels(JsonColumns& columns, const std::vector<std::string>& channels) {
-  const auto is_array = [](const Member& m) { return m.array && m.cells > 0 && m.name != "tcb"; };
+  const auto is_array = [](const Member& m) { return m.array && m.cells > 0 && !holds_tcb(m.name); };
   const auto member = std::ranges::find_if(columns.members, is_array);
   if (member == columns.members.end() || channels.empty()) return;
   require_count(channels.size(), member->cells);

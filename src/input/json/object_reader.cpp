@@ -69,9 +69,10 @@ struct JsonObjectReader::Adapter {
   bool binary(json::binary_t&) { return false; }
   bool start_object(std::size_t) { return reader.open(true); }
   bool key(std::string& name) {
-    if (reader.depth_ != reader.key_depth_ + 1) return true;
-    reader.member_ = name;
-    return reader.on_member(name);
+    if (reader.depth_ != reader.member_depth()) return true;
+    reader.member_ = reader.outer_;
+    reader.member_ += name;
+    return reader.on_member(reader.member_);
   }
   bool end_object() { return reader.close(true); }
   bool start_array(std::size_t) { return reader.open(false); }
@@ -137,6 +138,7 @@ void JsonObjectReader::parse_object() {
 /// Whether all was parsed.
 bool JsonObjectReader::parse_range(const char* begin, const char* end) {
   depth_ = 0;
+  outer_.clear();
   range_ = {begin, static_cast<std::size_t>(end - begin)};
   reading_ = {begin, {}};
   Adapter adapter{*this};
@@ -157,7 +159,10 @@ bool JsonObjectReader::open(bool object) {
   if (in_array()) {
     more = on_nested();
     ++element_;
-  } else if (depth_ == key_depth_ + 1) {
+  } else if (object && depth_ == key_depth_ + 1 && member_ == "tcb") {
+    outer_ = member_ + ".";
+    on_members();
+  } else if (depth_ == member_depth()) {
     element_ = 0;
     is_array_ = !object;
     if (object) more = on_nested();
@@ -175,6 +180,7 @@ bool JsonObjectReader::close(bool object) {
   const bool array_of_member = !object && in_array();
   const bool key = object && depth_ == key_depth_ + 1;
   --depth_;
+  if (depth_ == key_depth_ + 1) outer_.clear();
   if (key) ++keys_;
   return array_of_member ? on_array_end() : key ? on_key_end() : true;
 }

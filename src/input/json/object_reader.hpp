@@ -16,7 +16,8 @@
 namespace tcb {
 
 /// Receives events about key objects, or any other objects on the same level. Returning false ends the parsing.
-/// A value is a member's own, or an element of the array that the member is; deeper values are ignored.
+/// A value is a member's own, or an element of the array that the member is; deeper values are ignored. The members of
+/// an object "tcb" are members of the key, as "tcb.x".
 class JsonObjectReader {
  public:
   explicit JsonObjectReader(const Chunk& chunk)
@@ -48,6 +49,8 @@ class JsonObjectReader {
   virtual bool on_null() = 0;
   /// An array or object as a value.
   virtual bool on_nested() = 0;
+  /// The current member is an object whose members follow as members of the key.
+  virtual void on_members() {}
   virtual bool on_array_end() { return true; }
   /// A number or a text deep in a value.
   virtual void on_deep_value(bool /*is_number*/) {}
@@ -60,7 +63,7 @@ class JsonObjectReader {
   std::string_view decimal() const { return decimal_; }
   /// The current text is a string. Requires: in on_text().
   bool is_quoted() const { return is_quoted_; }
-  bool in_array() const { return depth_ == key_depth_ + 2 && is_array_; }
+  bool in_array() const { return depth_ == member_depth() + 1 && is_array_; }
   /// The index of the current array element; at the array's end, their number.
   std::size_t element() const { return element_; }
   /// Where the current key begins. Requires: calls come in the order of the text.
@@ -84,7 +87,8 @@ class JsonObjectReader {
   bool parse_range(const char* begin, const char* end);
   template <class F>
   bool value(F event);
-  bool is_deep() const { return depth_ != key_depth_ + 1 && !in_array(); }  ///< the current value is in another one
+  std::size_t member_depth() const { return key_depth_ + (outer_.empty() ? 1 : 2); }
+  bool is_deep() const { return depth_ != member_depth() && !in_array(); }  ///< the current value is in another one
   bool for_key() const { return depth_ <= key_depth_; }  ///< the current value is in the place of a key
   [[noreturn]] void refuse_value(ErrorCode code, std::vector<ErrorValue> values = {}) const;
   bool open(bool object);
@@ -110,6 +114,7 @@ class JsonObjectReader {
   bool is_quoted_ = false;
   bool is_array_ = false;  ///< the current member is an array, not an object
   std::string member_;
+  std::string outer_;  ///< the member whose members are being read, with a point; empty: they are the key's
   std::string_view decimal_;
 };
 

@@ -50,7 +50,8 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
     {BuildErrorCode::no_keys, "there are no keys; expected at least one"},
     {BuildErrorCode::no_channels, "the keys have no channels; expected at least one"},
     {BuildErrorCode::positions_count, "positions has {found} numbers; expected {expected}, one per key and channel"},
-    {BuildErrorCode::tcbs_count, "tcbs has {found} entries; expected {expected}, one per key, or none"},
+    {BuildErrorCode::tcbs_count,
+     "tcbs has {found} entries; expected {expected}, one per key, or as many per key as channels, or none"},
     {BuildErrorCode::eases_count, "eases has {found} entries; expected {expected}, one per key, or none"},
     {BuildErrorCode::time_not_finite, "the time of key {key} is not finite; expected a finite number"},
     {BuildErrorCode::times_not_increasing,
@@ -142,7 +143,7 @@ std::optional<BuildError> find_key_error(const Keys<S>& keys) {
   if (keys.positions.size() % channels != 0 || keys.positions.size() / channels != size) {
     return BuildError{.code = positions_count, .expected = size * channels, .found = keys.positions.size()};
   }
-  if (!keys.tcbs.empty() && keys.tcbs.size() != size) {
+  if (!keys.tcbs.empty() && keys.tcbs.size() != size && keys.tcbs.size() != keys.positions.size()) {
     return BuildError{.code = tcbs_count, .expected = size, .found = keys.tcbs.size()};
   }
   if (!keys.eases.empty() && keys.eases.size() != size) {
@@ -154,8 +155,9 @@ std::optional<BuildError> find_key_error(const Keys<S>& keys) {
       return BuildError{.code = position_not_finite, .key = i / channels, .channel = i % channels};
     }
   }
-  for (std::size_t key = 0; key < keys.tcbs.size(); ++key) {
-    if (!is_finite(keys.tcbs[key])) return BuildError{.code = tcb_not_finite, .key = key};
+  for (std::size_t i = 0; i < keys.tcbs.size(); ++i) {
+    const std::size_t per_key = keys.tcbs_per_key();
+    if (!is_finite(keys.tcbs[i])) return BuildError{.code = tcb_not_finite, .key = i / per_key, .channel = i % per_key};
   }
   if (!is_finite(keys.common_tcb)) return BuildError{.code = common_tcb_not_finite};
   const auto in_range = [](const S& ease) { return ease >= S(0) && ease <= S(1); };

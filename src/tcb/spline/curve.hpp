@@ -177,7 +177,9 @@ BuildResult<S> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules, 
   if (period) end = keys.times[0] + *period;
   const bool repeated = last > 0 && std::ranges::equal(keys.position(0), keys.position(last));
   if (repeated) {
-    if (keys.tcb(last) != keys.tcb(0)) return BuildError{.code = seam_tcb_differs, .key = last};
+    for (std::size_t i = 0; i < keys.channels; ++i) {
+      if (keys.tcb(last, i) != keys.tcb(0, i)) return BuildError{.code = seam_tcb_differs, .key = last, .channel = i};
+    }
     if (end && *end != keys.times[last]) return BuildError{.code = period_contradicted, .key = last};
     end = keys.times[last];
   } else if (end && !(*end > keys.times[last])) {

@@ -26,8 +26,9 @@ struct Ease {
 };
 
 /// Successive keys, each with the same number of channels.
-/// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or
-/// none where every key has `common_tcb`; eases holds one entry per key, or none.
+/// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or `channels`
+/// entries per key where each channel has its own, or none where every key has `common_tcb`; eases holds one entry per
+/// key, or none.
 template <class S>
 struct Keys {
   std::size_t channels = 0;
@@ -39,10 +40,18 @@ struct Keys {
 
   std::size_t size() const { return times.size(); }
   std::span<const S> position(std::size_t key) const { return std::span(positions).subspan(key * channels, channels); }
-  const Tcb<S>& tcb(std::size_t key) const { return tcbs.empty() ? common_tcb : tcbs[key]; }
+  /// The number of entries of tcbs per key: 0, 1 or `channels`.
+  std::size_t tcbs_per_key() const { return tcbs.empty() ? 0 : tcbs.size() * channels / positions.size(); }
+  /// Whether each channel has its own tension, continuity and bias.
+  bool has_channel_tcbs() const { return tcbs_per_key() > 1; }
+  /// Those of a key, in a channel where each has its own.
+  const Tcb<S>& tcb(std::size_t key, std::size_t channel = 0) const {
+    if (tcbs.empty()) return common_tcb;
+    return has_channel_tcbs() ? tcbs[key * channels + channel] : tcbs[key];
+  }
 };
 
-/// Appends keys [first, last) of `from`. Requires: both have tcbs, or neither; likewise for eases.
+/// Appends keys [first, last) of `from`. Requires: both have as many tcbs per key; likewise for eases.
 template <class S>
 void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t last) {
   const auto copy = [&](auto& target, const auto& source, std::size_t stride) {
@@ -55,7 +64,7 @@ void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t las
   to.common_tcb = from.common_tcb;
   copy(to.times, from.times, 1);
   copy(to.positions, from.positions, from.channels);
-  if (!from.tcbs.empty()) copy(to.tcbs, from.tcbs, 1);
+  if (!from.tcbs.empty()) copy(to.tcbs, from.tcbs, from.tcbs_per_key());
   if (!from.eases.empty()) copy(to.eases, from.eases, 1);
 }
 

@@ -110,8 +110,18 @@ class Tangents {
     incoming_.assign(keys_.size() * keys_.channels, W(0));
     outgoing_ = incoming_;
     const auto common = factors(keys_.common_tcb);
+    const bool differ = keys_.has_channel_tcbs();
     for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
-      set_interior(key, keys_.tcbs.empty() ? common : factors(keys_.tcbs[key]));
+      if (differ) {
+        for (std::size_t i = 0; i < keys_.channels; ++i) {
+          const Tcb<S>& tcb = keys_.tcb(key, i);
+          set_interior(key, i, i + 1, factors(tcb), tcb);
+        }
+      } else if (keys_.tcbs.empty()) {
+        set_interior(key, 0, keys_.channels, common, keys_.common_tcb);
+      } else {
+        set_interior(key, 0, keys_.channels, factors(keys_.tcbs[key]), keys_.tcbs[key]);
+      }
       if constexpr (has_roots<S>) {
         if (rules.equal_speed) equalize(key);
       }
@@ -133,11 +143,12 @@ class Tangents {
     return exact_difference(keys_.position(key + 1)[channel], keys_.position(key)[channel]);
   }
 
-  void set_interior(std::size_t key, const Factors<W>& f) {
+  /// The tangents of a key in the channels [first, last), which have the same tension, continuity and bias.
+  void set_interior(std::size_t key, std::size_t first, std::size_t last, const Factors<W>& f, const Tcb<S>& tcb) {
     const W h0 = keys_.times[key] - keys_.times[key - 1];
     const W h1 = keys_.times[key + 1] - keys_.times[key];
-    const auto weights = row_of<S>(rules_.tangents).weights({f, W(keys_.tcb(key).continuity), h0, h1});
-    for (std::size_t i = 0; i < keys_.channels; ++i) {
+    const auto weights = row_of<S>(rules_.tangents).weights({f, W(tcb.continuity), h0, h1});
+    for (std::size_t i = first; i < last; ++i) {
       const W d0 = chord(key - 1, i);
       const W d1 = chord(key, i);
       incoming_[key * keys_.channels + i] = weights.in0 * d0 + weights.in1 * d1;
@@ -149,13 +160,18 @@ class Tangents {
   void set_end(std::size_t key, std::size_t inner, const EndChoice<S>& choice) {
     const bool at_start = key < inner;
     const std::size_t first = std::min(key, inner);
-    const auto f = factors(keys_.tcb(key));
-    const auto weights = row_of<S>(choice.rule)
-                             .weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(keys_.tcb(key).tension),
-                                       keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
+    const auto weights_of = [&](const Tcb<S>& tcb) {
+      const auto f = factors(tcb);
+      return row_of<S>(choice.rule)
+          .weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(tcb.tension),
+                    keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
+    };
+    const bool differ = keys_.has_channel_tcbs();
+    auto weights = weights_of(keys_.tcb(key));
     auto& tangents = at_start ? outgoing_ : incoming_;
     const auto& others = at_start ? incoming_ : outgoing_;
     for (std::size_t i = 0; i < keys_.channels; ++i) {
+      if (differ) weights = weights_of(keys_.tcb(key, i));
       W tangent = weights.chord * chord(first, i) + weights.other * others[inner * keys_.channels + i];
       if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
       tangents[key * keys_.channels + i] = tangent;

@@ -28,6 +28,47 @@ TEST(JsonMembers, members_without_a_meaning_are_ignored) {
             "t x\n1: 0 1\n1: 1 2\n");
 }
 
+/// The tension, continuity and bias of each channel of each key.
+std::string channel_tcbs(const std::string& text) {
+  std::string shown;
+  const std::string error = error_of([&] {
+    const auto keys = without_faults(open_input("f", pieces(text), {}).keys, false);
+    while (const auto block = keys()) {
+      for (const auto& [tension, continuity, bias] : block->keys.tcbs) {
+        shown += fmt::format("[{} {} {}]", tension, continuity, bias);
+      }
+    }
+  });
+  return error == "no error" ? shown : error;
+}
+
+TEST(JsonMembers, channels_may_have_tension_of_their_own) {
+  const std::string expected = "[0.5 0.25 1][0.5 0 1][0 0 0][0 0 0][-1 0 0][0 0 0]";
+  EXPECT_EQ(channel_tcbs(R"([{"t":0,"position":[1,2],"tcb":{"x":[0.5,0.25,1],"y":[0.5,0,1]}},)"
+                         R"({"t":1,"position":[3,4]},{"t":2,"position":[3,4],"tcb":{"x":[-1,0,0]}}])"),
+            expected);
+  EXPECT_EQ(channel_tcbs(R"([{"t":0,"x":1,"y":2,"T":0.5,"continuity_x":0.25,"bias":1,"tension_x":0.5},)"
+                         R"({"t":1,"x":3,"y":4},{"t":2,"x":3,"y":4,"tension_x":-1}])"),
+            expected);
+  EXPECT_EQ(channel_tcbs(R"([{"t":0,"position":[1,2],"tension_y":1},{"t":1,"position":[1,2],"tcb":[0,0.5,0]}])"),
+            "[0 0 0][1 0 0][0 0.5 0][0 0.5 0]");
+}
+
+TEST(JsonMembers, tension_of_channels_has_errors_of_its_own) {
+  EXPECT_THAT(channel_tcbs(R"([{"t":0,"position":[1,2],"tcb":{"q":[1,0,0]}}])"),
+              HasSubstr("f:1:2: error: column \"tension_q\" is for a channel \"q\", which does not exist"));
+  EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":[1,0,0]},"tension_x":1}])"),
+              HasSubstr("two columns could be the tension_x column"));
+  EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":1}}])"),
+              HasSubstr("keys[0].tcb.x: expected an array [T,C,B]; correct it"));
+  EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":[1,0,0]}},{"t":1,"x":2,"tcb":{"x":[1,0]}}])"),
+              HasSubstr("keys[1].tcb.x: "));
+  EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1},{"t":1,"x":2,"tcb":{"x":[1,0,0]}}])"),
+              HasSubstr("keys[1].tcb.x[0]: not in the first key"));
+  EXPECT_THAT(channel_tcbs(R"({"tension_x":1,"keys":[{"t":0,"x":1},{"t":1,"x":2}]})"),
+              HasSubstr("tension_x: not in a key"));
+}
+
 TEST(JsonMembers, a_repeated_member_in_the_first_key_is_an_error) {
   EXPECT_THAT(read(R"([{"t":0,"x":1,"x":2}])"), HasSubstr("keys[0].x: repeated in one key; expected once; remove one"));
 }

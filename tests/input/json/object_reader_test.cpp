@@ -67,6 +67,12 @@ TEST(ObjectReader, values_in_an_object_of_a_member_are_ignored) {
   EXPECT_EQ(log("[{\"a\":{\"b\":7,\"c\":[8],\"d\":\"x\"},\"e\":9}]"), "1{ a:<nested> e:9}");
 }
 
+TEST(ObjectReader, the_members_of_tcb_are_members_of_the_key) {
+  EXPECT_EQ(log("[{\"tcb\":{\"x\":[1,2,3],\"y\":4,\"z\":{\"w\":5},\"v\":[[6]]},\"e\":9,\"a\":{\"tcb\":{\"x\":7}}}]"),
+            "1{ tcb: tcb.x: 0=1 1=2 2=3/3 tcb.y:4 tcb.z:<nested> tcb.v: 0=<nested>/1 e:9 a:<nested>}");
+  EXPECT_EQ(log("{\"tcb\":{}}\n{\"tcb\":[1],\"b\":2}"), "1{ tcb:}2{ tcb: 0=1/1 b:2}");
+}
+
 TEST(ObjectReader, returning_false_ends_the_parsing) {
   const Chunk chunk{"{\"a\":1}\n{\"a\":2}\n{"};
   Log reader(chunk);

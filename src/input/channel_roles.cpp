@@ -1,0 +1,205 @@
+// Channel roles: columns with the tension, continuity and bias of one channel, by name or on request, and near misses.
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <unordered_map>
+
+#include "input/columns.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+/// The text before or after the name of a channel in the names of its columns.
+struct Affix {
+  std::string_view text;
+  Role role;
+  bool is_prefix;
+};
+
+constexpr std::array affixes{
+    Affix{"tension_", Role::channel_tension, true},
+    Affix{"continuity_", Role::channel_continuity, true},
+    Affix{"bias_", Role::channel_bias, true},
+};
+
+std::string in_lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  return result;
+}
+
+/// Finds names: exactly, or else in another case.
+class NameIndex {
+ public:
+  explicit NameIndex(std::span<const std::string> names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      exact_.emplace(names[i], i);
+      other_.emplace(in_lower_case(names[i]), i);
+    }
+  }
+
+  std::optional<std::size_t> find(const std::string& name) const {
+    if (const auto found = exact_.find(name); found != exact_.end()) return found->second;
+    const auto found = other_.find(in_lower_case(name));
+    return found == other_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::unordered_map<std::string, std::size_t> exact_, other_;
+};
+
+/// The role in a channel that corresponds to one of all channels.
+Role in_channel(Role role) {
+  switch (role) {
+    case Role::tension: return Role::channel_tension;
+    case Role::continuity: return Role::channel_continuity;
+    case Role::bias: return Role::channel_bias;
+    default: return Role::ignored;
+  }
+}
+
+/// The role in a channel of which a text is the name without the channel, or a near miss of it.
+Role role_without_channel(std::string_view text) {
+  if (text.size() == 1) return Role::ignored;  // as in x_T, which may be anything
+  return in_channel(near_role(text).value_or(role_of_name(text)));
+}
+
+}  // namespace
+
+std::string role_name(const ChannelRole& role) {
+  const auto affix = std::ranges::find(affixes, role.role, &Affix::role);
+  const std::string text(affix->text);
+  return affix->is_prefix ? text + role.channel : role.channel + text;
+}
+
+std::optional<ChannelRole> channel_role_of(std::string_view name) {
+  for (const auto& [text, role, is_prefix] : affixes) {
+    if (name.size() <= text.size()) continue;
+    const std::size_t rest = name.size() - text.size();
+    if (!same_in_any_case(is_prefix ? name.substr(0, text.size()) : name.substr(rest), text)) continue;
+    return ChannelRole{role, std::string(is_prefix ? name.substr(text.size()) : name.substr(0, rest))};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
+                                                      const std::vector<bool>& may_be_channel, bool chosen) {
+  std::vector<std::optional<ChannelRole>> named, roles(header.size());
+  std::ranges::transform(header, std::back_inserter(named), channel_role_of);
+  if (std::ranges::none_of(named, [](const auto& role) { return role.has_value(); })) return roles;
+  const NameIndex names(header);
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (!named[cell]) continue;
+    const auto channel = names.find(named[cell]->channel);
+    if (channel && may_be_channel[*channel] && !named[*channel]) {
+      roles[cell] = {named[cell]->role, header[*channel]};
+    } else if (!chosen) {
+      std::vector<std::string> channels;
+      for (std::size_t i = 0; i < header.size(); ++i) {
+        if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
+      }
+      throw Error(Exit::data, ErrorCode::column_of_unknown_channel, {header[cell], named[cell]->channel, channels});
+    }
+  }
+  return roles;
+}
+
+std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::span<const std::string> header,
+                                                 const std::vector<bool>& numeric, const std::vector<bool>& times) {
+  const bool chosen = columns.has(Role::position);
+  std::vector<bool> may_be_channel(header.size());
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const Role role = columns.cells[cell].role;
+    const bool by_name = !chosen && role == Role::ignored && !times[cell] && numeric[cell];
+    may_be_channel[cell] = role == Role::position || (by_name && role_of_name(header[cell]) == Role::position);
+  }
+  const auto roles = channel_roles(header, may_be_channel, chosen);
+  std::vector<ColumnOfChannel> found;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (!roles[cell] || columns.cells[cell].role != Role::ignored) continue;
+    found.push_back({cell, *roles[cell], header[cell], false});
+  }
+  return found;
+}
+
+void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found) {
+  std::unordered_map<std::string, bool> taken;  // whether it was requested
+  for (const auto& [cell, role, name, requested] : found) {
+    const auto& channels = columns.channels;
+    auto channel = std::ranges::find(channels, role.channel);
+    if (channel == channels.end()) {
+      channel = std::ranges::find_if(
+          channels, [&, &wanted = role.channel](const std::string& known) { return same_in_any_case(known, wanted); });
+    }
+    if (channel == channels.end()) {
+      throw Error(Exit::data, ErrorCode::role_of_unknown_channel, {role_name(role), role.channel, channels})
+          .about(Option::columns);
+    }
+    const std::string known = role_name(ChannelRole{role.role, *channel});
+    const auto [other, is_first] = taken.emplace(known, requested);
+    if (!is_first && (requested || !other->second)) {
+      throw Error(Exit::data, ErrorCode::two_columns_for_role, {known, name});
+    }
+    columns.cells[cell] = {is_first ? role.role : Role::ignored, static_cast<std::size_t>(channel - channels.begin())};
+  }
+}
+
+std::optional<ChannelRole> near_channel_role(std::string_view name, const std::vector<std::string>& channels) {
+  for (std::size_t at = name.find('_'); at != std::string_view::npos; at = name.find('_', at + 1)) {
+    const std::string_view first = name.substr(0, at), second = name.substr(at + 1);
+    for (const auto& [role, channel] : {std::pair{first, second}, std::pair{second, first}}) {
+      const Role meant = role_without_channel(role);
+      if (meant == Role::ignored) continue;
+      const auto found = std::ranges::find_if(
+          channels, [&, &text = channel](const std::string& known) { return same_in_any_case(known, text); });
+      if (found != channels.end()) return ChannelRole{meant, *found};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<RoleRequest> parse_roles(std::string_view text) {
+  std::vector<RoleRequest> requests;
+  for (const std::string_view part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string_view name = part.substr(0, equals);
+    const std::optional<Role> known = find_role(name);
+    const std::optional<ChannelRole> of_channel = known ? std::nullopt : channel_role_of(name);
+    if (equals == std::string::npos || equals + 1 == part.size() || !(known || of_channel)) {
+      throw Error(Exit::usage, ErrorCode::invalid_role_request, {std::string(part)}).about(Option::columns);
+    }
+    const auto columns = split(part.substr(equals + 1), ':');
+    requests.push_back({known ? *known : of_channel->role, {columns.begin(), columns.end()}});
+    if (of_channel) requests.back().channel = of_channel->channel;
+  }
+  return requests;
+}
+
+std::optional<std::string> near_miss(const std::string& name, const Columns& columns,
+                                     std::span<const RoleRequest> requests, bool timeless) {
+  if (std::ranges::count(requests, Role::position, &RoleRequest::role) > 0) return std::nullopt;
+  if (const auto near = near_channel_role(name, columns.channels)) {
+    const auto channel = std::ranges::find(columns.channels, near->channel);
+    const auto index = static_cast<std::size_t>(channel - columns.channels.begin());
+    const bool is_taken = std::ranges::any_of(columns.cells, [&](const Columns::Column& column) {
+      return column.role == near->role && column.channel == index;
+    });
+    if (!is_taken) return role_name(*near);
+  }
+  const std::optional<Role> near = near_role(name);
+  if (!near || columns.has(*near) || (timeless && *near == Role::time)) return std::nullopt;
+  return std::string(role_name(*near));
+}
+
+void require_no_near_miss(std::span<const std::string> header, const Columns& columns,
+                          std::span<const RoleRequest> requests, bool timeless) {
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (columns.cells[cell].role != Role::position) continue;
+    const auto near = near_miss(header[cell], columns, requests, timeless);
+    if (!near) continue;
+    throw Error(Exit::data, ErrorCode::column_nearly_role, {header[cell], *near});
+  }
+}
+
+}  // namespace tcb

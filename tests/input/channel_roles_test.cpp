@@ -1,0 +1,94 @@
+// Channel roles: names such as "tension_x", requests of them, near misses, and errors.
+#include <gmock/gmock.h>
+
+#include "input/columns.hpp"
+#include "input/reading.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Names = std::vector<std::string>;
+
+/// The columns of a header where every column holds numbers.
+Columns find(const Names& header, std::string_view asked = "") {
+  return find_columns(header, std::vector<bool>(header.size(), true),
+                      asked.empty() ? std::vector<RoleRequest>{} : parse_roles(asked));
+}
+
+std::string error_in(const Names& header, std::string_view asked = "") {
+  return error_of([&] { (void)find(header, asked); });
+}
+
+TEST(ChannelRoles, a_name_has_the_role_and_the_channel) {
+  EXPECT_EQ(channel_role_of("tension_x"), (ChannelRole{Role::channel_tension, "x"}));
+  EXPECT_EQ(channel_role_of("Continuity_Pos Y"), (ChannelRole{Role::channel_continuity, "Pos Y"}));
+  EXPECT_EQ(channel_role_of("BIAS_p1_a"), (ChannelRole{Role::channel_bias, "p1_a"}));
+  for (const char* name : {"tension_", "tension", "x_tension", "tensionx", "bias", "x", ""}) {
+    EXPECT_EQ(channel_role_of(name), std::nullopt) << name;
+  }
+  EXPECT_EQ(role_name(ChannelRole{Role::channel_bias, "p1"}), "bias_p1");
+}
+
+TEST(ChannelRoles, columns_are_for_their_channel_in_any_order_and_case) {
+  const Columns columns = find({"tension_y", "t", "x", "BIAS_X", "Y", "continuity_x", "T"});
+  EXPECT_THAT(columns.channels, ElementsAre("x", "Y"));
+  EXPECT_EQ(columns.cells[0].role, Role::channel_tension);
+  EXPECT_EQ(columns.cells[0].channel, 1U);
+  EXPECT_EQ(columns.cells[3].role, Role::channel_bias);
+  EXPECT_EQ(columns.cells[3].channel, 0U);
+  EXPECT_THAT(columns.shape_roles(), ElementsAre("tension", "tension_Y", "bias_x", "continuity_x"));
+  EXPECT_TRUE(columns.ignored.empty());
+}
+
+TEST(ChannelRoles, an_exact_name_has_priority_over_one_in_another_case) {
+  const Columns columns = find({"t", "X", "x", "tension_x"});
+  EXPECT_EQ(columns.cells[3].channel, 1U);
+  EXPECT_EQ(find({"t", "x", "X", "tension_X"}).cells[3].channel, 1U);
+}
+
+TEST(ChannelRoles, requests_name_them) {
+  const Columns columns = find({"t", "x", "y", "k"}, "tension_y=k");
+  EXPECT_EQ(columns.cells[3].role, Role::channel_tension);
+  EXPECT_EQ(columns.cells[3].channel, 1U);
+  const Columns other = find({"t", "x", "k", "tension_x"}, "tension_x=k");
+  EXPECT_EQ(other.cells[2].role, Role::channel_tension);
+  EXPECT_THAT(other.ignored, ElementsAre("tension_x")) << "the requested one has priority";
+  const Columns unnamed = find_columns({}, {true, true, true, true}, parse_roles("bias_y=4"));
+  EXPECT_EQ(unnamed.cells[3].role, Role::channel_bias);
+  EXPECT_EQ(unnamed.cells[3].channel, 1U);
+  const Columns chosen = find({"t", "x", "y", "tension_x", "tension_y"}, "position=y");
+  EXPECT_EQ(chosen.cells[4].role, Role::channel_tension);
+  EXPECT_THAT(chosen.ignored, ElementsAre("x", "tension_x"));
+}
+
+TEST(ChannelRoles, a_channel_may_have_such_a_name_where_it_is_requested) {
+  EXPECT_THAT(find({"t", "x", "tension_x"}, "position=x:tension_x").channels, ElementsAre("x", "tension_x"));
+}
+
+TEST(ChannelRoles, an_unknown_channel_is_an_error) {
+  EXPECT_THAT(error_in({"t", "x", "y", "tension_q"}),
+              HasSubstr("column \"tension_q\" is for a channel \"q\", which does not exist; the channels are x, y"));
+  EXPECT_THAT(error_in({"t", "x", "tension_t"}), HasSubstr("a channel \"t\""));
+  EXPECT_THAT(error_in({"t", "x", "k"}, "bias_q=k"), HasSubstr("bias_q is for a channel \"q\", which does not exist"));
+  EXPECT_THAT(error_in({"t", "x", "a", "b"}, "tension_x=a:b"),
+              HasSubstr("two columns could be the tension_x column, the second is \"b\""));
+  EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("two columns could be the tension_x column"));
+}
+
+TEST(ChannelRoles, near_misses_are_errors) {
+  EXPECT_THAT(error_of([] {
+                const Names header{"t", "x", "tensoin_x"};
+                require_no_near_miss(header, find(header), {}, false);
+              }),
+              HasSubstr("column \"tensoin_x\" is close to \"tension_x\""));
+  EXPECT_EQ(near_channel_role("x_tension", {"x"}), (ChannelRole{Role::channel_tension, "x"}));
+  EXPECT_EQ(near_channel_role("Bais_Pos_X", {"y", "pos_x"}), (ChannelRole{Role::channel_bias, "pos_x"}));
+  for (const char* name : {"tensor_x", "tensoin_y", "x_T", "x", "x_", "_x", "x_y", "time_x"}) {
+    EXPECT_EQ(near_channel_role(name, {"x"}), std::nullopt) << name;
+  }
+}
+
+}  // namespace
+}  // namespace tcb
