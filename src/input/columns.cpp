@@ -8,7 +8,6 @@
 #include <charconv>
 #include <unordered_set>
 
-#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
