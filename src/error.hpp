@@ -158,6 +158,10 @@ enum class ErrorCode {
   two_columns_for_role,       ///< role, name of the second column
   column_of_unknown_channel,  ///< name, name of the channel, names of the channels
   role_of_unknown_channel,    ///< role, name of the channel, names of the channels
+  velocity_columns_overlap,   ///< name of one for both sides, name of another
+  velocity_column_missing,    ///< name, name of the missing one
+  velocity_with_tcb,          ///< name of the velocity, name of the other column
+  tcb_with_all_velocities,    ///< role
   no_channel_column,
   column_nearly_role,  ///< name, role
   times_unclear,       ///< name of the column that may be the time
@@ -301,6 +305,11 @@ enum class ErrorCode {
   length_beyond_doubles,
   channel_without_numbers,
   closing_key_differs,
+  closing_velocity_differs,   ///< line of the first key
+  seam_velocity_missing,      ///< channel
+  incoming_velocity_missing,  ///< channel
+  outgoing_velocity_missing,  ///< channel
+  equal_speed_with_velocities,
   closing_key_against_period,
   period_too_short,
   too_few_closed_keys,

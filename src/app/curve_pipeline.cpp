@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "exact/precision_levels.hpp"
 #include "keys/parameterize.hpp"
+#include "keys/velocities.hpp"
 
 namespace tcb {
 namespace {
@@ -83,6 +84,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
   const auto other_scale = has_tcb_scale_ ? std::nullopt : scale_fault(spec_.preset);
   if (other_scale) blocks = within_tcb_scale(std::move(blocks), *other_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
+  blocks = with_complete_velocities(std::move(blocks), channels_, spec_.rules.equal_speed);
   return checked(std::move(blocks), is_single() ? 1 : least);
 }
 
@@ -174,6 +176,7 @@ Extent CurvePipeline::extent(KeyStore& keys) const {
   if (keys.are_sparse() && !keys.key(0).eases.empty()) throw Error(Exit::data, ErrorCode::ease_with_missing_cells);
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
   extent.last = spec_.closed ? close(keys, spec_, timed_) : keys.key(keys.size() - 1).times[0];
+  if (spec_.closed) require_seam_velocities(keys, channels_);
   return extent;
 }
 

@@ -44,7 +44,7 @@ std::string valued_options(std::string_view separator) {
 std::string role_list() {
   std::vector<std::string_view> names;
   for (const Role role : {Role::time, Role::position, Role::tension, Role::continuity, Role::bias, Role::ease_in,
-                          Role::ease_out, Role::group, Role::carry}) {
+                          Role::ease_out, Role::group, Role::carry, Role::unused}) {
     names.push_back(role_name(role));
   }
   return fmt::format("{}", fmt::join(names, " "));

@@ -71,6 +71,20 @@ constexpr std::array all_words{
           "the channels with --columns position=NAME:NAME"},
     Words{ErrorCode::role_of_unknown_channel,
           "{0} is for a channel \"{1}\", which does not exist; the channels are {2}; correct {subject}"},
+    Words{
+        ErrorCode::velocity_columns_overlap,
+        "\"{0}\" and \"{1}\": two velocities of one side; expected {0} for both sides, or one for each; remove one, or "
+        "give --columns ignore=NAME"},
+    Words{ErrorCode::velocity_column_missing,
+          "\"{0}\" without \"{1}\"; expected both, or one column for both sides; add it, or give --columns ignore={0}"},
+    Words{ErrorCode::velocity_with_tcb,
+          "\"{0}\" and \"{1}\": a given velocity leaves nothing to tension, continuity and bias; expected one of the "
+          "two; "
+          "remove one, or give --columns ignore=NAME"},
+    Words{ErrorCode::tcb_with_all_velocities,
+          "the column of {0} has no effect, for all channels have given velocities; expected one of the two; remove "
+          "it, or "
+          "give --columns ignore=NAME"},
     Words{ErrorCode::no_channel_column,
           "no position column; expected at least one column of numbers besides the time; name it with --columns "
           "position=NAME"},
@@ -99,7 +113,8 @@ constexpr std::array all_words{
           "a year from 0 to 9999 for a date; give --time-format seconds"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
-          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, ease_in=, ease_out=, group= or carry=; for "
+          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
+          "ease_out=, group=, carry= or ignore=; for "
           "example --columns time=frame,position=px:py"},
     // input/csv
     Words{ErrorCode::record_too_long,
@@ -345,6 +360,24 @@ constexpr std::array all_words{
     Words{ErrorCode::closing_key_differs,
           "this key closes the curve at the position of line {0}, but with another tension, continuity or bias; "
           "expected the same; correct one of the two"},
+    Words{ErrorCode::closing_velocity_differs,
+          "this key closes the curve at the position of line {0}, but with another velocity; expected the same; "
+          "correct one "
+          "of the two, or leave the incoming one of the first key and the outgoing one of the last empty"},
+    Words{
+        ErrorCode::seam_velocity_missing,
+        "channel \"{0}\": a velocity is missing where the closed curve returns to its first key; expected the incoming "
+        "one of the first key and the outgoing one of the last; fill them in"},
+    Words{ErrorCode::incoming_velocity_missing,
+          "the incoming velocity of channel \"{0}\" is missing; expected a number at every key but the first; fill it "
+          "in, "
+          "or remove the row"},
+    Words{
+        ErrorCode::outgoing_velocity_missing,
+        "the outgoing velocity of channel \"{0}\" is missing; expected a number at every key but the last; fill it in, "
+        "or remove the row"},
+    Words{ErrorCode::equal_speed_with_velocities,
+          "{subject} would change velocities, which are given; expected one of the two; remove {subject}"},
     Words{
         ErrorCode::closing_key_against_period,
         "this key repeats the position of line {0} and so ends the period, but {subject} differs; remove one of them"},

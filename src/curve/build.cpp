@@ -95,6 +95,12 @@ Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, 
   if (last.tcbs != first.tcbs) {
     throw Error(Exit::data, ErrorCode::closing_key_differs, {keys.first_line()}).at(position);
   }
+  for (std::size_t i = 0; i < last.velocities.size(); ++i) {
+    const auto &a = first.velocities[i], &b = last.velocities[i];
+    const auto differs = [](double x, double y) { return !std::isnan(x) && !std::isnan(y) && x != y; };
+    if (!differs(a.in, b.in) && !differs(a.out, b.out)) continue;
+    throw Error(Exit::data, ErrorCode::closing_velocity_differs, {keys.first_line()}).at(position);
+  }
   if (end && *end != last.times[0]) {
     throw Error(Exit::data, ErrorCode::closing_key_against_period, {keys.first_line()})
         .about(Option::period)
@@ -128,6 +134,7 @@ Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
   if (keys.size() > 1 && same_position(first, last)) {
     end = end_by_last_key(first, last, keys, end);
     keys.drop_last();
+    if (!last.velocities.empty()) keys.set_first_incoming(last);
     if (keys.size() > 0) last = keys.key(keys.size() - 1);
   } else if (end) {
     end = end_by_period(first, last, *spec.period, keys.decimals());
@@ -139,6 +146,20 @@ Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
   if (keys.size() < 2) throw Error(Exit::data, ErrorCode::too_few_closed_keys);
   if (!end) throw Error(Exit::data, ErrorCode::no_period);
   return *end;
+}
+
+void require_seam_velocities(const KeyStore& keys, const std::vector<std::string>& channels) {
+  const std::vector<bool> given = keys.key(0).given;
+  const std::size_t size = keys.size();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const auto is_missing = [&](std::size_t key) { return std::isnan(keys.key(key).positions[i]); };
+    std::size_t first = 0, last = size - 1;
+    while (first < last && is_missing(first)) ++first;
+    while (last > first && is_missing(last)) --last;
+    const bool has_both =
+        !std::isnan(keys.key(first).velocities[i].in) && !std::isnan(keys.key(last).velocities[i].out);
+    if (given[i] && !has_both) throw Error(Exit::data, ErrorCode::seam_velocity_missing, {channels[i]});
+  }
 }
 
 LinkedKeys periodic_extension(const KeyStore& keys, const Time& end) {

@@ -64,6 +64,9 @@ struct LinkedKeys {
 /// or if there are fewer than two distinct keys.
 Time close(KeyStore& keys, const CurveSpec& spec, bool timed);
 
+/// Throws: Error (data) for a channel with given velocities, where one at the seam of a closed curve is missing.
+void require_seam_velocities(const KeyStore& keys, const std::vector<std::string>& channels);
+
 /// The keys of a closed curve, followed by the first two one period later, with the last one a period earlier as
 /// context.
 LinkedKeys periodic_extension(const KeyStore& keys, const Time& end);

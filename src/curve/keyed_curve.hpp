@@ -97,6 +97,10 @@ class ChannelKeys {
       key.tcbs.push_back(keys_.tcb(number, channel_ + i));
     }
     if (!keys_.eases.empty()) key.eases.push_back(keys_.eases[number]);
+    for (std::size_t i = channel_; !keys_.velocities.empty() && i < channel_ + channels_; ++i) {
+      key.given.push_back(keys_.given[i]);
+      key.velocities.push_back(keys_.velocities[number * keys_.channels + i]);
+    }
     return key;
   }
 

@@ -79,10 +79,26 @@ ChannelFacts channel_facts(const ExactCurve& exact) {
     if (distance != 0) facts.constant[channel] = false;
     if (exact.keys.positions[i] != 0) facts.zero[channel] = false;
   }
+  for (std::size_t i = 0; i < exact.keys.given.size(); ++i) {
+    if (exact.keys.given[i]) facts.constant[i] = facts.zero[i] = false;
+  }
   const bool has_velocities = !exact.rules.start.velocity.empty() || !exact.rules.end.velocity.empty();
   if (has_velocities) facts.constant = facts.zero = std::vector<bool>(channels, false);  // the ends move the curve
   for (std::size_t i = 0; i < channels && !exact.closed; ++i) facts.cycle[i] = cycle(exact, i);
   return facts;
+}
+
+/// Those that are missing have no effect.
+template <class Numbers>
+void ExactKeys::add_velocities(const Keys& keys, std::size_t key, const Numbers& number) {
+  keys_.given = keys.given;
+  for (std::size_t i = 0; !keys.velocities.empty() && i < keys.channels; ++i) {
+    const auto exact = [&](NumberOfKey::Kind kind, double value) {
+      return std::isnan(value) ? Rational(0) : number(NumberOfKey::of_channel(kind, i, keys.channels), value);
+    };
+    const auto& [in, out] = keys.velocities[key * keys.channels + i];
+    keys_.velocities.push_back({exact(NumberOfKey::velocity_in_of, in), exact(NumberOfKey::velocity_out_of, out)});
+  }
 }
 
 void ExactKeys::add(const KeyBlock& block) {
@@ -100,6 +116,7 @@ void ExactKeys::add(const KeyBlock& block) {
       const spline::Ease<double>& ease = keys.eases[key];
       keys_.eases.push_back({number(NumberOfKey::ease_in, ease.in), number(NumberOfKey::ease_out, ease.out)});
     }
+    add_velocities(keys, key, number);
     for (std::size_t i = 0; i < keys.channels; ++i) {
       const double position = keys.position(key)[i];
       missing_.push_back(std::isnan(position));
@@ -127,6 +144,11 @@ ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& 
   ExactCurve curve;
   spline::append(curve.keys, keys_, 0, size);
   if (std::ranges::count(missing_, true) > 0) curve.missing = missing_;
+  if (size < keys_.size() && !keys_.velocities.empty()) {  // of the key that repeats the first one
+    for (std::size_t i = 0; i < keys_.channels; ++i) {
+      curve.keys.velocities[i].in = keys_.velocities[size * keys_.channels + i].in;
+    }
+  }
   curve.rules = exact_rules(rules, decimal_);
   curve.end = size < keys_.size() ? std::optional(keys_.times[size]) : end;
   curve.decimal = decimal_;

@@ -67,6 +67,8 @@ std::unique_ptr<const KeyedCurve<S>> curve_at(const ExactCurve& exact) {
     keys.tcbs.push_back({scalar_of<S>(tcb.tension), scalar_of<S>(tcb.continuity), scalar_of<S>(tcb.bias)});
   }
   for (const auto& ease : exact.keys.eases) keys.eases.push_back({scalar_of<S>(ease.in), scalar_of<S>(ease.out)});
+  keys.given = exact.keys.given;
+  for (const auto& [in, out] : exact.keys.velocities) keys.velocities.push_back({scalar_of<S>(in), scalar_of<S>(out)});
   const auto end_choice = [](const spline::EndChoice<Rational>& from) {
     spline::EndChoice<S> to{from.rule, {}};
     for (const Rational& value : from.velocity) to.velocity.push_back(scalar_of<S>(value));
@@ -110,6 +112,9 @@ class ExactKeys {
   ExactCurve curve(std::size_t size, const spline::CurveRules<double>& rules, const std::optional<Rational>& end) const;
 
  private:
+  template <class Numbers>
+  void add_velocities(const Keys& keys, std::size_t key, const Numbers& number);
+
   bool decimal_;
   spline::Keys<Rational> keys_;
   std::vector<bool> missing_;

@@ -1,7 +1,8 @@
-// Channel roles: columns with the tension, continuity and bias of one channel, by name or on request, and near misses.
+// Channel roles: columns with the tension or a velocity of one channel, by name or on request, and near misses.
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <unordered_map>
 
 #include "input/columns.hpp"
@@ -18,9 +19,9 @@ struct Affix {
 };
 
 constexpr std::array affixes{
-    Affix{"tension_", Role::channel_tension, true},
-    Affix{"continuity_", Role::channel_continuity, true},
-    Affix{"bias_", Role::channel_bias, true},
+    Affix{"tension_", Role::channel_tension, true}, Affix{"continuity_", Role::channel_continuity, true},
+    Affix{"bias_", Role::channel_bias, true},       Affix{"_v", Role::velocity, false},
+    Affix{"_vin", Role::velocity_in, false},        Affix{"_vout", Role::velocity_out, false},
 };
 
 std::string in_lower_case(std::string_view text) {
@@ -65,6 +66,58 @@ Role role_without_channel(std::string_view text) {
   return in_channel(near_role(text).value_or(role_of_name(text)));
 }
 
+/// The columns with roles in one channel.
+class RolesOfChannel {
+ public:
+  RolesOfChannel(const Columns& columns, std::size_t channel) : columns_(columns), channel_(channel) {}
+
+  /// Throws: Error (data) for a velocity of one side alone, or two of one side, or with tension, continuity or bias.
+  void require_whole_velocities() const {
+    const auto both = name(Role::velocity), in = name(Role::velocity_in), out = name(Role::velocity_out);
+    if (both && (in || out)) refuse(ErrorCode::velocity_columns_overlap, *both, in ? *in : *out);
+    if (in && !out) refuse(ErrorCode::velocity_column_missing, *in, with_role(Role::velocity_out));
+    if (out && !in) refuse(ErrorCode::velocity_column_missing, *out, with_role(Role::velocity_in));
+    for (const Role role : {Role::channel_tension, Role::channel_continuity, Role::channel_bias}) {
+      if (has_velocity() && name(role)) refuse(ErrorCode::velocity_with_tcb, both ? *both : *in, *name(role));
+    }
+  }
+  bool has_velocity() const { return name(Role::velocity) || name(Role::velocity_in); }
+
+ private:
+  std::string with_role(Role role) const { return role_name(ChannelRole{role, columns_.channels[channel_]}); }
+  std::optional<std::string> name(Role role) const {
+    const bool is_there = std::ranges::any_of(columns_.cells, [&](const Columns::Column& column) {
+      return column.role == role && column.channel == channel_;
+    });
+    return is_there ? std::optional(with_role(role)) : std::nullopt;
+  }
+  [[noreturn]] static void refuse(ErrorCode code, const std::string& first, const std::string& second) {
+    throw Error(Exit::data, code, {first, second});
+  }
+
+  const Columns& columns_;
+  std::size_t channel_;
+};
+
+/// Throws: Error (data) for velocities that are not whole, and for tension, continuity or bias with the velocities of
+/// all channels.
+void require_whole_velocities(const Columns& columns) {
+  const bool has_any =
+      std::ranges::any_of(columns.cells, [](const auto& column) { return column.role >= Role::velocity; });
+  if (!has_any) return;
+  bool has_all = true;
+  for (std::size_t i = 0; i < columns.channels.size(); ++i) {
+    const RolesOfChannel channel(columns, i);
+    channel.require_whole_velocities();
+    has_all = has_all && channel.has_velocity();
+  }
+  for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
+    if (has_all && columns.has(role)) {
+      throw Error(Exit::data, ErrorCode::tcb_with_all_velocities, {std::string(role_name(role))});
+    }
+  }
+}
+
 }  // namespace
 
 std::string role_name(const ChannelRole& role) {
@@ -89,12 +142,18 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
   std::ranges::transform(header, std::back_inserter(named), channel_role_of);
   if (std::ranges::none_of(named, [](const auto& role) { return role.has_value(); })) return roles;
   const NameIndex names(header);
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+  std::vector<std::size_t> cells(header.size());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  // The column of a channel has a shorter name than those with a role in it.
+  std::ranges::stable_sort(cells, {}, [&](std::size_t cell) { return header[cell].size(); });
+  for (const std::size_t cell : cells) {
     if (!named[cell]) continue;
+    const bool may_be_other = named[cell]->role == Role::velocity;
+    if (may_be_other && !may_be_channel[cell]) continue;
     const auto channel = names.find(named[cell]->channel);
-    if (channel && may_be_channel[*channel] && !named[*channel]) {
+    if (channel && may_be_channel[*channel] && !roles[*channel]) {
       roles[cell] = {named[cell]->role, header[*channel]};
-    } else if (!chosen) {
+    } else if (!chosen && !may_be_other) {
       std::vector<std::string> channels;
       for (std::size_t i = 0; i < header.size(); ++i) {
         if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
@@ -143,6 +202,7 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
     }
     columns.cells[cell] = {is_first ? role.role : Role::ignored, static_cast<std::size_t>(channel - channels.begin())};
   }
+  if (!found.empty()) require_whole_velocities(columns);
 }
 
 std::optional<ChannelRole> near_channel_role(std::string_view name, const std::vector<std::string>& channels) {

@@ -8,7 +8,6 @@
 #include <charconv>
 #include <unordered_set>
 
-
 namespace tcb {
 namespace {
 
@@ -42,7 +41,7 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.carried
                                                                    : nullptr;
-  if (several == nullptr && !is_of_channel(role) && columns.has(role)) {
+  if (several == nullptr && !is_of_channel(role) && role != Role::unused && columns.has(role)) {
     throw Error(Exit::data, ErrorCode::two_columns_for_role, {std::string(role_name(role)), name});
   }
   columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
@@ -65,7 +64,8 @@ std::vector<bool> usual_times(const Columns& columns, std::span<const std::strin
   bool any_numbers = false;
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     const Role role = columns.cells[cell].role;
-    if (role == Role::time || role_of_name(header[cell]) == Role::time) return std::vector<bool>(header.size());
+    if (role == Role::time || (role != Role::unused && role_of_name(header[cell]) == Role::time))
+      return std::vector<bool>(header.size());
     texts[cell] = role == Role::ignored && is_usual_time(header[cell]);
     numbers[cell] = texts[cell] && numeric[cell];
     any_numbers = any_numbers || numbers[cell];
@@ -89,7 +89,9 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
   const auto requested = columns.cells;
   std::array<bool, role_count> is_requested{};
   for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
-  const auto is_text = [](const auto& column) { return column.role == Role::group || column.role == Role::carry; };
+  const auto is_text = [](const auto& column) {
+    return column.role == Role::group || column.role == Role::carry || column.role == Role::unused;
+  };
   const auto front = static_cast<std::size_t>(std::ranges::find_if_not(requested, is_text) - requested.begin());
   std::unordered_set<std::string_view> names;
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
@@ -169,6 +171,9 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   }
   assign_the_rest(columns, header, numeric, usual, timeless);
   number_texts(columns);
+  for (Columns::Column& column : columns.cells) {
+    if (column.role == Role::unused) column.role = Role::ignored;
+  }
   const bool positions_given = std::ranges::count(requests, Role::position, &RoleRequest::role) > 0;
   columns.may_be_timed = !timeless && !positions_given && may_be_timed(columns, header);
   if (header.empty() && !columns.channels.empty()) {
@@ -285,16 +290,6 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   samples.add_time_by_name();
   samples.add_channels();
   return find_columns(header, numeric, samples.requests(), true);
-}
-
-std::vector<std::string> default_channel_names(std::size_t channels) {
-  if (channels <= 3) {
-    const std::vector<std::string> names{"x", "y", "z"};
-    return {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(channels)};
-  }
-  std::vector<std::string> names;
-  for (std::size_t i = 1; i <= channels; ++i) names.push_back(fmt::format("p{}", i));
-  return names;
 }
 
 }  // namespace tcb

@@ -24,13 +24,17 @@ enum class Role {
   ease_out,
   group,
   carry,
+  unused,  ///< ignored because it is requested
   // Of one channel:
   channel_tension,
   channel_continuity,
   channel_bias,
+  velocity,
+  velocity_in,
+  velocity_out,
 };
 
-inline constexpr std::size_t role_count = 13;
+inline constexpr std::size_t role_count = 17;
 inline constexpr auto first_channel_role = Role::channel_tension;
 
 /// The role is one in a channel.
@@ -46,14 +50,16 @@ struct ChannelRole {
   friend bool operator==(const ChannelRole&, const ChannelRole&) = default;
 };
 
-/// Its name, as in "tension_x".
+/// Its name, as in "tension_x" and "x_vin".
 std::string role_name(const ChannelRole& role);
 
-/// The role in a channel that a name such as "tension_x" has, whatever the channel and the case of the letters.
+/// The role in a channel that a name such as "tension_x" or "x_v" has, whatever the channel and the case of the
+/// letters.
 std::optional<ChannelRole> channel_role_of(std::string_view name);
 
 /// For each column, its role in one channel, if its name has one: that of a column that may be a channel. `chosen`: the
-/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`.
+/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`;
+/// but "q_v" is then any other name.
 std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
                                                       const std::vector<bool>& may_be_channel, bool chosen);
 
@@ -146,7 +152,7 @@ std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::sp
                                                  const std::vector<bool>& numeric, const std::vector<bool>& times);
 
 /// Sets the channels of columns with a role in one. A requested column has priority over others. Throws: Error (data)
-/// for two columns with one role, and for an unknown channel.
+/// for two columns with one role, for an unknown channel, and for velocities of one side alone or with tension.
 void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found);
 
 /// The columns of records. `header` is empty where the input has no names; numeric[i]: column i holds numbers.

@@ -43,6 +43,8 @@ void KeyBlock::append(const KeyBlock& from, std::size_t first, std::size_t last)
   copy(keys.positions, from.keys.positions, first * keys.channels, last * keys.channels);
   copy(keys.tcbs, from.keys.tcbs, first * from.keys.tcbs_per_key(), last * from.keys.tcbs_per_key());
   copy(keys.eases, from.keys.eases, first, last);
+  keys.given = from.keys.given;
+  copy(keys.velocities, from.keys.velocities, first * keys.channels, last * keys.channels);
   copy(lines, from.lines, first, last);
   copy(columns, from.columns, first, last);
   copy(numbers, from.numbers, first, last);
@@ -84,6 +86,7 @@ KeyBlock KeyBlock::split_last() {
   keys.tcbs.resize(keys.tcbs_per_key() * last);
   keys.positions.resize(keys.channels * last);
   drop_last(keys.eases);
+  if (!keys.velocities.empty()) keys.velocities.resize(keys.channels * last);
   drop_last(lines);
   drop_last(columns);
   drop_last(numbers);
@@ -93,6 +96,7 @@ KeyBlock KeyBlock::split_last() {
 void KeyBlock::take_block_data(KeyBlock& from) {
   keys.channels = from.keys.channels;
   keys.common_tcb = from.keys.common_tcb;
+  keys.given = from.keys.given;
   break_after = from.break_after;
   if (curve_info == nullptr) curve_info = std::move(from.curve_info);
   skipped = from.skipped;

@@ -102,7 +102,7 @@ struct CurveInfo {
 struct NumberOfKey {
   enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
   /// The kinds of numbers of a channel.
-  enum Kind : std::size_t { position_of, tension_of, continuity_of, bias_of, kinds };
+  enum Kind : std::size_t { position_of, tension_of, continuity_of, bias_of, velocity_in_of, velocity_out_of, kinds };
   static std::size_t of_channel(Kind kind, std::size_t channel, std::size_t channels) {
     return position + kind * channels + channel;
   }
@@ -147,7 +147,8 @@ struct KeyBlock {
   /// Whether its keys have the same kinds of numbers, so that they can be appended to those of the other.
   bool has_shape_of(const KeyBlock& other) const {
     return empty() || other.empty() ||
-           (keys.tcbs_per_key() == other.keys.tcbs_per_key() && keys.eases.empty() == other.keys.eases.empty());
+           (keys.tcbs_per_key() == other.keys.tcbs_per_key() && keys.eases.empty() == other.keys.eases.empty() &&
+            keys.given == other.keys.given);
   }
 
   /// Appends keys [first, last) of another block, without its gaps, breaks and members of the block.

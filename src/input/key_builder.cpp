@@ -27,6 +27,9 @@ std::size_t number_of_key(const Columns::Column& column, std::size_t channels) {
     case Role::channel_tension: return of_channel(NumberOfKey::tension_of);
     case Role::channel_continuity: return of_channel(NumberOfKey::continuity_of);
     case Role::channel_bias: return of_channel(NumberOfKey::bias_of);
+    case Role::velocity:
+    case Role::velocity_in: return of_channel(NumberOfKey::velocity_in_of);
+    case Role::velocity_out: return of_channel(NumberOfKey::velocity_out_of);
     default: return of_channel(NumberOfKey::position_of);
   }
 }
@@ -45,8 +48,21 @@ bool has_channel_tcbs(const Columns& columns) {
   return has_any(columns, {Role::channel_tension, Role::channel_continuity, Role::channel_bias});
 }
 
+bool has_channel_roles(const Columns& columns) {
+  return std::ranges::any_of(columns.cells, [](const auto& column) { return is_of_channel(column.role); });
+}
+
+/// The channels in which a column has a role.
+std::vector<std::size_t> channels_with(const Columns& columns, Role role) {
+  std::vector<std::size_t> channels;
+  for (const Columns::Column& column : columns.cells) {
+    if (column.role == role) channels.push_back(column.channel);
+  }
+  return channels;
+}
+
 /// The number of the kinds of numbers of a channel that keys have.
-std::size_t kinds(const Columns& columns) { return has_channel_tcbs(columns) ? std::size_t{NumberOfKey::kinds} : 1; }
+std::size_t kinds(const Columns& columns) { return has_channel_roles(columns) ? std::size_t{NumberOfKey::kinds} : 1; }
 
 }  // namespace
 
@@ -55,12 +71,20 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules)
       is_timed_(columns.has(Role::time)),
       has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
+      both_sides_(channels_with(columns, Role::velocity)),
       channel_tcbs_(has_channel_tcbs(columns) ? columns.channels.size() : 0),
       marks_(columns.marks.size()),
       texts_(columns.texts()),
       decimals_(rules.keeps_decimals ? NumberOfKey::position + columns.channels.size() * kinds(columns) : 0) {
   block_.keys.channels = columns.channels.size();
   block_.keys.common_tcb = rules.tcb;
+  for (const Role role : {Role::velocity, Role::velocity_in}) {
+    for (const std::size_t channel : channels_with(columns, role)) {
+      block_.keys.given.resize(columns.channels.size());
+      block_.keys.given[channel] = true;
+    }
+  }
+  velocities_.resize(block_.keys.given.size());
 }
 
 void KeyBuilder::begin_key() {
@@ -71,6 +95,7 @@ void KeyBuilder::begin_key() {
   tcb_ = rules_.tcb;
   ease_ = {};
   std::ranges::fill(channel_tcbs_, spline::Tcb<double>{nan, nan, nan});
+  std::ranges::fill(velocities_, spline::Velocity<double>{nan, nan});
   std::ranges::fill(marks_, 0);
   for (std::string& text : texts_) text.clear();
   for (std::string& decimal : decimals_) decimal.clear();
@@ -111,6 +136,7 @@ bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_vi
 
 bool KeyBuilder::miss(const Columns::Column& column) {
   if (column.role == Role::ignored || column.role == Role::carry) return true;
+  if (column.role >= Role::velocity) return true;  // whether it is needed depends on the keys around
   const bool skips_cell = rules_.missing == Missing::skip_cell;
   if (rules_.missing == Missing::error || (skips_cell && column.role == Role::time)) return false;
   if (column.role == Role::group && rules_.missing != Missing::skip_row) return false;
@@ -131,6 +157,8 @@ bool KeyBuilder::end_key() {
   if (channel_tcbs_.empty() && has_tcb_) block_.keys.tcbs.push_back(tcb_);
   block_.keys.tcbs.insert(block_.keys.tcbs.end(), channel_tcbs_.begin(), channel_tcbs_.end());
   if (has_ease_) block_.keys.eases.push_back(ease_);
+  complete_velocities();
+  block_.keys.velocities.insert(block_.keys.velocities.end(), velocities_.begin(), velocities_.end());
   block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
   for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
@@ -155,6 +183,18 @@ void KeyBuilder::complete_channels() {
       channel_tcbs_[i].*member = tcb_.*member;
       if (keeps_decimals()) decimals_[NumberOfKey::of_channel(own, i, channel_tcbs_.size())] = decimals_[common];
     }
+  }
+}
+
+/// A velocity for both sides is also that after the key.
+void KeyBuilder::complete_velocities() {
+  for (const std::size_t channel : both_sides_) {
+    velocities_[channel].out = velocities_[channel].in;
+    if (!keeps_decimals()) continue;
+    const auto index = [&](NumberOfKey::Kind kind) {
+      return NumberOfKey::of_channel(kind, channel, velocities_.size());
+    };
+    decimals_[index(NumberOfKey::velocity_out_of)] = decimals_[index(NumberOfKey::velocity_in_of)];
   }
 }
 

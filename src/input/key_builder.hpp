@@ -38,6 +38,9 @@ class KeyBuilder {
       case Role::channel_tension: return channel_tcbs_[column.channel].tension;
       case Role::channel_continuity: return channel_tcbs_[column.channel].continuity;
       case Role::channel_bias: return channel_tcbs_[column.channel].bias;
+      case Role::velocity:
+      case Role::velocity_in: return velocities_[column.channel].in;
+      case Role::velocity_out: return velocities_[column.channel].out;
       default: return block_.keys.positions[position_ + column.channel];
     }
   }
@@ -94,9 +97,11 @@ class KeyBuilder {
 
  private:
   void complete_channels();
+  void complete_velocities();
 
   const KeyRules rules_;
   const bool is_timed_, has_tcb_, has_ease_;
+  const std::vector<std::size_t> both_sides_;  ///< channels with one velocity for both sides
   KeyBlock block_;
   bool breaks_ = false;  ///< there is a break before the next key
   // Of the current key:
@@ -106,8 +111,9 @@ class KeyBuilder {
   Time time_;
   spline::Tcb<double> tcb_;
   spline::Ease<double> ease_;
-  std::vector<spline::Tcb<double>> channel_tcbs_;  ///< NaN where a channel has none; empty where no channel has any
-  std::vector<std::size_t> marks_;                 ///< as in KeyBlock
+  std::vector<spline::Tcb<double>> channel_tcbs_;     ///< NaN where a channel has none; empty where no channel has any
+  std::vector<spline::Velocity<double>> velocities_;  ///< NaN where one is missing; empty where no channel has any
+  std::vector<std::size_t> marks_;                    ///< as in KeyBlock
   std::vector<std::string> texts_;
   std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty if they are not kept
 };

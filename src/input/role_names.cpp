@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "input/columns.hpp"
 
 namespace tcb {
@@ -16,14 +18,23 @@ struct RoleName {
 
 /// Names that give a column its role. The first ones, in the order of Role, are also the names of the roles.
 constexpr std::array role_names{
-    RoleName{"time", Role::time, true},          RoleName{"position", Role::position, true},
-    RoleName{"tension", Role::tension, true},    RoleName{"continuity", Role::continuity, true},
-    RoleName{"bias", Role::bias, true},          RoleName{"ease_in", Role::ease_in, true},
-    RoleName{"ease_out", Role::ease_out, true},  RoleName{"group", Role::group, true, false},
-    RoleName{"carry", Role::carry, true, false}, RoleName{"t", Role::time, false},
-    RoleName{"frame", Role::time, true},         RoleName{"timestamp", Role::time, true},
-    RoleName{"seconds", Role::time, true},       RoleName{"T", Role::tension, false},
-    RoleName{"C", Role::continuity, false},      RoleName{"B", Role::bias, false},
+    RoleName{"time", Role::time, true},
+    RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true},
+    RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},
+    RoleName{"ease_in", Role::ease_in, true},
+    RoleName{"ease_out", Role::ease_out, true},
+    RoleName{"group", Role::group, true, false},
+    RoleName{"carry", Role::carry, true, false},
+    RoleName{"ignore", Role::unused, true, false},
+    RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},
+    RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},
+    RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},
+    RoleName{"B", Role::bias, false},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
@@ -258,6 +269,16 @@ bool is_coordinate(std::string_view name) {
   const bool last = separator != std::string_view::npos && has(coordinates, compact(name.substr(separator)));
   const std::size_t first = name.find_first_of("_-. ");
   return has(coordinates, text) || numbered || last || (first == 1 && has(coordinates, compact(name.substr(0, first))));
+}
+
+std::vector<std::string> default_channel_names(std::size_t channels) {
+  if (channels <= 3) {
+    const std::vector<std::string> names{"x", "y", "z"};
+    return {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(channels)};
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= channels; ++i) names.push_back(fmt::format("p{}", i));
+  return names;
 }
 
 }  // namespace tcb

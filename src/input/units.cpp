@@ -72,7 +72,8 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
   if (is_timed && is_number) require_unit(options, columns.time);
   const bool is_time_converted = is_timed && is_number && is_converted(options, columns.time);
   if (!is_time_converted && options.scales.empty()) return;
-  rules.factors.assign(NumberOfKey::position + columns.channels.size(), 1);
+  const std::size_t channels = columns.channels.size();
+  rules.factors.assign(NumberOfKey::position + channels * NumberOfKey::kinds, 1);
   if (is_time_converted) rules.factors[NumberOfKey::time] = Rational(1) / *options.input_rate;
   for (const ChannelScale& scale : options.scales) {
     const auto channel = std::ranges::find(columns.channels, scale.channel);
@@ -80,6 +81,12 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
       throw Error(Exit::data, ErrorCode::no_such_column, {scale.channel, columns.channels}).about(Option::scale);
     }
     rules.factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
+  }
+  for (std::size_t i = 0; i < channels; ++i) {
+    for (const auto kind : {NumberOfKey::velocity_in_of, NumberOfKey::velocity_out_of}) {
+      rules.factors[NumberOfKey::of_channel(kind, i, channels)] =
+          rules.factors[NumberOfKey::position + i] / rules.factors[NumberOfKey::time];
+    }
   }
 }
 

@@ -21,6 +21,8 @@ void KeyStore::Columns::append(const Keys& keys) {
   tcbs_per_key = keys.tcbs_per_key();
   tcbs.insert(tcbs.end(), keys.tcbs.begin(), keys.tcbs.end());
   eases.insert(eases.end(), keys.eases.begin(), keys.eases.end());
+  given = keys.given;
+  velocities.insert(velocities.end(), keys.velocities.begin(), keys.velocities.end());
 }
 
 Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
@@ -36,6 +38,9 @@ Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
   copy(keys.positions, positions, channels);
   copy(keys.tcbs, tcbs, tcbs_per_key);
   if (!eases.empty()) copy(keys.eases, eases, 1);
+  if (velocities.empty()) return keys;
+  keys.given = given;
+  copy(keys.velocities, velocities, channels);
   return keys;
 }
 
@@ -56,6 +61,11 @@ void KeyStore::drop_last() {
   columns.positions.resize(columns.times.size() * columns.channels);
   columns.tcbs.resize(columns.times.size() * columns.tcbs_per_key);
   if (!columns.eases.empty()) columns.eases.pop_back();
+  if (!columns.velocities.empty()) columns.velocities.resize(columns.positions.size());
+}
+
+void KeyStore::set_first_incoming(const Keys& repeated) {
+  for (std::size_t i = 0; i < repeated.channels; ++i) columns_->velocities[i].in = repeated.velocities[i].in;
 }
 
 int KeyStore::decimals() const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <vector>
 
 #include "input/key_block.hpp"
 #include "stream/source.hpp"
@@ -24,6 +25,8 @@ class KeyStore {
   /// A single key; the last one is number size() - 1.
   Keys key(std::size_t number) const { return columns_->part(number, number + 1); }
   void drop_last();
+  /// Gives the first key the incoming velocities of a key that repeats it. Requires: velocities are given.
+  void set_first_incoming(const Keys& repeated);
   /// The largest number of decimals of the times that have more digits than doubles; 0: there are none.
   int decimals() const;
   /// Whether a position is missing.
@@ -46,6 +49,8 @@ class KeyStore {
     std::deque<spline::Tcb<double>> tcbs;
     spline::Tcb<double> common_tcb;
     std::deque<spline::Ease<double>> eases;
+    std::deque<spline::Velocity<double>> velocities;
+    std::vector<bool> given;
 
     void append(const Keys& keys);
     Keys part(std::size_t first, std::size_t last) const;

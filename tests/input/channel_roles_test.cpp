@@ -48,6 +48,41 @@ TEST(ChannelRoles, an_exact_name_has_priority_over_one_in_another_case) {
   EXPECT_EQ(find({"t", "x", "X", "tension_X"}).cells[3].channel, 1U);
 }
 
+TEST(ChannelRoles, velocities_are_for_one_side_or_both) {
+  const Columns columns = find({"t", "x_v", "x", "y", "Y_vout", "y_VIN", "T"});
+  EXPECT_THAT(columns.channels, ElementsAre("x", "y"));
+  EXPECT_EQ(columns.cells[1].role, Role::velocity);
+  EXPECT_EQ(columns.cells[4].role, Role::velocity_out);
+  EXPECT_EQ(columns.cells[5].role, Role::velocity_in);
+  EXPECT_EQ(columns.cells[5].channel, 1U);
+  EXPECT_EQ(role_name(ChannelRole{Role::velocity_out, "x"}), "x_vout");
+}
+
+TEST(ChannelRoles, a_velocity_of_no_channel_is_a_channel) {
+  const Columns columns = find({"t", "q_v", "x", "x_v", "x_v_v", "t_v"});
+  EXPECT_THAT(columns.channels, ElementsAre("q_v", "x", "x_v_v", "t_v"));
+  EXPECT_THAT(find({"t", "q_v", "tension_q_v"}).channels, ElementsAre("q_v"));
+  EXPECT_THAT(find({"t", "x", "x_v"}, "position=x:x_v").channels, ElementsAre("x", "x_v"));
+  EXPECT_THAT(error_in({"t", "x", "q_vin"}), HasSubstr("column \"q_vin\" is for a channel \"q\""));
+}
+
+TEST(ChannelRoles, velocities_are_whole_and_without_tension) {
+  EXPECT_THAT(error_in({"t", "x", "x_vin"}), HasSubstr("\"x_vin\" without \"x_vout\"; expected both"));
+  EXPECT_THAT(error_in({"t", "x", "x_vout"}), HasSubstr("\"x_vout\" without \"x_vin\"; expected both"));
+  EXPECT_THAT(error_in({"t", "x", "x_v", "x_vin"}), HasSubstr("\"x_v\" and \"x_vin\": two velocities of one side"));
+  EXPECT_THAT(error_in({"t", "x", "y", "x_v", "bias_x"}), HasSubstr("\"x_v\" and \"bias_x\": a given velocity"));
+  EXPECT_THAT(error_in({"t", "x", "x_v", "C"}), HasSubstr("the column of continuity has no effect"));
+  EXPECT_THAT(find({"t", "x", "y", "x_v", "C", "bias_y"}).channels, ElementsAre("x", "y"));
+}
+
+TEST(ChannelRoles, columns_can_be_ignored) {
+  const Columns columns = find({"t", "x", "x_v", "x_vin", "T", "y"}, "ignore=x_v:x_vin,ignore=T");
+  EXPECT_THAT(columns.channels, ElementsAre("x", "y"));
+  EXPECT_THAT(columns.ignored, ElementsAre("x_v", "x_vin", "T"));
+  EXPECT_THAT(find({"time", "stamp", "x"}, "ignore=time").time, "stamp");
+  EXPECT_EQ(find_columns({}, {true, true, true}, parse_roles("ignore=1")).cells[1].role, Role::time);
+}
+
 TEST(ChannelRoles, requests_name_them) {
   const Columns columns = find({"t", "x", "y", "k"}, "tension_y=k");
   EXPECT_EQ(columns.cells[3].role, Role::channel_tension);

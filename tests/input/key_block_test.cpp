@@ -36,12 +36,16 @@ TEST(KeyBlock, selected_keys_keep_all_that_belongs_to_them) {
 }
 
 TEST(KeyBlock, tension_of_channels_belongs_to_their_keys) {
-  KeyBlock block = *keys_of("0 5\n1 7\n2 9\n", 3)();
-  block.keys.channels = 2;
-  block.keys.positions = {5, 6, 7, 8, 9, 10};
+  KeyBlock block = *keys_of("0 5 6\n1 7 8\n2 9 10\n")();
+  ASSERT_EQ(block.keys.channels, 2U);
   for (const double tension : {1, 2, 3, 4, 5, 6}) block.keys.tcbs.push_back({tension, 0, 0});
+  for (const double velocity : {1, 2, 3, 4, 5, 6}) block.keys.velocities.push_back({velocity, -velocity});
+  block.keys.given = {true, false};
   const KeyBlock part = block.range(1, 3);
   ASSERT_EQ(part.keys.tcbs.size(), 4U);
+  ASSERT_EQ(part.keys.velocities.size(), 4U);
+  EXPECT_EQ(part.keys.velocities[2].out, -5);
+  EXPECT_EQ(part.keys.given, block.keys.given);
   EXPECT_EQ(part.keys.tcb(1, 0).tension, 5);
   EXPECT_FALSE(part.has_shape_of(three_keys()));
   EXPECT_TRUE(part.has_shape_of(block) && part.has_shape_of({}) && KeyBlock().has_shape_of(part));
@@ -49,6 +53,8 @@ TEST(KeyBlock, tension_of_channels_belongs_to_their_keys) {
   ASSERT_EQ(last.keys.tcbs.size(), 2U);
   EXPECT_EQ(last.keys.tcb(0, 1).tension, 6);
   EXPECT_EQ(block.keys.tcbs.size(), 4U);
+  EXPECT_EQ(last.keys.velocities[1].in, 6);
+  EXPECT_EQ(block.keys.velocities.size(), 4U);
 }
 
 TEST(KeyBlock, the_last_key_splits_off_with_all_that_belongs_to_it) {

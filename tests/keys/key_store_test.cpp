@@ -34,12 +34,14 @@ void expect_keys_back(std::size_t per_key) {
   const auto make = [&all, per_key](std::size_t size, double low_part) {
     KeyBlock block;
     block.keys.channels = 2;
+    block.keys.given = {true, true};
     for (std::size_t i = 0; i < size; ++i) {
       const auto number = static_cast<double>(all.size() + i);
       block.keys.times.push_back(spline::DoubleDouble{0x1p60 + 1024 * number, low_part * number});
       block.keys.positions.insert(block.keys.positions.end(), {number / 3, -number});
       block.keys.tcbs.resize(block.keys.tcbs.size() + per_key, {0.25, number, 0.5});
       block.keys.eases.push_back({0, 1 / (1 + number)});
+      block.keys.velocities.insert(block.keys.velocities.end(), {{number, 1}, {2, -number}});
       block.lines.push_back(all.size() + i + 1);
     }
     spline::append(all, block.keys, 0, size);
@@ -60,12 +62,27 @@ void expect_keys_back(std::size_t per_key) {
     EXPECT_EQ(found.times, expected.times);
     EXPECT_EQ(found.positions, expected.positions);
     EXPECT_EQ(found.tcbs, expected.tcbs);
+    EXPECT_EQ(found.velocities, expected.velocities);
+    EXPECT_EQ(found.given, expected.given);
     ASSERT_EQ(found.eases.size(), expected.eases.size());
     EXPECT_EQ(found.eases.back().out, expected.eases.back().out);
     EXPECT_EQ(kept.key(900).times[0], expected.times[900]);
     EXPECT_EQ(kept.key(900).positions[1], -900);
     EXPECT_EQ(kept.key(900).tcb(0, per_key - 1).continuity, 900);
   }
+}
+
+TEST(KeyStore, a_repeated_key_gives_the_first_its_incoming_velocities) {
+  KeyStore keys([block = std::optional([] {
+                   KeyBlock one = *keys_of("0 5\n1 6\n2 5\n", 3)();
+                   one.keys.velocities = {{0, 1}, {2, 3}, {4, 5}};
+                   one.keys.given = {true};
+                   return one;
+                 }())]() mutable { return std::exchange(block, std::nullopt); });
+  const Keys last = keys.key(2);
+  keys.drop_last();
+  keys.set_first_incoming(last);
+  EXPECT_EQ(keys.all().velocities, (std::vector<spline::Velocity<double>>{{4, 1}, {2, 3}}));
 }
 
 TEST(KeyStore, keys_are_read_back_unchanged) {

@@ -51,6 +51,26 @@ TEST(BuildError, counts_must_agree) {
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.eases.resize(7); }).code, eases_count);
 }
 
+TEST(BuildError, given_velocities_are_complete_and_finite) {
+  const auto with = [](auto change) {
+    return error_with([&](auto& keys, auto& rules) {
+      keys.velocities.resize(keys.size());
+      keys.given = {true};
+      change(keys, rules);
+    });
+  };
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities.pop_back(); }).code, velocities_count);
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.given = {true, false}; }).code, given_count);
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities.clear(); }).code, given_count);
+  const auto outgoing = with([](auto& keys, auto&) { keys.velocities[0].out = nan; });
+  EXPECT_EQ(outgoing.code, key_velocity_not_finite);
+  EXPECT_EQ(outgoing.message(),
+            "a velocity of key 0 in channel 0 is not finite; expected finite numbers, except before the first key and "
+            "after the last");
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities[4].in = infinite; }).key, 4U);
+  EXPECT_EQ(with([](auto&, auto& rules) { rules.equal_speed = true; }).code, equal_speed_with_velocities);
+}
+
 TEST(BuildError, times_must_be_finite_and_increase) {
   for (const double bad : {nan, infinite, -infinite}) {
     const auto error = error_with([&](auto& keys, auto&) { keys.times[2] = bad; });

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -93,6 +94,44 @@ TEST(Segments, channels_with_tension_of_their_own_have_these_tangents) {
   EXPECT_EQ(slopes.outgoing(1)[0].hi, 0.25);
   EXPECT_EQ(slopes.incoming(1)[1].hi, 0.25);
   EXPECT_EQ(slopes.outgoing(1)[1].hi, 0.5);
+}
+
+TEST(Segments, given_velocities_are_those_of_the_curve) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const PresetRow& preset : presets) {
+    Keys<double> keys{2, {0, 1, 3}, {0, 5, 2, 4, -1, 8}, {{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}, {}, {}};
+    const auto plain = segments<double>({keys}, rules_of<double>(preset.id));
+    keys.velocities = {{none, 0.25}, {none, none}, {-3, 7}, {none, none}, {0.75, none}, {none, none}};
+    keys.given = {true, false};
+    const auto curve = segments<double>({keys}, rules_of<double>(preset.id));
+    EXPECT_EQ(curve[0][0].out, 0.25) << preset.name;
+    EXPECT_EQ(curve[0][0].in, -3);
+    EXPECT_EQ(curve[1][0].out, 14);
+    EXPECT_EQ(curve[1][0].in, 1.5);
+    for (const std::size_t i : {0U, 1U}) {
+      EXPECT_EQ(curve[i][1].out, plain[i][1].out) << "the other channel has the tangents of the rules";
+      EXPECT_EQ(curve[i][1].in, plain[i][1].in);
+    }
+  }
+}
+
+TEST(Segments, given_velocities_make_a_closed_curve) {
+  // The piece before the seam ends with the incoming velocity of the last key, the first begins with the first's.
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Keys<double> keys{1, {0, 1, 3}, {0, 2, 0}, {}, {}, {}, {{none, 4}, {5, 6}, {7, none}}, {true}};
+  const auto repeated = Curve<double>::build_closed(keys);
+  ASSERT_TRUE(repeated) << repeated.error().message();
+  EXPECT_EQ(repeated->segment(0).cubics[0].out, 4);
+  EXPECT_EQ(repeated->segment(0).cubics[0].in, 5);
+  EXPECT_EQ(repeated->segment(1).cubics[0].out, 12);
+  EXPECT_EQ(repeated->segment(1).cubics[0].in, 14);
+  Keys<double> once{1, {0, 1}, {0, 2}, {}, {}, {}, {{7, 4}, {5, 6}}, {true}};
+  const auto same = Curve<double>::build_closed(once, {}, Time<double>(3));
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->segment(1).cubics[0].in, 14);
+  once.velocities[0].in = none;
+  EXPECT_EQ(Curve<double>::build_closed(once, {}, Time<double>(3)).error().code,
+            BuildErrorCode::key_velocity_not_finite);
 }
 
 TEST(Segments, tension_of_one_stops_at_the_key) {

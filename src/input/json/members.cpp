@@ -53,6 +53,28 @@ std::vector<std::string> names_in(const Found& array, const Arrays& arrays, cons
   return names;
 }
 
+/// The arrays of velocities next to an array of positions, and the ends of the names of their numbers.
+struct VelocityArray {
+  std::string_view name, ending;
+};
+constexpr std::array velocity_arrays{VelocityArray{"velocity", "_v"}, VelocityArray{"velocity_in", "_vin"},
+                                     VelocityArray{"velocity_out", "_vout"}};
+
+/// The names of the numbers in an array of velocities; empty for others, and without an array of positions.
+std::vector<std::string> velocity_names(const Found& array, const Arrays& arrays, const std::vector<Found>& members) {
+  const auto known = std::ranges::find(velocity_arrays, array.name, &VelocityArray::name);
+  const auto positions = std::ranges::find_if(members, [&](const Found& member) { return arrays.has(member); });
+  if (known == velocity_arrays.end() || positions == members.end() || array.nested) return {};
+  if (array.numbers != positions->numbers) {
+    throw Error(Exit::data, ErrorCode::json_array_size,
+                {array.path, std::uint64_t{array.numbers}, std::uint64_t{positions->numbers}})
+        .at(array.position);
+  }
+  std::vector<std::string> names = names_in(*positions, arrays, members);
+  for (std::string& name : names) name += known->ending;
+  return names;
+}
+
 /// The names of a member's cells, as a table would have them.
 std::vector<std::string> cell_names(const Found& member, const Arrays& arrays, const std::vector<Found>& members) {
   if (member.text) return {member.name};
@@ -61,7 +83,7 @@ std::vector<std::string> cell_names(const Found& member, const Arrays& arrays, c
   std::vector<std::string> names;
   for (const Role role : {Role::tension, Role::continuity, Role::bias}) names.emplace_back(role_name(role));
   if (member.name == "tcb") return names;
-  if (!holds_tcb(member.name)) return {};
+  if (!holds_tcb(member.name)) return velocity_names(member, arrays, members);
   for (std::string& name : names) name += member.name.substr(3).replace(0, 1, "_");
   return names;
 }
@@ -89,13 +111,23 @@ void require_count(std::size_t names, std::size_t numbers) {
   throw Error(Exit::data, ErrorCode::json_channel_count, {std::uint64_t{names}, std::uint64_t{numbers}});
 }
 
-/// Tension, continuity and bias may be in any key, even if the first has none, each alone or in "tcb".
+/// Tension, continuity and bias may be in any key, even if the first has none, each alone or in "tcb", unless the
+/// velocities of all channels are given.
 void add_optional_members(JsonColumns& columns) {
   constexpr std::array roles{std::pair{"tension", Role::tension}, std::pair{"continuity", Role::continuity},
                              std::pair{"bias", Role::bias}};
   const auto is_there = [&](std::string_view name) {
     return std::ranges::find(columns.members, name, &Member::name) != columns.members.end();
   };
+  const auto& given = columns.columns.cells;
+  const auto is_given = [&](std::size_t channel) {
+    return std::ranges::any_of(given, [&](const auto& cell) {
+      return cell.channel == channel && (cell.role == Role::velocity || cell.role == Role::velocity_in);
+    });
+  };
+  std::size_t channel = 0;
+  while (channel < columns.columns.channels.size() && is_given(channel)) ++channel;
+  if (channel == columns.columns.channels.size()) return;  // no tangent depends on them
   const bool tcb = is_there("tcb");
   const std::size_t first = columns.columns.cells.size();
   for (const auto& [name, role] : roles) {
@@ -112,7 +144,7 @@ void require_shape(const Found& member, const InputOptions& options) {
   if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
   const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
   if (std::ranges::any_of(options.roles, names_it)) return;
-  if (!is_array && member.numbers == 1 && !member.array) return;  // it may be null
+  if (member.numbers == 1 && !member.array) return;  // it may be null
   const ErrorCode code = is_array ? ErrorCode::json_tcb_array_expected : ErrorCode::json_single_number_expected;
   throw Error(Exit::data, code, {member.path}).at(member.position);
 }
@@ -139,6 +171,7 @@ void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arr
   const auto is_requested = [&](Role role) { return std::ranges::count(options.roles, role, &RoleRequest::role) > 0; };
   const auto is_used = [&](const Found& member) { return arrays.has(member); };
   const auto is_time = [](const Found& member) { return is_usual_time(member.name); };
+  const auto is_velocity = [&](const Found& member) { return !velocity_names(member, arrays, members).empty(); };
   const bool has_position = is_requested(Role::position) || std::ranges::any_of(members, is_used);
   const bool has_time =
       options.timeless || is_requested(Role::time) || std::ranges::any_of(members, [&](const auto& m) {
@@ -146,7 +179,7 @@ void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arr
       });
   for (const Found& member : members) {
     const bool is_array = member.array && !member.nested;
-    if (is_used(member) || has_role(member.name) || !(is_array || member.deep_numbers)) continue;
+    if (is_used(member) || has_role(member.name) || is_velocity(member) || !(is_array || member.deep_numbers)) continue;
     const bool is_position = !has_position && (is_array || is_usual_position(member.name));
     if (!is_position && (has_time || !is_time(member))) continue;
     const ErrorCode code = is_array ? ErrorCode::json_array_unused : ErrorCode::json_object_unused;
@@ -163,6 +196,12 @@ void require_no_lost_time(const std::vector<Found>& members, const Columns& colu
   }
 }
 
+/// Whether the name is that of a role in a channel of this name.
+bool is_of_channel_in(const std::string& name, const std::vector<std::string>& header) {
+  const auto role = channel_role_of(name);
+  return role && std::ranges::any_of(header, [&](const auto& other) { return same_in_any_case(other, role->channel); });
+}
+
 /// What the members of the first key mean.
 JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& options,
                        const std::vector<std::string>& channels) {
@@ -177,9 +216,12 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
     result.members.push_back({found.name, found.array, header.size(), names.size()});
     header.insert(header.end(), names.begin(), names.end());
     if (names.empty() && !found.empty) unused.push_back(found.name);
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
     // Where there is an array of positions, no other number is a position.
-    const bool is_other = has_array && !found.array && role_of_name(found.name) == Role::position;
-    numeric.resize(header.size(), !is_other && !found.text);
+    const bool is_other = has_array && !members[i].array && role_of_name(members[i].name) == Role::position;
+    const bool is_number = !members[i].text && (!is_other || is_of_channel_in(members[i].name, header));
+    numeric.resize(result.members[i].cell + result.members[i].cells, is_number);
   }
   if (!options.samples) require_no_lost_arrays(members, arrays, options);
   result.columns = options.samples
@@ -215,7 +257,9 @@ JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const 
 }
 
 void name_channels(JsonColumns& columns, const std::vector<std::string>& channels) {
-  const auto is_array = [](const Member& m) { return m.array && m.cells > 0 && !holds_tcb(m.name); };
+  const auto is_array = [&](const Member& m) {
+    return m.array && m.cells > 0 && columns.columns.cells[m.cell].role == Role::position;
+  };
   const auto member = std::ranges::find_if(columns.members, is_array);
   if (member == columns.members.end() || channels.empty()) return;
   require_count(channels.size(), member->cells);

@@ -48,7 +48,9 @@ class SettingsReader : public JsonObjectReader {
   /// Throws: Error (data) for a name that has a meaning only elsewhere.
   void require_no_loss(const std::string& name) const {
     constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
-    if (name == "tcb" || channel_role_of(name) || std::ranges::count(of_keys, role_of_name(name)) > 0) {
+    const auto of_channel = channel_role_of(name);
+    const bool is_tcb = of_channel && of_channel->role < Role::velocity;
+    if (name == "tcb" || is_tcb || std::ranges::count(of_keys, role_of_name(name)) > 0) {
       throw value_error(ErrorCode::setting_of_keys);
     }
     std::string option = name;

@@ -1,6 +1,7 @@
 // Build errors: the checks of keys and rules before a curve is built from them, and their messages.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,8 @@ enum class BuildErrorCode : std::uint8_t {
   positions_count,
   tcbs_count,
   eases_count,
+  velocities_count,
+  given_count,
   time_not_finite,
   times_not_increasing,
   duration_overflow,
@@ -26,11 +29,13 @@ enum class BuildErrorCode : std::uint8_t {
   tcb_not_finite,
   common_tcb_not_finite,
   ease_out_of_range,
+  key_velocity_not_finite,
   unknown_rule,
   metric_channel_missing,
   velocity_count,
   velocity_not_finite,
   equal_speed_without_roots,
+  equal_speed_with_velocities,
   closed_too_few_keys,
   period_missing,
   period_not_finite,
@@ -53,6 +58,10 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
     {BuildErrorCode::tcbs_count,
      "tcbs has {found} entries; expected {expected}, one per key, or as many per key as channels, or none"},
     {BuildErrorCode::eases_count, "eases has {found} entries; expected {expected}, one per key, or none"},
+    {BuildErrorCode::velocities_count,
+     "velocities has {found} entries; expected {expected}, one per key and channel, or none"},
+    {BuildErrorCode::given_count,
+     "given has {found} entries; expected {expected}, one per channel where there are velocities, or none"},
     {BuildErrorCode::time_not_finite, "the time of key {key} is not finite; expected a finite number"},
     {BuildErrorCode::times_not_increasing,
      "the time of key {key} is not after that of the key before it; expected increasing times"},
@@ -64,6 +73,9 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
     {BuildErrorCode::common_tcb_not_finite,
      "the common tension, continuity or bias is not finite; expected finite numbers"},
     {BuildErrorCode::ease_out_of_range, "an ease of key {key} is outside [0, 1]; expected a number from 0 to 1"},
+    {BuildErrorCode::key_velocity_not_finite,
+     "a velocity of key {key} in channel {channel} is not finite; expected finite numbers, except before the first key "
+     "and after the last"},
     {BuildErrorCode::unknown_rule, "a tangent rule or end rule has no row in its table; expected an enumerator"},
     {BuildErrorCode::metric_channel_missing,
      "the metric has channel {channel}; expected a number below {expected}, the number of channels"},
@@ -72,6 +84,8 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
      "the end velocity at key {key} in channel {channel} is not finite; expected a finite number"},
     {BuildErrorCode::equal_speed_without_roots,
      "equal speed needs square roots, which the scalar does not have; expected no equal speed"},
+    {BuildErrorCode::equal_speed_with_velocities,
+     "equal speed changes the velocities, which are given; expected no equal speed"},
     {BuildErrorCode::closed_too_few_keys,
      "a closed curve has {found} key besides a repeated first key; expected at least two"},
     {BuildErrorCode::period_missing,
@@ -133,6 +147,20 @@ std::optional<BuildError> find_time_error(const std::vector<Time<S>>& times) {
   return std::nullopt;
 }
 
+/// An error in the given velocities, if any. Those before the first key and after the last have no effect, unless the
+/// curve is `closed`.
+template <class S>
+std::optional<BuildError> find_velocity_error(const Keys<S>& keys, bool closed = false) {
+  for (std::size_t i = 0; i < keys.velocities.size(); ++i) {
+    const std::size_t key = i / keys.channels, channel = i % keys.channels;
+    const auto& [in, out] = keys.velocities[i];
+    const bool has_in = closed || key > 0, has_out = closed || key + 1 < keys.size();
+    if (!keys.given[channel] || ((!has_in || is_finite(in)) && (!has_out || is_finite(out)))) continue;
+    return BuildError{.code = BuildErrorCode::key_velocity_not_finite, .key = key, .channel = channel};
+  }
+  return std::nullopt;
+}
+
 /// An error in the keys, if any.
 template <class S>
 std::optional<BuildError> find_key_error(const Keys<S>& keys) {
@@ -149,6 +177,12 @@ std::optional<BuildError> find_key_error(const Keys<S>& keys) {
   if (!keys.eases.empty() && keys.eases.size() != size) {
     return BuildError{.code = eases_count, .expected = size, .found = keys.eases.size()};
   }
+  if (!keys.velocities.empty() && keys.velocities.size() != keys.positions.size()) {
+    return BuildError{.code = velocities_count, .expected = keys.positions.size(), .found = keys.velocities.size()};
+  }
+  if (const std::size_t expected = keys.velocities.empty() ? 0 : channels; keys.given.size() != expected) {
+    return BuildError{.code = given_count, .expected = expected, .found = keys.given.size()};
+  }
   if (auto error = find_time_error<S>(keys.times)) return error;
   for (std::size_t i = 0; i < keys.positions.size(); ++i) {
     if (!is_finite(keys.positions[i])) {
@@ -160,6 +194,7 @@ std::optional<BuildError> find_key_error(const Keys<S>& keys) {
     if (!is_finite(keys.tcbs[i])) return BuildError{.code = tcb_not_finite, .key = i / per_key, .channel = i % per_key};
   }
   if (!is_finite(keys.common_tcb)) return BuildError{.code = common_tcb_not_finite};
+  if (auto error = find_velocity_error(keys)) return error;
   const auto in_range = [](const S& ease) { return ease >= S(0) && ease <= S(1); };
   for (std::size_t key = 0; key < keys.eases.size(); ++key) {
     const bool good = in_range(keys.eases[key].in) && in_range(keys.eases[key].out);
@@ -188,6 +223,9 @@ std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys
   const std::size_t channels = keys.channels;
   if (static_cast<std::size_t>(rules.tangents) >= tangent_rules<S>.size()) return BuildError{.code = unknown_rule};
   if (rules.equal_speed && !has_roots<S>) return BuildError{.code = equal_speed_without_roots};
+  if (rules.equal_speed && std::ranges::count(keys.given, true) > 0) {
+    return BuildError{.code = equal_speed_with_velocities};
+  }
   for (const std::size_t channel : rules.metric) {
     if (channel >= channels) {
       return BuildError{.code = metric_channel_missing, .channel = channel, .expected = channels};

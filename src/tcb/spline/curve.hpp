@@ -74,7 +74,8 @@ class Curve {
 
   /// A closed curve: one more segment joins the last key to the first, which repeats after the period. A last key
   /// at exactly the position of the first is not a key, but ends the period; it must have the same tension, continuity
-  /// and bias, and needs no `period`. The end rules have no effect. The result has the error, if there is one.
+  /// and bias, and needs no `period`. Of given velocities, it has the one before the seam, and the first key the one
+  /// after it. The end rules have no effect. The result has the error, if there is one.
   static BuildResult<S> build_closed(Keys<S> keys, const CurveRules<S>& rules = {},
                                      const std::optional<Time<S>>& period = std::nullopt);
 
@@ -190,6 +191,11 @@ BuildResult<S> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules, 
   if (!end) return BuildError{.code = period_missing};
   const Time<S> duration = *end - keys.times[0];
   if (!is_finite(*end) || !is_finite(duration)) return BuildError{.code = period_not_finite};
+  for (std::size_t i = 0; repeated && !keys.velocities.empty() && i < keys.channels; ++i) {
+    keys.velocities[i].in = keys.velocities[last * keys.channels + i].in;
+    keys.velocities[last * keys.channels + i].out = keys.velocities[i].out;
+  }
+  if (const auto error = find_velocity_error(keys, true)) return *error;
   Window<S> window{{}, false, false, true};
   const auto add = [&](std::size_t key, const Time<S>& time) {
     append(window.keys, keys, key, key + 1);

@@ -25,10 +25,19 @@ struct Ease {
   S out{};
 };
 
+/// The velocities of a key in one channel, per unit of time: in the segment before it and in the one after it.
+template <class S>
+struct Velocity {
+  S in{};
+  S out{};
+  friend bool operator==(const Velocity&, const Velocity&) = default;
+};
+
 /// Successive keys, each with the same number of channels.
 /// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or `channels`
 /// entries per key where each channel has its own, or none where every key has `common_tcb`; eases holds one entry per
-/// key, or none.
+/// key, or none; velocities holds `channels` entries per key, and `given` one per channel, or both hold none. In a
+/// channel that is given, the velocities are those of the curve, and no tangent rule and no end rule applies.
 template <class S>
 struct Keys {
   std::size_t channels = 0;
@@ -37,6 +46,8 @@ struct Keys {
   std::vector<Tcb<S>> tcbs;
   Tcb<S> common_tcb;
   std::vector<Ease<S>> eases;
+  std::vector<Velocity<S>> velocities = {};
+  std::vector<bool> given = {};
 
   std::size_t size() const { return times.size(); }
   std::span<const S> position(std::size_t key) const { return std::span(positions).subspan(key * channels, channels); }
@@ -66,6 +77,9 @@ void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t las
   copy(to.positions, from.positions, from.channels);
   if (!from.tcbs.empty()) copy(to.tcbs, from.tcbs, from.tcbs_per_key());
   if (!from.eases.empty()) copy(to.eases, from.eases, 1);
+  if (from.velocities.empty()) return;
+  to.given = from.given;
+  copy(to.velocities, from.velocities, from.channels);
 }
 
 }  // namespace tcb::spline

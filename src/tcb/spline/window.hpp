@@ -128,6 +128,7 @@ class Tangents {
     }
     if (window.starts) set_end(0, 1, rules.start);
     if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, rules.end);
+    if (!keys_.velocities.empty()) set_given();
   }
 
   std::span<const W> incoming(std::size_t key) const {
@@ -175,6 +176,17 @@ class Tangents {
       W tangent = weights.chord * chord(first, i) + weights.other * others[inner * keys_.channels + i];
       if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
       tangents[key * keys_.channels + i] = tangent;
+    }
+  }
+
+  /// The tangents of channels with given velocities: the velocity times the duration of the segment.
+  void set_given() {
+    for (std::size_t i = 0; i < keys_.velocities.size(); ++i) {
+      const std::size_t key = i / keys_.channels;
+      if (!keys_.given[i % keys_.channels]) continue;
+      const auto duration = [&](std::size_t from) { return W(keys_.times[from + 1] - keys_.times[from]); };
+      if (key > 0) incoming_[i] = duration(key - 1) * W(keys_.velocities[i].in);
+      if (key + 1 < keys_.size()) outgoing_[i] = duration(key) * W(keys_.velocities[i].out);
     }
   }
 

@@ -54,6 +54,34 @@ TEST(JsonMembers, channels_may_have_tension_of_their_own) {
             "[0 0 0][1 0 0][0 0.5 0][0 0.5 0]");
 }
 
+/// The velocities in each channel of each key, or the error.
+std::string velocities(const std::string& text) {
+  std::string shown;
+  const std::string error = error_of([&] {
+    const auto keys = without_faults(open_input("f", pieces(text), {}).keys, false);
+    while (const auto block = keys()) {
+      for (const auto& [in, out] : block->keys.velocities) shown += fmt::format("[{} {}]", in, out);
+      for (const bool given : block->keys.given) shown += given ? "+" : "-";
+    }
+  });
+  return error == "no error" ? shown : error;
+}
+
+TEST(JsonMembers, keys_may_have_velocities) {
+  EXPECT_EQ(velocities(R"([{"t":0,"position":[1,2],"velocity":[3,4]},{"t":1,"position":[1,2],"velocity":[5,6]}])"),
+            "[3 3][4 4][5 5][6 6]++");
+  EXPECT_EQ(velocities(R"([{"t":0,"velocity_in":[null,null],"velocity_out":[7,8],"position":[1,2]},)"
+                       R"({"t":1,"position":[1,2],"velocity_in":[3,4]}])"),
+            "[nan 7][nan 8][3 nan][4 nan]++");
+  EXPECT_EQ(velocities(R"([{"t":0,"x":1,"y":2,"y_v":3},{"t":1,"x":1,"y":2,"y_v":4}])"),
+            "[nan nan][3 3][nan nan][4 4]-+");
+  EXPECT_EQ(velocities(R"([{"t":0,"position":[1,2],"x_v":3,"q_v":5},{"t":1,"position":[1,2],"x_v":4,"q_v":5}])"),
+            "[3 3][nan nan][4 4][nan nan]+-");
+  EXPECT_THAT(velocities(R"([{"t":0,"position":[1,2],"velocity":[3]}])"), HasSubstr("f:1:27: error: keys[0].velocity"));
+  EXPECT_THAT(velocities(R"([{"t":0,"x":1,"x_v":1},{"t":1,"x":1,"x_v":1,"T":0}])"),
+              HasSubstr("keys[1].T: not in the first key"));
+}
+
 TEST(JsonMembers, tension_of_channels_has_errors_of_its_own) {
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"position":[1,2],"tcb":{"q":[1,0,0]}}])"),
               HasSubstr("f:1:2: error: column \"tension_q\" is for a channel \"q\", which does not exist"));

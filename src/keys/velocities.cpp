@@ -1,0 +1,60 @@
+// Velocities: the check of keys whose velocities are given.
+#include "keys/velocities.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+/// The last key in each channel, whose outgoing velocity is needed if another one follows.
+class VelocityCheck {
+ public:
+  VelocityCheck(std::vector<std::string> channels, bool equal_speed)
+      : channels_(std::move(channels)), equal_speed_(equal_speed), before_(channels_.size()) {}
+
+  KeyBlock operator()(KeyBlock block) {
+    const Keys& keys = block.keys;
+    if (keys.velocities.empty()) return block;
+    if (equal_speed_) throw Error(Exit::data, ErrorCode::equal_speed_with_velocities).about(Option::equal_speed);
+    for (std::size_t i = 0; i < keys.velocities.size(); ++i) {
+      const std::size_t channel = i % keys.channels;
+      const bool is_key = !std::isnan(keys.positions[i]);
+      if (keys.given[channel] && is_key) add(channel, keys.velocities[i], block.lines[i / keys.channels]);
+    }
+    return block;
+  }
+
+ private:
+  struct Before {
+    std::uint64_t line = 0;  ///< 0: there is none
+    bool has_outgoing = false;
+  };
+
+  void add(std::size_t channel, const spline::Velocity<double>& velocity, std::uint64_t line) {
+    Before& before = before_[channel];
+    if (before.line != 0 && !before.has_outgoing) refuse(ErrorCode::outgoing_velocity_missing, channel, before.line);
+    if (before.line != 0 && std::isnan(velocity.in)) refuse(ErrorCode::incoming_velocity_missing, channel, line);
+    before = {line, !std::isnan(velocity.out)};
+  }
+
+  [[noreturn]] void refuse(ErrorCode code, std::size_t channel, std::uint64_t line) const {
+    throw Error(Exit::data, code, {channels_[channel]}).at({"", line, 0});
+  }
+
+  std::vector<std::string> channels_;
+  bool equal_speed_;
+  std::vector<Before> before_;
+};
+
+}  // namespace
+
+Source<KeyBlock> with_complete_velocities(Source<KeyBlock> blocks, std::vector<std::string> channels,
+                                          bool equal_speed) {
+  return mapped(std::move(blocks), VelocityCheck(std::move(channels), equal_speed));
+}
+
+}  // namespace tcb
