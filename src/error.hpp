@@ -310,6 +310,10 @@ enum class ErrorCode {
   incoming_velocity_missing,  ///< channel
   outgoing_velocity_missing,  ///< channel
   equal_speed_with_velocities,
+  segment_starts_elsewhere,  ///< start, end of the segment before it
+  segment_jumps,             ///< position, that at the end of the segment before it
+  segment_without_duration,  ///< duration
+  sort_of_segments,
   closing_key_against_period,
   period_too_short,
   too_few_closed_keys,

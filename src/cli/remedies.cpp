@@ -378,6 +378,18 @@ constexpr std::array all_words{
         "or remove the row"},
     Words{ErrorCode::equal_speed_with_velocities,
           "{subject} would change velocities, which are given; expected one of the two; remove {subject}"},
+    Words{ErrorCode::segment_starts_elsewhere,
+          "this segment starts at {0}, and the one before it ends at {1}; expected segments without gaps, in order; "
+          "correct "
+          "them, or divide the curves with --group"},
+    Words{
+        ErrorCode::segment_jumps,
+        "this segment starts at the position {0}, and the one before it ends at {1}; expected the same; correct one of "
+        "the two"},
+    Words{ErrorCode::segment_without_duration,
+          "the duration is {0}; expected a positive number, and an end within the range of doubles; correct it"},
+    Words{ErrorCode::sort_of_segments,
+          "{subject}: the rows are segments, which are expected in order; remove {subject}"},
     Words{
         ErrorCode::closing_key_against_period,
         "this key repeats the position of line {0} and so ends the period, but {subject} differs; remove one of them"},

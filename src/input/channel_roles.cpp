@@ -19,9 +19,15 @@ struct Affix {
 };
 
 constexpr std::array affixes{
-    Affix{"tension_", Role::channel_tension, true}, Affix{"continuity_", Role::channel_continuity, true},
-    Affix{"bias_", Role::channel_bias, true},       Affix{"_v", Role::velocity, false},
-    Affix{"_vin", Role::velocity_in, false},        Affix{"_vout", Role::velocity_out, false},
+    Affix{"tension_", Role::channel_tension, true},
+    Affix{"continuity_", Role::channel_continuity, true},
+    Affix{"bias_", Role::channel_bias, true},
+    Affix{"_v", Role::velocity, false},
+    Affix{"_vin", Role::velocity_in, false},
+    Affix{"_vout", Role::velocity_out, false},
+    // Of segments only:
+    Affix{"_p1", Role::end_position, false},
+    Affix{"_v1", Role::end_velocity, false},
 };
 
 std::string in_lower_case(std::string_view text) {
@@ -102,8 +108,7 @@ class RolesOfChannel {
 /// Throws: Error (data) for velocities that are not whole, and for tension, continuity or bias with the velocities of
 /// all channels.
 void require_whole_velocities(const Columns& columns) {
-  const bool has_any =
-      std::ranges::any_of(columns.cells, [](const auto& column) { return column.role >= Role::velocity; });
+  const bool has_any = std::ranges::any_of(columns.cells, [](const auto& column) { return is_velocity(column.role); });
   if (!has_any) return;
   bool has_all = true;
   for (std::size_t i = 0; i < columns.channels.size(); ++i) {
@@ -128,7 +133,7 @@ std::string role_name(const ChannelRole& role) {
 
 std::optional<ChannelRole> channel_role_of(std::string_view name) {
   for (const auto& [text, role, is_prefix] : affixes) {
-    if (name.size() <= text.size()) continue;
+    if (name.size() <= text.size() || role > Role::velocity_out) continue;
     const std::size_t rest = name.size() - text.size();
     if (!same_in_any_case(is_prefix ? name.substr(0, text.size()) : name.substr(rest), text)) continue;
     return ChannelRole{role, std::string(is_prefix ? name.substr(text.size()) : name.substr(0, rest))};
@@ -217,6 +222,27 @@ std::optional<ChannelRole> near_channel_role(std::string_view name, const std::v
     }
   }
   return std::nullopt;
+}
+
+bool assign_segments(Columns& columns, std::span<const std::string> header) {
+  constexpr std::array endings{std::pair{"_p0", Role::position}, std::pair{"_v0", Role::velocity_out},
+                               std::pair{"_p1", Role::end_position}, std::pair{"_v1", Role::end_velocity}};
+  const NameIndex names(header);
+  const auto start = names.find("start"), duration = names.find("duration");
+  if (!start || !duration || columns.has(Role::time) || columns.has(Role::position)) return false;
+  for (const std::string& name : header) {
+    if (!name.ends_with(endings[0].first)) continue;
+    const std::string channel = name.substr(0, name.size() - 3);
+    const auto cell = [&](const auto& ending) { return names.find(channel + ending.first); };
+    if (std::ranges::any_of(endings, [&](const auto& ending) { return !cell(ending).has_value(); })) return false;
+    for (const auto& ending : endings) columns.cells[*cell(ending)] = {ending.second, columns.channels.size()};
+    columns.channels.push_back(channel);
+  }
+  if (columns.channels.empty()) return false;
+  columns.cells[*start].role = Role::time;
+  columns.cells[*duration].role = Role::duration;
+  columns.time = "time";
+  return columns.are_segments = true;
 }
 
 std::vector<RoleRequest> parse_roles(std::string_view text) {

@@ -120,6 +120,7 @@ std::vector<std::string> Columns::shape_roles() const {
   for (const Role role : {Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out}) {
     if (has(role)) roles.emplace_back(role_name(role));
   }
+  if (are_segments) roles.emplace_back("duration");
   for (const Column& column : cells) {
     if (is_of_channel(column.role)) roles.push_back(name_of(column));
   }
@@ -132,7 +133,9 @@ std::string Columns::name_of(const Column& column) const {
     case Role::position: return channels[column.channel];
     case Role::group: return groups[column.channel];
     case Role::carry: return carried[column.channel - groups.size()];
+    case Role::duration: return "duration";
     default:
+      if (are_segments && column.role == Role::velocity_out) return channels[column.channel] + "_v0";
       if (is_of_channel(column.role)) return role_name(ChannelRole{column.role, channels[column.channel]});
       return std::string(role_name(column.role));
   }
@@ -164,12 +167,14 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
                      std::span<const RoleRequest> requests, bool timeless) {
   std::vector<ColumnOfChannel> of_channels;
   Columns columns = requested_columns(header, numeric, requests, of_channels);
-  const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
-  for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual)) {
-    columns.cells[column.cell].role = column.role.role;
-    of_channels.push_back(std::move(column));
+  if (!assign_segments(columns, header)) {
+    const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
+    for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual)) {
+      columns.cells[column.cell].role = column.role.role;
+      of_channels.push_back(std::move(column));
+    }
+    assign_the_rest(columns, header, numeric, usual, timeless);
   }
-  assign_the_rest(columns, header, numeric, usual, timeless);
   number_texts(columns);
   for (Columns::Column& column : columns.cells) {
     if (column.role == Role::unused) column.role = Role::ignored;

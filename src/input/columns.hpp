@@ -32,13 +32,20 @@ enum class Role {
   velocity,
   velocity_in,
   velocity_out,
+  end_position,  ///< of a record that is a segment; its position is at its start
+  end_velocity,
+  // Of a record that is a segment:
+  duration,
 };
 
-inline constexpr std::size_t role_count = 17;
+inline constexpr std::size_t role_count = 20;
 inline constexpr auto first_channel_role = Role::channel_tension;
 
 /// The role is one in a channel.
-constexpr bool is_of_channel(Role role) { return role >= first_channel_role; }
+constexpr bool is_of_channel(Role role) { return role >= first_channel_role && role < Role::duration; }
+
+/// The role is a velocity of a key.
+constexpr bool is_velocity(Role role) { return role >= Role::velocity && role <= Role::velocity_out; }
 
 /// The name of a role where roles are requested. Requires: not ignored, not of one channel.
 std::string_view role_name(Role role);
@@ -130,6 +137,7 @@ struct Columns {
   std::vector<std::string> ignored;   ///< names of the columns without a role
   std::vector<Mark> marks;            ///< the first of them
   bool may_be_timed = false;          ///< the first channel may be the time, by its place and its name
+  bool are_segments = false;  ///< each record is a segment: start, duration, positions and velocities of its ends
 
   bool has(Role role) const;
   /// The names of the roles that shape a curve, such as tension and tension_x, and that a column has.
@@ -154,6 +162,10 @@ std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::sp
 /// Sets the channels of columns with a role in one. A requested column has priority over others. Throws: Error (data)
 /// for two columns with one role, for an unknown channel, and for velocities of one side alone or with tension.
 void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found);
+
+/// Sets the columns of a header with "start", "duration", and "x_p0", "x_v0", "x_p1" and "x_v1" for each channel, as
+/// exact segments are written; false for any other.
+bool assign_segments(Columns& columns, std::span<const std::string> header);
 
 /// The columns of records. `header` is empty where the input has no names; numeric[i]: column i holds numbers.
 /// Without a header the first column is the time, unless `timeless`. Where no column has a name such as "time", one

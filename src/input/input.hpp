@@ -140,6 +140,7 @@ struct Input {
   std::optional<Rational> frame_rate = {};             ///< the times were frames, and are seconds
   TimeNotation time_notation = TimeNotation::seconds;  ///< as it was given
   std::optional<TimeUnit> time_unit = {};              ///< of the times, if it is known
+  bool has_segments = false;                           ///< the keys are the two ends of each segment, not yet joined
   bool own_curves = false;                             ///< blocks have the beginnings of curves, and their information
 
   /// Takes over the columns of the input.

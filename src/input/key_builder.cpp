@@ -30,6 +30,9 @@ std::size_t number_of_key(const Columns::Column& column, std::size_t channels) {
     case Role::velocity:
     case Role::velocity_in: return of_channel(NumberOfKey::velocity_in_of);
     case Role::velocity_out: return of_channel(NumberOfKey::velocity_out_of);
+    case Role::end_position: return of_channel(NumberOfKey::end_position_of);
+    case Role::end_velocity: return of_channel(NumberOfKey::end_velocity_of);
+    case Role::duration: return NumberOfKey::duration;
     default: return of_channel(NumberOfKey::position_of);
   }
 }
@@ -84,6 +87,8 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules)
       block_.keys.given[channel] = true;
     }
   }
+  if (columns.are_segments) block_.keys.given.assign(columns.channels.size(), true);
+  if (columns.are_segments) ends_.resize(columns.channels.size());
   velocities_.resize(block_.keys.given.size());
 }
 
@@ -136,7 +141,8 @@ bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_vi
 
 bool KeyBuilder::miss(const Columns::Column& column) {
   if (column.role == Role::ignored || column.role == Role::carry) return true;
-  if (column.role >= Role::velocity) return true;  // whether it is needed depends on the keys around
+  if (!ends_.empty()) return false;           // segments are whole
+  if (is_velocity(column.role)) return true;  // whether it is needed depends on the keys around
   const bool skips_cell = rules_.missing == Missing::skip_cell;
   if (rules_.missing == Missing::error || (skips_cell && column.role == Role::time)) return false;
   if (column.role == Role::group && rules_.missing != Missing::skip_row) return false;
@@ -145,6 +151,9 @@ bool KeyBuilder::miss(const Columns::Column& column) {
 }
 
 bool KeyBuilder::end_key() {
+  if (!ends_.empty() && !std::isfinite((time_ + Time(duration_)).hi)) {
+    add_fault(Error(Exit::data, ErrorCode::segment_without_duration, {duration_}));
+  }
   const bool is_faulty = block_.faults.size() > faults_;
   const bool is_gap = is_missing_ && rules_.missing == Missing::break_curve;
   if (is_faulty || (is_missing_ && !is_gap)) {
@@ -152,18 +161,44 @@ bool KeyBuilder::end_key() {
     return false;
   }
   if (is_gap) block_.gaps.push_back(block_.size());
-  if (is_timed_) block_.keys.times.push_back(time_);
   complete_channels();
+  complete_velocities();
+  add_key();
+  if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.size());
+  if (!ends_.empty()) add_segment_end();
+  return true;
+}
+
+void KeyBuilder::add_key() {
+  if (is_timed_) block_.keys.times.push_back(time_);
   if (channel_tcbs_.empty() && has_tcb_) block_.keys.tcbs.push_back(tcb_);
   block_.keys.tcbs.insert(block_.keys.tcbs.end(), channel_tcbs_.begin(), channel_tcbs_.end());
   if (has_ease_) block_.keys.eases.push_back(ease_);
-  complete_velocities();
   block_.keys.velocities.insert(block_.keys.velocities.end(), velocities_.begin(), velocities_.end());
   block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
   for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
-  if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.size());
-  return true;
+}
+
+/// Adds the key at the end of a segment. The time is a double where that at the start is one.
+void KeyBuilder::add_segment_end() {
+  const bool is_double = time_.lo == 0;
+  time_ = time_ + Time(duration_);
+  if (is_double) time_ = Time(time_.hi);
+  const std::size_t channels = ends_.size();
+  const auto move_decimal = [&](NumberOfKey::Kind from, NumberOfKey::Kind to, std::size_t channel) {
+    if (!keeps_decimals()) return;
+    decimals_[NumberOfKey::of_channel(to, channel, channels)] =
+        decimals_[NumberOfKey::of_channel(from, channel, channels)];
+  };
+  if (keeps_decimals()) decimals_[NumberOfKey::time].clear();
+  for (std::size_t i = 0; i < channels; ++i) {
+    block_.keys.positions.push_back(ends_[i].position);
+    velocities_[i] = {ends_[i].velocity, nan};
+    move_decimal(NumberOfKey::end_position_of, NumberOfKey::position_of, i);
+    move_decimal(NumberOfKey::end_velocity_of, NumberOfKey::velocity_in_of, i);
+  }
+  add_key();
 }
 
 /// Gives channels the common tension, continuity and bias where they have none of their own.

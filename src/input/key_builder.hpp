@@ -41,6 +41,9 @@ class KeyBuilder {
       case Role::velocity:
       case Role::velocity_in: return velocities_[column.channel].in;
       case Role::velocity_out: return velocities_[column.channel].out;
+      case Role::end_position: return ends_[column.channel].position;
+      case Role::end_velocity: return ends_[column.channel].velocity;
+      case Role::duration: return duration_;
       default: return block_.keys.positions[position_ + column.channel];
     }
   }
@@ -79,15 +82,16 @@ class KeyBuilder {
   /// Nothing after the last fault can be read.
   void set_unreadable() { block_.unreadable = true; }
 
-  /// Ends the key. Returns whether it is kept; if so, set_position() must follow.
+  /// Ends the key; a record that is a segment has two keys, its ends. Returns whether it is kept; if so, set_position()
+  /// must follow.
   bool end_key();
-  /// The text position of the key that was kept last.
+  /// The text position of the record that was kept last.
   void set_position(std::uint64_t line, std::uint64_t column) {
-    block_.lines.push_back(line);
-    block_.columns.push_back(static_cast<std::uint32_t>(column));
+    block_.lines.insert(block_.lines.end(), keys_per_record(), line);
+    block_.columns.insert(block_.columns.end(), keys_per_record(), static_cast<std::uint32_t>(column));
   }
   /// Its number in its list.
-  void set_number(std::uint64_t number) { block_.numbers.push_back(number); }
+  void set_number(std::uint64_t number) { block_.numbers.insert(block_.numbers.end(), keys_per_record(), number); }
 
   /// Adds a break before the next key that is kept.
   void break_curve() { breaks_ = true; }
@@ -98,6 +102,14 @@ class KeyBuilder {
  private:
   void complete_channels();
   void complete_velocities();
+  void add_key();
+  void add_segment_end();
+  std::size_t keys_per_record() const { return ends_.empty() ? 1 : 2; }
+
+  /// The end of a segment in one channel.
+  struct SegmentEnd {
+    double position, velocity;
+  };
 
   const KeyRules rules_;
   const bool is_timed_, has_tcb_, has_ease_;
@@ -113,6 +125,8 @@ class KeyBuilder {
   spline::Ease<double> ease_;
   std::vector<spline::Tcb<double>> channel_tcbs_;     ///< NaN where a channel has none; empty where no channel has any
   std::vector<spline::Velocity<double>> velocities_;  ///< NaN where one is missing; empty where no channel has any
+  double duration_ = 0;                               ///< of a segment
+  std::vector<SegmentEnd> ends_;                      ///< of its channels; empty where records are keys
   std::vector<std::size_t> marks_;                    ///< as in KeyBlock
   std::vector<std::string> texts_;
   std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty if they are not kept

@@ -155,6 +155,7 @@ void Input::set_columns(const Columns& columns) {
   ignored = columns.ignored;
   marks = columns.marks;
   may_be_timed = columns.may_be_timed;
+  has_segments = columns.are_segments;
   facts.roles = columns.shape_roles();
 }
 

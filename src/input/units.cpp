@@ -82,8 +82,11 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
     }
     rules.factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
   }
+  rules.factors[NumberOfKey::duration] = rules.factors[NumberOfKey::time];
   for (std::size_t i = 0; i < channels; ++i) {
-    for (const auto kind : {NumberOfKey::velocity_in_of, NumberOfKey::velocity_out_of}) {
+    rules.factors[NumberOfKey::of_channel(NumberOfKey::end_position_of, i, channels)] =
+        rules.factors[NumberOfKey::position + i];
+    for (const auto kind : {NumberOfKey::velocity_in_of, NumberOfKey::velocity_out_of, NumberOfKey::end_velocity_of}) {
       rules.factors[NumberOfKey::of_channel(kind, i, channels)] =
           rules.factors[NumberOfKey::position + i] / rules.factors[NumberOfKey::time];
     }

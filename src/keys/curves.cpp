@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "input/input.hpp"
 #include "input/key_block.hpp"
+#include "keys/velocities.hpp"
 #include "text/decimal_time.hpp"
 #include "text/print_number.hpp"
 
@@ -190,12 +191,14 @@ Source<KeyBlock> arranged(const Input& input, const CurveOptions& options, bool 
   Source<KeyBlock> blocks = input.timed ? with_time_digits(input.keys) : input.keys;
   const bool by_text = !input.groups.empty() && !input.own_curves;
   if (!input.timed) require_times(options);
+  if (input.has_segments && options.sort) throw Error(Exit::data, ErrorCode::sort_of_segments).about(Option::sort);
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks), false),
                      {by_text ? input.groups.size() : 0, options.sort, input.own_curves,
                       by_text ? std::vector<Mark>{} : input.marks});
   }
   blocks = without_gaps(std::move(blocks));
+  if (input.has_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
   const CurveLabels labels{input.marks, input.named ? input.channels : std::vector<std::string>{}};
   if (input.timed) blocks = in_order(std::move(blocks), options.duplicates, labels);
   return without_faults(std::move(blocks), live);

@@ -68,7 +68,15 @@ class ShownKeys {
     }
     require(keys.positions.size() == block.lines.size() * keys.channels, "positions missing", text_);
     for (const double value : keys.position(i)) add_number(value, may_miss_);
-    for (const double value : {keys.tcb(i).tension, keys.tcb(i).continuity, keys.tcb(i).bias}) add_number(value);
+    for (std::size_t channel = 0; channel < (keys.has_channel_tcbs() ? keys.channels : 1); ++channel) {
+      const auto& [tension, continuity, bias] = keys.tcb(i, channel);
+      for (const double value : {tension, continuity, bias}) add_number(value);
+    }
+    require(keys.velocities.empty() || keys.velocities.size() == keys.positions.size(), "velocities missing", text_);
+    for (std::size_t channel = 0; !keys.velocities.empty() && channel < keys.channels; ++channel) {
+      add_number(keys.velocities[i * keys.channels + channel].in, true);
+      add_number(keys.velocities[i * keys.channels + channel].out, true);
+    }
     if (!keys.eases.empty()) add_number(keys.eases.at(i).in);
     if (!keys.eases.empty()) add_number(keys.eases.at(i).out);
     text_ += '\n';

@@ -101,8 +101,8 @@ TEST(Columns, role_requests_without_a_role_or_columns_are_errors) {
     EXPECT_EQ(error_of([&] { parse_roles("bias=b," + part); }),
               "usage: f: error: --columns: \"" + part +
                   "\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
-                  "bias=, ease_in=, "
-                  "ease_out=, group= or carry=; for example --columns time=frame,position=px:py");
+                  "bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
+                  "ease_out=, group=, carry= or ignore=; for example --columns time=frame,position=px:py");
   }
 }
 

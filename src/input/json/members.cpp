@@ -125,7 +125,7 @@ void add_optional_members(JsonColumns& columns) {
       return cell.channel == channel && (cell.role == Role::velocity || cell.role == Role::velocity_in);
     });
   };
-  std::size_t channel = 0;
+  std::size_t channel = columns.columns.are_segments ? columns.columns.channels.size() : 0;
   while (channel < columns.columns.channels.size() && is_given(channel)) ++channel;
   if (channel == columns.columns.channels.size()) return;  // no tangent depends on them
   const bool tcb = is_there("tcb");
@@ -144,7 +144,7 @@ void require_shape(const Found& member, const InputOptions& options) {
   if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
   const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
   if (std::ranges::any_of(options.roles, names_it)) return;
-  if (member.numbers == 1 && !member.array) return;  // it may be null
+  if (!is_array && member.numbers == 1 && !member.array) return;  // it may be null
   const ErrorCode code = is_array ? ErrorCode::json_tcb_array_expected : ErrorCode::json_single_number_expected;
   throw Error(Exit::data, code, {member.path}).at(member.position);
 }
@@ -160,7 +160,8 @@ void require_no_near_miss(const Found& member, const Columns& columns, const Inp
 bool is_required(const JsonColumns& columns, const Member& member) {
   return std::any_of(columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell),
                      columns.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell + member.cells),
-                     [](const auto& cell) {
+                     [&](const auto& cell) {
+                       if (columns.columns.are_segments && cell.role != Role::ignored) return true;
                        return cell.role == Role::time || cell.role == Role::position || cell.role == Role::group;
                      });
 }
