@@ -237,6 +237,7 @@ enum class ErrorCode {
   json_number_expected,         ///< PATH
   json_text_expected,           ///< PATH
   json_array_expected,          ///< PATH
+  json_velocity_count,          ///< PATH, number of elements, expected number
   json_array_size,              ///< PATH, number of elements, expected number
   json_tcb_twice,               ///< PATH
   json_tcb_array_expected,      ///< PATH

@@ -232,6 +232,7 @@ constexpr std::array all_words{
     Words{ErrorCode::json_number_expected, "{0}: expected a number, as in the first key; correct it"},
     Words{ErrorCode::json_text_expected, "{0}: expected a text or a number, as in the first key; correct it"},
     Words{ErrorCode::json_array_expected, "{0}: expected an array of numbers, as in the first key; correct it"},
+    Words{ErrorCode::json_velocity_count, "{0}: an array of {1}; expected {2} numbers, as in \"position\"; correct it"},
     Words{ErrorCode::json_array_size, "{0}: an array of {1}; expected {2} numbers, as in the first key; correct it"},
     Words{ErrorCode::json_tcb_twice, "{0}: also in \"tcb\"; expected one of them; remove one"},
     Words{ErrorCode::json_tcb_array_expected, "{0}: expected an array [T,C,B]; correct it"},

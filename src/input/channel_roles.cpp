@@ -153,18 +153,19 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
   std::ranges::stable_sort(cells, {}, [&](std::size_t cell) { return header[cell].size(); });
   for (const std::size_t cell : cells) {
     if (!named[cell]) continue;
-    const bool may_be_other = named[cell]->role == Role::velocity;
-    if (may_be_other && !may_be_channel[cell]) continue;
+    if (named[cell]->role == Role::velocity && !may_be_channel[cell]) continue;
     const auto channel = names.find(named[cell]->channel);
     if (channel && may_be_channel[*channel] && !roles[*channel]) {
       roles[cell] = {named[cell]->role, header[*channel]};
-    } else if (!chosen && !may_be_other) {
-      std::vector<std::string> channels;
-      for (std::size_t i = 0; i < header.size(); ++i) {
-        if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
-      }
-      throw Error(Exit::data, ErrorCode::column_of_unknown_channel, {header[cell], named[cell]->channel, channels});
     }
+  }
+  for (std::size_t cell = 0; cell < header.size() && !chosen; ++cell) {
+    if (!named[cell] || roles[cell] || named[cell]->role == Role::velocity) continue;
+    std::vector<std::string> channels;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
+    }
+    throw Error(Exit::data, ErrorCode::column_of_unknown_channel, {header[cell], named[cell]->channel, channels});
   }
   return roles;
 }

@@ -49,8 +49,8 @@ TEST(ChannelRoles, an_exact_name_has_priority_over_one_in_another_case) {
 }
 
 TEST(ChannelRoles, velocities_are_for_one_side_or_both) {
-  const Columns columns = find({"t", "x_v", "x", "y", "Y_vout", "y_VIN", "T"});
-  EXPECT_THAT(columns.channels, ElementsAre("x", "y"));
+  const Columns columns = find({"t", "x_v", "x", "y", "Y_vout", "y_VIN", "z", "T"});
+  EXPECT_THAT(columns.channels, ElementsAre("x", "y", "z"));
   EXPECT_EQ(columns.cells[1].role, Role::velocity);
   EXPECT_EQ(columns.cells[4].role, Role::velocity_out);
   EXPECT_EQ(columns.cells[5].role, Role::velocity_in);

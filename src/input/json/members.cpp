@@ -66,7 +66,7 @@ std::vector<std::string> velocity_names(const Found& array, const Arrays& arrays
   const auto positions = std::ranges::find_if(members, [&](const Found& member) { return arrays.has(member); });
   if (known == velocity_arrays.end() || positions == members.end() || array.nested) return {};
   if (array.numbers != positions->numbers) {
-    throw Error(Exit::data, ErrorCode::json_array_size,
+    throw Error(Exit::data, ErrorCode::json_velocity_count,
                 {array.path, std::uint64_t{array.numbers}, std::uint64_t{positions->numbers}})
         .at(array.position);
   }

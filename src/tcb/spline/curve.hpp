@@ -72,10 +72,9 @@ class Curve {
     return of_window({std::move(keys)}, rules, false);
   }
 
-  /// A closed curve: one more segment joins the last key to the first, which repeats after the period. A last key
-  /// at exactly the position of the first is not a key, but ends the period; it must have the same tension, continuity
-  /// and bias, and needs no `period`. Of given velocities, it has the one before the seam, and the first key the one
-  /// after it. The end rules have no effect. The result has the error, if there is one.
+  /// A closed curve: one more segment joins the last key to the first, which repeats after the period. A last key at
+  /// exactly the position of the first only ends the period and needs none; it must have the same tension, continuity
+  /// and bias, and its incoming velocity counts. The end rules have no effect. The result may be an error.
   static BuildResult<S> build_closed(Keys<S> keys, const CurveRules<S>& rules = {},
                                      const std::optional<Time<S>>& period = std::nullopt);
 

@@ -77,7 +77,8 @@ TEST(JsonMembers, keys_may_have_velocities) {
             "[nan nan][3 3][nan nan][4 4]-+");
   EXPECT_EQ(velocities(R"([{"t":0,"position":[1,2],"x_v":3,"q_v":5},{"t":1,"position":[1,2],"x_v":4,"q_v":5}])"),
             "[3 3][nan nan][4 4][nan nan]+-");
-  EXPECT_THAT(velocities(R"([{"t":0,"position":[1,2],"velocity":[3]}])"), HasSubstr("f:1:27: error: keys[0].velocity"));
+  EXPECT_THAT(velocities(R"([{"t":0,"position":[1,2],"velocity":[3]}])"),
+              HasSubstr("f:1:26: error: keys[0].velocity: an array of 1; expected 2 numbers, as in \"position\""));
   EXPECT_THAT(velocities(R"([{"t":0,"x":1,"x_v":1},{"t":1,"x":1,"x_v":1,"T":0}])"),
               HasSubstr("keys[1].T: not in the first key"));
 }
