@@ -210,10 +210,12 @@ for number in range(curves):
                     if golden:
                         require(g == float(w), f"{place}: {g!r}, expected {float(w)!r}: {what}")
                     elif not keys.exact_input:
-                        sharp = (a, b) in whole and not keys.sparse and (k % 3 == 0 or form != "bezier")
-                        off = ulps(g, w, None if sharp else size)
+                        is_whole = (a, b) in whole and not keys.sparse
+                        by_itself = is_whole and (k % 3 == 0 or form != "bezier")
+                        off = ulps(g, w, None if by_itself else size)
                         tiny = size != 0 and abs(Fraction(g) - w) < size / 2 ** 90
-                        require(off <= (2 if sharp else 4) or tiny, f"{place}: {float(off)} ulp: {g!r}, expected {float(w)!r}: {what}")
+                        require(off <= (2 if is_whole else 4) or tiny,
+                                f"{place}: {float(off)} ulp: {g!r}, expected {float(w)!r}: {what}")
 
     if form == "hermite" and not keys.sparse:  # the positions are those of samples, bit for bit
         _, rows = run(text, options)
