@@ -23,10 +23,7 @@ std::string counted(std::uint64_t count, std::string_view what) {
 
 /// The samples of a block, each with its position and velocity.
 void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed, const SampleBlock& block) {
-  std::vector<std::size_t> chosen;
-  for (const char* name : {"time", "position", "velocity"}) {
-    chosen.push_back(static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin()));
-  }
+  const std::array chosen{field_of("time"), field_of("position"), field_of("velocity")};
   const Table table = placed.evaluate(block, chosen);
   const std::size_t rows = block.rows();
   const std::size_t width = rows == 0 ? 0 : table.cells.size() / rows;

@@ -15,12 +15,6 @@ namespace tcb {
 
 namespace {
 
-/// The index of the field that holds the number of the key at a row.
-std::size_t key_field() {
-  const auto known = fields();
-  return static_cast<std::size_t>(std::ranges::find(known, "key", &Field::name) - known.begin());
-}
-
 /// The first `count` cells from `begin` on; none if there are none at all.
 template <class T>
 std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
@@ -94,7 +88,7 @@ std::string print_labelled(
     const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
     const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print) {
   std::vector<std::size_t> with_key(chosen.begin(), chosen.end());
-  with_key.push_back(key_field());
+  with_key.push_back(field_of("key"));
   std::string out;
   bool first = block.samples.first;
   for (std::size_t i = 0; i < block.samples.parts.size(); ++i) {

@@ -144,6 +144,17 @@ def numbers_of(form, polynomial, h):
     return [p, a, b, c] + [Fraction(0)] * (len(forms[form]) - 4)
 
 
+def position_of(form, numbers, h, x):
+    """The position at the time x after the start, from the printed numbers."""
+    p, a, q, b = numbers[:4]
+    if form == "bezier":
+        p, a, q, b = numbers[0], 3 * (numbers[1] - numbers[0]) / h, numbers[3], 3 * (numbers[3] - numbers[2]) / h
+    if form in ("hermite", "bezier"):
+        chord = (q - p) / h
+        return value((p, a, (3 * chord - 2 * a - b) / h, (a + b - 2 * chord) / h ** 2), x)
+    return value(numbers[:4], x)
+
+
 def bounds(form, sizes, h):
     """The largest term behind each number, of which its error may be a few units in the last place."""
     p, a, b, c = sizes
@@ -199,10 +210,12 @@ for number in range(curves):
                     if golden:
                         require(g == float(w), f"{place}: {g!r}, expected {float(w)!r}: {what}")
                     elif not keys.exact_input:
-                        sharp = (a, b) in whole and not keys.sparse and (k % 3 == 0 or form != "bezier")
-                        off = ulps(g, w, None if sharp else size)
+                        is_whole = (a, b) in whole and not keys.sparse
+                        by_itself = is_whole and (k % 3 == 0 or form != "bezier")
+                        off = ulps(g, w, None if by_itself else size)
                         tiny = size != 0 and abs(Fraction(g) - w) < size / 2 ** 90
-                        require(off <= (2 if sharp else 4) or tiny, f"{place}: {float(off)} ulp: {g!r}, expected {float(w)!r}: {what}")
+                        require(off <= (2 if is_whole else 4) or tiny,
+                                f"{place}: {float(off)} ulp: {g!r}, expected {float(w)!r}: {what}")
 
     if form == "hermite" and not keys.sparse:  # the positions are those of samples, bit for bit
         _, rows = run(text, options)
@@ -211,6 +224,21 @@ for number in range(curves):
             _, at_times = run(text, keys.options() + ["--at", times, "--fields", "position"])
             got, want = [row[column::4] for row in rows], at_times
             require(got == want, f"positions {got}, expected {want}: seed {seed} curve {number}: {options}\n{text}")
+    # Evaluated exactly, the printed numbers give the positions of samples, within a few units in the last place.
+    _, rows = run(text, options)
+    times = [repr(row[0] + row[1] * u) for row in rows for u in (0.25, 0.625)]
+    inside = [start <= Fraction(float(t)) <= end for t in times]
+    _, samples = run(text, keys.options() + ["--at", ",".join(t for t, on in zip(times, inside) if on)])
+    for sample in samples:
+        row = [row for row in rows if row[0] <= sample[0]][-1]
+        x, h, width = Fraction(sample[0]) - Fraction(row[0]), Fraction(row[1]), len(forms[form])
+        for channel in range(len(keys.channels)):
+            numbers = [Fraction(cell) for cell in row[2 + channel * width:2 + (channel + 1) * width]]
+            size = keys.polynomial(channel, keys.number(repr(row[0])), keys.number(repr(row[0])) + h / 2)[1][0]
+            off = abs(position_of(form, numbers, h, x) - Fraction(sample[1 + channel]))
+            require(off <= 8 * Fraction(math.ulp(float(size))),
+                    f"position at {sample[0]!r}: {float(off / Fraction(math.ulp(float(size))))} ulp: "
+                    f"seed {seed} curve {number}: {options}\n{text}")
     if number % 5 != 0:
         continue
     # s is that of a sample at the start of the piece, and length the difference to the end.

@@ -64,5 +64,21 @@ TEST(Segment, a_part_has_the_positions_of_the_whole) {
   EXPECT_EQ(part<double>(x, 0.0, 4.0, 0.0, 4.0).c, x.c);
 }
 
+TEST(Segment, an_expanded_part_has_the_derivatives_of_the_whole_where_it_is_short) {
+  const auto x = cubic<double>(1e6, 1e6 + 1, DoubleDouble(0.5), DoubleDouble(0.25));  // c = 1.75, d = -1.25
+  const double size = 0x1p-22;
+  const auto near_start = expanded_part<double>(x, 0.0, 4.0, 1.0, 1 + 4 * size);
+  EXPECT_EQ(near_start.out, 1.140625 * size);  // 0.5 + u (3.5 - 3.75 u), u = 1/4
+  EXPECT_EQ(near_start.c, 0.8125 * size * size);
+  EXPECT_EQ(near_start.d, -1.25 * size * size * size);
+  const auto near_end = expanded_part<double>(x, 0.0, 4.0, 3.0, 3 + 4 * size);
+  EXPECT_EQ(near_end.out, 1.015625 * size);  // the same with u = 3/4
+  EXPECT_EQ(near_end.c, -1.0625 * size * size);
+  const auto fitted = part<double>(x, 0.0, 4.0, 1.0, 1 + 4 * size);
+  EXPECT_EQ(near_start.p0, fitted.p0);
+  EXPECT_EQ(near_start.p1, fitted.p1);
+  EXPECT_EQ(expanded_part<double>(x, 0.0, 4.0, 0.0, 4.0).c, x.c);
+}
+
 }  // namespace
 }  // namespace tcb::spline

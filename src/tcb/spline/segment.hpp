@@ -120,6 +120,7 @@ Cubic<S> part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, c
 template <class S>
 Cubic<S> expanded_part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, const Time<S>& from,
                        const Time<S>& to) {
+  if (from == start && to == end) return whole;
   using W = working_t<S>;
   struct Derivatives {
     W slope, half_bend;
@@ -134,7 +135,6 @@ Cubic<S> expanded_part(const Cubic<S>& whole, const Time<S>& start, const Time<S
     return {(first + u * (second + second + cubic)) * size, (second + cubic) * size * size};
   };
   Cubic<S> result = part(whole, start, end, from, to);
-  if (from == start && to == end) return result;
   const Derivatives first = at(from), last = at(to);
   result.out = high_part<S>(first.slope);
   result.c = high_part<S>(first.half_bend);
