@@ -26,8 +26,8 @@ constexpr std::array all_words{
     Words{ErrorCode::cannot_read, "cannot be read: {0}"},
     Words{ErrorCode::input_is_folder, "cannot be read: {0}; give --recursive and --output-dir for the files in it"},
     Words{ErrorCode::input_changed,
-          "it changed while it was read; expected a complete file; wait until it is written, or read what is already "
-          "in it through a pipe, as in cat FILE | tcbsample"},
+          "it changed while it was read; expected a complete file; wait until it is written, or read what is "
+          "already in it through a pipe, as in cat FILE | tcbsample"},
     Words{ErrorCode::cannot_write, "cannot be written: {0}"},
     Words{ErrorCode::cannot_make_folder, "cannot be created: {0}"},
     Words{ErrorCode::cannot_make_temporary, "needs a temporary file, which cannot be created: {0}"},
@@ -37,8 +37,8 @@ constexpr std::array all_words{
           "a NUL byte in the list of files; expected one name per line; give -0 for names that end in NUL"},
     Words{ErrorCode::empty_list, "no file names; expected one per line; add some"},
     Words{ErrorCode::no_inputs_in_folders,
-          "no input among {0} in the folders; expected .csv, .tsv, .ssv, .json or .jsonl; give --input-format to take "
-          "all"},
+          "no input among {0} in the folders; expected .csv, .tsv, .ssv, .json or .jsonl; give --input-format to "
+          "take all"},
     Words{ErrorCode::same_output,
           "its output {0} is also that of {1}; expected one for each; rename one of them, or use two folders"},
     Words{ErrorCode::output_is_input, "its output {0} is also an input; expected two files; give another output"},
@@ -66,37 +66,34 @@ constexpr std::array all_words{
     Words{ErrorCode::two_columns_for_role,
           "two columns could be the {0} column, the second is \"{1}\"; expected one; choose with --columns"},
     Words{ErrorCode::column_of_unknown_channel,
-          "column \"{0}\" is for a channel \"{1}\", which does not exist; the channels are {2}; correct the name, or "
-          "name "
-          "the channels with --columns position=NAME:NAME"},
+          "column \"{0}\" is for a channel \"{1}\", which does not exist; the channels are {2}; correct the name, "
+          "or name the channels with --columns position=NAME:NAME"},
     Words{ErrorCode::role_of_unknown_channel,
           "{0} is for a channel \"{1}\", which does not exist; the channels are {2}; correct {subject}"},
-    Words{
-        ErrorCode::velocity_columns_overlap,
-        "\"{0}\" and \"{1}\": two velocities of one side; expected {0} for both sides, or one for each; remove one, or "
-        "give --columns ignore=NAME"},
+    Words{ErrorCode::velocity_columns_overlap,
+          "\"{0}\" and \"{1}\": two velocities of one side; expected {0} for both sides, or one for each; remove "
+          "one, or give --columns ignore=NAME"},
     Words{ErrorCode::velocity_column_missing,
-          "\"{0}\" without \"{1}\"; expected both, or one column for both sides; add it, or give --columns ignore={0}"},
+          "\"{0}\" without \"{1}\"; expected both, or one column for both sides; add it, or give --columns "
+          "ignore={0}"},
     Words{ErrorCode::velocity_with_tcb,
-          "\"{0}\" and \"{1}\": a given velocity leaves nothing to tension, continuity and bias; expected one of the "
-          "two; "
-          "remove one, or give --columns ignore=NAME"},
+          "\"{0}\" and \"{1}\": a given velocity leaves nothing to tension, continuity and bias; expected one of "
+          "the two; remove one, or give --columns ignore=NAME"},
     Words{ErrorCode::tcb_with_all_velocities,
-          "the column of {0} has no effect, for all channels have given velocities; expected one of the two; remove "
-          "it, or "
-          "give --columns ignore=NAME"},
+          "the column of {0} has no effect, for all channels have given velocities; expected one of the two; "
+          "remove it, or give --columns ignore=NAME"},
     Words{ErrorCode::no_channel_column,
           "no position column; expected at least one column of numbers besides the time; name it with --columns "
           "position=NAME"},
     Words{ErrorCode::column_nearly_role,
-          "column \"{0}\" is close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename "
-          "it, or give --columns {1}={0} or position=NAME:NAME"},
+          "column \"{0}\" is close to \"{1}\", but its name makes it a channel; expected {1}, or another name; "
+          "rename it, or give --columns {1}={0} or position=NAME:NAME"},
     Words{ErrorCode::times_unclear,
-          "no time column, but column \"{0}\" may be one; expected a column called time; give --columns time={0}, or "
-          "--parameter uniform if the keys have no times"},
+          "no time column, but column \"{0}\" may be one; expected a column called time; give --columns time={0}, "
+          "or --parameter uniform if the keys have no times"},
     Words{ErrorCode::time_units_differ,
-          "the times in column \"{0}\" are in {1} by its name, but in {2} by {subject}; expected one unit; remove the "
-          "option, or rename the column"},
+          "the times in column \"{0}\" are in {1} by its name, but in {2} by {subject}; expected one unit; remove "
+          "the option, or rename the column"},
     Words{ErrorCode::unit_without_times,
           "no time column, but {subject} is given; expected one; name it with --columns time=NAME, or remove the "
           "option"},
@@ -109,17 +106,16 @@ constexpr std::array all_words{
     Words{ErrorCode::time_in_other_notation,
           "{c0}: {q1} is not in the notation of the first time; expected one notation in a column; convert the cell"},
     Words{ErrorCode::no_time_in_words,
-          "the time {0} of a row cannot be written as {1}; expected a time at a frame for timecode, not before 0, and "
-          "a year from 0 to 9999 for a date; give --time-format seconds"},
+          "the time {0} of a row cannot be written as {1}; expected a time at a frame for timecode, not before 0, "
+          "and a year from 0 to 9999 for a date; give --time-format seconds"},
     Words{ErrorCode::invalid_role_request,
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
-          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
-          "ease_out=, group=, carry= or ignore=; for "
-          "example --columns time=frame,position=px:py"},
+          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, "
+          "ease_in=, ease_out=, group=, carry= or ignore=; for example --columns time=frame,position=px:py"},
     // input/csv
     Words{ErrorCode::record_too_long,
-          "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was left "
-          "open"},
+          "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was "
+          "left open"},
     Words{ErrorCode::too_many_cells,
           "a record of more than {0} cells; expected fewer; correct the row, or give the delimiter with -d"},
     Words{ErrorCode::quote_not_closed, "a quoted cell is not closed; expected \" at its end; add it"},
@@ -129,31 +125,31 @@ constexpr std::array all_words{
     Words{ErrorCode::header_without_rows,
           "no keys: there is a header and no row; expected a row for each key; see --help"},
     Words{ErrorCode::lines_end_in_carriage_returns,
-          "no keys: there is one line, with carriage returns in it; expected a line for each key; change them to line "
-          "feeds, for example with tr"},
+          "no keys: there is one line, with carriage returns in it; expected a line for each key; change them to "
+          "line feeds, for example with tr"},
     Words{ErrorCode::single_column,
           "one column, as there is no {q0}, but each row has {q1}; expected cells between delimiters; give -d {2}"},
     Words{ErrorCode::header_unclear,
-          "the first record has text, {q0}, and a number, {q1}; expected only names or only numbers; give --header if "
-          "they are names, --no-header if they are not"},
+          "the first record has text, {q0}, and a number, {q1}; expected only names or only numbers; give --header "
+          "if they are names, --no-header if they are not"},
     Words{ErrorCode::row_unlike_header,
-          "the first row has {0} where the header has {1}; expected the same number; correct one of them, or give the "
-          "delimiter with -d"},
+          "the first row has {0} where the header has {1}; expected the same number; correct one of them, or give "
+          "the delimiter with -d"},
     Words{ErrorCode::column_not_utf8,
           "column {q0}: the byte {1} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
     Words{ErrorCode::cell_not_utf8,
           "{q0}: the byte {1} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
     Words{ErrorCode::wrong_number_of_cells,
-          "the row has {0} where the rows above have {1}; expected the same number of cells; complete or correct the "
-          "row, or give the delimiter with -d"},
+          "the row has {0} where the rows above have {1}; expected the same number of cells; complete or correct "
+          "the row, or give the delimiter with -d"},
     Words{ErrorCode::empty_group,
           "{0}: an empty cell; expected the name of a curve; fill it in, or give --missing skip-row"},
     Words{ErrorCode::number_in_text_column,
-          "{c0}: {q1} is a number in a column of text; expected only numbers or only text; give the text that marks "
-          "missing numbers to --na, or leave the column out with --columns position=NAME:NAME"},
-    Words{
-        ErrorCode::number_empty,
-        "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
+          "{c0}: {q1} is a number in a column of text; expected only numbers or only text; give the text that "
+          "marks missing numbers to --na, or leave the column out with --columns position=NAME:NAME"},
+    Words{ErrorCode::number_empty,
+          "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row, skip-cell or "
+          "break"},
     Words{ErrorCode::number_missing,
           "{c0}: {q1} where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
     Words{ErrorCode::time_empty,
@@ -165,8 +161,8 @@ constexpr std::array all_words{
     Words{ErrorCode::number_with_comma,
           "{c0}: {q1} is not a number; expected a decimal point; give --decimal , if this is a decimal comma"},
     Words{ErrorCode::number_with_thousands,
-          "{c0}: {q1} is not a number; expected one without separators of thousands; remove them, or give --decimal , "
-          "if this is a decimal comma"},
+          "{c0}: {q1} is not a number; expected one without separators of thousands; remove them, or give "
+          "--decimal , if this is a decimal comma"},
     Words{ErrorCode::number_too_large,
           "{c0}: {q1} is not a finite double; expected less than 1.8e308 in size; correct the cell"},
     Words{ErrorCode::several_numbers,
@@ -177,8 +173,8 @@ constexpr std::array all_words{
           "--decimal , excludes the delimiter , ; expected another one; give it with -d, or remove --decimal"},
     // input/json
     Words{ErrorCode::text_options_on_json,
-          "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; remove them, or give "
-          "the format with -i"},
+          "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; remove them, or "
+          "give the format with -i"},
     Words{ErrorCode::empty_json, "no keys: the input is empty; expected an object for each key; see --help"},
     Words{ErrorCode::json_value_expected, "not JSON: {q0}; expected a value; correct the text"},
     Words{ErrorCode::json_name_expected, "not JSON: {q0}; expected a name in quotes; correct the text"},
@@ -188,8 +184,8 @@ constexpr std::array all_words{
     Words{ErrorCode::json_end_expected, "not JSON: {q0} after the last bracket; expected nothing more; remove it"},
     Words{ErrorCode::json_string_not_closed, "not JSON: the string {q0} is not closed; expected \" at its end; add it"},
     Words{ErrorCode::json_character_in_string,
-          "not JSON: the last character of {q0} may not be in a string; expected UTF-8 without control characters, and "
-          "the escapes of JSON; correct the text"},
+          "not JSON: the last character of {q0} may not be in a string; expected UTF-8 without control characters, "
+          "and the escapes of JSON; correct the text"},
     Words{ErrorCode::json_ends_early, "not JSON: the text ends early; expected the rest of the value; complete it"},
     Words{ErrorCode::json_text_after_array, "text after the end of the JSON array; expected nothing more; remove it"},
     Words{ErrorCode::json_key_too_long, "a key of more than 64 MiB; expected less; shorten it"},
@@ -206,19 +202,20 @@ constexpr std::array all_words{
     Words{ErrorCode::json_member_unknown,
           "{0}: not in the first key; expected the same members in every key; add it there"},
     Words{ErrorCode::json_array_unused,
-          "{0}: an array that is not used; expected \"position\" as the name of an array of positions; rename it, or "
-          "give --columns position={1}, or position=NAME:NAME for the members to take"},
+          "{0}: an array that is not used; expected \"position\" as the name of an array of positions; rename it, "
+          "or give --columns position={1}, or position=NAME:NAME for the members to take"},
     Words{ErrorCode::json_object_unused,
           "{0}: numbers in an object, or in arrays in an array, are not used; expected an array of numbers, or a "
           "member for each number; write them so, or give --columns position=NAME:NAME for the members to take"},
     Words{ErrorCode::json_member_missing,
-          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row, skip-cell "
-          "or break"},
+          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row, "
+          "skip-cell or break"},
     Words{ErrorCode::json_time_missing,
-          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row or break"},
+          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row or "
+          "break"},
     Words{ErrorCode::json_member_nearly_role,
-          "{0}: close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename it, or give "
-          "--columns {1}={2} or position=NAME:NAME"},
+          "{0}: close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename it, or "
+          "give --columns {1}={2} or position=NAME:NAME"},
     Words{ErrorCode::json_not_a_number, "{0}: {q1} is not a number; expected one without quotes; correct it"},
     Words{ErrorCode::json_null_number,
           "{0}: null where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
@@ -262,20 +259,20 @@ constexpr std::array all_words{
           "{3}: time {0} repeats the time {1} of {2}; expected increasing times; remove one of them, or give "
           "--duplicates first, last or break"},
     Words{ErrorCode::decreasing_times,
-          "time {0} is less than the time {1} in line {2}; expected increasing times; sort the rows by time, or give "
-          "--sort"},
+          "time {0} is less than the time {1} in line {2}; expected increasing times; sort the rows by time, or "
+          "give --sort"},
     Words{ErrorCode::decreasing_times_in_list,
-          "{3}: time {0} is less than the time {1} of {2}; expected increasing times; sort the rows by time, or give "
-          "--sort"},
+          "{3}: time {0} is less than the time {1} of {2}; expected increasing times; sort the rows by time, or "
+          "give --sort"},
     Words{ErrorCode::curves_interleaved,
-          "time {0} does not increase after {1} in line {2}, but it does for each value of \"{3}\"; expected the rows "
-          "of one curve; give --group {3} for one curve per value"},
+          "time {0} does not increase after {1} in line {2}, but it does for each value of \"{3}\"; expected the "
+          "rows of one curve; give --group {3} for one curve per value"},
     Words{ErrorCode::curves_interleaved_in_list,
-          "{3}: time {0} does not increase after {1} of {2}, but it does for each value of \"{4}\"; expected the keys "
-          "of one curve; give --group {4} for one curve per value"},
+          "{3}: time {0} does not increase after {1} of {2}, but it does for each value of \"{4}\"; expected the "
+          "keys of one curve; give --group {4} for one curve per value"},
     Words{ErrorCode::sort_interleaves,
-          "--sort would mix rows with different values of \"{0}\" in one curve; expected the rows of one curve; give "
-          "--group {0} for one curve per value, or --columns carry={0} if it does not distinguish curves"},
+          "--sort would mix rows with different values of \"{0}\" in one curve; expected the rows of one curve; "
+          "give --group {0} for one curve per value, or --columns carry={0} if it does not distinguish curves"},
     Words{ErrorCode::sort_without_times,
           "--sort orders rows by time, and there is no time column; remove it, or name the column with --columns "
           "time=NAME"},
@@ -285,17 +282,15 @@ constexpr std::array all_words{
     Words{ErrorCode::no_keys, "only 0 keys; a curve needs at least two; add keys"},
     Words{ErrorCode::single_key, "only 1 key; a curve needs at least two; add keys"},
     Words{ErrorCode::tcb_from_0_to_50,
-          "{0} is {1}, and 3ds Max and programs like it show 0 to 50 with 25 for 0; expected a number, usually from -1 "
-          "to 1; give "
-          "--tcb-scale 3dsmax, or --tcb-scale none to take the number unchanged"},
+          "{0} is {1}, and 3ds Max and programs like it show 0 to 50 with 25 for 0; expected a number, usually "
+          "from -1 to 1; give --tcb-scale 3dsmax, or --tcb-scale none to take the number unchanged"},
     Words{ErrorCode::tcb_in_percent,
-          "{0} is {1}, and the product shows percent; expected a number, usually from -1 to 1; divide by 100, or give "
-          "--tcb-scale "
-          "none to take the number unchanged"},
+          "{0} is {1}, and the product shows percent; expected a number, usually from -1 to 1; divide by 100, or "
+          "give --tcb-scale none to take the number unchanged"},
     Words{ErrorCode::ease_out_of_range, "{0} is {1}; expected 0 to 1; correct it, or give --no-ease"},
     Words{ErrorCode::position_repeats,
-          "the position repeats that of line {0}; times are made from distances, and here the distance is 0; remove "
-          "one of the rows, or give --parameter uniform"},
+          "the position repeats that of line {0}; times are made from distances, and here the distance is 0; "
+          "remove one of the rows, or give --parameter uniform"},
     Words{ErrorCode::parameter_step_lost,
           "the distance makes a step of {0}, which is lost when it is added to the time {1}; expected times that "
           "doubles distinguish; give a smaller exponent to --parameter"},
@@ -313,20 +308,20 @@ constexpr std::array all_words{
     Words{ErrorCode::too_many_rows_or_more,
           "at least {0} rows are requested; expected at most {1}; request fewer, or raise --max-rows"},
     Words{ErrorCode::end_before_start,
-          "{subject} {0} is before {1}, where samples begin unless --from is given; expected a later one; correct it, "
-          "or give --from"},
+          "{subject} {0} is before {1}, where samples begin unless --from is given; expected a later one; correct "
+          "it, or give --from"},
     Words{ErrorCode::start_after_end,
-          "{subject} {0} lies beyond {1}, where samples end unless --to is given; expected an earlier one; correct it, "
-          "or give --to"},
+          "{subject} {0} lies beyond {1}, where samples end unless --to is given; expected an earlier one; correct "
+          "it, or give --to"},
     Words{ErrorCode::samples_beyond_doubles,
-          "the distances between samples are beyond the range of doubles; expected less than 1.8e308 from the first to "
-          "the last; scale the keys down"},
+          "the distances between samples are beyond the range of doubles; expected less than 1.8e308 from the "
+          "first to the last; scale the keys down"},
     Words{ErrorCode::beyond_curve_end, "{subject} {0} lies beyond the last key, at {1}; give one within the curve"},
     Words{ErrorCode::no_piece_in_range,
           "no part of the curve lies from --from to --to; expected a range with a duration; correct it"},
     Words{ErrorCode::piece_with_ease,
-          "segment {0}, from the key at time {1} to the key at {2}, has ease, so it is no cubic in time; expected keys "
-          "without ease; give --no-ease, or a sampling option instead of --emit"},
+          "segment {0}, from the key at time {1} to the key at {2}, has ease, so it is no cubic in time; expected "
+          "keys without ease; give --no-ease, or a sampling option instead of --emit"},
     Words{ErrorCode::tolerance_too_small, "{subject} {0} is too small: two rows would be the same; give a larger one"},
     // curve
     Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
@@ -354,8 +349,8 @@ constexpr std::array all_words{
           "the curve from time {0} to {1} has tangents beyond the range of doubles; expected less than 1.8e308 in "
           "size; scale the keys down"},
     Words{ErrorCode::length_beyond_doubles,
-          "up to time {0} the length of the curve is beyond the range of doubles; expected less than 1.8e308; scale "
-          "the keys down"},
+          "up to time {0} the length of the curve is beyond the range of doubles; expected less than 1.8e308; "
+          "scale the keys down"},
     Words{ErrorCode::channel_without_numbers,
           "{0}: no key has a number; expected at least one; fill one in, or leave the column out with --columns"},
     Words{ErrorCode::closing_key_differs,
@@ -363,37 +358,32 @@ constexpr std::array all_words{
           "expected the same; correct one of the two"},
     Words{ErrorCode::closing_velocity_differs,
           "this key closes the curve at the position of line {0}, but with another velocity; expected the same; "
-          "correct one "
-          "of the two, or leave the incoming one of the first key and the outgoing one of the last empty"},
-    Words{
-        ErrorCode::seam_velocity_missing,
-        "channel \"{0}\": a velocity is missing where the closed curve returns to its first key; expected the incoming "
-        "one of the first key and the outgoing one of the last; fill them in"},
+          "correct one of the two, or leave the incoming one of the first key and the outgoing one of the last "
+          "empty"},
+    Words{ErrorCode::seam_velocity_missing,
+          "channel \"{0}\": a velocity is missing where the closed curve returns to its first key; expected the "
+          "incoming one of the first key and the outgoing one of the last; fill them in"},
     Words{ErrorCode::incoming_velocity_missing,
-          "the incoming velocity of channel \"{0}\" is missing; expected a number at every key but the first; fill it "
-          "in, "
-          "or remove the row"},
-    Words{
-        ErrorCode::outgoing_velocity_missing,
-        "the outgoing velocity of channel \"{0}\" is missing; expected a number at every key but the last; fill it in, "
-        "or remove the row"},
+          "the incoming velocity of channel \"{0}\" is missing; expected a number at every key but the first; fill "
+          "it in, or remove the row"},
+    Words{ErrorCode::outgoing_velocity_missing,
+          "the outgoing velocity of channel \"{0}\" is missing; expected a number at every key but the last; fill "
+          "it in, or remove the row"},
     Words{ErrorCode::equal_speed_with_velocities,
           "{subject} would change velocities, which are given; expected one of the two; remove {subject}"},
     Words{ErrorCode::segment_starts_elsewhere,
-          "this segment starts at {0}, and the one before it ends at {1}; expected segments without gaps, in order; "
-          "correct "
-          "them, or divide the curves with --group"},
-    Words{
-        ErrorCode::segment_jumps,
-        "this segment starts at the position {0}, and the one before it ends at {1}; expected the same; correct one of "
-        "the two"},
+          "this segment starts at {0}, and the one before it ends at {1}; expected segments without gaps, in "
+          "order; correct them, or divide the curves with --group"},
+    Words{ErrorCode::segment_jumps,
+          "this segment starts at the position {0}, and the one before it ends at {1}; expected the same; correct "
+          "one of the two"},
     Words{ErrorCode::segment_without_duration,
           "the duration is {0}; expected a positive number, and an end within the range of doubles; correct it"},
     Words{ErrorCode::sort_of_segments,
           "{subject}: the rows are segments, which are expected in order; remove {subject}"},
-    Words{
-        ErrorCode::closing_key_against_period,
-        "this key repeats the position of line {0} and so ends the period, but {subject} differs; remove one of them"},
+    Words{ErrorCode::closing_key_against_period,
+          "this key repeats the position of line {0} and so ends the period, but {subject} differs; remove one of "
+          "them"},
     Words{ErrorCode::period_too_short,
           "{subject}: the curve is closed before its last key, at time {0}; expected a longer period; correct it"},
     Words{ErrorCode::too_few_closed_keys, "a closed curve needs at least two distinct keys; add keys"},
@@ -401,30 +391,31 @@ constexpr std::array all_words{
           "the period of the closed curve is unknown; expected --period, or a last row that repeats the first "
           "position; give one"},
     Words{ErrorCode::row_beyond_doubles,
-          "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the "
-          "keys down"},
+          "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale "
+          "the keys down"},
     // exact
     Words{ErrorCode::decimal_too_long,
           "a decimal of more digits than --exact-input takes; expected at most 10,000; shorten it, or remove "
           "--exact-input"},
     Words{ErrorCode::row_needs_more_digits,
-          "the row at time {0} has a number that cannot be computed to so many digits; expected fewer; give a smaller "
-          "number to --digits or --fixed"},
+          "the row at time {0} has a number that cannot be computed to so many digits; expected fewer; give a "
+          "smaller number to --digits or --fixed"},
     // output
     Words{ErrorCode::text_in_binary_format,
           "column \"{0}\" holds text, and {1} holds only numbers; expected a format with text, such as csv; choose "
           "another one, or remove the column"},
     Words{ErrorCode::several_curves_in_one_table,
-          "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, such as "
-          "csv"},
+          "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, "
+          "such as csv"},
     Words{ErrorCode::time_beyond_doubles,
-          "time {0} has more digits than a double; expected one that is a double, or a text format; choose one, such "
-          "as csv"},
+          "time {0} has more digits than a double; expected one that is a double, or a text format; choose one, "
+          "such as csv"},
     Words{ErrorCode::other_columns,
-          "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an output "
-          "for each file"},
+          "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an "
+          "output for each file"},
     Words{ErrorCode::file_column_taken,
-          "there is a column \"{0}\" already; expected another name for the column of files; give --file-column=NAME"},
+          "there is a column \"{0}\" already; expected another name for the column of files; give "
+          "--file-column=NAME"},
     Words{ErrorCode::name_not_utf8,
           "the byte {0} of the file's name is not UTF-8; expected UTF-8 for --file-column; rename the file"},
     Words{ErrorCode::other_checksum,
@@ -442,8 +433,8 @@ constexpr std::array all_words{
     Words{ErrorCode::out_of_memory, "out of memory"},
     Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
-          "{subject} makes times, but column \"{0}\" has them; expected one of the two; remove {subject}, or choose "
-          "other columns with --columns"},
+          "{subject} makes times, but column \"{0}\" has them; expected one of the two; remove {subject}, or "
+          "choose other columns with --columns"},
     Words{ErrorCode::unknown_axis, "{subject}: no channel \"{0}\"; expected two of {1}, or numbers from 1{nearest}"},
     Words{ErrorCode::same_axes,
           "{subject}: channel \"{0}\" is given twice; expected two different ones; give another one"},
@@ -455,10 +446,11 @@ constexpr std::array all_words{
           "no column of times or arc lengths: the columns are {0}; expected {1}, or s for arc lengths; add one, or "
           "rename it"},
     Words{ErrorCode::unnamed_sample_columns,
-          "{0} columns without names; expected {1}: {2}; name them in a first row, or list their fields with --fields"},
+          "{0} columns without names; expected {1}: {2}; name them in a first row, or list their fields with "
+          "--fields"},
     Words{ErrorCode::fields_without_places,
-          "{subject} has neither time nor s, the places of the samples; expected one of them; add it in the order of "
-          "the columns"},
+          "{subject} has neither time nor s, the places of the samples; expected one of them; add it in the order "
+          "of the columns"},
     Words{ErrorCode::tolerance_of_other_column,
           "{subject}: no column \"{0}\" is compared; expected some of {1}; correct it"},
     Words{ErrorCode::no_position_column, "no column of positions; expected at least one of {0}; rename it, or add one"},
@@ -473,9 +465,9 @@ constexpr std::array all_words{
     Words{ErrorCode::curve_counts, "number of curves: {0} in the rows, {1} in the keys, {2} compared"},
     Words{ErrorCode::times_off_curve,
           "rows outside the curve: {0}; the first, in line {1}, has time {2}; the nearest time of the curve is {3}"},
-    Words{
-        ErrorCode::lengths_off_curve,
-        "rows outside the curve: {0}; the first, in line {1}, has arc length {2}; the nearest one of the curve is {3}"},
+    Words{ErrorCode::lengths_off_curve,
+          "rows outside the curve: {0}; the first, in line {1}, has arc length {2}; the nearest one of the curve "
+          "is {3}"},
     Words{ErrorCode::rows_without_place, "rows without a time or arc length: {0}; the first is in line {1}"},
     // cli
     Words{ErrorCode::wrong_command_line, "{0}; see --help"},
@@ -498,8 +490,8 @@ constexpr std::array all_words{
           "{subject} \"{0}\": expected two names with = between, or several such pairs separated by commas, as in "
           "pos_x=x,pos_y=y"},
     Words{ErrorCode::expected_scales,
-          "{subject} \"{0}\": expected a channel and a factor other than 0, or several separated by commas, such as "
-          "x=0.01,y=1/3"},
+          "{subject} \"{0}\": expected a channel and a factor other than 0, or several separated by commas, such "
+          "as x=0.01,y=1/3"},
     Words{ErrorCode::expected_rate, "{subject} \"{0}\": expected a rate whose step is a double, less than 1.8e308"},
     Words{ErrorCode::expected_range, "{subject} \"{0}\": expected a range FIRST:LAST:STEP, such as 0:10:0.5"},
     Words{ErrorCode::endless_range,
@@ -509,8 +501,8 @@ constexpr std::array all_words{
     Words{ErrorCode::list_without_numbers, "no number for {subject}; expected one at least"},
     Words{ErrorCode::group_without_places, "curve {0} has no rows in the file of {subject}; expected some; add them"},
     Words{ErrorCode::grouped_places_in_provenance,
-          "{subject} has other places for each group, which --meta cannot record; expected the same for all; leave out "
-          "one of them"},
+          "{subject} has other places for each group, which --meta cannot record; expected the same for all; leave "
+          "out one of them"},
     Words{ErrorCode::unreadable_list,
           "cannot be read for {subject}; expected a file of numbers, or @FILE:COLUMN for a column of a file"},
     Words{ErrorCode::expected_count, "{subject} \"{0}\": expected a whole number from 1 to 2^63 - 1, in digits"},
@@ -518,11 +510,11 @@ constexpr std::array all_words{
     Words{ErrorCode::expected_whole_number, "{subject} \"{0}\": expected a whole number from {1} to {2}"},
     Words{ErrorCode::expected_distance, "{subject} \"{0}\": expected a distance above 0, such as 0.01"},
     Words{ErrorCode::expected_tolerance,
-          "{subject} \"{0}\": expected a distance of at least 0, for all columns or as COLUMN=DISTANCE, such as 1e-9 "
-          "or x=1e-6"},
+          "{subject} \"{0}\": expected a distance of at least 0, for all columns or as COLUMN=DISTANCE, such as "
+          "1e-9 or x=1e-6"},
     Words{ErrorCode::expected_delimiter,
-          "{subject} \"{0}\": expected one character that cannot be part of a number, or tab, comma, semicolon, space "
-          "or pipe"},
+          "{subject} \"{0}\": expected one character that cannot be part of a number, or tab, comma, semicolon, "
+          "space or pipe"},
     Words{ErrorCode::expected_decimal_mark, "{subject} \"{0}\": expected a comma or a point"},
     Words{ErrorCode::expected_tcb, "{subject} \"{0}\": expected three numbers T,C,B, such as 0,0.5,-0.25"},
     Words{ErrorCode::expected_columns, "{subject} \"{0}\": expected columns by name or number, separated by commas"},
