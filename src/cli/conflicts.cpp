@@ -84,11 +84,12 @@ bool has_no_side(const Typed& typed) {
   return !any_field(typed, [](const Field& field) { return field.has_side; });
 }
 
+bool extends_curve(const Typed& typed) { return typed.text(O::extrapolate) != "error"; }
+
 /// All samples are on the curve, as those of steps and counts are unless their range is given in time.
 bool stays_on_curve(const Typed& typed) {
-  const bool may_leave = !by_length(typed.job.sampling.mode) && !typed.has(O::emit);
-  const bool given_range = may_leave && (typed.has(O::from) || typed.has(O::to));
-  return typed.text(O::extrapolate) != "error" && !typed.has(O::at) && !given_range;
+  const bool given_range = !by_length(typed.job.sampling.mode) && (typed.has(O::from) || typed.has(O::to));
+  return extends_curve(typed) && !typed.has(O::at) && !given_range;
 }
 
 constexpr OptionSet modes = sampling_options;
@@ -135,6 +136,7 @@ constexpr std::array table{
     Conflict{{O::keys}, idle, {O::per_segment, O::at, O::arc_at, O::emit}},
     Conflict{{O::fields}, exclude, {O::emit}, ", as a piece has the fields s and length only", has_field_of_samples},
     Conflict{{O::fields}, need, {O::emit}, ", for the length of each piece", has_field_of_pieces},
+    Conflict{{O::extrapolate}, idle, {O::emit}, ", whose pieces lie between keys", extends_curve},
     Conflict{{O::extrapolate}, idle, modes, " alone, whose samples are on the curve", stays_on_curve},
     // pictures
     Conflict{{O::plot}, exclude, {O::output_format}},
