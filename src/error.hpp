@@ -161,6 +161,7 @@ enum class ErrorCode {
   velocity_columns_overlap,   ///< name of one for both sides, name of another
   velocity_column_missing,    ///< name, name of the missing one
   velocity_with_tcb,          ///< name of the velocity, name of the other column
+  segment_column_missing,     ///< name, name of the missing one
   tcb_with_all_velocities,    ///< role
   no_channel_column,
   column_nearly_role,  ///< name, role

@@ -79,6 +79,8 @@ constexpr std::array all_words{
     Words{ErrorCode::velocity_with_tcb,
           "\"{0}\" and \"{1}\": a given velocity leaves nothing to tension, continuity and bias; expected one of "
           "the two; remove one, or give --columns ignore=NAME"},
+    Words{ErrorCode::segment_column_missing,
+          "\"{0}\" without \"{1}\"; expected both, where rows are segments; add it, or give --columns ignore={0}"},
     Words{ErrorCode::tcb_with_all_velocities,
           "the column of {0} has no effect, for all channels have given velocities; expected one of the two; "
           "remove it, or give --columns ignore=NAME"},

@@ -191,6 +191,13 @@ std::vector<Convention> mixed(const Ranking& ranking) {
   return all;
 }
 
+/// Whether keys have given velocities, which equal speed would change.
+bool has_velocities(const KeptCurves& kept) {
+  return std::ranges::any_of(kept.curves, [](const KeptCurve& curve) {
+    return std::ranges::any_of(curve.blocks, [](const KeyBlock& block) { return !block.keys.velocities.empty(); });
+  });
+}
+
 /// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
 void rank(Identification& result, const Job& job, const ComparisonInputs& inputs,
           const std::vector<GivenSamples>& samples) {
@@ -205,7 +212,8 @@ void rank(Identification& result, const Job& job, const ComparisonInputs& inputs
     Ranking ranking = rank_by(subset.samples, some);
     return subset.all ? ranking : rank_by(samples, selected(ranking));
   };
-  const std::vector<Convention> all = conventions(result.orders.size(), result.closed);
+  std::vector<Convention> all = conventions(result.orders.size(), result.closed);
+  if (has_velocities(inputs.kept)) std::erase_if(all, [](const Convention& one) { return one.equal_speed; });
   result.conventions = all.size();
   result.ranking = rank_some(all);
   if (!result.ranking.candidates.front().worst) {

@@ -56,20 +56,11 @@ class NameIndex {
   std::unordered_map<std::string, std::size_t> exact_, other_;
 };
 
-/// The role in a channel that corresponds to one of all channels.
-Role in_channel(Role role) {
-  switch (role) {
-    case Role::tension: return Role::channel_tension;
-    case Role::continuity: return Role::channel_continuity;
-    case Role::bias: return Role::channel_bias;
-    default: return Role::ignored;
-  }
-}
-
-/// The role in a channel of which a text is the name without the channel, or a near miss of it.
-Role role_without_channel(std::string_view text) {
-  if (text.size() == 1) return Role::ignored;  // as in x_T, which may be anything
-  return in_channel(near_role(text).value_or(role_of_name(text)));
+/// Tension, continuity or bias, if a text is the name of one or a near miss; not as in x_T, which may be anything.
+std::optional<Role> tcb_role(std::string_view text) {
+  const Role role = near_role(text).value_or(role_of_name(text));
+  const bool is_tcb = role == Role::tension || role == Role::continuity || role == Role::bias;
+  return is_tcb && text.size() > 1 ? std::optional(role) : std::nullopt;
 }
 
 /// The columns with roles in one channel.
@@ -215,11 +206,11 @@ std::optional<ChannelRole> near_channel_role(std::string_view name, const std::v
   for (std::size_t at = name.find('_'); at != std::string_view::npos; at = name.find('_', at + 1)) {
     const std::string_view first = name.substr(0, at), second = name.substr(at + 1);
     for (const auto& [role, channel] : {std::pair{first, second}, std::pair{second, first}}) {
-      const Role meant = role_without_channel(role);
-      if (meant == Role::ignored) continue;
+      const std::optional<Role> meant = tcb_role(role);
+      if (!meant) continue;
       const auto found = std::ranges::find_if(
           channels, [&, &text = channel](const std::string& known) { return same_in_any_case(known, text); });
-      if (found != channels.end()) return ChannelRole{meant, *found};
+      if (found != channels.end()) return channel_role_of(std::string(role_name(*meant)) + "_" + *found);
     }
   }
   return std::nullopt;
@@ -228,20 +219,33 @@ std::optional<ChannelRole> near_channel_role(std::string_view name, const std::v
 bool assign_segments(Columns& columns, std::span<const std::string> header) {
   constexpr std::array endings{std::pair{"_p0", Role::position}, std::pair{"_v0", Role::velocity_out},
                                std::pair{"_p1", Role::end_position}, std::pair{"_v1", Role::end_velocity}};
+  const auto start = std::ranges::find(header, "start"), duration = std::ranges::find(header, "duration");
+  const bool are_named = start != header.end() && duration != header.end();
+  if (!are_named || columns.has(Role::time) || columns.has(Role::position)) return false;
   const NameIndex names(header);
-  const auto start = names.find("start"), duration = names.find("duration");
-  if (!start || !duration || columns.has(Role::time) || columns.has(Role::position)) return false;
-  for (const std::string& name : header) {
-    if (!name.ends_with(endings[0].first)) continue;
-    const std::string channel = name.substr(0, name.size() - 3);
-    const auto cell = [&](const auto& ending) { return names.find(channel + ending.first); };
-    if (std::ranges::any_of(endings, [&](const auto& ending) { return !cell(ending).has_value(); })) return false;
-    for (const auto& ending : endings) columns.cells[*cell(ending)] = {ending.second, columns.channels.size()};
+  std::vector<std::string> channels, incomplete;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (!header[cell].ends_with(endings[0].first) || columns.cells[cell].role == Role::unused) continue;
+    const std::string channel = header[cell].substr(0, header[cell].size() - 3);
+    const auto lacks = std::ranges::find_if(endings, [&](const auto& one) { return !names.find(channel + one.first); });
+    if (std::ranges::count(channels, channel) > 0) {
+      throw Error(Exit::data, ErrorCode::same_column_names, {header[cell]});
+    }
+    (lacks == endings.end() ? channels : incomplete).push_back(channel);
+    if (lacks != endings.end()) incomplete.push_back(channel + lacks->first);
+  }
+  if (channels.empty()) return false;
+  if (!incomplete.empty()) {
+    throw Error(Exit::data, ErrorCode::segment_column_missing, {incomplete[0] + endings[0].first, incomplete[1]});
+  }
+  for (const std::string& channel : channels) {
+    for (const auto& ending : endings) {
+      columns.cells[*names.find(channel + ending.first)] = {ending.second, columns.channels.size()};
+    }
     columns.channels.push_back(channel);
   }
-  if (columns.channels.empty()) return false;
-  columns.cells[*start].role = Role::time;
-  columns.cells[*duration].role = Role::duration;
+  columns.cells[static_cast<std::size_t>(start - header.begin())].role = Role::time;
+  columns.cells[static_cast<std::size_t>(duration - header.begin())].role = Role::duration;
   columns.time = "time";
   return columns.are_segments = true;
 }

@@ -112,6 +112,25 @@ TEST(ChannelRoles, an_unknown_channel_is_an_error) {
   EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("two columns could be the tension_x column"));
 }
 
+TEST(ChannelRoles, rows_may_be_segments) {
+  const Columns columns = find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "s"});
+  EXPECT_TRUE(columns.are_segments);
+  EXPECT_THAT(columns.channels, ElementsAre("x"));
+  EXPECT_THAT(columns.ignored, ElementsAre("s"));
+  EXPECT_EQ(columns.cells[0].role, Role::time);
+  EXPECT_EQ(columns.cells[1].role, Role::duration);
+  EXPECT_EQ(columns.cells[3].role, Role::velocity_out);
+  EXPECT_EQ(columns.name_of(columns.cells[3]), "x_v0");
+  EXPECT_EQ(columns.name_of(columns.cells[1]), "duration");
+  EXPECT_FALSE(find({"start", "duration", "x_p0", "x_p1"}).are_segments);
+  EXPECT_FALSE(find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1"}, "time=start").are_segments);
+  const Names incomplete{"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "y_p0"};
+  EXPECT_THAT(error_in(incomplete), HasSubstr("\"y_p0\" without \"y_v0\"; expected both, where rows are segments"));
+  EXPECT_THAT(find(incomplete, "ignore=y_p0").channels, ElementsAre("x"));
+  EXPECT_THAT(error_in({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "x_p0"}),
+              HasSubstr("two columns are called \"x_p0\""));
+}
+
 TEST(ChannelRoles, near_misses_are_errors) {
   EXPECT_THAT(error_of([] {
                 const Names header{"t", "x", "tensoin_x"};
