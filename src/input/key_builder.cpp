@@ -74,6 +74,7 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules)
       is_timed_(columns.has(Role::time)),
       has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
+      has_channel_roles_(has_channel_roles(columns)),
       both_sides_(channels_with(columns, Role::velocity)),
       channel_tcbs_(has_channel_tcbs(columns) ? columns.channels.size() : 0),
       marks_(columns.marks.size()),
@@ -99,8 +100,10 @@ void KeyBuilder::begin_key() {
   time_ = Time(nan);
   tcb_ = rules_.tcb;
   ease_ = {};
-  std::ranges::fill(channel_tcbs_, spline::Tcb<double>{nan, nan, nan});
-  std::ranges::fill(velocities_, spline::Velocity<double>{nan, nan});
+  if (has_channel_roles_) {
+    std::ranges::fill(channel_tcbs_, spline::Tcb<double>{nan, nan, nan});
+    std::ranges::fill(velocities_, spline::Velocity<double>{nan, nan});
+  }
   std::ranges::fill(marks_, 0);
   for (std::string& text : texts_) text.clear();
   for (std::string& decimal : decimals_) decimal.clear();
@@ -161,8 +164,10 @@ bool KeyBuilder::end_key() {
     return false;
   }
   if (is_gap) block_.gaps.push_back(block_.size());
-  complete_channels();
-  complete_velocities();
+  if (has_channel_roles_) {
+    complete_channels();
+    complete_velocities();
+  }
   add_key();
   if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.size());
   if (!ends_.empty()) add_segment_end();
@@ -172,9 +177,11 @@ bool KeyBuilder::end_key() {
 void KeyBuilder::add_key() {
   if (is_timed_) block_.keys.times.push_back(time_);
   if (channel_tcbs_.empty() && has_tcb_) block_.keys.tcbs.push_back(tcb_);
-  block_.keys.tcbs.insert(block_.keys.tcbs.end(), channel_tcbs_.begin(), channel_tcbs_.end());
   if (has_ease_) block_.keys.eases.push_back(ease_);
-  block_.keys.velocities.insert(block_.keys.velocities.end(), velocities_.begin(), velocities_.end());
+  if (has_channel_roles_) {
+    block_.keys.tcbs.insert(block_.keys.tcbs.end(), channel_tcbs_.begin(), channel_tcbs_.end());
+    block_.keys.velocities.insert(block_.keys.velocities.end(), velocities_.begin(), velocities_.end());
+  }
   block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
   for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
@@ -199,6 +206,21 @@ void KeyBuilder::add_segment_end() {
     move_decimal(NumberOfKey::end_velocity_of, NumberOfKey::velocity_in_of, i);
   }
   add_key();
+}
+
+/// The number of a cell with a role in one channel, or the duration of a segment.
+double& KeyBuilder::number_of_channel(const Columns::Column& column) {
+  switch (column.role) {
+    case Role::channel_tension: return channel_tcbs_[column.channel].tension;
+    case Role::channel_continuity: return channel_tcbs_[column.channel].continuity;
+    case Role::channel_bias: return channel_tcbs_[column.channel].bias;
+    case Role::velocity:
+    case Role::velocity_in: return velocities_[column.channel].in;
+    case Role::velocity_out: return velocities_[column.channel].out;
+    case Role::end_position: return ends_[column.channel].position;
+    case Role::end_velocity: return ends_[column.channel].velocity;
+    default: return duration_;
+  }
 }
 
 /// Gives channels the common tension, continuity and bias where they have none of their own.

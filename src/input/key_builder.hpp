@@ -35,16 +35,9 @@ class KeyBuilder {
       case Role::bias: return tcb_.bias;
       case Role::ease_in: return ease_.in;
       case Role::ease_out: return ease_.out;
-      case Role::channel_tension: return channel_tcbs_[column.channel].tension;
-      case Role::channel_continuity: return channel_tcbs_[column.channel].continuity;
-      case Role::channel_bias: return channel_tcbs_[column.channel].bias;
-      case Role::velocity:
-      case Role::velocity_in: return velocities_[column.channel].in;
-      case Role::velocity_out: return velocities_[column.channel].out;
-      case Role::end_position: return ends_[column.channel].position;
-      case Role::end_velocity: return ends_[column.channel].velocity;
-      case Role::duration: return duration_;
-      default: return block_.keys.positions[position_ + column.channel];
+      default:
+        if (column.role != Role::position) return number_of_channel(column);
+        return block_.keys.positions[position_ + column.channel];
     }
   }
   /// The number of a cell may have to be scaled, from its decimal.
@@ -100,6 +93,7 @@ class KeyBuilder {
   KeyBlock finish(std::string path = {});
 
  private:
+  double& number_of_channel(const Columns::Column& column);
   void complete_channels();
   void complete_velocities();
   void add_key();
@@ -112,7 +106,7 @@ class KeyBuilder {
   };
 
   const KeyRules rules_;
-  const bool is_timed_, has_tcb_, has_ease_;
+  const bool is_timed_, has_tcb_, has_ease_, has_channel_roles_;
   const std::vector<std::size_t> both_sides_;  ///< channels with one velocity for both sides
   KeyBlock block_;
   bool breaks_ = false;  ///< there is a break before the next key

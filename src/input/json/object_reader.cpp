@@ -70,8 +70,11 @@ struct JsonObjectReader::Adapter {
   bool start_object(std::size_t) { return reader.open(true); }
   bool key(std::string& name) {
     if (reader.depth_ != reader.member_depth()) return true;
-    reader.member_ = reader.outer_;
-    reader.member_ += name;
+    if (reader.outer_depth_ == 1) {
+      reader.member_ = name;
+    } else {
+      reader.member_ = reader.outer_ + name;
+    }
     return reader.on_member(reader.member_);
   }
   bool end_object() { return reader.close(true); }
@@ -138,7 +141,7 @@ void JsonObjectReader::parse_object() {
 /// Whether all was parsed.
 bool JsonObjectReader::parse_range(const char* begin, const char* end) {
   depth_ = 0;
-  outer_.clear();
+  outer_depth_ = 1;
   range_ = {begin, static_cast<std::size_t>(end - begin)};
   reading_ = {begin, {}};
   Adapter adapter{*this};
@@ -161,6 +164,7 @@ bool JsonObjectReader::open(bool object) {
     ++element_;
   } else if (object && depth_ == key_depth_ + 1 && member_ == "tcb") {
     outer_ = member_ + ".";
+    outer_depth_ = 2;
     on_members();
   } else if (depth_ == member_depth()) {
     element_ = 0;
@@ -180,7 +184,7 @@ bool JsonObjectReader::close(bool object) {
   const bool array_of_member = !object && in_array();
   const bool key = object && depth_ == key_depth_ + 1;
   --depth_;
-  if (depth_ == key_depth_ + 1) outer_.clear();
+  if (depth_ == key_depth_ + 1) outer_depth_ = 1;
   if (key) ++keys_;
   return array_of_member ? on_array_end() : key ? on_key_end() : true;
 }

@@ -87,7 +87,7 @@ class JsonObjectReader {
   bool parse_range(const char* begin, const char* end);
   template <class F>
   bool value(F event);
-  std::size_t member_depth() const { return key_depth_ + (outer_.empty() ? 1 : 2); }
+  std::size_t member_depth() const { return key_depth_ + outer_depth_; }
   bool is_deep() const { return depth_ != member_depth() && !in_array(); }  ///< the current value is in another one
   bool for_key() const { return depth_ <= key_depth_; }  ///< the current value is in the place of a key
   [[noreturn]] void refuse_value(ErrorCode code, std::vector<ErrorValue> values = {}) const;
@@ -114,7 +114,8 @@ class JsonObjectReader {
   bool is_quoted_ = false;
   bool is_array_ = false;  ///< the current member is an array, not an object
   std::string member_;
-  std::string outer_;  ///< the member whose members are being read, with a point; empty: they are the key's
+  std::string outer_;            ///< the member whose members are being read, with a point; empty: they are the key's
+  std::size_t outer_depth_ = 1;  ///< 2 in an outer member
   std::string_view decimal_;
 };
 

@@ -111,16 +111,11 @@ class Tangents {
     outgoing_ = incoming_;
     const auto common = factors(keys_.common_tcb);
     const bool differ = keys_.has_channel_tcbs();
+    const std::size_t alike = differ ? 1 : keys_.channels;  // channels with the same tension, continuity and bias
     for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
-      if (differ) {
-        for (std::size_t i = 0; i < keys_.channels; ++i) {
-          const Tcb<S>& tcb = keys_.tcb(key, i);
-          set_interior(key, i, i + 1, factors(tcb), tcb);
-        }
-      } else if (keys_.tcbs.empty()) {
-        set_interior(key, 0, keys_.channels, common, keys_.common_tcb);
-      } else {
-        set_interior(key, 0, keys_.channels, factors(keys_.tcbs[key]), keys_.tcbs[key]);
+      for (std::size_t i = 0; i < keys_.channels; i += alike) {
+        const Tcb<S>& tcb = keys_.tcbs.empty() ? keys_.common_tcb : keys_.tcbs[differ ? key * keys_.channels + i : key];
+        set_interior(key, i, i + alike, keys_.tcbs.empty() ? common : factors(tcb), tcb);
       }
       if constexpr (has_roots<S>) {
         if (rules.equal_speed) equalize(key);
