@@ -41,10 +41,13 @@ void KeyBlock::append(const KeyBlock& from, std::size_t first, std::size_t last)
   keys.common_tcb = from.keys.common_tcb;
   copy(keys.times, from.keys.times, first, last);
   copy(keys.positions, from.keys.positions, first * keys.channels, last * keys.channels);
-  copy(keys.tcbs, from.keys.tcbs, first * from.keys.tcbs_per_key(), last * from.keys.tcbs_per_key());
+  const std::size_t tcbs = from.keys.tcbs_per_key();
+  copy(keys.tcbs, from.keys.tcbs, first * tcbs, last * tcbs);
   copy(keys.eases, from.keys.eases, first, last);
-  keys.given = from.keys.given;
-  copy(keys.velocities, from.keys.velocities, first * keys.channels, last * keys.channels);
+  if (!from.keys.velocities.empty()) {
+    keys.given = from.keys.given;
+    copy(keys.velocities, from.keys.velocities, first * keys.channels, last * keys.channels);
+  }
   copy(lines, from.lines, first, last);
   copy(columns, from.columns, first, last);
   copy(numbers, from.numbers, first, last);

@@ -80,8 +80,10 @@ class KeyBuilder {
   bool end_key();
   /// The text position of the record that was kept last.
   void set_position(std::uint64_t line, std::uint64_t column) {
-    block_.lines.insert(block_.lines.end(), keys_per_record(), line);
-    block_.columns.insert(block_.columns.end(), keys_per_record(), static_cast<std::uint32_t>(column));
+    for (std::size_t i = 0; i < keys_per_record(); ++i) {
+      block_.lines.push_back(line);
+      block_.columns.push_back(static_cast<std::uint32_t>(column));
+    }
   }
   /// Its number in its list.
   void set_number(std::uint64_t number) { block_.numbers.insert(block_.numbers.end(), keys_per_record(), number); }
