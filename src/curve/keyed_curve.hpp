@@ -116,7 +116,7 @@ template <class S>
 spline::CurveRules<S> rules_of_channel(spline::CurveRules<S> rules, std::size_t channel) {
   rules.metric.clear();
   for (auto* end : {&rules.start, &rules.end}) {
-    if (!end->velocity.empty()) end->velocity = {end->velocity[channel]};
+    if (!end->velocity.empty()) end->velocity = std::vector<S>(1, end->velocity[channel]);
   }
   return rules;
 }
