@@ -127,13 +127,17 @@ void write_piece_length(Point<S>& point, CellWriter<S> out) {
   out.add(piece_length(point));
 }
 /// The four numbers of a piece's cubic in a form, for each channel; then zeros, up to the number of columns.
-template <class S, CubicForm<S> form, std::size_t columns = 4>
-void write_cubics(Point<S>& point, CellWriter<S> out) {
+template <class S>
+void write_form(Point<S>& point, CellWriter<S> out, CubicForm<S> form, std::size_t columns) {
   const auto h = spline::elapsed<S>(piece_start(point), piece_end(point));
   for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
     for (const S& number : form(piece_cubic(point, i), h)) out.add_of_channel(number, i, true);
     for (std::size_t column = 4; column < columns; ++column) out.add(S(0));
   }
+}
+template <class S, CubicForm<S> form, std::size_t columns = 4>
+void write_cubics(Point<S>& point, CellWriter<S> out) {
+  write_form(point, out, form, columns);
 }
 
 /// Writes a column of all samples on a segment, in rows of `width` cells. Requires: they are on the curve.
@@ -209,6 +213,14 @@ constexpr auto with_polynomials(std::index_sequence<i...>) {
 /// All fields.
 template <class S>
 inline constexpr std::array field_table = with_polynomials<S>(std::make_index_sequence<polynomial_names.size()>());
+
+/// Their functions alone, so that the names of the fields are in the program once, not for each scalar.
+template <class S>
+inline constexpr auto field_writers = [] {
+  std::array<decltype(FieldOf<S>::write), field_table<S>.size()> all{};
+  std::ranges::transform(field_table<S>, all.begin(), &FieldOf<S>::write);
+  return all;
+}();
 
 std::span<const FieldOf<double>> fields();
 

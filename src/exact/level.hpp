@@ -106,7 +106,7 @@ class Level final : public AnyLevel {
     point_.set_end(&end_);
     std::vector<Value> result;
     for (const std::size_t field : chosen) {
-      field_table<S>[field].write(point_, CellWriter<S>(result, rows_.facts));
+      field_writers<S>[field](point_, CellWriter<S>(result, rows_.facts));
     }
     return result;
   }
