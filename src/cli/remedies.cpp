@@ -19,7 +19,8 @@ namespace tcb {
 
 namespace {
 
-constexpr std::array all_words{
+constexpr Words all_words[]{
+    // too many for what clang deduces of a std::array
     // text
     // io
     Words{ErrorCode::cannot_open, "cannot be opened: {0}"},
