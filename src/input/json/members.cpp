@@ -203,6 +203,19 @@ bool is_of_channel_in(const std::string& name, const std::vector<std::string>& h
   return role && std::ranges::any_of(header, [&](const auto& other) { return same_in_any_case(other, role->channel); });
 }
 
+/// For each cell, whether it holds a number that may have a role or be a position.
+std::vector<bool> numeric_cells(const std::vector<Found>& found, const std::vector<Member>& members,
+                                const std::vector<std::string>& header, bool has_array) {
+  std::vector<bool> numeric;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    // Where there is an array of positions, no other number is a position.
+    const bool is_other = has_array && !found[i].array && role_of_name(found[i].name) == Role::position;
+    const bool is_number = !found[i].text && (!is_other || is_of_channel_in(found[i].name, header));
+    numeric.resize(members[i].cell + members[i].cells, is_number);
+  }
+  return numeric;
+}
+
 /// What the members of the first key mean.
 JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& options,
                        const std::vector<std::string>& channels) {
@@ -210,7 +223,6 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
   const bool has_array = std::ranges::any_of(members, [&](const auto& member) { return arrays.has(member); });
   JsonColumns result;
   std::vector<std::string> header, unused;
-  std::vector<bool> numeric;
   for (const auto& found : members) {
     const auto names = cell_names(found, arrays, members);
     if (arrays.has(found)) require_count(names.size(), found.numbers);
@@ -218,12 +230,7 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
     header.insert(header.end(), names.begin(), names.end());
     if (names.empty() && !found.empty) unused.push_back(found.name);
   }
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    // Where there is an array of positions, no other number is a position.
-    const bool is_other = has_array && !members[i].array && role_of_name(members[i].name) == Role::position;
-    const bool is_number = !members[i].text && (!is_other || is_of_channel_in(members[i].name, header));
-    numeric.resize(result.members[i].cell + result.members[i].cells, is_number);
-  }
+  const auto numeric = numeric_cells(members, result.members, header, has_array);
   if (!options.samples) require_no_lost_arrays(members, arrays, options);
   result.columns = options.samples
                        ? find_sample_columns(header, numeric, *options.samples, options.timeless)
