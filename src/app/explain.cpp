@@ -85,11 +85,7 @@ Facts intentions(const Job& job, const Input& input) {
 /// The group of a curve, as in "curve id=a", or its number.
 std::string title(const Input& input, const CurveKeys& curve, std::size_t number) {
   if (input.groups.empty()) return fmt::format("curve {}", number);
-  std::string text = "curve";
-  for (std::size_t i = 0; i < input.groups.size() && i < curve.group.size(); ++i) {
-    text += fmt::format(" {}={}", input.groups[i], content(curve.group[i]));
-  }
-  return text;
+  return fmt::format("curve {}", fmt::join(group_title(input.groups, curve.group), " "));
 }
 
 /// Counts and facts of one curve.

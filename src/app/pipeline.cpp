@@ -241,14 +241,9 @@ class JobRun {
 SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Job& job) {
   SamplingRequest request = job.sampling;
   if (job.grouped_places.empty()) return request;
-  std::vector<std::string> group, title;
-  for (std::size_t i = 0; i < curve.group.size() && i < input.groups.size(); ++i) {
-    group.emplace_back(content(curve.group[i]));
-    title.push_back(input.groups[i] + "=" + group.back());
-  }
-  const auto places = job.grouped_places.find(group);
+  const auto places = job.grouped_places.find(contents(curve.group));
   if (places == job.grouped_places.end()) {
-    throw Error(Exit::data, ErrorCode::group_without_places, {title})
+    throw Error(Exit::data, ErrorCode::group_without_places, {group_title(input.groups, curve.group)})
         .about(request.mode == Mode::at ? Option::at : Option::arc_at);
   }
   request.places = places->second;

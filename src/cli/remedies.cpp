@@ -19,8 +19,8 @@ namespace tcb {
 
 namespace {
 
+// A plain array: clang 14 does not deduce a std::array of so many.
 constexpr Words all_words[]{
-    // too many for what clang deduces of a std::array
     // text
     // io
     Words{ErrorCode::cannot_open, "cannot be opened: {0}"},

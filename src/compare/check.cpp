@@ -24,23 +24,6 @@ bool has_content(const std::vector<std::string>& group) {
   return std::ranges::any_of(group, [](const std::string& text) { return !text.empty(); });
 }
 
-/// The characters of a group's texts, without their kinds, which differ between formats.
-std::vector<std::string> contents(const std::vector<std::string>& group) {
-  std::vector<std::string> texts;
-  texts.reserve(group.size());
-  for (const std::string& text : group) texts.emplace_back(content(text));
-  return texts;
-}
-
-/// NAME=VALUE for each column of a group.
-std::vector<std::string> title_of(const std::vector<std::string>& names, const std::vector<std::string>& group) {
-  std::vector<std::string> title;
-  for (std::size_t i = 0; i < group.size() && i < names.size(); ++i) {
-    title.push_back(names[i] + "=" + std::string(content(group[i])));
-  }
-  return title;
-}
-
 /// All rows as those of one curve.
 SampleRows concatenated(const std::vector<SampleRows>& parts) {
   SampleRows all;
@@ -66,7 +49,7 @@ Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
       break;
     }
     if (rows.size() == 0)
-      result.problems.push_back({Exit::data, ErrorCode::curve_without_rows, {title_of(names, curve.group)}});
+      result.problems.push_back({Exit::data, ErrorCode::curve_without_rows, {group_title(names, curve.group)}});
     else
       result.pairs.push_back({&curve, std::move(rows)});
   }
@@ -74,7 +57,7 @@ Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
     if (taken[i]) continue;
     const SampleRows& rows = table.curves[i];
     result.problems.push_back(
-        {Exit::data, ErrorCode::rows_without_keys, {title_of(names, rows.group), rows.lines.at(0)}});
+        {Exit::data, ErrorCode::rows_without_keys, {group_title(names, rows.group), rows.lines.at(0)}});
   }
   return result;
 }

@@ -11,6 +11,7 @@
 
 #include "curve/fields.hpp"
 #include "curve/index.hpp"
+#include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
 #include "sampling/sampler.hpp"

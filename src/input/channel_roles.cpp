@@ -30,12 +30,6 @@ constexpr std::array affixes{
     Affix{"_v1", Role::end_velocity, false},
 };
 
-std::string in_lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  return result;
-}
-
 /// Finds names: exactly, or else in another case.
 class NameIndex {
  public:
@@ -180,24 +174,20 @@ std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::sp
 }
 
 void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found) {
+  const NameIndex channels(columns.channels);
   std::unordered_map<std::string, bool> taken;  // whether it was requested
   for (const auto& [cell, role, name, requested] : found) {
-    const auto& channels = columns.channels;
-    auto channel = std::ranges::find(channels, role.channel);
-    if (channel == channels.end()) {
-      channel = std::ranges::find_if(
-          channels, [&, &wanted = role.channel](const std::string& known) { return same_in_any_case(known, wanted); });
-    }
-    if (channel == channels.end()) {
-      throw Error(Exit::data, ErrorCode::role_of_unknown_channel, {role_name(role), role.channel, channels})
+    const auto channel = channels.find(role.channel);
+    if (!channel) {
+      throw Error(Exit::data, ErrorCode::role_of_unknown_channel, {role_name(role), role.channel, columns.channels})
           .about(Option::columns);
     }
-    const std::string known = role_name(ChannelRole{role.role, *channel});
+    const std::string known = role_name(ChannelRole{role.role, columns.channels[*channel]});
     const auto [other, is_first] = taken.emplace(known, requested);
     if (!is_first && (requested || !other->second)) {
       throw Error(Exit::data, ErrorCode::two_columns_for_role, {known, name});
     }
-    columns.cells[cell] = {is_first ? role.role : Role::ignored, static_cast<std::size_t>(channel - channels.begin())};
+    columns.cells[cell] = {is_first ? role.role : Role::ignored, *channel};
   }
   if (!found.empty()) require_whole_velocities(columns);
 }

@@ -8,6 +8,8 @@
 #include <charconv>
 #include <unordered_set>
 
+#include "text/suggest.hpp"
+
 namespace tcb {
 namespace {
 
@@ -34,9 +36,7 @@ std::size_t find_cell(const std::string& wanted, Option option, std::span<const 
 
 /// Sets the role of a cell. Throws: Error if it has another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
-  if (columns.cells[cell].role != Role::ignored) {
-    throw Error(Exit::data, ErrorCode::column_with_two_roles, {name});
-  }
+  if (columns.cells[cell].role != Role::ignored) throw Error(Exit::data, ErrorCode::column_with_two_roles, {name});
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.carried

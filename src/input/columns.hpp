@@ -97,9 +97,6 @@ bool is_usual_label(std::string_view name);
 /// Whether a name is that of a coordinate, such as "x", "pos_y" or "p3".
 bool is_coordinate(std::string_view name);
 
-/// Whether two names are the same, whatever the case of their letters.
-bool same_in_any_case(std::string_view a, std::string_view b);
-
 /// A requested role: its columns by name or by number from 1, and the option that requests it.
 struct RoleRequest {
   Role role;

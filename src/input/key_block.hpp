@@ -24,6 +24,12 @@ inline bool is_string(std::string_view text) { return text.starts_with('"'); }
 /// Its characters.
 inline std::string_view content(std::string_view text) { return is_string(text) ? text.substr(1) : text; }
 
+/// The characters of a group's texts, without their kinds, which differ between formats.
+std::vector<std::string> contents(const std::vector<std::string>& group);
+
+/// NAME=VALUE for each column of a group.
+std::vector<std::string> group_title(const std::vector<std::string>& names, const std::vector<std::string>& group);
+
 /// Many texts in one string.
 class Texts {
  public:

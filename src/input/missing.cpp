@@ -5,6 +5,7 @@
 
 #include "input/columns.hpp"
 #include "text/parse_number.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "text/suggest.hpp"
+
 #include "input/columns.hpp"
 
 namespace tcb {
@@ -37,7 +39,6 @@ constexpr std::array role_names{
     RoleName{"B", Role::bias, false},
 };
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
 /// A name such as "timestamp [ns]" or "time (s)" without its unit.
@@ -193,8 +194,6 @@ bool is_time(std::string_view name) {
 }
 
 }  // namespace
-
-bool same_in_any_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
 
 std::string_view role_name(Role role) { return role_names[static_cast<std::size_t>(role) - 1].name; }
 

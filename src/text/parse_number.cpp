@@ -9,17 +9,12 @@
 #include <system_error>
 
 #include "text/decimal_time.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
 constexpr double two_to_63 = 9223372036854775808.0;
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
-
-bool equals_ignoring_case(std::string_view text, std::string_view lower_case) {
-  return std::ranges::equal(text, lower_case, {}, lower);
-}
 
 /// The text without a leading "+", which neither library accepts.
 std::string_view without_plus(std::string_view text) {
@@ -81,8 +76,8 @@ Time whole_time(std::uint64_t value) {
 }
 
 bool is_missing(std::string_view cell) {
-  return cell.empty() || equals_ignoring_case(cell, "na") || equals_ignoring_case(cell, "nan") ||
-         equals_ignoring_case(cell, "null");
+  return cell.empty() || same_in_any_case(cell, "na") || same_in_any_case(cell, "nan") ||
+         same_in_any_case(cell, "null");
 }
 
 bool looks_numeric(std::string_view text) {

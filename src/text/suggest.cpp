@@ -1,4 +1,4 @@
-// Suggestions: the distance between names.
+// Names: the distance between them, and their case.
 #include "text/suggest.hpp"
 
 #include <algorithm>
@@ -61,5 +61,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
   return parts;
 }
+
+std::string in_lower_case(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), lower);
+  return result;
+}
+
+bool same_in_any_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
 
 }  // namespace tcb

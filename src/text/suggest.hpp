@@ -1,4 +1,4 @@
-// Suggestions: the known name nearest to one that is misspelt; texts split at a separator.
+// Names: the known one nearest to one that is misspelt; comparison in any case; texts split at a separator.
 #pragma once
 
 #include <span>
@@ -15,6 +15,15 @@ std::string nearest_name(std::string_view name, std::span<const std::string_view
 /// The known name that is probably meant, or "": the nearest one; else the only one that has the same letters, begins
 /// with `name`, or contains it.
 std::string_view likely_name(std::string_view name, std::span<const std::string_view> known);
+
+/// A letter of ASCII in lower case; any other character as it is.
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+
+/// A text with its letters of ASCII in lower case.
+std::string in_lower_case(std::string_view text);
+
+/// Whether two texts are the same, whatever the case of their letters of ASCII.
+bool same_in_any_case(std::string_view a, std::string_view b);
 
 /// The parts of a text between separators, one at least.
 std::vector<std::string_view> split(std::string_view text, char separator);

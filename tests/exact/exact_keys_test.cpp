@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "exact/exact_curve.hpp"
+
 namespace tcb {
 namespace {
 

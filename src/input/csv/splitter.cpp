@@ -5,6 +5,7 @@
 
 #include "error.hpp"
 #include "input/csv/delimited_text.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

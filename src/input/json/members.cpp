@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "input/json/first_key.hpp"
 #include "input/json/json_input.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
