@@ -1,4 +1,4 @@
-// Rules: the tables of tangent rules, end rules and presets.
+// Rules: the tables of tangent rules, end rules, curves of rotations and presets.
 //
 // Tangent rules, at a key with two neighbours. With D0, D1 the chords before and after the key and h0, h1 their
 // durations, every rule has the form
@@ -38,6 +38,9 @@ enum class EndRule : std::uint8_t {
   lightwave,
   velocity
 };
+
+/// The curves of rotations; rotation_curves has a row for each, in this order. See rotation.hpp.
+enum class RotationCurve : std::uint8_t { squad, casteljau, components, slerp };
 
 /// The presets; presets has a row for each, in this order.
 enum class Preset : std::uint8_t {
@@ -306,13 +309,33 @@ inline constexpr std::array end_rules{
         "to join a motion that is known, as in velocity=1:0,zero", true, given_velocity_weights<working_t<S>>},
 };
 
-/// A preset: the tangent rule and the end rule of a product, under one name.
+/// A curve of rotations and its description.
+struct RotationCurveRow {
+  RotationCurve id;
+  std::string_view name;
+  std::string_view meaning;
+  std::string_view used_by;
+};
+
+/// Every curve of rotations; the first is the default.
+inline constexpr std::array rotation_curves{
+    RotationCurveRow{RotationCurve::squad, "squad", "slerp between two slerps, of the keys and of two control points",
+                     "Eberly's note on quaternion keyframes, the 3ds Max family"},
+    RotationCurveRow{RotationCurve::casteljau, "casteljau", "de Casteljau's algorithm for a cubic, with slerp",
+                     "the Python package splines, nerfstudio"},
+    RotationCurveRow{RotationCurve::components, "components", "the cubics of the four numbers, normalized",
+                     "CUBICSPLINE of glTF"},
+    RotationCurveRow{RotationCurve::slerp, "slerp", "the shortest turn, at a constant rate; without tangents", "many"},
+};
+
+/// A preset: the tangent rule, the end rule and the curve of rotations of a product, under one name.
 struct PresetRow {
   Preset id;
   std::string_view name;
   TangentRule tangents;
   EndRule ends;
   std::string_view product;
+  RotationCurve rotation_curve = RotationCurve::squad;
 };
 
 /// Every preset; the first is the default.
@@ -334,7 +357,7 @@ inline constexpr std::array presets{
     PresetRow{Preset::lib3ds1, "lib3ds1", TangentRule::interval_c, EndRule::chord, "lib3ds 1"},
     PresetRow{Preset::lib3ds2, "lib3ds2", TangentRule::interval_c, EndRule::mirror, "lib3ds 2"},
     PresetRow{Preset::splines, "splines", TangentRule::finite_difference, EndRule::natural,
-              "the Python package splines"},
+              "the Python package splines", RotationCurve::casteljau},
     PresetRow{Preset::synfig, "synfig", TangentRule::synfig, EndRule::chord, "Synfig"},
     PresetRow{Preset::kb1984, "kb1984", TangentRule::kb1984, EndRule::half, "the paper of 1984 as printed"},
     PresetRow{Preset::wikipedia, "wikipedia", TangentRule::uniform, EndRule::half, "Wikipedia"},
@@ -355,6 +378,9 @@ constexpr const PresetRow& row_of(Preset preset) { return presets[static_cast<st
 /// The names of rules and presets.
 constexpr std::string_view name_of(TangentRule rule) { return row_of<double>(rule).name; }
 constexpr std::string_view name_of(EndRule rule) { return row_of<double>(rule).name; }
+constexpr std::string_view name_of(RotationCurve curve) {
+  return rotation_curves[static_cast<std::size_t>(curve)].name;
+}
 constexpr std::string_view name_of(Preset preset) { return row_of(preset).name; }
 
 /// The rows of a table are in the order of their enumeration.
@@ -365,7 +391,8 @@ constexpr bool is_in_order(const Table& table) {
   }
   return true;
 }
-static_assert(is_in_order(tangent_rules<double>) && is_in_order(end_rules<double>) && is_in_order(presets));
+static_assert(is_in_order(tangent_rules<double>) && is_in_order(end_rules<double>) && is_in_order(rotation_curves) &&
+              is_in_order(presets));
 
 /// The rule or preset of a table with a name, as in id_named(end_rules<double>, "one-sided").
 template <class Table>

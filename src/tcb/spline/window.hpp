@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -67,6 +68,9 @@ struct EndChoice {
   std::vector<S> velocity;  ///< per unit of time, one number per channel, where the rule takes one
 };
 
+/// The channels that together are a rotation: those of the numbers x, y, z, w of a quaternion.
+using RotationChannels = std::array<std::size_t, 4>;
+
 /// The rules that give the tangents of keys.
 template <class S>
 struct CurveRules {
@@ -74,13 +78,15 @@ struct CurveRules {
   EndChoice<S> start, end;
   bool equal_speed = false;         ///< both tangents of a key get the same speed
   std::vector<std::size_t> metric;  ///< the channels of speeds and lengths; empty: all
+  std::vector<RotationChannels> rotations = {};
+  RotationCurve rotation_curve = RotationCurve::squad;
 };
 
 /// The rules of a product, the same end rule for both ends.
 template <class S>
 CurveRules<S> rules_of(Preset preset) {
   const PresetRow& row = row_of(preset);
-  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}};
+  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotation_curve};
 }
 
 /// Successive segments. Shapes: one more time than segments; `channels` cubics per segment; one warp per
