@@ -45,6 +45,8 @@ enum class Option {
   time_unit,
   input_fps,
   scale,
+  rotation,
+  normalize,
   duplicates,
   sort,
   // curve
@@ -56,6 +58,7 @@ enum class Option {
   equal_speed,
   parameter,
   metric,
+  rotation_curve,
   no_ease,
   extrapolate,
   // sampling
@@ -162,6 +165,8 @@ enum class ErrorCode {
   velocity_column_missing,    ///< name, name of the missing one
   velocity_with_tcb,          ///< name of the velocity, name of the other column
   segment_column_missing,     ///< name, name of the missing one
+  rotation_column_missing,    ///< name of the missing one, names of the others
+  rotation_columns_shared,    ///< name
   tcb_with_all_velocities,    ///< role
   no_channel_column,
   column_nearly_role,  ///< name, role
@@ -302,6 +307,10 @@ enum class ErrorCode {
   ends_of_closed_curve,
   unknown_metric_channel,
   repeated_metric_channel,
+  rotation_in_metric,
+  only_rotations,
+  end_velocity_of_rotation,
+  emit_of_rotation,
   ease_with_missing_cells,
   tangents_beyond_doubles,
   length_beyond_doubles,
@@ -311,6 +320,10 @@ enum class ErrorCode {
   seam_velocity_missing,      ///< channel
   incoming_velocity_missing,  ///< channel
   outgoing_velocity_missing,  ///< channel
+  rotation_incomplete,        ///< name of a channel of it
+  rotation_not_unit,          ///< name of a channel of it, norm
+  rotation_zero,              ///< name of a channel of it
+  half_turn_between_keys,     ///< name of a channel of it, line of the key before
   equal_speed_with_velocities,
   segment_starts_elsewhere,  ///< start, end of the segment before it
   segment_jumps,             ///< position, that at the end of the segment before it
@@ -395,6 +408,7 @@ enum class ErrorCode {
   expected_columns,
   expected_renamings,
   expected_scales,
+  expected_rotation,
   expected_name_part,
   expected_axes,
   expected_size,

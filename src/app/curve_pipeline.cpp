@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "exact/precision_levels.hpp"
 #include "keys/parameterize.hpp"
+#include "keys/rotations.hpp"
 #include "keys/velocities.hpp"
 
 namespace tcb {
@@ -27,21 +28,13 @@ const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::ve
   }
 }
 
-/// What tension, continuity and bias beyond 5 are, where the preset's product shows another scale than the formulas.
-std::optional<ErrorCode> scale_fault(spline::Preset preset) {
-  using enum spline::Preset;
-  constexpr std::array with_0_to_50{max3ds, nel, gamebryo, lib3ds1, lib3ds2};
-  if (std::ranges::count(with_0_to_50, preset) > 0) return ErrorCode::tcb_from_0_to_50;
-  return preset == lightwave ? std::optional(ErrorCode::tcb_in_percent) : std::nullopt;
-}
-
 }  // namespace
 
 CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings& settings,
                              std::vector<std::size_t> fields, const std::optional<GoldenOptions>& golden,
                              const Input& input, const CurveInfo& curve_info)
     : request_(request),
-      spec_(make_spec(merged(settings, checked_settings(curve_info, input.channels)), input.channels)),
+      spec_(make_spec(merged(settings, checked_settings(curve_info, input.channels)), input.channels, input.rotations)),
       fields_(std::move(fields)),
       golden_(golden),
       timed_(input.timed),
@@ -49,6 +42,7 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       has_tcb_scale_(input.has_tcb_scale),
       threads_(input.threads),
       may_miss_(input.may_miss),
+      normalize_(input.normalize),
       channels_(input.channels) {
   const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
   request_.frame_rate = input.frame_rate;
@@ -61,6 +55,7 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
   if (timed_ && spec_.parameter) {
     throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);
   }
+  require_fitting_rotations(spec_, needs_metric(), request_.mode == Mode::emit);
 }
 
 bool CurvePipeline::is_single() const {
@@ -77,6 +72,11 @@ bool CurvePipeline::needs_lengths() const {
          std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].needs_lengths; });
 }
 
+bool CurvePipeline::needs_metric() const {
+  return needs_lengths() || time_exponent() != 0 || request_.mode == Mode::tolerance ||
+         std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].over_metric; });
+}
+
 /// The keys with times, checked.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) const {
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
@@ -85,6 +85,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
   if (other_scale) blocks = within_tcb_scale(std::move(blocks), *other_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
   blocks = with_complete_velocities(std::move(blocks), channels_, spec_.rules.equal_speed);
+  blocks = with_continuous_signs(std::move(blocks), spec_.rules.rotations, channels_, normalize_);
   return checked(std::move(blocks), is_single() ? 1 : least);
 }
 
@@ -292,9 +293,7 @@ Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, con
   curve.closed = spec_.closed;
   curve.extrapolation = spec_.extrapolation;
   const auto rows = std::make_shared<ExactRows>(std::move(curve), request_, extent, golden_->notation);
-  return [rows, locator](const SampleBlock& block, std::span<const std::size_t> chosen) {
-    return rows->evaluate(block, *locator, chosen);
-  };
+  return [rows, locator](const auto& block, const auto& chosen) { return rows->evaluate(block, *locator, chosen); };
 }
 
 }  // namespace tcb

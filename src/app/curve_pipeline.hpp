@@ -90,6 +90,7 @@ class CurvePipeline {
   bool is_single() const;
   bool needs_random_access() const;
   bool needs_lengths() const;
+  bool needs_metric() const;
   /// The exponent of the distances that make the times; 0: none do.
   double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
 
@@ -115,6 +116,7 @@ class CurvePipeline {
   bool timed_, may_be_timed_, has_tcb_scale_;
   unsigned threads_;
   bool may_miss_;
+  bool normalize_;
   std::vector<std::string> channels_;
 };
 

@@ -94,6 +94,12 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::scale, "--scale", "CHANNEL=FACTOR,...", input,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.scales = channel_scales(text); }},
+    {Option::rotation, "--rotation", "quaternion=X:Y:Z:W", input,
+     "The columns of a quaternion, which together are a rotation; once for each rotation. none: they are plain channels. By "
+     "default columns such as qx, qy, qz and qw",
+     "", other, recorded, [](Typed& to, Text text) { to.job.input.rotation = rotations(text); }},
+    {Option::normalize, "--normalize", "", input, "Takes quaternions of any norm but 0, and divides them by it", "", flag, recorded,
+     [](Typed& to, Text) { to.job.input.rotation.normalize = true; }},
     {Option::duplicates, "--duplicates", "POLICY", input,
      "For keys with equal times: error rejects them; first or last keeps that one; break begins a new curve with the "
      "second",
@@ -130,6 +136,10 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::metric, "--metric", "CHANNEL,...", curve,
      "The channels that lengths and speeds are measured over, by name or number; by default all", "", columns, recorded,
      [](Typed& to, Text text) { to.job.curve.metric = text; }},
+    {Option::rotation_curve, "--rotation-curve", "NAME", curve,
+     "The curve between rotations, instead of the preset's: squad, casteljau, components or slerp", "", name, recorded,
+     [](Typed& to, Text text) { to.job.curve.rotation_curve = named_row(spline::rotation_curves, text).name; },
+     names_in<spline::rotation_curves>},
     {Option::no_ease, "--no-ease", "", curve, "Ignores the columns ease_in and ease_out", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.no_ease = true; }},
     {Option::extrapolate, "--extrapolate", "RULE", curve,

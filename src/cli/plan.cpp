@@ -20,7 +20,8 @@ namespace {
 
 /// Flags, and the lists that several options may give, as in --abs 1e-9 --abs x=1e-6.
 bool may_repeat(const OptionRow& row) {
-  return row.kind == ValueKind::flag || row.id == Option::abs || row.id == Option::rel || row.id == Option::ulp;
+  return row.kind == ValueKind::flag || row.id == Option::abs || row.id == Option::rel || row.id == Option::ulp ||
+         row.id == Option::rotation;
 }
 
 /// Checks and stores the value of an option; if a text is to be printed, only stores its text.

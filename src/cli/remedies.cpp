@@ -80,6 +80,12 @@ constexpr Words all_words[]{
     Words{ErrorCode::velocity_with_tcb,
           "\"{0}\" and \"{1}\": a given velocity leaves nothing to tension, continuity and bias; expected one of "
           "the two; remove one, or give --columns ignore=NAME"},
+    Words{ErrorCode::rotation_column_missing,
+          "of {1} and \"{0}\" the last is missing; expected the four numbers of a quaternion; add it, or give "
+          "--rotation none "
+          "to take them as plain channels"},
+    Words{ErrorCode::rotation_columns_shared,
+          "\"{0}\" is in two rotations, or twice in one; expected four columns for each; name others"},
     Words{ErrorCode::segment_column_missing,
           "\"{0}\" without \"{1}\"; expected both, where rows are segments; add it, or give --columns ignore={0}"},
     Words{ErrorCode::tcb_with_all_velocities,
@@ -345,6 +351,18 @@ constexpr Words all_words[]{
     Words{ErrorCode::unknown_metric_channel,
           "{subject}: no channel \"{0}\"; expected some of {1}, or numbers from 1{nearest}"},
     Words{ErrorCode::repeated_metric_channel, "{subject}: channel \"{0}\" is repeated; expected each once; remove one"},
+    Words{ErrorCode::rotation_in_metric,
+          "{subject}: channel \"{0}\" is a number of a rotation, which has no length; expected a position; give "
+          "--rotation none to take it as one"},
+    Words{ErrorCode::only_rotations,
+          "there are only rotations, which have no lengths; expected a position; sample by time, or give --rotation "
+          "none to take their numbers as positions"},
+    Words{ErrorCode::end_velocity_of_rotation,
+          "{subject}: a velocity has a number per channel, and rotations have none; expected another end rule; give "
+          "--rotation none for plain channels"},
+    Words{ErrorCode::emit_of_rotation,
+          "the curve {0} of a rotation has no cubics; expected components; give --rotation-curve components, or "
+          "--rotation none"},
     Words{ErrorCode::ease_with_missing_cells,
           "ease_in and ease_out warp all channels of a segment, and some are missing because --missing skip-cell "
           "skipped cells; expected numbers in all; fill them in, or give --no-ease"},
@@ -372,6 +390,17 @@ constexpr Words all_words[]{
     Words{ErrorCode::outgoing_velocity_missing,
           "the outgoing velocity of channel \"{0}\" is missing; expected a number at every key but the last; fill "
           "it in, or remove the row"},
+    Words{ErrorCode::rotation_incomplete,
+          "the rotation of \"{0}\" lacks a number; expected all four, or none; fill it in, or remove the row"},
+    Words{ErrorCode::rotation_not_unit,
+          "the quaternion of \"{0}\" has the norm {1}; expected 1, within 0.001; check its columns and their order, "
+          "or give --normalize to divide by the norm, or --rotation none for plain channels"},
+    Words{ErrorCode::rotation_zero,
+          "the quaternion of \"{0}\" is zero, which is no rotation; expected the norm 1; correct it, or give "
+          "--rotation none for plain channels"},
+    Words{ErrorCode::half_turn_between_keys,
+          "the rotation of \"{0}\" is half a turn from the one on line {1}, around an axis that nothing gives; "
+          "expected less; add a key between them"},
     Words{ErrorCode::equal_speed_with_velocities,
           "{subject} would change velocities, which are given; expected one of the two; remove {subject}"},
     Words{ErrorCode::segment_starts_elsewhere,
@@ -492,6 +521,9 @@ constexpr Words all_words[]{
     Words{ErrorCode::expected_renamings,
           "{subject} \"{0}\": expected two names with = between, or several such pairs separated by commas, as in "
           "pos_x=x,pos_y=y"},
+    Words{ErrorCode::expected_rotation,
+          "{subject}: {0}; expected quaternion= and the columns of x, y, z and w, as in quaternion=qx:qy:qz:qw, or "
+          "none"},
     Words{ErrorCode::expected_scales,
           "{subject} \"{0}\": expected a channel and a factor other than 0, or several separated by commas, such "
           "as x=0.01,y=1/3"},

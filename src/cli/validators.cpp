@@ -170,6 +170,23 @@ std::vector<ChannelScale> channel_scales(const std::string& text) {
   return all;
 }
 
+RotationOptions rotations(const std::string& text) {
+  RotationOptions result;
+  for (const std::string_view part : split(text, ',')) {
+    if (part == "none") {
+      result.none = true;
+      continue;
+    }
+    constexpr std::string_view kind = "quaternion=";
+    const auto columns =
+        part.starts_with(kind) ? split(part.substr(kind.size()), ':') : std::vector<std::string_view>{};
+    if (columns.size() != 4 || std::ranges::count(columns, "") > 0) refuse(ErrorCode::expected_rotation, text);
+    result.quaternions.emplace_back(columns.begin(), columns.end());
+  }
+  if (result.none && !result.quaternions.empty()) refuse(ErrorCode::expected_rotation, text);
+  return result;
+}
+
 std::vector<std::size_t> field_list(const std::string& text) {
   std::vector<std::size_t> chosen;
   for (const std::string_view name : split(text, ',')) {

@@ -10,6 +10,7 @@
 #include "error.hpp"
 #include "keys/parameterize.hpp"
 #include "stream/ordered_map.hpp"
+#include "tcb/spline/tangents.hpp"
 #include "text/decimal_time.hpp"
 #include "text/print_number.hpp"
 

@@ -26,6 +26,9 @@ struct CurveSpec {
   std::optional<std::string> parameter_name = {};  ///< as given
   Extrapolation extrapolation = Extrapolation::error;
   bool ease = true;  ///< ease columns are used, if there are any
+
+  /// There are rotations alone, which have no lengths.
+  bool lacks_metric = false;
 };
 
 /// The settings of the command line, completed by those of the input. A preset of the command
@@ -38,9 +41,17 @@ std::optional<std::size_t> find_channel(const std::string& name, const std::vect
 /// Throws: Error (usage), about its option, for an unknown name, or for settings that contradict each other.
 CurveSpec make_spec(const CurveSettings& settings);
 
-/// The same for keys with these channels: with the metric. Throws: Error (usage), about its option, also for a metric
-/// channel that does not exist, or a velocity with another number of channels.
-CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels);
+/// The same for keys with these channels: with the metric, to which rotations do not belong. Throws: Error (usage),
+/// about its option, also for a metric channel that does not exist or belongs to a rotation, or a velocity with another
+/// number of channels.
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
+                    const std::vector<spline::RotationChannels>& rotations = {});
+
+/// What tension, continuity and bias beyond 5 are, where the preset's product shows another scale than the formulas.
+std::optional<ErrorCode> scale_fault(spline::Preset preset);
+
+/// Throws: Error (data) for distances where there are only rotations, and for cubics of rotations that have none.
+void require_fitting_rotations(const CurveSpec& spec, bool needs_metric, bool emits);
 
 using Rules = spline::CurveRules<double>;
 

@@ -128,6 +128,10 @@ CurveSpec make_spec(const CurveSettings& settings) {
   spec.closed = settings.period || settings.closed.value_or(false);
   if (settings.ends && spec.closed) refuse(Option::ends, ErrorCode::ends_of_closed_curve);
   set_ends(spec.rules, settings.ends.value_or(std::string(name_of(preset.ends))));
+  spec.rules.rotation_curve = preset.rotation_curve;
+  if (settings.rotation_curve) {
+    spec.rules.rotation_curve = named(Option::rotation_curve, spline::rotation_curves, *settings.rotation_curve).id;
+  }
   spec.rules.equal_speed = settings.equal_speed;
   if (settings.period) spec.period = parse_period(*settings.period);
   if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
@@ -139,24 +143,51 @@ CurveSpec make_spec(const CurveSettings& settings) {
   return spec;
 }
 
-CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels) {
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
+                    const std::vector<spline::RotationChannels>& rotations) {
   CurveSpec spec = make_spec(settings);
+  spec.rules.rotations = rotations;
+  const auto is_rotation = [&](std::size_t channel) {
+    return std::ranges::any_of(rotations, [&](const auto& four) { return std::ranges::count(four, channel) > 0; });
+  };
   const auto metric = settings.metric ? split(*settings.metric, ',') : std::vector<std::string_view>{};
   for (const std::string_view part : metric) {
     const std::string name(part);
     const auto channel = find_channel(name, channels);
     if (!channel) refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
+    if (is_rotation(*channel)) refuse(Option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
     if (std::ranges::count(spec.rules.metric, *channel) > 0) {
       refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
     }
     spec.rules.metric.push_back(*channel);
   }
+  for (std::size_t i = 0; metric.empty() && !rotations.empty() && i < channels.size(); ++i) {
+    if (!is_rotation(i)) spec.rules.metric.push_back(i);
+  }
+  spec.lacks_metric = !rotations.empty() && spec.rules.metric.empty();
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
-    if (end->velocity.empty() || end->velocity.size() == channels.size()) continue;
+    if (end->velocity.empty()) continue;
+    if (!rotations.empty()) refuse(Option::ends, ErrorCode::end_velocity_of_rotation);
+    if (end->velocity.size() == channels.size()) continue;
     refuse(Option::ends, ErrorCode::velocity_of_other_size,
            {std::uint64_t{end->velocity.size()}, std::uint64_t{channels.size()}, channels});
   }
   return spec;
+}
+
+std::optional<ErrorCode> scale_fault(spline::Preset preset) {
+  using enum spline::Preset;
+  constexpr std::array with_0_to_50{max3ds, nel, gamebryo, lib3ds1, lib3ds2};
+  if (std::ranges::count(with_0_to_50, preset) > 0) return ErrorCode::tcb_from_0_to_50;
+  return preset == lightwave ? std::optional(ErrorCode::tcb_in_percent) : std::nullopt;
+}
+
+void require_fitting_rotations(const CurveSpec& spec, bool needs_metric, bool emits) {
+  if (spec.lacks_metric && needs_metric) throw Error(Exit::data, ErrorCode::only_rotations);
+  const spline::RotationCurve curve = spec.rules.rotation_curve;
+  if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
+    throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(Option::emit);
+  }
 }
 
 }  // namespace tcb

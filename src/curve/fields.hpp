@@ -41,7 +41,9 @@ struct Field {
   std::string_view suffix = {};  ///< of a column's name, for a field with columns for each channel
   CellKind kind = CellKind::real;
   bool per_channel = false;          ///< columns for each channel, named after it; otherwise one
-  std::size_t columns = 1;           ///< for each channel; several are numbered from 0
+  bool of_motion = false;            ///< only for channels that are not numbers of a rotation
+  bool per_rotation = false;         ///< columns for each rotation
+  std::size_t columns = 1;           ///< for each channel or rotation; several are numbered from 0
   std::string_view odd_suffix = {};  ///< of every second one of several columns, where the suffixes alternate
   bool of_piece = false;             ///< it is of a row that is a piece, not of a sample
   bool needs_lengths = false;        ///< the segments before it have to be measured
@@ -74,7 +76,21 @@ void write_time(Point<S>& point, CellWriter<S> out) {
 }
 template <class S>
 void write_position(Point<S>& point, CellWriter<S> out) {
-  for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) out.add_of_channel(point.position(i), i, false);
+  const CurveSegmentOf<S>& segment = point.segment();
+  std::vector<S> rotated(segment.rotations.empty() ? 0 : segment.cubics.size());
+  if constexpr (spline::has_roots<S>) {
+    for (std::size_t i = 0; i < segment.rotations.size(); ++i) {
+      const auto [x, y, z, w] = point.rotation(i);
+      const auto& channels = segment.rotation_channels[i];
+      rotated[channels[0]] = x;
+      rotated[channels[1]] = y;
+      rotated[channels[2]] = z;
+      rotated[channels[3]] = w;
+    }
+  }
+  for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
+    out.add_of_channel(segment.is_rotation(i) ? rotated[i] : point.position(i), i, false);
+  }
 }
 template <class S>
 void write_length(Point<S>& point, CellWriter<S> out) {
@@ -83,7 +99,9 @@ void write_length(Point<S>& point, CellWriter<S> out) {
 template <class S, std::vector<S> spline::Derivatives<S>::*derivative>
 void write_derivative(Point<S>& point, CellWriter<S> out) {
   const std::vector<S>& values = point.derivatives().*derivative;
-  for (std::size_t i = 0; i < values.size(); ++i) out.add_of_channel(values[i], i, true);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!point.segment().is_rotation(i)) out.add_of_channel(values[i], i, true);
+  }
 }
 template <class S>
 void write_speed(Point<S>& point, CellWriter<S> out) {
@@ -91,7 +109,27 @@ void write_speed(Point<S>& point, CellWriter<S> out) {
 }
 template <class S>
 void write_tangent(Point<S>& point, CellWriter<S> out) {
-  for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) out.add(point.tangent(i));
+  for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
+    if (!point.segment().is_rotation(i)) out.add(point.tangent(i));
+  }
+}
+template <class S>
+void write_angular_velocity(Point<S>& point, CellWriter<S> out) {
+  if constexpr (spline::has_roots<S>) {
+    for (std::size_t i = 0; i < point.segment().rotations.size(); ++i) {
+      for (const S& number : point.angular_velocity(i)) out.add(number);
+    }
+  }
+}
+template <class S>
+void write_angular_speed(Point<S>& point, CellWriter<S> out) {
+  if constexpr (spline::has_roots<S>) {
+    using std::sqrt;
+    for (std::size_t i = 0; i < point.segment().rotations.size(); ++i) {
+      const auto [x, y, z] = point.angular_velocity(i);
+      out.add(S(sqrt(x * x + (y * y + z * z))));
+    }
+  }
 }
 template <class S>
 void write_curvature(Point<S>& point, CellWriter<S> out) {
@@ -160,17 +198,26 @@ inline constexpr std::array sample_fields{
     FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_time<S>, write_times},
     FieldOf<S>{{.name = "position", .per_channel = true}, write_position<S>, write_positions},
     FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false}, write_length<S>},
-    FieldOf<S>{{.name = "velocity", .suffix = "_v", .per_channel = true, .has_side = true},
+    FieldOf<S>{{.name = "velocity", .suffix = "_v", .per_channel = true, .of_motion = true, .has_side = true},
                write_derivative<S, &spline::Derivatives<S>::velocity>},
-    FieldOf<S>{{.name = "acceleration", .suffix = "_a", .per_channel = true, .has_side = true},
+    FieldOf<S>{{.name = "acceleration", .suffix = "_a", .per_channel = true, .of_motion = true, .has_side = true},
                write_derivative<S, &spline::Derivatives<S>::acceleration>},
-    FieldOf<S>{{.name = "jerk", .suffix = "_j", .per_channel = true, .has_side = true},
+    FieldOf<S>{{.name = "jerk", .suffix = "_j", .per_channel = true, .of_motion = true, .has_side = true},
                write_derivative<S, &spline::Derivatives<S>::jerk>},
     FieldOf<S>{{.name = "speed", .over_metric = true, .has_side = true}, write_speed<S>},
-    FieldOf<S>{{.name = "tangent", .suffix = "_t", .per_channel = true, .over_metric = true, .has_side = true},
+    FieldOf<S>{{.name = "tangent",
+                .suffix = "_t",
+                .per_channel = true,
+                .of_motion = true,
+                .over_metric = true,
+                .has_side = true},
                write_tangent<S>},
     FieldOf<S>{{.name = "curvature", .over_metric = true, .has_side = true}, write_curvature<S>},
     FieldOf<S>{{.name = "torsion", .over_metric = true, .has_side = true}, write_torsion<S>},
+    FieldOf<S>{{.name = "angular_velocity", .per_rotation = true, .columns = 3, .has_side = true, .is_rational = false},
+               write_angular_velocity<S>},
+    FieldOf<S>{{.name = "angular_speed", .per_rotation = true, .has_side = true, .is_rational = false},
+               write_angular_speed<S>},
     FieldOf<S>{{.name = "segment", .kind = CellKind::whole, .has_side = true}, write_segment<S>},
     FieldOf<S>{{.name = "u", .has_side = true}, write_u<S>},
     FieldOf<S>{{.name = "key", .kind = CellKind::whole}, write_key<S>},
@@ -230,8 +277,17 @@ inline std::span<const FieldOf<double>> named_fields() { return fields().first(s
 /// The index of a field. Requires: its name.
 std::size_t field_of(std::string_view name);
 
+/// The channels of a row, and the rotations that four of them each make.
+struct RowShape {
+  std::size_t channels = 0, rotations = 0;
+};
+template <class S>
+RowShape shape_of(const CurveSegmentOf<S>& segment) {
+  return {segment.cubics.size(), segment.rotations.size()};
+}
+
 /// The number of cells of these fields in a row.
-std::size_t cells_in_row(std::span<const std::size_t> chosen, std::size_t channels);
+std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& shape);
 
 /// Writes fields of the samples on a segment, row after row. `point` is memory to reuse.
 void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,

@@ -63,6 +63,9 @@ CurveIndex::CurveIndex(const Source<SegmentBlock>& segments, std::vector<std::si
   }
   const CurveSegment first = segment(0);
   const CurveSegment last = segment(size() - 1);
+  for (std::size_t i = 0; i < first.rotations.size(); ++i) {
+    turns_.push_back(last.rotations[i].at({1, 0}) * spline::conjugate(first.rotations[i].at({0, -1})));
+  }
   for (std::size_t i = 0; i < first.cubics.size(); ++i) cycle_.push_back(last.cubics[i].p1 - first.cubics[i].p0);
 }
 
@@ -85,7 +88,10 @@ CurveSegment CurveIndex::segment(std::uint64_t number) const {
           number,
           s_error_[number + 1],
           closes ? 0 : number + 1,
-          decimals_};
+          decimals_,
+          segments.rotations_of(i),
+          segments.rotation_channels,
+          turns_};
 }
 
 std::uint64_t CurveIndex::find_time(const Time& t, bool left) const {

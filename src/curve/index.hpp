@@ -53,8 +53,9 @@ class CurveIndex {
   std::vector<spline::DoubleDouble> s_;       ///< arc length at the start of each segment, then of all
   std::vector<double> s_error_;               ///< bounds on the errors of these
   std::vector<std::size_t> metric_;
-  std::vector<double> cycle_;  ///< last key - first key
-  int decimals_ = 0;           ///< of the times
+  std::vector<double> cycle_;                      ///< last key - first key
+  std::vector<spline::Quaternion<double>> turns_;  ///< the same of the rotations
+  int decimals_ = 0;                               ///< of the times
 };
 
 /// The times with those of the curve's keys in the range; a time within a billionth of a step of a key is dropped.

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/tangents.hpp"
 
 namespace tcb {
 
@@ -69,6 +69,30 @@ class ChannelKeys {
     return spline::segments(window, rules_);
   }
 
+  /// Appends the curves of the only rotation between the keys `first` to `to` of the curve, likewise.
+  void append_rotations(std::vector<spline::RotationSegment<S>>& rotations, std::size_t first, std::size_t to,
+                        const std::vector<spline::Time<S>>& times) const {
+    const auto rest = [&](std::size_t number) {
+      const auto q = spline::rotation_of<S>(keys_.position(number), rules_.rotations[0]);
+      return spline::RotationSegment<S>(spline::RotationCurve::slerp, {q, q, q, q});
+    };
+    for (std::size_t number = first; number < to; ++number) {
+      const std::ptrdiff_t at = number_at(number);
+      if (!period_ && (at < 0 || at == last())) {
+        rotations.push_back(rest(numbers_[at < 0 ? 0 : numbers_.size() - 1]));
+        continue;
+      }
+      const spline::Segments<S> own = segments(at, at + 1);
+      const auto duration = own.times[1] - own.times[0];
+      const auto fraction = [&](const auto& start, const auto& end) {
+        return spline::high_part<S>((end - start) / duration);
+      };
+      rotations.push_back(own.rotations[0].part(fraction(own.times[0], times[number]),
+                                                fraction(times[number], times[number + 1]),
+                                                fraction(times[number + 1], own.times[1])));
+    }
+  }
+
   /// Appends the cubics between the keys `first` to `to` of the curve, the parts of its own ones. Before the first of
   /// these keys and after the last, an open curve is constant. `times`: of all keys of the curve, and if it is closed
   /// of its end. Requires: a single channel.
@@ -115,6 +139,7 @@ class ChannelKeys {
 template <class S>
 spline::CurveRules<S> rules_of_channel(spline::CurveRules<S> rules, std::size_t channel) {
   rules.metric.clear();
+  rules.rotations.clear();
   for (auto* end : {&rules.start, &rules.end}) {
     if (!end->velocity.empty()) end->velocity = std::vector<S>(1, end->velocity[channel]);
   }
@@ -145,6 +170,9 @@ class KeyedCurve {
       channels_.emplace_back(keys_, i, alone ? 1 : keys_.channels, std::move(numbers),
                              alone ? rules_of_channel(rules, i) : rules, period);
     }
+    if constexpr (spline::has_roots<S>) {
+      if (!missing.empty()) add_rotations(missing, rules, period);
+    }
   }
   KeyedCurve(const KeyedCurve&) = delete;
   KeyedCurve& operator=(const KeyedCurve&) = delete;
@@ -169,10 +197,34 @@ class KeyedCurve {
       channels_[i].append_cubics(own, first, to, times_, part_);
       for (std::size_t k = 0; k < size; ++k) result.cubics[k * channels + i] = std::move(own[k]);
     }
+    if constexpr (spline::has_roots<S>) {
+      result.rotation_channels = rotation_channels_;
+      result.rotations.resize(size * rotations_.size());
+      for (std::size_t i = 0; i < rotations_.size(); ++i) {
+        std::vector<spline::RotationSegment<S>> own;
+        rotations_[i].append_rotations(own, first, to, times_);
+        for (std::size_t k = 0; k < size; ++k) result.rotations[k * rotations_.size() + i] = own[k];
+      }
+    }
     return result;
   }
 
  private:
+  /// Rotations whose numbers are missing in some keys run through the others, like channels.
+  void add_rotations(const std::vector<bool>& missing, spline::CurveRules<S> rules,
+                     const std::optional<spline::Time<S>>& period) {
+    rotation_channels_ = std::exchange(rules.rotations, {});
+    rules.metric.clear();
+    for (const spline::RotationChannels& channels : rotation_channels_) {
+      rules.rotations = {channels};
+      std::vector<std::size_t> numbers;
+      for (std::size_t key = 0; key < keys_.size(); ++key) {
+        if (!missing[key * keys_.channels + channels[0]]) numbers.push_back(key);
+      }
+      rotations_.emplace_back(keys_, 0, keys_.channels, std::move(numbers), rules, period);
+    }
+  }
+
   std::vector<spline::Time<S>> times_between(std::size_t first, std::size_t to) const {
     return {times_.begin() + static_cast<std::ptrdiff_t>(first), times_.begin() + static_cast<std::ptrdiff_t>(to) + 1};
   }
@@ -181,6 +233,8 @@ class KeyedCurve {
   std::vector<spline::Time<S>> times_;  ///< of the keys, then of the first one after a period
   PartOfSegment<S> part_;               ///< of a channel that has fewer keys
   std::vector<ChannelKeys<S>> channels_;
+  std::vector<spline::RotationChannels> rotation_channels_;  ///< where positions are missing
+  std::vector<ChannelKeys<S>> rotations_;                    ///< those of each
 };
 
 }  // namespace tcb

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "curve/rotation_at.hpp"
 #include "sampling/curve_segment.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/derivatives.hpp"
@@ -58,6 +59,9 @@ class Point {
   S u() const;
   /// One component. Outside the curve the end is extended by its velocity, or moved by whole cycles.
   S position(std::size_t channel);
+  spline::Quaternion<S> rotation(std::size_t index) const { return rotation_at(index).value(); }
+  /// The angular velocity of a rotation, in the frame in which it is given, per unit of time.
+  spline::Vector3<S> angular_velocity(std::size_t index) const { return rotation_at(index).rate(); }
   const spline::Derivatives<S>& derivatives();
   /// From the curve's first key.
   S length();
@@ -75,6 +79,8 @@ class Point {
     if (!std::exchange(has_arc_, true)) arc_.assign(segment_->cubics, segment_->metric);
     return arc_;
   }
+
+  RotationAt<S> rotation_at(std::size_t index) const { return {*segment_, index, *sample_, u(), outside_}; }
 
   const CurveSegmentOf<S>* segment_ = nullptr;
   const SampleOf<S>* sample_ = nullptr;

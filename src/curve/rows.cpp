@@ -67,7 +67,9 @@ class Placer {
                          .last = last,
                          .warp = segments.warp(i),
                          .number = number_++,
-                         .s_error = s_error_};
+                         .s_error = s_error_,
+                         .rotations = segments.rotations_of(i),
+                         .rotation_channels = segments.rotation_channels};
     if (last && block_->closes) segment.end_key = 0;
     decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
     segment.decimals = decimals_;
@@ -111,7 +113,7 @@ Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler
 
 std::vector<Cell> evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {
   if (block.parts.empty()) return {};
-  const std::size_t width = cells_in_row(chosen, block.parts.front().segment.cubics.size());
+  const std::size_t width = cells_in_row(chosen, shape_of(block.parts.front().segment));
   std::vector<Cell> cells(block.rows() * width);
   Cell* rows = cells.data();
   Located located;

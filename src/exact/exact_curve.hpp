@@ -52,8 +52,9 @@ std::unique_ptr<const KeyedCurve<S>> curve_at(const ExactCurve& exact) {
     for (const Rational& value : from.velocity) to.velocity.push_back(scalar_of<S>(value));
     return to;
   };
-  const spline::CurveRules<S> rules{exact.rules.tangents, end_choice(exact.rules.start), end_choice(exact.rules.end),
-                                    exact.rules.equal_speed, exact.rules.metric};
+  const spline::CurveRules<S> rules{
+      exact.rules.tangents, end_choice(exact.rules.start), end_choice(exact.rules.end), exact.rules.equal_speed,
+      exact.rules.metric,   exact.rules.rotations,         exact.rules.rotation_curve};
   return std::make_unique<const KeyedCurve<S>>(std::move(keys), exact.missing, rules, end);
 }
 

@@ -88,6 +88,7 @@ class Level final : public AnyLevel {
   explicit Level(const RowsOfCurve& rows)
       : rows_(rows), curve_(curve_at<S>(rows.exact)), point_(PathShape<S>(scalar_of<S>(rows.facts.extent))) {
     for (const Rational& cycle : rows.facts.cycle) cycle_.push_back(scalar_of<S>(cycle));
+    if constexpr (spline::has_roots<S>) set_turns();
   }
 
   std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) override {
@@ -160,11 +161,21 @@ class Level final : public AnyLevel {
     return lengths_[key];
   }
 
+  void set_turns() {
+    const auto first = curve_->segments(0, 1), last = curve_->segments(curve_->size() - 1, curve_->size());
+    for (std::size_t i = 0; i < first.rotation_channels.size(); ++i) {
+      turns_.push_back(last.rotations[i].at({S(1), S(0)}) * spline::conjugate(first.rotations[i].at({S(0), S(-1)})));
+    }
+  }
+
   Segment segment(std::size_t number) {
     const spline::Segments<S>& one = known(number).segments;
     const bool last = number + 1 == curve_->size();
     Segment segment{one.times[0], one.times[1], S(0),   S(0),   one[0], rows_.exact.rules.metric,
                     last,         one.warp(0),  cycle_, number, 0,      last && curve_->is_closed() ? 0 : number + 1};
+    segment.rotations = one.rotations_of(0);
+    segment.rotation_channels = one.rotation_channels;
+    segment.turns = turns_;
     return segment;
   }
 
@@ -233,6 +244,7 @@ class Level final : public AnyLevel {
   std::map<std::size_t, Known> known_;
   std::vector<S> lengths_;
   std::vector<S> cycle_;
+  std::vector<spline::Quaternion<S>> turns_;
   Segment segment_;
   SampleOf<S> sample_, end_;
   std::optional<OutsideOf<S>> outside_;

@@ -47,8 +47,10 @@ class ExactRows::Evaluation {
     std::vector<Column> columns;
     for (const std::size_t index : chosen) {
       const Field& field = fields()[index];
-      const bool rational = rows_.exact.is_rational() && field.is_rational;
-      columns.insert(columns.end(), cells_in_row({&index, 1}, rows_.exact.keys.channels), {field.kind, rational});
+      const bool rational = rows_.exact.is_rational() && field.is_rational && rows_.exact.rules.rotations.empty();
+      columns.insert(columns.end(),
+                     cells_in_row({&index, 1}, {rows_.exact.keys.channels, rows_.exact.rules.rotations.size()}),
+                     {field.kind, rational});
     }
     std::vector<Printed> cells;
     try {

@@ -58,6 +58,13 @@ struct ChannelScale {
 };
 
 /// Options of the reading of an input.
+/// Which channels make rotations.
+struct RotationOptions {
+  bool none = false;                                       ///< their numbers are plain channels
+  bool normalize = false;                                  ///< quaternions may have any norm
+  std::vector<std::vector<std::string>> quaternions = {};  ///< names or numbers of the channels of x, y, z, w
+};
+
 struct InputOptions {
   std::optional<FormatId> format;  ///< nothing: by ending or content
   std::optional<char> delimiter;   ///< ' ' is any run of blanks and tabs
@@ -78,6 +85,7 @@ struct InputOptions {
   std::optional<TimeUnit> time_unit;   ///< of the times; nothing: that of the column's name, if it has one
   std::optional<Rational> input_rate;  ///< the times are frames, so many of them a second
   std::vector<ChannelScale> scales;
+  RotationOptions rotation = {};
   std::vector<Renaming> renamings;  ///< of columns in the output
 
   KeyRules key_rules() const { return {tcb, missing, keeps_decimals, signs, tcb_scale}; }
@@ -121,11 +129,13 @@ struct InputFacts {
 
 /// An opened input: the meaning of its numbers, and its keys in blocks.
 struct Input {
-  bool named = false;                 ///< it names its columns
-  bool timed = false;                 ///< it has a time column
-  std::string time;                   ///< name of the time column
-  std::vector<std::string> channels;  ///< names of the position channels
-  CurveInfo curve_info;               ///< of all curves, unless they have their own
+  bool named = false;                                    ///< it names its columns
+  bool timed = false;                                    ///< it has a time column
+  std::string time;                                      ///< name of the time column
+  std::vector<std::string> channels;                     ///< names of the position channels
+  std::vector<spline::RotationChannels> rotations = {};  ///< which of them make rotations
+  bool normalize = false;                                ///< quaternions may have any norm
+  CurveInfo curve_info;                                  ///< of all curves, unless they have their own
   Source<KeyBlock> keys;
   InputFacts facts = {};
   std::vector<std::string> ignored = {};               ///< names of the columns without a role
@@ -154,6 +164,11 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
 /// Sets the notation and the unit of the times, and renames columns. Throws: Error (data) where there is no such
 /// column.
 void set_units_and_names(Input& input, const InputOptions& options);
+
+/// Sets which channels make rotations, as requested or else by their names: "q" and x, y, z and w, or w, x, y and z
+/// between the same texts of which the first has a "q". Throws: Error (data) for one of four that is missing, or that
+/// is in two rotations.
+void set_rotations(Input& input, const RotationOptions& options);
 
 /// The largest number of faults of an input that are reported.
 inline constexpr std::size_t most_faults = 10;

@@ -74,6 +74,7 @@ struct CurveSettings {
   std::optional<std::string> parameter;  ///< for keys without times: uniform, chordal, centripetal, or an exponent
   std::optional<std::string> extrapolate;
   std::optional<std::string> metric;  ///< names or numbers of channels, separated by commas
+  std::optional<std::string> rotation_curve = {};
   bool equal_speed = false;
   bool no_ease = false;
 };

@@ -174,6 +174,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   input.threads = options.threads;
   input.facts.format = format;
   input.has_tcb_scale = options.tcb_scale != TcbScale::unknown;
+  if (!options.samples) set_rotations(input, options.rotation);
   set_units_and_names(input, options);
   return input;
 }

@@ -1,11 +1,15 @@
-// Units and names of an input: factors of its numbers, the unit of its times, and new names for its columns.
+// Units and names of an input: factors of its numbers, the unit of its times, its rotations, and new names for its
+// columns.
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "error.hpp"
 #include "input/columns.hpp"
 #include "input/input.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -59,6 +63,50 @@ void rename(Input& input, const std::vector<Renaming>& renamings) {
   }
 }
 
+/// The index of a channel by its name, or by its number from 1.
+std::size_t requested_channel(const std::string& name, const std::vector<std::string>& channels) {
+  const auto exact = std::ranges::find(channels, name);
+  const auto found = exact != channels.end() ? exact : std::ranges::find_if(channels, [&](const std::string& channel) {
+    return same_in_any_case(channel, name);
+  });
+  if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
+  throw Error(Exit::data, ErrorCode::no_such_column, {name, channels}).about(Option::rotation);
+}
+
+/// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, after a "q".
+std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::string>& channels) {
+  constexpr std::string_view letters = "xyzw";
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::map<std::string, spline::RotationChannels> found;  // by the names without that letter
+  for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+    const std::string name = in_lower_case(channels[channel]);
+    for (std::size_t at = name.find('q'); at != std::string::npos && ++at < name.size();) {
+      const std::size_t letter = letters.find(name[at]);
+      if (letter == std::string_view::npos) continue;
+      std::string others = name;
+      others[at] = '*';
+      auto& rotation = found.try_emplace(others, spline::RotationChannels{none, none, none, none}).first->second;
+      rotation[letter] = channel;
+    }
+  }
+  std::vector<spline::RotationChannels> rotations;
+  for (const auto& [name, rotation] : found) {
+    const auto missing = std::ranges::count(rotation, none);
+    if (missing == 0) rotations.push_back(rotation);
+    const bool is_quaternion = name[0] == 'q' && (name[1] == '*' || name[1] == '_' || name[1] == '.');
+    if (missing != 1 || !is_quaternion) continue;
+    std::vector<std::string> others;
+    for (const std::size_t channel : rotation) {
+      if (channel != none) others.push_back(channels[channel]);
+    }
+    std::string lacking = name;
+    lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
+    throw Error(Exit::data, ErrorCode::rotation_column_missing, {lacking, others}).about(Option::rotation);
+  }
+  std::ranges::sort(rotations, {}, [](const spline::RotationChannels& rotation) { return std::ranges::min(rotation); });
+  return rotations;
+}
+
 }  // namespace
 
 void set_units(KeyRules& rules, const InputOptions& options, const Columns& columns, std::string_view first_time) {
@@ -89,6 +137,27 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
     for (const auto kind : {NumberOfKey::velocity_in_of, NumberOfKey::velocity_out_of, NumberOfKey::end_velocity_of}) {
       rules.factors[NumberOfKey::of_channel(kind, i, channels)] =
           rules.factors[NumberOfKey::position + i] / rules.factors[NumberOfKey::time];
+    }
+  }
+}
+
+void set_rotations(Input& input, const RotationOptions& options) {
+  input.normalize = options.normalize;
+  if (options.none) return;
+  if (options.quaternions.empty()) {
+    input.rotations = rotations_by_name(input.channels);
+  }
+  for (const std::vector<std::string>& columns : options.quaternions) {
+    spline::RotationChannels rotation{};
+    for (std::size_t i = 0; i < rotation.size(); ++i) rotation[i] = requested_channel(columns[i], input.channels);
+    input.rotations.push_back(rotation);
+  }
+  std::vector<bool> taken(input.channels.size());
+  for (const spline::RotationChannels& rotation : input.rotations) {
+    for (const std::size_t channel : rotation) {
+      if (taken[channel])
+        throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.channels[channel]}).about(Option::rotation);
+      taken[channel] = true;
     }
   }
 }

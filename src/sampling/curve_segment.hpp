@@ -1,7 +1,9 @@
 // Segments with their place on the curve, and samples on them, at any scalar.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,6 +11,7 @@
 
 #include "sampling/extrapolation.hpp"
 #include "tcb/spline/ease.hpp"
+#include "tcb/spline/rotation.hpp"
 #include "text/decimal_time.hpp"
 
 namespace tcb {
@@ -27,6 +30,14 @@ struct CurveSegmentOf {
   double s_error = 0;                        ///< bound on the error of s_end
   std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 if a closed curve has returned
   int decimals = 0;                          ///< of the times on it, if they have more digits than doubles; else 0
+  std::span<const spline::RotationSegment<S>> rotations = {};
+  std::span<const spline::RotationChannels> rotation_channels = {};  ///< those of each rotation
+  std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
+
+  bool is_rotation(std::size_t channel) const {
+    return std::ranges::any_of(rotation_channels,
+                               [&](const auto& four) { return std::ranges::count(four, channel) > 0; });
+  }
 };
 using CurveSegment = CurveSegmentOf<double>;
 

@@ -105,7 +105,8 @@ TEST(Validators, fields_are_chosen_in_order_each_once) {
   EXPECT_THAT(field_list("s,position,time"), ElementsAre(2, 1, 0));
   EXPECT_EQ(stepped_refusal({"--fields", "time,positon"}),
             "--fields: unknown name \"positon\"; expected one of time, position, s, velocity, acceleration, jerk, "
-            "speed, tangent, curvature, torsion, segment, u, key, arc_error, length; did you mean position?");
+            "speed, tangent, curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error, length; "
+            "did you mean position?");
   EXPECT_EQ(stepped_refusal({"--fields", "time,s,time"}),
             "--fields: time is repeated; expected each field once; remove one");
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tcb/spline/rules.hpp"
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/tangents.hpp"
 
 namespace tcb::spline {
 namespace {

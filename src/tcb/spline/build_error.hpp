@@ -35,6 +35,7 @@ enum class BuildErrorCode : std::uint8_t {
   velocity_count,
   velocity_not_finite,
   equal_speed_without_roots,
+  curve_of_rotations,
   equal_speed_with_velocities,
   closed_too_few_keys,
   period_missing,
@@ -84,6 +85,8 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
      "the end velocity at key {key} in channel {channel} is not finite; expected a finite number"},
     {BuildErrorCode::equal_speed_without_roots,
      "equal speed needs square roots, which the scalar does not have; expected no equal speed"},
+    {BuildErrorCode::curve_of_rotations,
+     "Curve has no rotations; expected rules without them; use segments() of tangents.hpp, which has"},
     {BuildErrorCode::equal_speed_with_velocities,
      "equal speed changes the velocities, which are given; expected no equal speed"},
     {BuildErrorCode::closed_too_few_keys,
@@ -223,6 +226,7 @@ std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys
   const std::size_t channels = keys.channels;
   if (static_cast<std::size_t>(rules.tangents) >= tangent_rules<S>.size()) return BuildError{.code = unknown_rule};
   if (rules.equal_speed && !has_roots<S>) return BuildError{.code = equal_speed_without_roots};
+  if (!rules.rotations.empty()) return BuildError{.code = curve_of_rotations};
   if (rules.equal_speed && std::ranges::count(keys.given, true) > 0) {
     return BuildError{.code = equal_speed_with_velocities};
   }

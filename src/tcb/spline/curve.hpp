@@ -21,6 +21,7 @@
 #include "tcb/spline/arc_inverse.hpp"
 #include "tcb/spline/build_error.hpp"
 #include "tcb/spline/derivatives.hpp"
+#include "tcb/spline/tangents.hpp"
 
 namespace tcb::spline {
 
@@ -95,10 +96,9 @@ class Curve {
   /// X(t). Before the start and after the end, an open curve keeps its end positions; a closed curve is periodic.
   /// Promises: within 3 ulp of the largest of |P_i|, |P_(i+1)|, |out_i|, |in_(i+1)|; at a key, its position exactly.
   void position(const Time<S>& t, std::span<S> out) const {
-    const Spot at = spot(t, Side::right);
-    const auto cubics = segments_[at.segment];
-    for (std::size_t i = 0; i < std::min(out.size(), cubics.size()); ++i)
-      out[i] = spline::position(cubics[i], at.local);
+    const auto [segment, at, passed] = spot(t, Side::right);
+    const auto cubics = segments_[segment];
+    for (std::size_t i = 0; i < std::min(out.size(), cubics.size()); ++i) out[i] = spline::position(cubics[i], at);
   }
 
   /// X(t) for many times. Shapes: `out` takes channels() numbers per time, time after time; times for which it has no

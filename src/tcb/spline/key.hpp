@@ -1,6 +1,7 @@
 // Keys: times, positions, tension, continuity, bias and ease of successive keys.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -32,6 +33,9 @@ struct Velocity {
   S out{};
   friend bool operator==(const Velocity&, const Velocity&) = default;
 };
+
+/// The channels that together are a rotation: those of the numbers x, y, z, w of a quaternion.
+using RotationChannels = std::array<std::size_t, 4>;
 
 /// Successive keys, each with the same number of channels.
 /// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or `channels`

@@ -1,0 +1,266 @@
+// Rotations: the curve of unit quaternions between two keys, and its derivative, at any scalar with roots.
+//
+// With q_i the keys, q_(i+1) negated where its dot product with q_i is negative, D_i = log(q_i^-1 q_(i+1)) and `out`,
+// `in` the tangents that the rules of rules.hpp make of the chords D_i, the curve on segment i is
+//   squad:      slerp(slerp(q_i, q_(i+1), u), slerp(a, b, u), 2u (1 - u)),
+//               a = q_i exp((out - D_i)/2), b = q_(i+1) exp((D_i - in)/2)
+//   casteljau:  de Casteljau's algorithm with slerp over q_i, q_i exp(out/3), q_(i+1) exp(-in/3), q_(i+1)
+//   components: the same with lerp over the cubics of the four numbers, normalized
+//   slerp:      slerp(q_i, q_(i+1), u)
+// Source: K. Shoemake, "Animating rotation with quaternion curves", doi:10.1145/325165.325242, for slerp and
+//   casteljau; D. Eberly, "Key Frame Interpolation via Splines and Quaternions", for squad.
+// Units: logarithms are half the angle of the turn, in radians, along its axis.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/key.hpp"
+#include "tcb/spline/rules.hpp"
+#include "tcb/spline/segment.hpp"
+
+namespace tcb::spline {
+
+template <class T>
+using Vector3 = std::array<T, 3>;
+
+template <class T>
+struct Quaternion {
+  T x{}, y{}, z{}, w{};
+
+  friend Quaternion operator-(const Quaternion& q) { return {-q.x, -q.y, -q.z, -q.w}; }
+  friend Quaternion operator+(const Quaternion& p, const Quaternion& q) {
+    return {p.x + q.x, p.y + q.y, p.z + q.z, p.w + q.w};
+  }
+  friend Quaternion operator*(const Quaternion& q, const T& factor) {
+    return {q.x * factor, q.y * factor, q.z * factor, q.w * factor};
+  }
+  friend Quaternion operator*(const Quaternion& p, const Quaternion& q) {
+    return {p.w * q.x + p.x * q.w + (p.y * q.z - p.z * q.y), p.w * q.y + p.y * q.w + (p.z * q.x - p.x * q.z),
+            p.w * q.z + p.z * q.w + (p.x * q.y - p.y * q.x), p.w * q.w - p.x * q.x - (p.y * q.y + p.z * q.z)};
+  }
+};
+
+/// The inverse of a unit quaternion.
+template <class T>
+Quaternion<T> conjugate(const Quaternion<T>& q) {
+  return {-q.x, -q.y, -q.z, q.w};
+}
+
+template <class T>
+T dot(const Quaternion<T>& p, const Quaternion<T>& q) {
+  return (p.x * q.x + p.y * q.y) + (p.z * q.z + p.w * q.w);
+}
+
+template <class T>
+Quaternion<T> normalized(const Quaternion<T>& q) {
+  using std::sqrt;
+  const T size = sqrt(dot(q, q));
+  return {q.x / size, q.y / size, q.z / size, q.w / size};
+}
+
+/// A number and its derivative.
+template <class S>
+struct Dual {
+  S value{}, slope{};
+
+  Dual() = default;
+  Dual(const S& number) : value(number), slope(0) {}  // NOLINT(google-explicit-constructor): a constant
+  Dual(const S& number, const S& derivative) : value(number), slope(derivative) {}
+
+  friend Dual operator-(const Dual& a) { return {-a.value, -a.slope}; }
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.slope + b.slope}; }
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.slope - b.slope}; }
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    return {a.value * b.value, a.value * b.slope + a.slope * b.value};
+  }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const S quotient = a.value / b.value;
+    return {quotient, (a.slope - quotient * b.slope) / b.value};
+  }
+  friend Dual sqrt(const Dual& a) {
+    using std::sqrt;
+    const S root = sqrt(a.value);
+    return {root, a.slope / (S(2) * root)};
+  }
+  friend SineCosine<Dual> sine_cosine(const Dual& angle) {
+    const auto [sine, cosine] = sine_cosine(angle.value);
+    return {{sine, cosine * angle.slope}, {cosine, -sine * angle.slope}};
+  }
+  friend Dual angle_of(const Dual& y, const Dual& x) {
+    return {angle_of(y.value, x.value),
+            (x.value * y.slope - y.value * x.slope) / (x.value * x.value + y.value * y.value)};
+  }
+};
+
+/// The number without its derivative, if it has one.
+template <class S>
+const S& value_of(const S& number) {
+  return number;
+}
+template <class S>
+const S& value_of(const Dual<S>& number) {
+  return number.value;
+}
+template <class T>
+using value_t = std::remove_cvref_t<decltype(value_of(std::declval<const T&>()))>;
+
+/// The arc of unit quaternions from one to another, at a constant rate.
+template <class T>
+class Arc {
+ public:
+  Arc() = default;
+  Arc(const Quaternion<T>& from, const Quaternion<T>& to) : from_(from), to_(to) {
+    using std::sqrt;
+    const Quaternion<T> turn = conjugate(from) * to;
+    square_ = turn.x * turn.x + (turn.y * turn.y + turn.z * turn.z);
+    is_short_ = value_of(turn.w) > 0 && value_of(square_) < 0.015625;
+    if (is_short_) return;
+    sine_ = sqrt(square_);
+    angle_ = angle_of(sine_, turn.w);
+  }
+
+  /// The point after the fraction u of the arc; `left` is 1 - u.
+  template <class U>
+  Quaternion<U> at(const U& u, const U& left) const {
+    const U first = weight(left), second = weight(u);
+    return {from_.x * first + to_.x * second, from_.y * first + to_.y * second, from_.z * first + to_.z * second,
+            from_.w * first + to_.w * second};
+  }
+
+ private:
+  /// sin(u angle) / sin(angle). For short arcs, by its series in powers of the square of the sine.
+  /// Source: M. Abramowitz, I. A. Stegun, "Handbook of Mathematical Functions", 15.1.16.
+  template <class U>
+  U weight(const U& u) const {
+    if (!is_short_) return sine_cosine(U(u * angle_)).sine / sine_;
+    const auto least = std::numeric_limits<value_t<U>>::epsilon() / 8;
+    const U u2 = u * u;
+    U sum(1), term(1);
+    for (int odd = 1; value_of(term) > least; odd += 2) {
+      term = term * ((U(odd * odd) - u2) * U(square_) / U((odd + 1) * (odd + 2)));
+      sum = sum + term;
+    }
+    return u * sum;
+  }
+
+  Quaternion<T> from_, to_;
+  T square_{}, sine_{}, angle_{};  ///< of the angle between the two; for a short arc, the square of its sine alone
+  bool is_short_ = true;
+};
+
+/// Half the angle of a rotation along its axis. Requires: |q| = 1.
+template <class S>
+Vector3<S> logarithm(const Quaternion<S>& q) {
+  using std::sqrt;
+  const S sine = sqrt(q.x * q.x + (q.y * q.y + q.z * q.z));
+  if (sine == S(0)) return {q.x, q.y, q.z};
+  const S factor = angle_of(sine, q.w) / sine;
+  return {q.x * factor, q.y * factor, q.z * factor};
+}
+
+/// The rotation with a logarithm.
+template <class S>
+Quaternion<S> exponential(const Vector3<S>& v) {
+  using std::sqrt;
+  const S angle = sqrt(v[0] * v[0] + (v[1] * v[1] + v[2] * v[2]));
+  if (angle == S(0)) return {v[0], v[1], v[2], S(1)};
+  const auto [sine, cosine] = sine_cosine(angle);
+  const S factor = sine / angle;
+  return {v[0] * factor, v[1] * factor, v[2] * factor, cosine};
+}
+
+/// The rotation of a key, from its four numbers: normalized, unless doubles are so already.
+template <class S>
+Quaternion<S> rotation_of(std::span<const S> numbers, const RotationChannels& channels) {
+  const Quaternion<S> q{numbers[channels[0]], numbers[channels[1]], numbers[channels[2]], numbers[channels[3]]};
+  if constexpr (std::is_same_v<S, double>) {
+    const double excess = dot(q, q) - 1;
+    if (excess <= 0x1p-52 && excess >= -0x1p-52) return q;
+  }
+  return normalized(q);
+}
+
+/// The curve of a rotation between two keys, or a part of it.
+template <class S>
+class RotationSegment {
+ public:
+  RotationSegment() = default;
+
+  /// From four points: the keys, and between them the control points of squad or of de Casteljau's algorithm.
+  RotationSegment(RotationCurve curve, const std::array<Quaternion<S>, 4>& points) : curve_(curve), points_(points) {
+    if (curve == RotationCurve::casteljau) {
+      arcs_ = {Arc<S>(points[0], points[1]), Arc<S>(points[1], points[2]), Arc<S>(points[2], points[3])};
+    } else if (curve != RotationCurve::components) {
+      arcs_[0] = Arc<S>(points[0], points[3]);
+      if (curve == RotationCurve::squad) arcs_[1] = Arc<S>(points[1], points[2]);
+    }
+  }
+
+  /// The part of this curve from the place u = from, of the given size; `left` is what remains after it.
+  RotationSegment part(const S& from, const S& size, const S& left) const {
+    RotationSegment result = *this;
+    result.from_ = from;
+    result.size_ = size;
+    result.left_ = left;
+    return result;
+  }
+
+  /// The rotation at a place. Promises: |q| = 1 to 2 units in the last place; exact at both ends of a whole curve.
+  Quaternion<S> at(const LocalParameter<S>& place) const {
+    const auto [u, w] = of_whole(place);
+    if (u == S(0)) return points_[0];
+    if (w == S(0)) return points_[3];
+    return normalized(point<S>(u, -w));
+  }
+
+  /// 2 dq/du q^-1: the turn per u, in the frame in which the rotations are given.
+  Vector3<S> rate(const LocalParameter<S>& place) const {
+    const auto whole = of_whole(place);
+    const auto [x, y, z, w] = normalized(point<Dual<S>>({whole.u, size_}, {S(-whole.w), S(-size_)}));
+    const Quaternion<S> slope{x.slope, y.slope, z.slope, w.slope};
+    const Quaternion<S> turn = slope * conjugate(Quaternion<S>{x.value, y.value, z.value, w.value});
+    return {S(2) * turn.x, S(2) * turn.y, S(2) * turn.z};
+  }
+
+ private:
+  LocalParameter<S> of_whole(const LocalParameter<S>& place) const {
+    if (size_ == S(1)) return place;
+    return {from_ + size_ * place.u, size_ * place.w - left_};
+  }
+  /// A point of the curve, not yet normalized.
+  template <class T>
+  Quaternion<T> point(const T& u, const T& left) const {
+    if (curve_ == RotationCurve::components) return cubic_point(u, left);
+    const Quaternion<T> first = arcs_[0].at(u, left);
+    if (curve_ == RotationCurve::slerp) return first;
+    const Quaternion<T> second = arcs_[1].at(u, left);
+    if (curve_ == RotationCurve::squad) return Arc<T>(first, second).at(T(T(2) * (u * left)), T(u * u + left * left));
+    const Arc<T> before(first, second), after(second, arcs_[2].at(u, left));
+    return Arc<T>(before.at(u, left), after.at(u, left)).at(u, left);
+  }
+  template <class T>
+  Quaternion<T> cubic_point(const T& u, const T& left) const {
+    const T three(3);
+    const std::array<T, 4> weights{left * left * left, three * (left * left * u), three * (left * u * u), u * u * u};
+    Quaternion<T> sum{T(0), T(0), T(0), T(0)};
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const auto& [x, y, z, w] = points_[i];
+      sum = sum + Quaternion<T>{T(x), T(y), T(z), T(w)} * weights[i];
+    }
+    return sum;
+  }
+
+  RotationCurve curve_ = RotationCurve::slerp;
+  std::array<Quaternion<S>, 4> points_;
+  std::array<Arc<S>, 3> arcs_;     ///< that the curve begins with
+  S from_{0}, size_{1}, left_{0};  ///< of a part
+};
+
+}  // namespace tcb::spline

@@ -1,0 +1,89 @@
+// Rotations among keys: continuous signs, also of decimals, and what is refused.
+#include "keys/rotations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+using Numbers = std::vector<double>;
+
+/// Keys with a position x and a quaternion in the order x, y, z, w, on lines from 2.
+KeyBlock block_of(const std::vector<Numbers>& quaternions) {
+  KeyBlock block;
+  block.keys.channels = 5;
+  for (std::size_t i = 0; i < quaternions.size(); ++i) {
+    block.keys.times.emplace_back(static_cast<double>(i));
+    block.keys.positions.push_back(7);
+    block.keys.positions.insert(block.keys.positions.end(), quaternions[i].begin(), quaternions[i].end());
+    block.lines.push_back(i + 2);
+  }
+  return block;
+}
+
+KeyBlock checked(KeyBlock block, bool normalize = false) {
+  Source<KeyBlock> source = [block = std::move(block), done = false]() mutable -> std::optional<KeyBlock> {
+    if (std::exchange(done, true)) return std::nullopt;
+    return block;
+  };
+  return *with_continuous_signs(std::move(source), {{1, 2, 3, 4}}, {"x", "qx", "qy", "qz", "qw"}, normalize)();
+}
+
+std::pair<ErrorCode, std::uint64_t> refusal(const std::vector<Numbers>& quaternions, bool normalize = false) {
+  try {
+    (void)checked(block_of(quaternions), normalize);
+  } catch (const Error& error) {
+    return {error.code(), error.position().line};
+  }
+  ADD_FAILURE() << "no error";
+  return {};
+}
+
+TEST(Rotations, signs_are_continuous_and_the_first_is_kept) {
+  const KeyBlock block = checked(block_of({{0, 0, 0, -1}, {0, 0, 0.6, 0.8}, {0, 0, -0.8, -0.6}}));
+  EXPECT_EQ(block.keys.positions, (Numbers{7, 0, 0, 0, -1, 7, -0.0, -0.0, -0.6, -0.8, 7, 0, 0, -0.8, -0.6}));
+}
+
+TEST(Rotations, a_key_without_numbers_has_no_rotation) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const KeyBlock block = checked(block_of({{0, 0, 0, 1}, {none, none, none, none}, {0, 0, -0.6, -0.8}}));
+  EXPECT_TRUE(std::isnan(block.keys.positions[6]));
+  EXPECT_EQ(block.keys.positions[14], 0.8);
+  EXPECT_EQ(refusal({{0, 0, 0, 1}, {0, none, 0, 1}}), std::pair(ErrorCode::rotation_incomplete, std::uint64_t{3}));
+}
+
+TEST(Rotations, decimals_change_their_signs_too) {
+  KeyBlock block = block_of({{0, 0, 0, 1}, {0, 0, 0.6, -0.8}});
+  for (const char* const text : {"0", "", "", "", "", "", "", "7", "0", "0", "0", "1"}) block.decimals.add(text);
+  for (const char* const text : {"1", "", "", "", "", "", "", "7", "0", "+0", "0.6", "-0.8"}) block.decimals.add(text);
+  ASSERT_EQ(std::size_t{NumberOfKey::position} + 5, block.decimals.size() / 2);
+  const KeyBlock result = checked(block);
+  const std::size_t first = result.decimals.size() / 2 + NumberOfKey::position;
+  EXPECT_EQ(result.decimals[first], "7");
+  EXPECT_EQ(result.decimals[first + 1], "-0");
+  EXPECT_EQ(result.decimals[first + 2], "-0");
+  EXPECT_EQ(result.decimals[first + 3], "-0.6");
+  EXPECT_EQ(result.decimals[first + 4], "0.8");
+}
+
+TEST(Rotations, what_is_no_rotation_is_refused) {
+  using enum ErrorCode;
+  EXPECT_EQ(refusal({{0, 0, 0, 1}, {0, 0, 0, 1.0011}}), std::pair(rotation_not_unit, std::uint64_t{3}));
+  EXPECT_EQ(refusal({{0, 0, 0, 1e200}}), std::pair(rotation_not_unit, std::uint64_t{2}));
+  EXPECT_EQ(refusal({{0, 0, 0, 0}}, true), std::pair(rotation_zero, std::uint64_t{2}));
+  EXPECT_EQ(refusal({{0, 0, 0, 1}, {0, 0, 1, 0}}), std::pair(half_turn_between_keys, std::uint64_t{3}));
+  EXPECT_EQ(checked(block_of({{0, 0, 0, 0.9995}, {0, 0, 0, 1.0005}})).size(), 2U);
+  EXPECT_EQ(checked(block_of({{0, 0, 0, 3}, {0, 0, 0, -1e200}}), true).keys.positions[9], 1e200);
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,60 @@
+// Angles: sine, cosine and the angle of a vector against 50 digits.
+#include "tcb/spline/detail/angle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace tcb::spline {
+namespace {
+
+using Reference = boost::multiprecision::cpp_bin_float_50;
+
+/// The distance in units in the last place of the reference.
+double ulps(double value, const Reference& reference) {
+  const double nearest = std::abs(static_cast<double>(reference));
+  const double ulp = std::nextafter(nearest, std::numeric_limits<double>::infinity()) - nearest;
+  return std::abs(static_cast<double>(Reference(value) - reference)) / ulp;
+}
+
+TEST(Angle, sine_and_cosine_are_within_an_ulp) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> near(-7, 7), exponent(-60, 20), sign(-1, 1);
+  double worst = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double quarter = std::round(near(random)) * 1.5707963267948966;
+    const double angle = i % 3 == 0   ? near(random)
+                         : i % 3 == 1 ? std::ldexp(sign(random), static_cast<int>(exponent(random)))
+                                      : std::nextafter(quarter, sign(random) * 10);
+    const auto [sine, cosine] = sine_cosine(angle);
+    if (angle != 0) worst = std::max(worst, ulps(sine, sin(Reference(angle))));
+    worst = std::max(worst, ulps(cosine, cos(Reference(angle))));
+  }
+  EXPECT_LT(worst, 1);
+  EXPECT_EQ(sine_cosine(0.0).sine, 0);
+  EXPECT_EQ(sine_cosine(0.0).cosine, 1);
+}
+
+TEST(Angle, the_angle_of_a_vector_is_within_an_ulp) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> near(-1, 1), exponent(-60, 60);
+  double worst = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double y = std::abs(i % 2 == 0 ? near(random) : std::ldexp(near(random), static_cast<int>(exponent(random))));
+    const double x = i % 5 == 0 ? y * std::round(16 * near(random)) / 8 : near(random);
+    if (x == 0 && y == 0) continue;
+    const double angle = angle_of(y, x);
+    if (angle != 0) worst = std::max(worst, ulps(angle, atan2(Reference(y), Reference(x))));
+  }
+  EXPECT_LT(worst, 0.6);
+  EXPECT_EQ(angle_of(0.0, 1.0), 0);
+  EXPECT_EQ(angle_of(0.0, -1.0), 3.141592653589793);
+  EXPECT_EQ(angle_of(1.0, 0.0), 1.5707963267948966);
+}
+
+}  // namespace
+}  // namespace tcb::spline
