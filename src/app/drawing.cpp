@@ -21,19 +21,36 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// A sample from its time, its position, and the velocities and angular velocities there, one after another.
+SceneSample sample_of(std::span<const Cell> cells, const CurveSegment& segment) {
+  const std::size_t channels = segment.cubics.size();
+  SceneSample sample{cells[0], {}, std::vector<double>(channels)};
+  for (const Cell& cell : cells.subspan(1, channels)) sample.position.push_back(cell.hi);
+  std::size_t next = 1 + channels;
+  for (std::size_t i = 0; i < channels; ++i) {
+    if (!segment.is_rotation(i)) sample.velocity[i] = cells[next++].hi;
+  }
+  for (const auto& [x, y, z, w] : segment.rotation_channels) {
+    const std::vector<double>& q = sample.position;
+    const spline::Quaternion<double> rate{cells[next].hi, cells[next + 1].hi, cells[next + 2].hi, 0};
+    const auto doubled = rate * spline::Quaternion<double>{q[x], q[y], q[z], q[w]};
+    sample.velocity[x] = doubled.x / 2;
+    sample.velocity[y] = doubled.y / 2;
+    sample.velocity[z] = doubled.z / 2;
+    sample.velocity[w] = doubled.w / 2;
+    next += 3;
+  }
+  return sample;
+}
+
 /// The samples of a block, each with its position and velocity.
 void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed, const SampleBlock& block) {
-  const std::array chosen{field_of("time"), field_of("position"), field_of("velocity")};
+  const std::array chosen{field_of("time"), field_of("position"), field_of("velocity"), field_of("angular_velocity")};
   const Table table = placed.evaluate(block, chosen);
   const std::size_t rows = block.rows();
   const std::size_t width = rows == 0 ? 0 : table.cells.size() / rows;
   for (std::size_t row = 0; row < rows; ++row) {
-    const auto cells = std::span(table.cells).subspan(row * width, width);
-    SceneSample sample{cells[0], {}, {}};
-    for (std::size_t i = 1; i < width; ++i) {
-      (i <= width / 2 ? sample.position : sample.velocity).push_back(cells[i].hi);
-    }
-    samples.push_back(std::move(sample));
+    samples.push_back(sample_of(std::span(table.cells).subspan(row * width, width), block.parts.front().segment));
   }
 }
 
@@ -83,7 +100,7 @@ std::size_t Drawing::name_of(const std::vector<std::string>& group) {
 void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules) {
   if (curves_ > 0 && rules != rules_) rules = "several rules";
   rules_ = std::move(rules);
-  SceneCurve curve{0, stored.keys, stored.segments, stored.closed};
+  SceneCurve curve{0, stored.keys, with_rotations_as_cubics(stored.segments), stored.closed};
   const bool is_drawn = curves_++ < Scene::most_curves;
   while (stored.placed) {
     const std::optional<SampleBlock> block = stored.placed->blocks();

@@ -66,7 +66,13 @@ Facts intentions(const Job& job, const Input& input) {
   if (job.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
-  add("metric", job.curve.metric.value_or("all channels"));
+  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
+    std::vector<std::string_view> names;
+    for (const std::size_t channel : input.rotations[i]) names.push_back(input.channels[channel]);
+    const std::string name = i == 0 ? "rotation" : fmt::format("rotation {}", i + 1);
+    add(name.c_str(), fmt::format("quaternion {}", fmt::join(names, " ")));
+  }
+  add("metric", job.curve.metric.value_or(input.rotations.empty() ? "all channels" : "all channels without rotation"));
   add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));
   if (job.sampling.to) add("to", shown(*job.sampling.to));
@@ -220,6 +226,7 @@ Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
     words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
   }
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
+  if (!rules.rotations.empty()) words.emplace_back("rotation curve", std::string(name_of(rules.rotation_curve)));
   if (!facts.timed) {
     words.emplace_back("times", wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
   }

@@ -89,6 +89,20 @@ ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs) {
   return result;
 }
 
+namespace {
+
+/// Negates a computed quaternion where that is nearer to the given one.
+void align(std::span<Cell> cells, const std::array<std::size_t, 4>& numbers, const MatchedColumns& columns,
+           std::span<const double> given) {
+  double cosine = 0;
+  for (const std::size_t i : numbers)
+    cosine += cells[columns.compared[i].computed].hi * given[columns.compared[i].given];
+  if (!(cosine < 0)) return;
+  for (const std::size_t i : numbers) cells[columns.compared[i].computed].hi *= -1;
+}
+
+}  // namespace
+
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
                  const IndexedCurve& curve, const Limits& limits) {
   const Time first = columns.by_length ? Time(0.0) : curve.extent.first;
@@ -123,8 +137,9 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
   return result;
 }
 
-void for_each_row(const Places& places, const MatchedColumns& columns, const IndexedCurve& curve, bool from_left,
-                  unsigned threads, const std::function<void(std::size_t, std::span<const Cell>)>& use) {
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
+                  const IndexedCurve& curve, bool from_left, unsigned threads,
+                  const std::function<void(std::size_t, std::span<const Cell>)>& use) {
   const auto place = [&places](std::uint64_t row) { return places.places[row]; };
   const auto evaluate_all = [&](const auto& locator) {
     const auto cells_of = [&columns, locator](const SampleBlock& block) {
@@ -138,10 +153,12 @@ void for_each_row(const Places& places, const MatchedColumns& columns, const Ind
                          : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolation,
                                                                                curve.extent.first, *curve.extent.last));
   std::size_t next = 0;
-  while (const std::optional<std::vector<Cell>> block = cells()) {
+  while (std::optional<std::vector<Cell>> block = cells()) {
     const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
     for (std::size_t at = 0; at < block->size(); at += width) {
-      use(places.rows[next++], std::span(*block).subspan(at, width));
+      const std::span row = std::span(*block).subspan(at, width);
+      for (const auto& numbers : columns.rotations) align(row, numbers, columns, given.row(places.rows[next]));
+      use(places.rows[next++], row);
     }
   }
 }
@@ -235,7 +252,7 @@ void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs
   const Places places =
       places_of(pair.rows, inputs.table, columns, curve, limits_of(*job.comparison, inputs.place_name()));
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
-  for_each_row(places, columns, curve, request.from_left, inputs.threads,
+  for_each_row(pair.rows, places, columns, curve, request.from_left, inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
   if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, request.from_left});
 }

@@ -88,7 +88,7 @@ void CheckPicture::add_curve(const CheckedPair& pair) {
     for (const std::size_t channel : channels_) keys.positions.push_back(all.position(key)[channel]);
     keys.positions.resize((key + 1) * keys.channels, std::numeric_limits<double>::quiet_NaN());
   }
-  const auto segments = [segments = stored.segments, channels = channels_] {
+  const auto segments = [segments = with_rotations_as_cubics(stored.segments), channels = channels_] {
     return mapped(segments(), [channels](const SegmentBlock& block) { return with_zeros(block, channels); });
   };
   scene_.curves.push_back({0, store_of(std::move(keys)), segments, stored.closed});
@@ -97,9 +97,13 @@ void CheckPicture::add_curve(const CheckedPair& pair) {
 void CheckPicture::add_samples(const CheckedPair& pair) {
   MatchedColumns columns = pair.inputs.columns;
   columns.fields = {field_of("time"), field_of("position")};
+  const std::vector<std::string>& names = pair.inputs.kept.input.channels;
+  for (MatchedColumn& column : columns.compared) {
+    column.computed = 1 + static_cast<std::size_t>(std::ranges::find(names, column.name) - names.begin());
+  }
   const std::size_t width = pair.inputs.table.columns.size(), size = channels_.size();
   std::vector<CheckedSample> samples;
-  for_each_row(pair.places, columns, pair.indexed, pair.from_left, pair.inputs.threads,
+  for_each_row(pair.rows, pair.places, columns, pair.indexed, pair.from_left, pair.inputs.threads,
                [&](std::size_t row, std::span<const Cell> cells) {
                  CheckedSample sample{cells[0], std::vector<double>(2 * size)};
                  for (std::size_t i = 0; i < size; ++i) {

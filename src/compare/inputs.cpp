@@ -211,7 +211,8 @@ class Matcher {
 MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const Fields& given) {
   const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
   const Names names = names_of(chosen, keys);
-  MatchedColumns result{chosen, {}, {}, false, {}, {}};
+  MatchedColumns result;
+  result.fields = chosen;
   const std::size_t columns = table.columns.size() + (table.timed ? 1 : 0);
   if (names.size() != columns)
     throw Error(Exit::data, ErrorCode::unnamed_sample_columns, {columns, names.size(), names});
@@ -229,7 +230,16 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
 }  // namespace
 
 MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
-  return table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
+  MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
+  for (const spline::RotationChannels& channels : keys.rotations) {
+    std::array<std::size_t, 4> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto found = std::ranges::find(columns.compared, keys.channels[channels[i]], &MatchedColumn::name);
+      numbers[i] = static_cast<std::size_t>(found - columns.compared.begin());
+    }
+    if (std::ranges::max(numbers) < columns.compared.size()) columns.rotations.push_back(numbers);
+  }
+  return columns;
 }
 
 ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress) {

@@ -1,9 +1,12 @@
 // Inputs of a comparison: curves with their keys in memory, given samples, and the columns that match fields.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +45,10 @@ struct SampleRows {
   std::vector<std::uint64_t> lines;
 
   std::size_t size() const { return lines.size(); }
+  std::span<const double> row(std::size_t i) const {
+    const std::size_t width = numbers.size() / size();
+    return std::span(numbers).subspan(i * width, width);
+  }
 };
 
 /// A file of samples.
@@ -71,6 +78,7 @@ struct MatchedColumn {
 struct MatchedColumns {
   std::vector<std::size_t> fields;  ///< indices into fields(), whose cells make a row of the curve
   std::vector<MatchedColumn> compared;
+  std::vector<std::array<std::size_t, 4>> rotations = {};  ///< indices into compared, of the numbers of each
   std::optional<std::size_t> place;  ///< index into SampleTable::columns: the places of the samples, if not the times
   bool by_length = false;            ///< the places are arc lengths
   std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared

@@ -35,7 +35,7 @@ class Comparer {
     Candidate candidate{convention, 0, {}, 0, {}, {}};
     for (const GivenSamples& sample : samples) {
       const IndexedCurve curve = curve_of(*sample.curve, convention);
-      for_each_row(places(sample, curve), inputs_.columns, curve, true, 1,
+      for_each_row(sample.rows, places(sample, curve), inputs_.columns, curve, true, 1,
                    [&](std::size_t row, auto cells) { compare_row(candidate, sample, row, cells); });
     }
     return candidate;

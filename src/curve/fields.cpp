@@ -12,6 +12,7 @@ void write_times(Cell* first, std::size_t width, const CurveSegment&, std::span<
 }
 
 void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
+  const bool has_rotations = !segment.rotations.empty();
   for (std::size_t i = 0; i < segment.rotations.size(); ++i) {
     const auto [x_cell, y_cell, z_cell, w_cell] = segment.rotation_channels[i];
     Cell* row = first;
@@ -24,10 +25,9 @@ void write_positions(Cell* first, std::size_t width, const CurveSegment& segment
       row += width;
     }
   }
-  for (std::size_t channel = 0; channel < segment.cubics.size(); ++channel) {
-    Cell* cell = first + channel;
-    if (segment.is_rotation(channel)) continue;
-    const auto& x = segment.cubics[channel];
+  for (const auto& x : segment.cubics) {
+    Cell* cell = first++;
+    if (has_rotations && segment.is_rotation(static_cast<std::size_t>(&x - segment.cubics.data()))) continue;
     const auto put = [&](double value) {
       *cell = value;
       cell += width;

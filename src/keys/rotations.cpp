@@ -62,7 +62,7 @@ class SignChain {
   void negate(KeyBlock& block, std::size_t key) const {
     for (const std::size_t channel : channels_) {
       double& number = block.keys.positions[key * block.keys.channels + channel];
-      number = -number;
+      number = 0 - number;  // so that 0 stays without a sign
     }
     if (block.decimals.empty()) return;
     const std::size_t per_key = block.decimals.size() / block.lines.size();

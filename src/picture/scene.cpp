@@ -49,6 +49,51 @@ void include_block(SceneExtent& extent, const SegmentBlock& block, const Scene& 
   extent.segments += segments.size();
 }
 
+/// The four numbers of a rotation at a place, and their derivatives by its local parameter.
+std::array<std::pair<double, double>, 4> numbers_of(const spline::RotationSegment<double>& rotation,
+                                                    const spline::LocalParameter<double>& at) {
+  const auto q = rotation.at(at);
+  const auto [x, y, z] = rotation.rate(at);
+  const auto slope = spline::Quaternion<double>{0.5 * x, 0.5 * y, 0.5 * z, 0} * q;
+  return {{{q.x, slope.x}, {q.y, slope.y}, {q.z, slope.z}, {q.w, slope.w}}};
+}
+
+/// Each segment as short ones without ease, whose cubics have the positions and velocities of the curve at their ends.
+SegmentBlock cubic_parts(const SegmentBlock& block) {
+  constexpr int parts = 16;
+  const spline::Segments<double>& whole = block.segments;
+  SegmentBlock result{{whole.channels, {}, {}, {}}, {}, block.last, block.closes};
+  using Ends = std::vector<std::pair<double, double>>;  // position and derivative by the number of the part
+  const auto ends_at = [&](std::size_t i, int part) {
+    const double u = static_cast<double>(part) / parts;
+    const spline::Warp<double> warp = whole.warp(i);
+    const auto at = warp.at(spline::DoubleDouble(u), spline::DoubleDouble(1 - u));
+    Ends ends;
+    for (const Cubic& x : whole[i]) ends.emplace_back(spline::position(x, at), spline::first_derivative(x, at));
+    for (std::size_t rotation = 0; rotation < whole.rotation_channels.size(); ++rotation) {
+      const auto numbers = numbers_of(whole.rotations_of(i)[rotation], at);
+      for (std::size_t k = 0; k < numbers.size(); ++k) ends[whole.rotation_channels[rotation][k]] = numbers[k];
+    }
+    for (auto& [position, derivative] : ends) derivative *= warp.first_derivative(u) / parts;
+    return ends;
+  };
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    Ends before = ends_at(i, 0);
+    const Time duration = whole.times[i + 1] - whole.times[i];
+    for (int part = 0; part < parts; ++part) {
+      const Ends after = ends_at(i, part + 1);
+      result.segments.times.push_back(whole.times[i] + duration * (static_cast<double>(part) / parts));
+      for (std::size_t k = 0; k < after.size(); ++k) {
+        result.segments.cubics.push_back(
+            spline::cubic<double>(before[k].first, after[k].first, before[k].second, after[k].second));
+      }
+      before = after;
+    }
+  }
+  result.segments.times.push_back(whole.times.back());
+  return result;
+}
+
 void include_sample(SceneExtent& extent, const SceneSample& sample) {
   extent.time.include(sample.t);
   for (std::size_t i = 0; i < sample.position.size(); ++i) extent.channels[i].include(Time(sample.position[i]));
@@ -92,6 +137,14 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
     axes.push_back(*channel);
   }
   return axes.size() < 2 ? std::nullopt : std::optional(std::array{axes[0], axes[1]});
+}
+
+std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments) {
+  return [segments = std::move(segments)] {
+    return mapped(segments(), [](SegmentBlock block) {
+      return block.segments.rotations.empty() ? std::move(block) : cubic_parts(block);
+    });
+  };
 }
 
 SceneExtent extent_of(const Scene& scene) {

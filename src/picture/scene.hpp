@@ -71,6 +71,9 @@ struct PictureSize {
   int width = 0, height = 0;
 };
 
+/// The same segments with the numbers of rotations as cubics: of short parts, which are near enough for a picture.
+std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments);
+
 /// The extent of the curves, their keys and their samples.
 struct SceneExtent {
   Interval time;

@@ -50,7 +50,7 @@ std::pair<ErrorCode, std::uint64_t> refusal(const std::vector<Numbers>& quaterni
 
 TEST(Rotations, signs_are_continuous_and_the_first_is_kept) {
   const KeyBlock block = checked(block_of({{0, 0, 0, -1}, {0, 0, 0.6, 0.8}, {0, 0, -0.8, -0.6}}));
-  EXPECT_EQ(block.keys.positions, (Numbers{7, 0, 0, 0, -1, 7, -0.0, -0.0, -0.6, -0.8, 7, 0, 0, -0.8, -0.6}));
+  EXPECT_EQ(block.keys.positions, (Numbers{7, 0, 0, 0, -1, 7, 0, 0, -0.6, -0.8, 7, 0, 0, -0.8, -0.6}));
 }
 
 TEST(Rotations, a_key_without_numbers_has_no_rotation) {

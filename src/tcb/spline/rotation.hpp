@@ -12,6 +12,7 @@
 // Units: logarithms are half the angle of the turn, in radians, along its axis.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -63,6 +64,22 @@ Quaternion<T> normalized(const Quaternion<T>& q) {
   using std::sqrt;
   const T size = sqrt(dot(q, q));
   return {q.x / size, q.y / size, q.z / size, q.w / size};
+}
+
+/// For doubles, each number rounded about once. Promises: |q| = 1 to one unit in the last place of doubles below 1.
+inline Quaternion<double> normalized(const Quaternion<double>& q) {
+  DoubleDouble square;
+  for (const double number : {q.x, q.y, q.z, q.w}) {
+    const auto [value, error] = two_product(number, number);
+    square = square + DoubleDouble(value, error);
+  }
+  const DoubleDouble size = sqrt(square);
+  const double rest = size.lo / size.hi;
+  const auto divided = [&](double number) {
+    const double quotient = number / size.hi;
+    return quotient - quotient * rest;
+  };
+  return {divided(q.x), divided(q.y), divided(q.z), divided(q.w)};
 }
 
 /// A number and its derivative.
@@ -179,12 +196,14 @@ Quaternion<S> exponential(const Vector3<S>& v) {
 /// The rotation of a key, from its four numbers: normalized, unless doubles are so already.
 template <class S>
 Quaternion<S> rotation_of(std::span<const S> numbers, const RotationChannels& channels) {
+  using std::abs;
   const Quaternion<S> q{numbers[channels[0]], numbers[channels[1]], numbers[channels[2]], numbers[channels[3]]};
   if constexpr (std::is_same_v<S, double>) {
     const double excess = dot(q, q) - 1;
     if (excess <= 0x1p-52 && excess >= -0x1p-52) return q;
   }
-  return normalized(q);
+  const S largest = std::max({S(abs(q.x)), S(abs(q.y)), S(abs(q.z)), S(abs(q.w))});
+  return normalized(q * S(S(1) / power_of_two_below(largest)));  // whose squares do not overflow
 }
 
 /// The curve of a rotation between two keys, or a part of it.
