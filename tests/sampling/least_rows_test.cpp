@@ -5,7 +5,7 @@
 #include <random>
 
 #include "sampling/sampler.hpp"
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/tangents.hpp"
 
 namespace tcb {
 namespace {

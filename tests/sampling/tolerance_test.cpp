@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 #include "sampling/sampler.hpp"
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/tangents.hpp"
 
 namespace tcb {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/tangents.hpp"
 
 namespace tcb::spline {
 
