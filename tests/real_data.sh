@@ -24,6 +24,6 @@ check "stamps" "$(echo "$stamps" | cksum)" "$(echo "$want" | cksum)"
 # Rotations stay rotations.
 if command -v python3 >/dev/null; then
   unit() { python3 "$(dirname "$0")/unit_rotations.py" "$@"; }
-  "$program" --step 0.01 "$tum" | unit qx qy qz qw
-  "$program" --step 5000000 "$euroc" | unit 'q_RS_x []' 'q_RS_y []' 'q_RS_z []' 'q_RS_w []'
+  "$program" -q --step 0.01 "$tum" | unit qx qy qz qw
+  "$program" -q --step 5000000 "$euroc" | unit 'q_RS_x []' 'q_RS_y []' 'q_RS_z []' 'q_RS_w []'
 fi

@@ -45,7 +45,7 @@ def log(q):
 
 def exp(v):
     angle = norm(v)
-    return [mpf(1), mpf(0), mpf(0), mpf(0)] if angle == 0 else [mpmath.cos(angle), *scaled(v, mpmath.sin(angle) / angle)]
+    return [mpmath.cos(angle), *(v if angle == 0 else scaled(v, mpmath.sin(angle) / angle))]
 
 
 def turned(q, v):
@@ -97,7 +97,8 @@ class Rotations:
         n, h = self.count, [b - a for a, b in zip(self.times, self.times[1:])]
         self.outs, self.ins = [None] * n, [None] * n  # of segment i: at its start, and at its end
         # The numbers of the last key of a closed curve are those of the first, or their negatives.
-        flip = -1 if self.closed and self.curve == "components" and dot(self.quaternions[0], self.quaternions[-1]) < 0 else 1
+        flips = self.closed and self.curve == "components" and dot(self.quaternions[0], self.quaternions[-1]) < 0
+        flip = -1 if flips else 1
         for i in range(0 if self.closed else 1, n):
             before = scaled(self.chords[i - 1], flip if i == 0 else 1)
             into, out = tangents(rule, before, self.chords[i], h[i - 1], h[i], *self.keys[i][2])
@@ -108,13 +109,14 @@ class Rotations:
             self.ins[i - 1], self.outs[i] = scaled(into, flip if i == 0 else 1), out
         if self.closed:
             return
-        (fa, fb, _, _), (_, _, fc, fd) = factors(*self.keys[0][2]), factors(*self.keys[-1][2])
+        one, two = self.keys[0][2], self.keys[-1][2]
+        (fa, fb, _, _), (_, _, fc, fd) = factors(*one), factors(*two)
         other = (self.ins[0], self.outs[-1]) if n > 1 else (self.chords[0], self.chords[0])
-        self.outs[0] = end_tangent(self.ends[0], fb, fa, self.keys[0][2][0], self.chords[0], other[0], h[0], None, n == 1)
-        self.ins[-1] = end_tangent(self.ends[1], fc, fd, self.keys[-1][2][0], self.chords[-1], other[1], h[-1], None, n == 1)
+        self.outs[0] = end_tangent(self.ends[0], fb, fa, one[0], self.chords[0], other[0], h[0], None, n == 1)
+        self.ins[-1] = end_tangent(self.ends[1], fc, fd, two[0], self.chords[-1], other[1], h[-1], None, n == 1)
 
     def controls(self, i):
-        """The four points of casteljau. A natural end is the middle of the keys, as the Python package splines has it."""
+        """The four points of casteljau. At a natural end, the middle of the keys, as the Python package splines has it."""
         p, q = self.quaternions[i:i + 2]
         points = [p, turned(p, scaled(self.outs[i], mpf(1) / 3)), turned(q, scaled(self.ins[i], mpf(-1) / 3)), q]
         if not self.closed and not self.two and i == 0 and self.ends[0] == "natural":

@@ -49,11 +49,14 @@ def report(what, got, want, keys_text=None):
         print(f"{what}\n  got      {got}\n  expected {want}" + (f"\n{keys_text}" if keys_text else ""), file=sys.stderr)
 
 
+def keep(kind, error):
+    largest[kind], compared[kind] = max(largest.get(kind, mpf(0)), error), compared.get(kind, 0) + 1
+
+
 def within(what, got, want, limit, *context):
     """Whether numbers are equal within a limit; the largest difference of each kind is kept."""
     error = max(abs(mpf(g) - w) for g, w in zip(got, want, strict=True))
-    kind = what.split(":")[0]
-    largest[kind], compared[kind] = max(largest.get(kind, mpf(0)), error), compared.get(kind, 0) + 1
+    keep(what.split(":")[0], error)
     if error > limit:
         report(f"{what}: differs by {mpmath.nstr(error, 3)}", list(got), [mpmath.nstr(w, 20) for w in want], *context)
     return error <= limit
@@ -92,10 +95,11 @@ def exact(keys):
 
 
 def is_unit(row):
-    """The norm is 1 within 2 units in the last place, by exact arithmetic."""
+    """The norm is 1 within 2 units in the last place of 1, by exact arithmetic."""
     square = sum(Fraction(x) ** 2 for x in row)
     ulp = Fraction(1, 2 ** 52)
-    return (1 - 2 * ulp / 2) ** 2 <= square <= (1 + 2 * ulp) ** 2
+    keep("norm in units of 1", mpf(float(abs(square - 1) / 2 / ulp)))
+    return (1 - 2 * ulp) ** 2 <= square <= (1 + 2 * ulp) ** 2
 
 
 def check_rows(what, got, keys_text):
@@ -235,11 +239,11 @@ def check_laws(keys, options, reference):
         got = list(map(wxyz, rows(csv_of(back), *mirrored, *at([-t for t in reversed(times)]))))
         same(f"law of reversal: {options}", got, base[::-1], limit, keys_text)
     at_keys = list(map(wxyz, rows(keys_text, *options, *at([key[0] for key in keys]))))
-    same(f"law of keys: {options}", at_keys, [key[1] for key in keys], mpf("2.5e-16"), keys_text)
+    same(f"law of keys: {options}", at_keys, reference.quaternions[:len(keys)], mpf("2.5e-16"), keys_text)
 
 
 def check_one_axis():
-    """Turns about one axis by casteljau are the curve of the angle, without the natural ends."""
+    """Turns about one axis by casteljau are the curve of the angle, without natural ends and arcs of half a circle."""
     keys = random_keys(True)
     angles, axis = [draw.uniform(-2, 2)], random_rotation()[:3]
     axis = q4.scaled(list(map(mpf, axis)), 1 / q4.norm(list(map(mpf, axis))))
@@ -248,8 +252,12 @@ def check_one_axis():
     turns = [(t, list(map(float, q4.exp(q4.scaled(axis, mpf(a) / 2)))), *rest) for (t, _, *rest), a in zip(keys, angles)]
     plain = "t,a,tension,continuity,bias,ease_in,ease_out\n" + "".join(
         ",".join(map(text, [t, a, *tcb, *ease])) + "\n" for (t, _, tcb, ease), a in zip(keys, angles))
-    ends = draw.choice([rule for rule in end_rules if rule != "natural"])
-    options = ["--tangents", draw.choice(tangent_rules), "--ends", ends, "--count", "33"]
+    ends, rule = draw.choice([rule for rule in end_rules if rule != "natural"]), draw.choice(tangent_rules)
+    options = ["--tangents", rule, "--ends", ends, "--count", "33"]
+    reference = q4.Rotations(exact(turns), "casteljau", rule, [ends, ends])
+    for chord, out, into in zip(reference.chords, reference.outs, reference.ins):
+        if max(q4.norm(v) for v in (out, into, [3 * d - o - m for d, o, m in zip(chord, out, into)])) > 3 * 2.2:
+            return
     got = list(map(wxyz, rows(csv_of(turns), *options, "--rotation-curve", "casteljau")))
     want = [q4.exp(q4.scaled(axis, mpf(row[1]) / 2)) for row in rows(plain, *options)]
     same(f"law of one axis: {options}", got, want, mpf("8e-15"), csv_of(turns))
@@ -267,25 +275,55 @@ def check_extrapolation():
         options = ["--extrapolate", how, "--ends", ends, "--rotation-curve", curve]
         for row in rows(csv_of(keys), *options, *at(times)):
             want = q4.nearest(reference.beyond(how, mpf(row[0])), list(map(mpf, wxyz(row))))
-            # linear: the angle has the rounding error of the velocity times the time
-            limit = mpf("4e-15") * (1 + (q4.norm(reference.at(mpf(first if row[0] < first else last))[1])
-                                         * (last - first) if how == "linear" else 0))
+            limit = mpf("4e-15")
+            if how == "linear":  # the rounding error of the velocity, of the size of the segment's, grows with time
+                end, other, i = (first, keys[1][0], 0) if row[0] < first else (last, keys[-2][0], -1)
+                turn = 2 * q4.norm(reference.outs[i]) + 2 * q4.norm(reference.ins[i]) + mpf("2.5")
+                limit *= 1 + turn * abs((row[0] - end) / (other - end))
             within(f"extrapolation {how}: {options} at {row[0]}", wxyz(row), want, limit, csv_of(keys))
+
+
+def check_positions(keys, options):
+    """Rotations and positions do not see each other, also under other names and in another order of columns."""
+    places = [[draw.uniform(-9, 9) for _ in range(3)] for _ in keys]
+
+    def table(names, cells):
+        lines = [f"t,{names},tension,continuity,bias,ease_in,ease_out"]
+        for (t, q, tcb, ease), place in zip(keys, places):
+            lines.append(",".join(map(text, [t, *cells(place, q), *tcb, *ease])))
+        return "\n".join(lines) + "\n"
+
+    rotations = rows(csv_of(keys), *options, "--count", "9")
+    plain = rows(table("x,y,z", lambda p, q: p), *options, "--count", "9")
+    both = rows(table("x,y,z,a,b,c,d", lambda p, q: p + q), *options, "--count", "9", "--rotation", "quaternion=b:c:d:a")
+    if [row[:4] for row in both] != plain:
+        report(f"positions beside rotations: {options}", both, plain, csv_of(keys))
+    if [row[4:8] for row in both] != [wxyz(row) for row in rotations]:
+        report(f"names and order of columns: {options}", both, rotations, csv_of(keys))
+    mixed = table("x,qw,qx,y,qy,qz,z", lambda p, q: [p[0], q[0], q[1], p[1], q[2], q[3], p[2]])
+    lengths = rows(table("x,y,z", lambda p, q: p), *options, "--arc-count", "9")
+    got = rows(mixed, *options, "--arc-count", "9")
+    if [[row[0], row[1], row[4], row[7]] for row in got] != lengths:
+        report(f"lengths beside rotations: {options}", got, lengths, mixed)
 
 
 def check_golden(keys, options, reference):
     first, last = float(reference.times[0]), float(reference.times[-1])
-    times = [first + (last - first) * k / 8 for k in range(8)]
-    for row in rows(csv_of(keys), *options, "--golden", *at(times)):
-        value = q4.nearest(reference.at(mpf(row[0]))[0], list(map(mpf, wxyz(row))))
-        want = [float(x) if abs(x) > mpf(10) ** -40 else 0.0 for x in value]
-        if want != wxyz(row):
-            report(f"golden {options} at {row[0]}", wxyz(row), want, csv_of(keys))
+    times = [first + (last - first) * (k + .125) / 8 for k in range(8)]
+    fields = ["--fields", "time,position,angular_velocity,angular_speed"]
+    for row in rows(csv_of(keys), *options, "--golden", *fields, *at(times)):
+        value, velocity = reference.at(mpf(row[0]))
+        value = q4.nearest(value, list(map(mpf, wxyz(row))))
+        # Differences leave less than 1e-28 of a velocity that is zero.
+        want = [float(x) if abs(x) > mpf(10) ** -28 else 0.0 for x in [*value, *velocity, q4.norm(velocity)]]
+        if want != wxyz(row) + row[5:]:
+            report(f"golden {options} at {row[0]}", wxyz(row) + row[5:], want, csv_of(keys))
         compared["golden"] = compared.get("golden", 0) + 1
 
 
 check_numbers()
-probe = subprocess.run([program, "-q", "--golden", "--count", "3"], input=csv_of(numbers_keys()), text=True, capture_output=True)
+probe = subprocess.run([program, "-q", "--golden", "--count", "3"], input=csv_of(numbers_keys()), text=True,
+                       capture_output=True)
 if probe.returncode != 0:
     print("skipped: --golden of rotations:", probe.stderr.splitlines()[0])
 for number in range(cases):
@@ -295,6 +333,8 @@ for number in range(cases):
         check_one_axis()
     if number % 4 == 1:
         check_extrapolation()
+    if number % 4 == 3:
+        check_positions(curve[0], curve[1])
     if number % 4 == 2 and probe.returncode == 0:
         check_golden(*curve)
 for kind, error in sorted(largest.items()):
