@@ -152,7 +152,7 @@ def random_turn(q, widest):
 def random_keys(eased, widest=2.5):
     keys, t, q = [], draw.randint(-40, 40) / 8, random_rotation()
     for _ in range(draw.randint(2, 8)):
-        tcb = [draw.choice([0, draw.randint(-16, 16) / 32]) for _ in range(3)]
+        tcb = [draw.choice([0, draw.randint(-32, 32) / 32]) for _ in range(3)]
         ease = [draw.choice([0, draw.randint(0, 28) / 32]) for _ in range(2)] if eased else [0, 0]
         keys.append((t, q, tcb, ease))
         t, q = t + draw.randint(1, 24) / 8, random_turn(q, widest)
@@ -191,7 +191,7 @@ def check_random(number):
     for row in got:
         i = reference.segment_at(mpf(row[0]))
         # Near half a turn on the sphere of quaternions the weights of a slerp are quotients by a small sine.
-        if reference.widest(i) > 2.2:
+        if reference.widest(i) > 3:
             continue
         value, velocity = reference.at(mpf(row[0]), i)
         value = q4.nearest(value, list(map(mpf, wxyz(row))))
@@ -218,7 +218,7 @@ def same(what, one, other, limit, keys_text):
 def check_laws(keys, options, reference):
     first, last = float(reference.times[0]), float(reference.times[-1])
     times = [first + (last - first) * k / 16 for k in range(16)]
-    if max(reference.widest(i) for i in range(reference.count)) > 2.2:
+    if max(reference.widest(i) for i in range(reference.count)) > 3:
         return
     keys_text = csv_of(keys)
     base = list(map(wxyz, rows(keys_text, *options, *at(times))))
@@ -267,7 +267,7 @@ def check_extrapolation():
     keys = random_keys(False)
     ends, curve = draw.choice(end_rules), draw.choice(curves)
     reference = q4.Rotations(exact(keys), curve, "velocity", [ends, ends])
-    if max(reference.widest(i) for i in range(reference.count)) > 2.2:
+    if max(reference.widest(i) for i in range(reference.count)) > 3:
         return
     first, last = keys[0][0], keys[-1][0]
     times = [first - 2.25 * (last - first), first - (last - first) * .375, last + .125, last + 1.8125 * (last - first)]
