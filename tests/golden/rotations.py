@@ -297,14 +297,14 @@ def check_positions(keys, options):
     plain = rows(table("x,y,z", lambda p, q: p), *options, "--count", "9")
     both = rows(table("x,y,z,a,b,c,d", lambda p, q: p + q), *options, "--count", "9", "--rotation", "quaternion=b:c:d:a")
     if [row[:4] for row in both] != plain:
-        report(f"positions beside rotations: {options}", both, plain, csv_of(keys))
+        report(f"positions with rotations: {options}", both, plain, csv_of(keys))
     if [row[4:8] for row in both] != [wxyz(row) for row in rotations]:
         report(f"names and order of columns: {options}", both, rotations, csv_of(keys))
     mixed = table("x,qw,qx,y,qy,qz,z", lambda p, q: [p[0], q[0], q[1], p[1], q[2], q[3], p[2]])
     lengths = rows(table("x,y,z", lambda p, q: p), *options, "--arc-count", "9")
     got = rows(mixed, *options, "--arc-count", "9")
     if [[row[0], row[1], row[4], row[7]] for row in got] != lengths:
-        report(f"lengths beside rotations: {options}", got, lengths, mixed)
+        report(f"lengths with rotations: {options}", got, lengths, mixed)
 
 
 def check_golden(keys, options, reference):
