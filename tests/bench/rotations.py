@@ -1,8 +1,7 @@
 """Times poses: rotations.py PROGRAM RECORDING [ROWS [ROUNDS]]. A recording in the format of TUM.
 
 Each contender first runs once, and its rows are counted; those of slerp must be SciPy's rotations to 1e-6: doubles
-of times since 1970 leave no more. Then all run
-in turn; the minimum time of each is shown, and the ratio to the first.
+of times since 1970 leave no more. Then all run in turn; the minimum time of each is shown, and the ratio to the first.
 """
 
 import pathlib
