@@ -20,3 +20,10 @@ check "first name" "$(echo "$rows" | head -1 | cut -d, -f1,2)" "timestamp,p_RS_R
 stamps=$(echo "$rows" | sed 1d | cut -d, -f1)
 want=$(seq 0 $(($(echo "$stamps" | wc -l) - 1)) | awk '{printf "%s\n", $1}' | while read -r j; do echo $((1403715524907143168 + j * 5000000)); done)
 check "stamps" "$(echo "$stamps" | cksum)" "$(echo "$want" | cksum)"
+
+# Rotations stay rotations.
+if command -v python3 >/dev/null; then
+  unit() { python3 "$(dirname "$0")/unit_rotations.py" "$@"; }
+  "$program" -q --step 0.01 "$tum" | unit qx qy qz qw
+  "$program" -q --step 5000000 "$euroc" | unit 'q_RS_x []' 'q_RS_y []' 'q_RS_z []' 'q_RS_w []'
+fi
