@@ -62,7 +62,7 @@ struct ChannelScale {
 struct RotationOptions {
   bool none = false;                                       ///< their numbers are plain channels
   bool normalize = false;                                  ///< quaternions may have any norm
-  std::vector<std::vector<std::string>> quaternions = {};  ///< names or numbers of the channels of x, y, z, w
+  std::vector<std::vector<std::string>> quaternions = {};  ///< names of the channels of x, y, z, w
 };
 
 struct InputOptions {

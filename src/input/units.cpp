@@ -63,7 +63,7 @@ void rename(Input& input, const std::vector<Renaming>& renamings) {
   }
 }
 
-/// The index of a channel by its name, or by its number from 1.
+/// The index of a channel by its name, in any case if none has it exactly.
 std::size_t requested_channel(const std::string& name, const std::vector<std::string>& channels) {
   const auto exact = std::ranges::find(channels, name);
   const auto found = exact != channels.end() ? exact : std::ranges::find_if(channels, [&](const std::string& channel) {

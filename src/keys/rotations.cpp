@@ -24,27 +24,11 @@ class SignChain {
   SignChain(const spline::RotationChannels& channels, std::string name, bool normalize)
       : channels_(channels), name_(std::move(name)), normalize_(normalize) {}
 
-  void add(KeyBlock& block, std::size_t key) {
-    const std::uint64_t line = block.lines[key];
-    double* const positions = block.keys.positions.data() + key * block.keys.channels;
-    Numbers q{};
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] = positions[channels_[i]];
-    const auto missing = std::ranges::count_if(q, [](double number) { return std::isnan(number); });
-    if (missing == 4) return;
-    if (missing > 0) refuse(ErrorCode::rotation_incomplete, line, {name_});
-    const double norm = checked_norm(q, line);
-    for (double& number : q) number /= norm;
-    if (line_ != 0) {
-      constexpr double rounding = 0x1p-50;
-      const double cosine = dot(before_, q);
-      if (std::abs(cosine) <= rounding) refuse(ErrorCode::half_turn_between_keys, line, {name_, line_});
-      if (cosine < 0) {
-        negate(block, key);
-        for (double& number : q) number = -number;
-      }
-    }
-    before_ = q;
-    line_ = line;
+  /// Checks the keys of a block, and negates its quaternions where the one before needs it.
+  void add(KeyBlock& block) {
+    std::vector<bool> negated(block.size());
+    for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
+    if (!block.decimals.empty() && std::ranges::count(negated, true) > 0) negate_decimals(block, negated);
   }
 
  private:
@@ -59,20 +43,37 @@ class SignChain {
     return norm;
   }
 
-  void negate(KeyBlock& block, std::size_t key) const {
-    for (const std::size_t channel : channels_) {
-      double& number = block.keys.positions[key * block.keys.channels + channel];
-      number = 0 - number;  // so that 0 stays without a sign
-    }
-    if (block.decimals.empty()) return;
+  /// Whether the quaternion of a key was negated.
+  bool add_key(KeyBlock& block, std::size_t key) {
+    const std::uint64_t line = block.lines[key];
+    double* const positions = block.keys.positions.data() + key * block.keys.channels;
+    Numbers q{};
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = positions[channels_[i]];
+    const auto missing = std::ranges::count_if(q, [](double number) { return std::isnan(number); });
+    if (missing == 4) return false;
+    if (missing > 0) refuse(ErrorCode::rotation_incomplete, line, {name_});
+    const double norm = checked_norm(q, line);
+    for (double& number : q) number /= norm;
+    constexpr double rounding = 0x1p-50;
+    const double cosine = line_ == 0 ? 1 : dot(before_, q);
+    if (std::abs(cosine) <= rounding) refuse(ErrorCode::half_turn_between_keys, line, {name_, line_});
+    before_ = q;
+    line_ = line;
+    if (cosine > 0) return false;
+    for (const std::size_t channel : channels_) positions[channel] = 0 - positions[channel];  // 0 stays without a sign
+    for (double& number : before_) number = -number;
+    return true;
+  }
+
+  void negate_decimals(KeyBlock& block, const std::vector<bool>& negated) const {
     const std::size_t per_key = block.decimals.size() / block.lines.size();
     Texts decimals;
     for (std::size_t i = 0; i < block.decimals.size(); ++i) {
       const std::size_t number = i % per_key;
-      const bool is_its = i / per_key == key && number >= NumberOfKey::position &&
-                          std::ranges::count(channels_, number - NumberOfKey::position) > 0;
+      const bool changes = negated[i / per_key] && number >= NumberOfKey::position &&
+                           std::ranges::count(channels_, number - NumberOfKey::position) > 0;
       const std::string_view text = block.decimals[i];
-      if (!is_its || text.empty()) {
+      if (!changes || text.empty()) {
         decimals.add(text);
       } else if (text.starts_with('-')) {
         decimals.add(text.substr(1));
@@ -96,15 +97,13 @@ class SignChain {
 
 }  // namespace
 
-Source<KeyBlock> with_continuous_signs(Source<KeyBlock> blocks, std::vector<spline::RotationChannels> rotations,
-                                       std::vector<std::string> channels, bool normalize) {
+Source<KeyBlock> with_continuous_signs(Source<KeyBlock> blocks, const std::vector<spline::RotationChannels>& rotations,
+                                       const std::vector<std::string>& channels, bool normalize) {
   if (rotations.empty()) return blocks;
   auto chains = std::make_shared<std::vector<SignChain>>();
   for (const auto& rotation : rotations) chains->emplace_back(rotation, channels[rotation[0]], normalize);
   return mapped(std::move(blocks), [chains](KeyBlock block) {
-    for (std::size_t key = 0; key < block.size(); ++key) {
-      for (SignChain& chain : *chains) chain.add(block, key);
-    }
+    for (SignChain& chain : *chains) chain.add(block);
     return block;
   });
 }

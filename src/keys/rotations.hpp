@@ -14,7 +14,7 @@ namespace tcb {
 /// `normalize`: norms need not be 1 within 0.001.
 /// Throws: Error (data), at its line, for a quaternion that is zero, not whole or not of that norm, and for half a turn
 /// between two.
-Source<KeyBlock> with_continuous_signs(Source<KeyBlock> blocks, std::vector<spline::RotationChannels> rotations,
-                                       std::vector<std::string> channels, bool normalize);
+Source<KeyBlock> with_continuous_signs(Source<KeyBlock> blocks, const std::vector<spline::RotationChannels>& rotations,
+                                       const std::vector<std::string>& channels, bool normalize);
 
 }  // namespace tcb

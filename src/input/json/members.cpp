@@ -23,8 +23,14 @@ struct Arrays {
   std::vector<std::string> members;
   std::vector<std::string> channels;
 
+  bool rotation = false;  ///< and that of the numbers of a quaternion: x, y, z, w
+
+  bool is_rotation(const Found& member) const {
+    return rotation && member.array && !member.nested && member.name == "rotation" && member.numbers == 4;
+  }
   bool has(const Found& member) const {
-    return member.array && !member.nested && std::ranges::count(members, member.name) > 0;
+    const bool is_one = member.array && !member.nested && std::ranges::count(members, member.name) > 0;
+    return is_one || is_rotation(member);
   }
 };
 
@@ -39,12 +45,16 @@ Arrays arrays_of(const std::vector<Found>& members, const InputOptions& options,
       if (array != members.end()) arrays.members.push_back(array->name);
     }
   }
-  if (arrays.members.empty()) arrays.members = {"position"};
+  if (arrays.members.empty()) {
+    arrays.members = {"position"};
+    arrays.rotation = !options.rotation.none;
+  }
   return arrays;
 }
 
 /// The names of the numbers in an array, which are those of other members in front of none.
 std::vector<std::string> names_in(const Found& array, const Arrays& arrays, const std::vector<Found>& members) {
+  if (arrays.is_rotation(array)) return {"qx", "qy", "qz", "qw"};
   const bool is_alone = arrays.members.size() == 1;
   if (is_alone && !arrays.channels.empty()) return arrays.channels;
   std::vector<std::string> names = default_channel_names(array.numbers);
@@ -64,7 +74,8 @@ constexpr std::array velocity_arrays{VelocityArray{"velocity", "_v"}, VelocityAr
 /// The names of the numbers in an array of velocities; empty for others, and without an array of positions.
 std::vector<std::string> velocity_names(const Found& array, const Arrays& arrays, const std::vector<Found>& members) {
   const auto known = std::ranges::find(velocity_arrays, array.name, &VelocityArray::name);
-  const auto positions = std::ranges::find_if(members, [&](const Found& member) { return arrays.has(member); });
+  const auto positions = std::ranges::find_if(
+      members, [&](const Found& member) { return arrays.has(member) && !arrays.is_rotation(member); });
   if (known == velocity_arrays.end() || positions == members.end() || array.nested) return {};
   if (array.numbers != positions->numbers) {
     throw Error(Exit::data, ErrorCode::json_velocity_count,

@@ -35,7 +35,8 @@ template <class T>
 struct Quaternion {
   T x{}, y{}, z{}, w{};
 
-  friend Quaternion operator-(const Quaternion& q) { return {-q.x, -q.y, -q.z, -q.w}; }
+  /// The same rotation, with other signs but those of zeros.
+  friend Quaternion operator-(const Quaternion& q) { return {T(0) - q.x, T(0) - q.y, T(0) - q.z, T(0) - q.w}; }
   friend Quaternion operator+(const Quaternion& p, const Quaternion& q) {
     return {p.x + q.x, p.y + q.y, p.z + q.z, p.w + q.w};
   }
@@ -66,18 +67,20 @@ Quaternion<T> normalized(const Quaternion<T>& q) {
   return {q.x / size, q.y / size, q.z / size, q.w / size};
 }
 
-/// For doubles, each number rounded about once. Promises: |q| = 1 to one unit in the last place of doubles below 1.
+/// For doubles, each number rounded about once. Promises: |q| = 1 within 2^-52.
 inline Quaternion<double> normalized(const Quaternion<double>& q) {
-  DoubleDouble square;
-  for (const double number : {q.x, q.y, q.z, q.w}) {
-    const auto [value, error] = two_product(number, number);
-    square = square + DoubleDouble(value, error);
+  Rounded<double> square = two_product(q.x, q.x);
+  for (const double number : {q.y, q.z, q.w}) {
+    const auto product = two_product(number, number);
+    const auto sum = two_sum(square.value, product.value);
+    square = {sum.value, square.error + (sum.error + product.error)};
   }
-  const DoubleDouble size = sqrt(square);
-  const double rest = size.lo / size.hi;
+  const double size = std::sqrt(square.value);
+  const auto rounded = two_product(size, size);
+  const double excess = ((square.value - rounded.value) - rounded.error + square.error) / (2 * square.value);
   const auto divided = [&](double number) {
-    const double quotient = number / size.hi;
-    return quotient - quotient * rest;
+    const double quotient = number / size;
+    return quotient - quotient * excess;
   };
   return {divided(q.x), divided(q.y), divided(q.z), divided(q.w)};
 }
@@ -106,9 +109,9 @@ struct Dual {
     const S root = sqrt(a.value);
     return {root, a.slope / (S(2) * root)};
   }
-  friend SineCosine<Dual> sine_cosine(const Dual& angle) {
+  friend Dual sine(const Dual& angle) {
     const auto [sine, cosine] = sine_cosine(angle.value);
-    return {{sine, cosine * angle.slope}, {cosine, -sine * angle.slope}};
+    return {sine, cosine * angle.slope};
   }
   friend Dual angle_of(const Dual& y, const Dual& x) {
     return {angle_of(y.value, x.value),
@@ -156,7 +159,7 @@ class Arc {
   /// Source: M. Abramowitz, I. A. Stegun, "Handbook of Mathematical Functions", 15.1.16.
   template <class U>
   U weight(const U& u) const {
-    if (!is_short_) return sine_cosine(U(u * angle_)).sine / sine_;
+    if (!is_short_) return sine(U(u * angle_)) / sine_;
     const auto least = std::numeric_limits<value_t<U>>::epsilon() / 8;
     const U u2 = u * u;
     U sum(1), term(1);
@@ -231,7 +234,7 @@ class RotationSegment {
     return result;
   }
 
-  /// The rotation at a place. Promises: |q| = 1 to 2 units in the last place; exact at both ends of a whole curve.
+  /// The rotation at a place. Promises: |q| = 1 within 2^-52 for doubles; exact at both ends of a whole curve.
   Quaternion<S> at(const LocalParameter<S>& place) const {
     const auto [u, w] = of_whole(place);
     if (u == S(0)) return points_[0];

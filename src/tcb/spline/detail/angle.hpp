@@ -24,39 +24,75 @@ SineCosine<S> sine_cosine(const S& angle) {
   return {sin(angle), cos(angle)};
 }
 
+/// The sine alone.
+template <class S>
+S sine(const S& angle) {
+  return sin(angle);
+}
+
+/// A double as whole quarters of a turn and a rest x + low in [-pi/4, pi/4]. Requires: |angle| <= 2^20.
+class ReducedAngle {
+ public:
+  explicit ReducedAngle(double angle) : quarters_(static_cast<int>(angle * two_over_pi + (angle < 0 ? -0.5 : 0.5))) {
+    // pi/2 in three parts; the first two have 33 bits, so that their products with `count` are exact.
+    constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2e037073p-69;
+    const auto count = static_cast<double>(quarters_);
+    const auto rest = two_sum(angle - count * first, -count * second);
+    const auto reduced = DoubleDouble::normalized(rest.value, rest.error - count * third);
+    x_ = reduced.hi;
+    low_ = reduced.lo;
+  }
+
+  double sine() const {
+    switch (quarters_ & 3) {
+      case 0: return sine_of_rest();
+      case 1: return cosine_of_rest();
+      case 2: return -sine_of_rest();
+      default: return -cosine_of_rest();
+    }
+  }
+  double cosine() const {
+    switch (quarters_ & 3) {
+      case 0: return cosine_of_rest();
+      case 1: return -sine_of_rest();
+      case 2: return -cosine_of_rest();
+      default: return sine_of_rest();
+    }
+  }
+
+ private:
+  static constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
+
+  double sine_of_rest() const {
+    const double z = x_ * x_;
+    double series = 1.0 / 355687428096000;
+    for (const double factor :
+         {-1.0 / 1307674368000, 1.0 / 6227020800, -1.0 / 39916800, 1.0 / 362880, -1.0 / 5040, 1.0 / 120, -1.0 / 6}) {
+      series = factor + z * series;
+    }
+    return x_ + (z * x_ * series + low_ * (1 - 0.5 * z));
+  }
+  double cosine_of_rest() const {
+    const double z = x_ * x_;
+    double series = 1.0 / 20922789888000;
+    for (const double factor :
+         {-1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800, 1.0 / 40320, -1.0 / 720, 1.0 / 24}) {
+      series = factor + z * series;
+    }
+    const double half = 0.5 * z, rest = 1 - half;
+    return rest + (((1 - rest) - half) + (z * z * series - x_ * low_));
+  }
+
+  int quarters_;
+  double x_, low_;
+};
+
 /// For doubles. Requires: |angle| <= 2^20. Promises: within 1 ulp.
 inline SineCosine<double> sine_cosine(double angle) {
-  // pi/2 in three parts; the first two have 33 bits, so that their products with `quarters` are exact.
-  constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2e037073p-69;
-  constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
-  const double quarters = static_cast<double>(static_cast<int>(angle * two_over_pi + (angle < 0 ? -0.5 : 0.5)));
-  const auto rest = two_sum(angle - quarters * first, -quarters * second);
-  const auto [x, low] = DoubleDouble::normalized(rest.value, rest.error - quarters * third);
-  const double z = x * x;
-  const double sine_tail =
-      z * x *
-      (-1.0 / 6 +
-       z * (1.0 / 120 +
-            z * (-1.0 / 5040 + z * (1.0 / 362880 + z * (-1.0 / 39916800 +
-                                                        z * (1.0 / 6227020800 + z * (-1.0 / 1307674368000 +
-                                                                                     z * (1.0 / 355687428096000))))))));
-  const double sine = x + (sine_tail + low * (1 - 0.5 * z));
-  const double half = 0.5 * z;
-  const double cosine_tail =
-      z * z *
-      (1.0 / 24 +
-       z * (-1.0 / 720 +
-            z * (1.0 / 40320 + z * (-1.0 / 3628800 +
-                                    z * (1.0 / 479001600 + z * (-1.0 / 87178291200 + z * (1.0 / 20922789888000)))))));
-  const double one_less = 1 - half;
-  const double cosine = one_less + (((1 - one_less) - half) + (cosine_tail - x * low));
-  switch (static_cast<int>(quarters) & 3) {
-    case 0: return {sine, cosine};
-    case 1: return {cosine, -sine};
-    case 2: return {-sine, -cosine};
-    default: return {-cosine, sine};
-  }
+  const ReducedAngle reduced(angle);
+  return {reduced.sine(), reduced.cosine()};
 }
+inline double sine(double angle) { return ReducedAngle(angle).sine(); }
 
 /// The angle of the vector (x, y) in [0, pi], at a scalar that has its own. Requires: y >= 0.
 template <class S>
@@ -81,13 +117,16 @@ inline double angle_of(double y, double x) {
   const bool steep = y > width;
   const double shorter = steep ? width : y, longer = steep ? y : width;
   const double ratio = shorter / longer;
-  const std::size_t index = ratio <= 0.1875 ? 0 : static_cast<std::size_t>(ratio * 8 + 0.5);
+  const std::size_t index = ratio <= 0.1875 ? 0 : static_cast<std::size_t>(ratio * 16 + 1) / 2;
   const double tangent = 0.125 * static_cast<double>(index);
   const DoubleDouble r = (DoubleDouble(shorter) - DoubleDouble(longer) * tangent) /
                          (DoubleDouble(longer) + DoubleDouble(shorter) * tangent);
   const double z = r.hi * r.hi;
-  double series = 0;
-  for (int n = 25; n >= 3; n -= 2) series = (n % 4 == 1 ? 1.0 : -1.0) / n + z * series;
+  double series = 1.0 / 25;
+  for (const double factor : {-1.0 / 23, 1.0 / 21, -1.0 / 19, 1.0 / 17, -1.0 / 15, 1.0 / 13, -1.0 / 11, 1.0 / 9,
+                              -1.0 / 7, 1.0 / 5, -1.0 / 3}) {
+    series = factor + z * series;
+  }
   const DoubleDouble angle = eighths[index] + DoubleDouble::normalized(r.hi, r.lo + r.hi * z * series);
   if (steep) return (halved(half_turn) + (x < 0 ? angle : -angle)).hi;
   return x < 0 ? (half_turn - angle).hi : angle.hi;
