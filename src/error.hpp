@@ -46,6 +46,8 @@ enum class Option {
   input_fps,
   scale,
   rotation,
+  angles,
+  rotation_output,
   normalize,
   duplicates,
   sort,
@@ -167,6 +169,7 @@ enum class ErrorCode {
   segment_column_missing,     ///< name, name of the missing one
   rotation_column_missing,    ///< name of the missing one, names of the others
   rotation_columns_shared,    ///< name
+  velocity_of_rotation,       ///< name of a channel of it
   tcb_with_all_velocities,    ///< role
   no_channel_column,
   column_nearly_role,  ///< name, role
@@ -308,9 +311,12 @@ enum class ErrorCode {
   unknown_metric_channel,
   repeated_metric_channel,
   rotation_in_metric,
+  metric_without_rotation,
+  path_of_rotations,
   only_rotations,
   end_velocity_of_rotation,
   emit_of_rotation,
+  emit_of_angles,
   ease_with_missing_cells,
   tangents_beyond_doubles,
   length_beyond_doubles,
@@ -323,6 +329,9 @@ enum class ErrorCode {
   rotation_incomplete,        ///< name of a channel of it
   rotation_not_unit,          ///< name of a channel of it, norm
   rotation_zero,              ///< name of a channel of it
+  angle_over_turn,            ///< name of a channel of its rotation, angle in radians
+  angle_too_large,            ///< name of a channel of its rotation, angle in degrees
+  axis_zero,                  ///< name of a channel of its rotation, angle
   half_turn_between_keys,     ///< name of a channel of it, line of the key before
   equal_speed_with_velocities,
   segment_starts_elsewhere,  ///< start, end of the segment before it
@@ -409,6 +418,8 @@ enum class ErrorCode {
   expected_renamings,
   expected_scales,
   expected_rotation,
+  expected_euler_order,  ///< in a value
+  expected_rotation_form,
   expected_name_part,
   expected_axes,
   expected_size,

@@ -2,39 +2,21 @@
 #include "app/curve_pipeline.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "curve/build.hpp"
 #include "error.hpp"
 #include "exact/precision_levels.hpp"
 #include "keys/parameterize.hpp"
-#include "keys/rotations.hpp"
 #include "keys/velocities.hpp"
 
 namespace tcb {
-namespace {
-
-/// The settings of the input, checked. Throws: Error (data) about a member, at its text position.
-const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::vector<std::string>& channels) {
-  try {
-    (void)make_spec(curve_info.settings, channels);
-    return curve_info.settings;
-  } catch (const Error& error) {
-    const std::string member(setting_member(error.option()));
-    const Error in_data = error.about_member(Exit::data, member);
-    const auto place = std::ranges::find(curve_info.places, member, [](const auto& one) { return one.first; });
-    throw place == curve_info.places.end() ? in_data : in_data.at(place->second);
-  }
-}
-
-}  // namespace
-
 CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings& settings,
                              std::vector<std::size_t> fields, const std::optional<GoldenOptions>& golden,
                              const Input& input, const CurveInfo& curve_info)
     : request_(request),
-      spec_(make_spec(merged(settings, checked_settings(curve_info, input.channels)), input.channels, input.rotations)),
+      spec_(make_spec(merged(settings, checked_settings(curve_info, input.channels, input.rotations)), input.channels,
+                      input.rotations)),
       fields_(std::move(fields)),
       golden_(golden),
       timed_(input.timed),
@@ -42,25 +24,26 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       has_tcb_scale_(input.has_tcb_scale),
       threads_(input.threads),
       may_miss_(input.may_miss),
-      normalize_(input.normalize),
-      channels_(input.channels) {
-  const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
+      channels_(input.channels),
+      rotations_{input.rotations, input.given_rotations, input.channels.size(), input.normalize,
+                 spec_.preset == spline::Preset::nel} {
   request_.frame_rate = input.frame_rate;
   for (auto* const bound : {&request_.from, &request_.to}) {
     // The printed time of a frame is the frame.
     const Time nearest = *bound ? nearest_time(**bound) : Time();
     if (*bound && request_.exact(nearest) != exact_time(nearest)) *bound = request_.exact(nearest);
   }
+  const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
   if (is_in_seconds) request_.step *= units_per_second(*input.time_unit);
   if (timed_ && spec_.parameter) {
     throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);
   }
-  require_fitting_rotations(spec_, needs_metric(), request_.mode == Mode::emit);
+  require_fitting_rotations(spec_, metric_use(), request_.mode == Mode::emit);
 }
 
 bool CurvePipeline::is_single() const {
-  return (request_.count == 1 && (request_.mode == Mode::count || request_.mode == Mode::arc_count)) ||
-         request_.places.size() == 1;
+  const bool is_count = request_.mode == Mode::count || request_.mode == Mode::arc_count;
+  return (is_count && request_.count == 1) || request_.places.size() == 1;
 }
 
 bool CurvePipeline::needs_random_access() const {
@@ -72,20 +55,24 @@ bool CurvePipeline::needs_lengths() const {
          std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].needs_lengths; });
 }
 
-bool CurvePipeline::needs_metric() const {
-  return needs_lengths() || time_exponent() != 0 || request_.mode == Mode::tolerance ||
-         std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].over_metric; });
+MetricUse CurvePipeline::metric_use() const {
+  const auto is_of_path = [](std::size_t field) {
+    return fields()[field].over_metric && !fields()[field].needs_lengths;
+  };
+  const bool has_path_field = std::ranges::any_of(fields_, is_of_path);
+  if (has_path_field || time_exponent() != 0 || request_.mode == Mode::tolerance) return MetricUse::path;
+  return needs_lengths() ? MetricUse::lengths : MetricUse::nothing;
 }
 
 /// The keys with times, checked.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) const {
+  blocks = with_quaternions(std::move(blocks), rotations_);
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
   const auto other_scale = has_tcb_scale_ ? std::nullopt : scale_fault(spec_.preset);
   if (other_scale) blocks = within_tcb_scale(std::move(blocks), *other_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
   blocks = with_complete_velocities(std::move(blocks), channels_, spec_.rules.equal_speed);
-  blocks = with_continuous_signs(std::move(blocks), spec_.rules.rotations, channels_, normalize_);
   return checked(std::move(blocks), is_single() ? 1 : least);
 }
 
@@ -274,8 +261,8 @@ PlacedCurve CurvePipeline::place_anywhere(const Source<SegmentBlock>& segments, 
     const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->length());
     return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator), expected};
   }
-  const auto locator =
-      std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, *extent.last);
+  const Time& end = *extent.last;
+  const auto locator = std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, end);
   return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator), expected};
 }
 

@@ -14,6 +14,7 @@
 #include "curve/rows.hpp"
 #include "input/input.hpp"
 #include "keys/key_store.hpp"
+#include "keys/rotations.hpp"
 #include "sampling/grid.hpp"
 #include "sampling/request.hpp"
 #include "sampling/sampler.hpp"
@@ -90,7 +91,7 @@ class CurvePipeline {
   bool is_single() const;
   bool needs_random_access() const;
   bool needs_lengths() const;
-  bool needs_metric() const;
+  MetricUse metric_use() const;
   /// The exponent of the distances that make the times; 0: none do.
   double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
 
@@ -116,8 +117,8 @@ class CurvePipeline {
   bool timed_, may_be_timed_, has_tcb_scale_;
   unsigned threads_;
   bool may_miss_;
-  bool normalize_;
   std::vector<std::string> channels_;
+  RotationsOfKeys rotations_;
 };
 
 }  // namespace tcb

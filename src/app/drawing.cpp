@@ -30,7 +30,8 @@ SceneSample sample_of(std::span<const Cell> cells, const CurveSegment& segment) 
   for (std::size_t i = 0; i < channels; ++i) {
     if (!segment.is_rotation(i)) sample.velocity[i] = cells[next++].hi;
   }
-  for (const auto& [x, y, z, w] : segment.rotation_channels) {
+  for (const auto& rotation : segment.rotation_columns) {
+    const auto [x, y, z, w] = rotation.channels;
     const std::vector<double>& q = sample.position;
     const spline::Quaternion<double> rate{cells[next].hi, cells[next + 1].hi, cells[next + 2].hi, 0};
     const auto doubled = rate * spline::Quaternion<double>{q[x], q[y], q[z], q[w]};

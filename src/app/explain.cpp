@@ -29,6 +29,16 @@ std::string_view name_of(const std::array<Row, size>& names, Value Row::*member,
   return std::ranges::find(names, value, member)->name;
 }
 
+std::string in_words(const spline::RotationNotation& notation) {
+  std::string words(name_of(rotation_forms, &RotationFormName::form, notation.form));
+  if (notation.form == spline::RotationForm::euler) {
+    words += ' ';
+    for (const std::size_t axis : notation.axes) words += (notation.intrinsic ? "XYZ" : "xyz")[axis];
+  }
+  const bool has_angles = words != "quaternion" && words != "matrix";
+  return has_angles ? words + (notation.degrees ? " in degrees" : " in radians") : words;
+}
+
 /// What was detected at the beginning of an input.
 Facts input_facts(const Input& input) {
   constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "one key per line"};
@@ -49,7 +59,11 @@ Facts input_facts(const Input& input) {
   }
   if (!input.own_curves) list("group", input.groups);
   if (input.timed) add("time", input.time);
-  list("position", input.channels);
+  std::vector<std::string> positions;
+  for (const OutputColumn& column : output_columns(std::array{field_of("position")}, input)) {
+    positions.push_back(column.name);
+  }
+  list("position", positions);
   for (const std::string& role : input.facts.roles) add(role, "in a column");
   list("carry", input.carried);
   list("left out", input.ignored);
@@ -67,10 +81,12 @@ Facts intentions(const Job& job, const Input& input) {
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    std::vector<std::string_view> names;
-    for (const std::size_t channel : input.rotations[i]) names.push_back(input.channels[channel]);
+    const GivenRotation& given = input.given_rotations[i];
+    const spline::RotationNotation& shown = input.rotations[i].shown;
     const std::string name = i == 0 ? "rotation" : fmt::format("rotation {}", i + 1);
-    add(name.c_str(), fmt::format("quaternion {}", fmt::join(names, " ")));
+    const std::string rows = shown == given.notation ? "" : fmt::format(", in rows {}", in_words(shown));
+    add(name.c_str(), fmt::format("{}{} {}{}", given.relative ? "relative " : "", in_words(given.notation),
+                                  fmt::join(given.columns, " "), rows));
   }
   add("metric", job.curve.metric.value_or(input.rotations.empty() ? "all channels" : "all channels without rotation"));
   add("samples", samples_in_words(job.sampling));

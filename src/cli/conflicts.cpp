@@ -120,6 +120,7 @@ constexpr std::array table{
     // input
     Conflict{{O::header, O::no_header}, exclude},
     Conflict{{O::time_unit, O::input_fps}, exclude},
+    Conflict{{O::angles}, need, {O::rotation, O::rotation_output}, ", which tells where angles are"},
     Conflict{text_input, idle, {O::input_format}, "", has_json_input},
     Conflict{{O::decimal, O::delimiter}, exclude, {}, "", has_one_comma_for_two},
     // curve
@@ -141,12 +142,12 @@ constexpr std::array table{
     // pictures
     Conflict{{O::plot}, exclude, {O::output_format}},
     Conflict{{O::axes, O::title, O::size}, idle, {}, " on an output that is not a picture", has_no_picture},
-    Conflict{
-        notations | OptionSet{O::fields, O::side, O::golden, O::exact_input, O::meta, O::no_output_header, O::emit},
-        idle,
-        {O::output_format, O::plot},
-        ", which draws the curve and has no rows",
-        has_picture},
+    Conflict{notations | OptionSet{O::fields, O::side, O::golden, O::exact_input, O::meta, O::no_output_header, O::emit,
+                                   O::rotation_output},
+             idle,
+             {O::output_format, O::plot},
+             ", which draws the curve and has no rows",
+             has_picture},
     // output
     Conflict{{O::side}, idle, {}, " on these fields, which are the same on both sides", has_no_side},
     Conflict{notations, exclude},

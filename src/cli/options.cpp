@@ -94,10 +94,21 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::scale, "--scale", "CHANNEL=FACTOR,...", input,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.scales = channel_scales(text); }},
-    {Option::rotation, "--rotation", "quaternion=X:Y:Z:W", input,
-     "The columns of a quaternion, which together are a rotation; once for each rotation. none: they are plain channels. By "
-     "default columns such as qx, qy, qz and qw",
-     "", other, recorded, [](Typed& to, Text text) { to.job.input.rotation = rotations(text); }},
+    {Option::rotation, "--rotation", "FORM=COLUMN:...", input,
+     "Columns that together are a rotation: quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE[,relative] or "
+     "euler=A:B:C,order=XYZ; once for each rotation. none: all are plain channels. By default columns such as qx, qy, qz "
+     "and qw",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       RotationOptions& options = to.job.input.rotation;
+       options.requests = rotations(text, options.none);
+     }},
+    {Option::angles, "--angles", "UNIT", input, "The unit of the angles of rotations: radians or degrees", "radians", name,
+     recorded, [](Typed& to, Text text) { to.job.input.rotation.degrees = named_row(angle_units, text).degrees; },
+     names_in<angle_units>},
+    {Option::rotation_output, "--rotation-output", "FORM", input,
+     "How rows show rotations: quaternion, axis-angle, matrix, or euler=XYZ; by default as the input gives them", "", other,
+     recorded, [](Typed& to, Text text) { to.job.input.rotation.shown = rotation_form(text); }},
     {Option::normalize, "--normalize", "", input, "Takes quaternions of any norm but 0, and divides them by it", "", flag, recorded,
      [](Typed& to, Text) { to.job.input.rotation.normalize = true; }},
     {Option::duplicates, "--duplicates", "POLICY", input,
@@ -134,7 +145,9 @@ constexpr std::array<OptionRow, option_count> table{{
      "Makes times for keys without any: uniform, chordal, centripetal, or an exponent of the distances", "uniform",
      name, recorded, [](Typed& to, Text text) { to.job.curve.parameter = text; }, names_in<parameter_names>},
     {Option::metric, "--metric", "CHANNEL,...", curve,
-     "The channels that lengths and speeds are measured over, by name or number; by default all", "", columns, recorded,
+     "The channels that lengths and speeds are measured over, by name or number; by default all. rotation: lengths are the "
+     "angles that rotations turn through, in radians",
+     "", columns, recorded,
      [](Typed& to, Text text) { to.job.curve.metric = text; }},
     {Option::rotation_curve, "--rotation-curve", "NAME", curve,
      "The curve between rotations, instead of the preset's: squad, casteljau, components or slerp", "", name, recorded,

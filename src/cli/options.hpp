@@ -251,8 +251,10 @@ std::vector<std::string> column_list(const std::string& text);
 std::vector<Renaming> renamings(const std::string& text);
 /// "CHANNEL=FACTOR", or several separated by commas.
 std::vector<ChannelScale> channel_scales(const std::string& text);
-/// quaternion=X:Y:Z:W for each rotation, or none.
-RotationOptions rotations(const std::string& text);
+/// FORM=COLUMN:... for each rotation, or none.
+std::vector<GivenRotation> rotations(const std::string& text, bool& none);
+/// quaternion, axis-angle, matrix or euler=ORDER.
+spline::RotationNotation rotation_form(const std::string& text);
 /// Indices into fields(), each once.
 std::vector<std::size_t> field_list(const std::string& text);
 /// A part of a file's name.

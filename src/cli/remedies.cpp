@@ -86,6 +86,10 @@ constexpr Words all_words[]{
           "to take them as plain channels"},
     Words{ErrorCode::rotation_columns_shared,
           "\"{0}\" is in two rotations, or twice in one; expected four columns for each; name others"},
+    Words{ErrorCode::velocity_of_rotation,
+          "\"{0}\" is a number of a rotation, and has a velocity; expected tension, continuity and bias; leave its "
+          "column "
+          "out with --columns ignore=NAME, or give --rotation none"},
     Words{ErrorCode::segment_column_missing,
           "\"{0}\" without \"{1}\"; expected both, where rows are segments; add it, or give --columns ignore={0}"},
     Words{ErrorCode::tcb_with_all_velocities,
@@ -354,12 +358,22 @@ constexpr Words all_words[]{
     Words{ErrorCode::rotation_in_metric,
           "{subject}: channel \"{0}\" is a number of a rotation, which has no length; expected a position; give "
           "--rotation none to take it as one"},
+    Words{ErrorCode::metric_without_rotation,
+          "{subject} rotation: there is no rotation; expected columns of one; name them with --rotation"},
+    Words{
+        ErrorCode::path_of_rotations,
+        "{subject} rotation measures angles, so that there are no distances, speeds and shapes of a path; expected arc "
+        "lengths alone; leave out the others, or give the field angular_speed"},
     Words{ErrorCode::only_rotations,
-          "there are only rotations, which have no lengths; expected a position; sample by time, or give --rotation "
+          "there are only rotations, which have no lengths; expected a position; give --metric rotation for angles, or "
+          "--rotation "
           "none to take their numbers as positions"},
     Words{ErrorCode::end_velocity_of_rotation,
           "{subject}: a velocity has a number per channel, and rotations have none; expected another end rule; give "
           "--rotation none for plain channels"},
+    Words{ErrorCode::emit_of_angles,
+          "the pieces of a rotation are those of the numbers of its quaternion; expected rows with these; give "
+          "--rotation-output quaternion"},
     Words{ErrorCode::emit_of_rotation,
           "the curve {0} of a rotation has no cubics; expected components; give --rotation-curve components, or "
           "--rotation none"},
@@ -398,6 +412,14 @@ constexpr Words all_words[]{
     Words{ErrorCode::rotation_zero,
           "the quaternion of \"{0}\" is zero, which is no rotation; expected the norm 1; correct it, or give "
           "--rotation none for plain channels"},
+    Words{ErrorCode::angle_over_turn,
+          "the rotation of \"{0}\" has an angle of {1} radians; expected no more than a whole turn, 6.2832; give "
+          "--angles degrees if that is their unit, or subtract whole turns"},
+    Words{ErrorCode::angle_too_large,
+          "the rotation of \"{0}\" has an angle of {1} degrees; expected no more than 10000 turns; check its columns "
+          "and their order"},
+    Words{ErrorCode::axis_zero,
+          "the rotation of \"{0}\" has an angle of {1} around an axis of zero; expected an axis; correct it"},
     Words{ErrorCode::half_turn_between_keys,
           "the rotation of \"{0}\" is half a turn from the one on line {1}, around an axis that nothing gives; "
           "expected less; add a key between them"},
@@ -522,8 +544,13 @@ constexpr Words all_words[]{
           "{subject} \"{0}\": expected two names with = between, or several such pairs separated by commas, as in "
           "pos_x=x,pos_y=y"},
     Words{ErrorCode::expected_rotation,
-          "{subject}: {0}; expected quaternion= and the columns of x, y, z and w, as in quaternion=qx:qy:qz:qw, or "
-          "none"},
+          "{subject}: {0}; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, after which ,relative may follow, "
+          "euler=A:B:C,order=XYZ, each with names of columns, or none"},
+    Words{ErrorCode::expected_euler_order,
+          "{subject}: {0}; expected three letters of X, Y and Z, the second other than those next to it, as in "
+          "order=ZYX for turns around the turned axes, or order=zyx around those at rest"},
+    Words{ErrorCode::expected_rotation_form,
+          "{subject}: {0}; expected quaternion, axis-angle, matrix, or euler= and an order, as in euler=ZYX"},
     Words{ErrorCode::expected_scales,
           "{subject} \"{0}\": expected a channel and a factor other than 0, or several separated by commas, such "
           "as x=0.01,y=1/3"},

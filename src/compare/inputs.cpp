@@ -231,7 +231,8 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
 
 MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
   MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
-  for (const spline::RotationChannels& channels : keys.rotations) {
+  for (const auto& [channels, shown, cells] : keys.rotations) {
+    if (shown.form != spline::RotationForm::quaternion) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto found = std::ranges::find(columns.compared, keys.channels[channels[i]], &MatchedColumn::name);

@@ -9,6 +9,7 @@
 #include "curve/keyed_curve.hpp"
 #include "error.hpp"
 #include "keys/parameterize.hpp"
+#include "sampling/segment_length.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/tangents.hpp"
 #include "text/decimal_time.hpp"
@@ -21,10 +22,10 @@ using spline::DoubleDouble;
 
 /// Sets the lengths of the segments.
 void measure(SegmentBlock& block, const Rules& rules) {
-  spline::ArcLength<double> arc;
+  SegmentLength<double> arc;
   block.lengths.reserve(block.segments.size());
   for (std::size_t i = 0; i < block.segments.size(); ++i) {
-    arc.assign(block.segments[i], rules.metric);
+    arc.assign(block.segments[i], block.segments.rotations_of(i), rules.metric);
     if (!std::isfinite(arc.total().value)) {
       throw Error(Exit::data, ErrorCode::tangents_beyond_doubles,
                   {time_text(block.segments.times[i]), time_text(block.segments.times[i + 1])});

@@ -45,13 +45,21 @@ CurveSpec make_spec(const CurveSettings& settings);
 /// about its option, also for a metric channel that does not exist or belongs to a rotation, or a velocity with another
 /// number of channels.
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<spline::RotationChannels>& rotations = {});
+                    const std::vector<spline::RotationColumns>& rotations = {});
+
+/// The settings of an input, checked. Throws: Error (data) about a member, at its text position.
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::vector<std::string>& channels,
+                                      const std::vector<spline::RotationColumns>& rotations);
 
 /// What tension, continuity and bias beyond 5 are, where the preset's product shows another scale than the formulas.
 std::optional<ErrorCode> scale_fault(spline::Preset preset);
 
-/// Throws: Error (data) for distances where there are only rotations, and for cubics of rotations that have none.
-void require_fitting_rotations(const CurveSpec& spec, bool needs_metric, bool emits);
+/// What is used of the metric: lengths along the curve, or also distances and speeds.
+enum class MetricUse { nothing, lengths, path };
+
+/// Throws: Error (data) for lengths where there are only rotations, for distances where lengths are angles, and for
+/// cubics of rotations that have none.
+void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits);
 
 using Rules = spline::CurveRules<double>;
 

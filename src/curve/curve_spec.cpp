@@ -144,13 +144,19 @@ CurveSpec make_spec(const CurveSettings& settings) {
 }
 
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<spline::RotationChannels>& rotations) {
+                    const std::vector<spline::RotationColumns>& rotations) {
   CurveSpec spec = make_spec(settings);
   spec.rules.rotations = rotations;
   const auto is_rotation = [&](std::size_t channel) {
-    return std::ranges::any_of(rotations, [&](const auto& four) { return std::ranges::count(four, channel) > 0; });
+    return std::ranges::any_of(rotations,
+                               [&](const auto& one) { return std::ranges::count(one.channels, channel) > 0; });
   };
-  const auto metric = settings.metric ? split(*settings.metric, ',') : std::vector<std::string_view>{};
+  auto metric = settings.metric ? split(*settings.metric, ',') : std::vector<std::string_view>{};
+  if (settings.metric == "rotation" && !find_channel("rotation", channels)) {
+    if (rotations.empty()) refuse(Option::metric, ErrorCode::metric_without_rotation);
+    spec.rules.metric = {spline::turn_metric};
+    metric.clear();
+  }
   for (const std::string_view part : metric) {
     const std::string name(part);
     const auto channel = find_channel(name, channels);
@@ -161,7 +167,8 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
     }
     spec.rules.metric.push_back(*channel);
   }
-  for (std::size_t i = 0; metric.empty() && !rotations.empty() && i < channels.size(); ++i) {
+  const bool all = !settings.metric && !rotations.empty();
+  for (std::size_t i = 0; all && i < channels.size(); ++i) {
     if (!is_rotation(i)) spec.rules.metric.push_back(i);
   }
   spec.lacks_metric = !rotations.empty() && spec.rules.metric.empty();
@@ -175,6 +182,19 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   return spec;
 }
 
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::vector<std::string>& channels,
+                                      const std::vector<spline::RotationColumns>& rotations) {
+  try {
+    (void)make_spec(curve_info.settings, channels, rotations);
+    return curve_info.settings;
+  } catch (const Error& error) {
+    const std::string member(setting_member(error.option()));
+    const Error in_data = error.about_member(Exit::data, member);
+    const auto place = std::ranges::find(curve_info.places, member, [](const auto& one) { return one.first; });
+    throw place == curve_info.places.end() ? in_data : in_data.at(place->second);
+  }
+}
+
 std::optional<ErrorCode> scale_fault(spline::Preset preset) {
   using enum spline::Preset;
   constexpr std::array with_0_to_50{max3ds, nel, gamebryo, lib3ds1, lib3ds2};
@@ -182,9 +202,17 @@ std::optional<ErrorCode> scale_fault(spline::Preset preset) {
   return preset == lightwave ? std::optional(ErrorCode::tcb_in_percent) : std::nullopt;
 }
 
-void require_fitting_rotations(const CurveSpec& spec, bool needs_metric, bool emits) {
-  if (spec.lacks_metric && needs_metric) throw Error(Exit::data, ErrorCode::only_rotations);
+void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {
+  if (spec.lacks_metric && use != MetricUse::nothing) throw Error(Exit::data, ErrorCode::only_rotations);
+  if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
+    refuse(Option::metric, ErrorCode::path_of_rotations);
+  }
   const spline::RotationCurve curve = spec.rules.rotation_curve;
+  const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
+  if (emits && curve == spline::RotationCurve::components &&
+      !std::ranges::all_of(spec.rules.rotations, is_quaternion)) {
+    throw Error(Exit::data, ErrorCode::emit_of_angles).about(Option::emit);
+  }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
     throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(Option::emit);
   }

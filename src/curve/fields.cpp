@@ -2,6 +2,9 @@
 #include "curve/fields.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -11,39 +14,89 @@ void write_times(Cell* first, std::size_t width, const CurveSegment&, std::span<
   for (std::size_t i = 0; i < samples.size(); ++i) first[i * width] = samples[i].t;
 }
 
-void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
-  const bool has_rotations = !segment.rotations.empty();
-  for (std::size_t i = 0; i < segment.rotations.size(); ++i) {
-    const auto [x_cell, y_cell, z_cell, w_cell] = segment.rotation_channels[i];
-    Cell* row = first;
-    for (const Sample& sample : samples) {
-      const auto [x, y, z, w] = segment.rotations[i].at(sample.at);
-      row[x_cell] = x;
-      row[y_cell] = y;
-      row[z_cell] = z;
-      row[w_cell] = w;
-      row += width;
+std::vector<PositionCell> position_cells(std::size_t channels, std::span<const spline::RotationColumns> rotations) {
+  std::vector<PositionCell> cells;
+  for (std::size_t channel = 0; channel < channels; ++channel) {
+    PositionCell cell{channel};
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      const auto own = std::ranges::find(rotations[i].channels, channel);
+      if (own == rotations[i].channels.end()) continue;
+      cell.rotation = i;
+      cell.number = static_cast<std::size_t>(own - rotations[i].channels.begin());
+    }
+    const bool is_other_form =
+        cell.rotation != PositionCell::none && rotations[cell.rotation].shown.form != spline::RotationForm::quaternion;
+    if (!is_other_form) {
+      cells.push_back(cell);
+    } else if (channel == std::ranges::min(rotations[cell.rotation].channels)) {
+      const std::size_t count = rotations[cell.rotation].shown.numbers();
+      for (std::size_t i = 0; i < count; ++i) cells.push_back({PositionCell::none, cell.rotation, i});
     }
   }
-  for (const auto& x : segment.cubics) {
-    Cell* cell = first++;
-    if (has_rotations && segment.is_rotation(static_cast<std::size_t>(&x - segment.cubics.data()))) continue;
-    const auto put = [&](double value) {
-      *cell = value;
-      cell += width;
-    };
-    for (std::size_t i = 0; i < samples.size();) {
-      const auto& at = samples[i].at;
-      if (i + 1 < samples.size() && spline::can_pair(at, samples[i + 1].at)) {
-        const spline::DoublePair both = spline::positions(x, at, samples[i + 1].at);
-        put(both[0]);
-        put(both[1]);
-        i += 2;
-      } else {
-        put(spline::position(x, at));
-        ++i;
-      }
+  return cells;
+}
+
+namespace {
+
+/// Writes the column of a channel of all samples.
+void write_channel(Cell* cell, std::size_t width, const spline::Cubic<double>& x, std::span<const Sample> samples) {
+  const auto put = [&](double value) {
+    *cell = value;
+    cell += width;
+  };
+  for (std::size_t i = 0; i < samples.size();) {
+    const auto& at = samples[i].at;
+    if (i + 1 < samples.size() && spline::can_pair(at, samples[i + 1].at)) {
+      const spline::DoublePair both = spline::positions(x, at, samples[i + 1].at);
+      put(both[0]);
+      put(both[1]);
+      i += 2;
+    } else {
+      put(spline::position(x, at));
+      ++i;
     }
+  }
+}
+
+/// Writes a rotation of all samples; `cells` are those of its numbers in a row.
+void write_rotation(Cell* row, std::size_t width, const spline::RotationSegment<double>& rotation,
+                    const spline::RotationNotation& shown, std::span<const std::size_t> cells,
+                    std::span<const Sample> samples) {
+  for (const Sample& sample : samples) {
+    const auto numbers = spline::numbers_of(rotation.at(sample.at), shown);
+    for (std::size_t i = 0; i < cells.size(); ++i) row[cells[i]] = numbers[i];
+    row += width;
+  }
+}
+
+}  // namespace
+
+void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
+  const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
+  const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
+  if (std::ranges::all_of(rotations, is_quaternion)) {
+    for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
+      if (!segment.is_rotation(i)) write_channel(first + i, width, segment.cubics[i], samples);
+    }
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      write_rotation(first, width, segment.rotations[i], {}, rotations[i].channels, samples);
+    }
+    return;
+  }
+  std::vector<std::array<std::size_t, 9>> cells(rotations.size());  // of each rotation's numbers
+  std::size_t next = 0;
+  for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {
+    if (cell.rotation == PositionCell::none) {
+      write_channel(first + next, width, segment.cubics[cell.channel], samples);
+    } else {
+      cells[cell.rotation][static_cast<std::size_t>(std::ranges::find(rotations[cell.rotation].cells, cell.number) -
+                                                    rotations[cell.rotation].cells.begin())] = next;
+    }
+    ++next;
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& shown = rotations[i].shown;
+    write_rotation(first, width, segment.rotations[i], shown, std::span(cells[i]).first(shown.numbers()), samples);
   }
 }
 
@@ -57,8 +110,12 @@ std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& sh
   std::size_t cells = 0;
   for (const std::size_t index : chosen) {
     const Field& field = fields()[index];
-    const std::size_t channels = shape.channels - (field.of_motion ? 4 * shape.rotations : 0);
-    cells += field.columns * (field.per_channel ? channels : field.per_rotation ? shape.rotations : 1);
+    std::size_t channels = shape.channels;
+    for (const spline::RotationColumns& rotation : shape.rotations) {
+      if (field.of_motion) channels -= rotation.channels.size();
+      if (field.shows_rotations) channels += rotation.shown.numbers() - rotation.channels.size();
+    }
+    cells += field.columns * (field.per_channel ? channels : field.per_rotation ? shape.rotations.size() : 1);
   }
   return cells;
 }
@@ -99,10 +156,20 @@ std::string column_suffix(const Field& field, std::size_t column) {
 std::vector<std::string> moving_channels(const Input& input) {
   std::vector<std::string> channels;
   for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    const auto has = [&](const spline::RotationChannels& four) { return std::ranges::count(four, i) > 0; };
+    const auto has = [&](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
     if (std::ranges::none_of(input.rotations, has)) channels.push_back(input.channels[i]);
   }
   return channels;
+}
+
+/// The names of the cells of a position.
+std::vector<std::string> position_names(const Input& input) {
+  std::vector<std::string> names;
+  for (const PositionCell& cell : position_cells(input.channels.size(), input.rotations)) {
+    names.push_back(cell.channel != PositionCell::none ? input.channels[cell.channel]
+                                                       : input.rotation_names[cell.rotation][cell.number]);
+  }
+  return names;
 }
 
 }  // namespace
@@ -111,7 +178,9 @@ std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, co
   std::vector<OutputColumn> columns;
   for (const std::size_t index : chosen) {
     const Field& field = fields()[index];
-    if (field.per_channel) {
+    if (field.shows_rotations) {
+      for (std::string& name : position_names(input)) columns.push_back({std::move(name), field.kind});
+    } else if (field.per_channel) {
       for (const std::string& channel : field.of_motion ? moving_channels(input) : input.channels) {
         for (std::size_t i = 0; i < field.columns; ++i)
           columns.push_back({channel + column_suffix(field, i), field.kind});

@@ -12,29 +12,15 @@
 #include <utility>
 #include <vector>
 
+#include "curve/cells.hpp"
 #include "curve/pieces.hpp"
 #include "curve/point.hpp"
 #include "input/input.hpp"
 #include "sampling/sampler.hpp"
+#include "tcb/spline/detail/rotation_notation.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {
-
-/// What the cells of a column are, which decides how they are written.
-enum class CellKind { time, duration, real, whole };
-
-/// The name and kind of a column of the output.
-struct OutputColumn {
-  std::string name;
-  CellKind kind = CellKind::real;
-};
-
-/// A number of a row. A time beyond 2^53 needs both parts.
-using Cell = spline::DoubleDouble;
-
-/// The cell of a number that is not defined.
-inline constexpr Cell empty_cell{0, std::numeric_limits<double>::quiet_NaN()};
-inline bool is_empty(const Cell& cell) { return cell.lo != cell.lo; }
 
 struct Field {
   std::string_view name;
@@ -43,6 +29,7 @@ struct Field {
   bool per_channel = false;          ///< columns for each channel, named after it; otherwise one
   bool of_motion = false;            ///< only for channels that are not numbers of a rotation
   bool per_rotation = false;         ///< columns for each rotation
+  bool shows_rotations = false;      ///< rotations have the columns of the form in which rows show them
   std::size_t columns = 1;           ///< for each channel or rotation; several are numbered from 0
   std::string_view odd_suffix = {};  ///< of every second one of several columns, where the suffixes alternate
   bool of_piece = false;             ///< it is of a row that is a piece, not of a sample
@@ -53,23 +40,6 @@ struct Field {
   bool is_rational = true;           ///< for rational keys at a rational time it is rational, or the root of a rational
 };
 
-/// Receives the numbers of a point, one cell after another. For exact scalars see exact/precision_levels.
-template <class S>
-class CellWriter;
-
-template <>
-class CellWriter<double> {
- public:
-  explicit CellWriter(Cell* next) : next_(next) {}
-  void add(const Cell& value) { *next_++ = value; }
-  void add(const Quantity<double>& value) { add(value.defined ? Cell(value.value) : empty_cell); }
-  /// One of a channel's numbers: a position, or with `moves` a derivative.
-  void add_of_channel(double value, std::size_t, bool) { add(value); }
-
- private:
-  Cell* next_;
-};
-
 template <class S>
 void write_time(Point<S>& point, CellWriter<S> out) {
   out.add(point.sample().t);
@@ -77,19 +47,22 @@ void write_time(Point<S>& point, CellWriter<S> out) {
 template <class S>
 void write_position(Point<S>& point, CellWriter<S> out) {
   const CurveSegmentOf<S>& segment = point.segment();
-  std::vector<S> rotated(segment.rotations.empty() ? 0 : segment.cubics.size());
+  const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
+  std::vector<std::array<S, 9>> numbers(rotations.size());  // of each rotation, in the order of its cells
   if constexpr (spline::has_roots<S>) {
-    for (std::size_t i = 0; i < segment.rotations.size(); ++i) {
-      const auto [x, y, z, w] = point.rotation(i);
-      const auto& channels = segment.rotation_channels[i];
-      rotated[channels[0]] = x;
-      rotated[channels[1]] = y;
-      rotated[channels[2]] = z;
-      rotated[channels[3]] = w;
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      const auto shown = spline::numbers_of(point.rotation(i), rotations[i].shown);
+      for (std::size_t k = 0; k < shown.size(); ++k) numbers[i][rotations[i].cells[k]] = shown[k];
     }
   }
-  for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
-    out.add_of_channel(segment.is_rotation(i) ? rotated[i] : point.position(i), i, false);
+  for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {
+    if (cell.rotation == PositionCell::none) {
+      out.add_of_channel(point.position(cell.channel), cell.channel, false);
+    } else if (cell.channel != PositionCell::none) {
+      out.add_of_channel(numbers[cell.rotation][cell.number], cell.channel, false);
+    } else {
+      out.add(numbers[cell.rotation][cell.number]);
+    }
   }
 }
 template <class S>
@@ -196,7 +169,7 @@ struct FieldOf : Field {
 template <class S>
 inline constexpr std::array sample_fields{
     FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_time<S>, write_times},
-    FieldOf<S>{{.name = "position", .per_channel = true}, write_position<S>, write_positions},
+    FieldOf<S>{{.name = "position", .per_channel = true, .shows_rotations = true}, write_position<S>, write_positions},
     FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false}, write_length<S>},
     FieldOf<S>{{.name = "velocity", .suffix = "_v", .per_channel = true, .of_motion = true, .has_side = true},
                write_derivative<S, &spline::Derivatives<S>::velocity>},
@@ -279,11 +252,12 @@ std::size_t field_of(std::string_view name);
 
 /// The channels of a row, and the rotations that four of them each make.
 struct RowShape {
-  std::size_t channels = 0, rotations = 0;
+  std::size_t channels = 0;
+  std::span<const spline::RotationColumns> rotations = {};
 };
 template <class S>
 RowShape shape_of(const CurveSegmentOf<S>& segment) {
-  return {segment.cubics.size(), segment.rotations.size()};
+  return {segment.cubics.size(), segment.rotation_columns};
 }
 
 /// The number of cells of these fields in a row.

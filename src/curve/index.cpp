@@ -90,7 +90,7 @@ CurveSegment CurveIndex::segment(std::uint64_t number) const {
           closes ? 0 : number + 1,
           decimals_,
           segments.rotations_of(i),
-          segments.rotation_channels,
+          segments.rotation_columns,
           turns_};
 }
 

@@ -73,7 +73,7 @@ class ChannelKeys {
   void append_rotations(std::vector<spline::RotationSegment<S>>& rotations, std::size_t first, std::size_t to,
                         const std::vector<spline::Time<S>>& times) const {
     const auto rest = [&](std::size_t number) {
-      const auto q = spline::rotation_of<S>(keys_.position(number), rules_.rotations[0]);
+      const auto q = spline::rotation_of<S>(keys_.position(number), rules_.rotations[0].channels);
       return spline::RotationSegment<S>(spline::RotationCurve::slerp, {q, q, q, q});
     };
     for (std::size_t number = first; number < to; ++number) {
@@ -198,7 +198,7 @@ class KeyedCurve {
       for (std::size_t k = 0; k < size; ++k) result.cubics[k * channels + i] = std::move(own[k]);
     }
     if constexpr (spline::has_roots<S>) {
-      result.rotation_channels = rotation_channels_;
+      result.rotation_columns = rotation_columns_;
       result.rotations.resize(size * rotations_.size());
       for (std::size_t i = 0; i < rotations_.size(); ++i) {
         std::vector<spline::RotationSegment<S>> own;
@@ -213,13 +213,13 @@ class KeyedCurve {
   /// Rotations whose numbers are missing in some keys run through the others, like channels.
   void add_rotations(const std::vector<bool>& missing, spline::CurveRules<S> rules,
                      const std::optional<spline::Time<S>>& period) {
-    rotation_channels_ = std::exchange(rules.rotations, {});
+    rotation_columns_ = std::exchange(rules.rotations, {});
     rules.metric.clear();
-    for (const spline::RotationChannels& channels : rotation_channels_) {
-      rules.rotations = {channels};
+    for (const spline::RotationColumns& rotation : rotation_columns_) {
+      rules.rotations = {rotation};
       std::vector<std::size_t> numbers;
       for (std::size_t key = 0; key < keys_.size(); ++key) {
-        if (!missing[key * keys_.channels + channels[0]]) numbers.push_back(key);
+        if (!missing[key * keys_.channels + rotation.channels[0]]) numbers.push_back(key);
       }
       rotations_.emplace_back(keys_, 0, keys_.channels, std::move(numbers), rules, period);
     }
@@ -233,8 +233,8 @@ class KeyedCurve {
   std::vector<spline::Time<S>> times_;  ///< of the keys, then of the first one after a period
   PartOfSegment<S> part_;               ///< of a channel that has fewer keys
   std::vector<ChannelKeys<S>> channels_;
-  std::vector<spline::RotationChannels> rotation_channels_;  ///< where positions are missing
-  std::vector<ChannelKeys<S>> rotations_;                    ///< those of each
+  std::vector<spline::RotationColumns> rotation_columns_;  ///< where positions are missing
+  std::vector<ChannelKeys<S>> rotations_;                  ///< those of each
 };
 
 }  // namespace tcb

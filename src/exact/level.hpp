@@ -15,7 +15,7 @@
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
 #include "sampling/sampler.hpp"
-#include "tcb/spline/arc_inverse.hpp"
+#include "sampling/segment_length.hpp"
 
 namespace tcb {
 
@@ -124,7 +124,7 @@ class Level final : public AnyLevel {
   /// A computed segment, with its lengths if they were requested.
   struct Known {
     spline::Segments<S> segments;
-    std::optional<spline::ArcLength<S>> arc;
+    std::optional<SegmentLength<S>> arc;
   };
 
   Known& known(std::size_t number) {
@@ -134,14 +134,14 @@ class Level final : public AnyLevel {
     return known_.emplace(number, Known{curve_->segments(number, number + 1), {}}).first->second;
   }
 
-  const spline::ArcLength<S>& arc(std::size_t number) {
+  const SegmentLength<S>& arc(std::size_t number) {
     Known& one = known(number);
-    if (!one.arc) one.arc.emplace(one.segments[0], rows_.exact.rules.metric);
+    if (!one.arc) one.arc.emplace().assign(one.segments[0], one.segments.rotations_of(0), rows_.exact.rules.metric);
     return *one.arc;
   }
 
   /// Sets the length at the sample's segment, or at its end where the sample is there, and gives the lengths on it.
-  const spline::ArcLength<S>* measured_arc() {
+  const SegmentLength<S>* measured_arc() {
     if constexpr (spline::has_roots<S>) {
       const bool at_end = sample_.at.w == S(0);
       (at_end ? segment_.s_end : segment_.s_start) = length_to(segment_.number + (at_end ? 1 : 0));
@@ -156,14 +156,16 @@ class Level final : public AnyLevel {
     if (lengths_.empty()) lengths_.push_back(S(0));
     for (std::size_t i = lengths_.size(); i <= key; ++i) {
       const spline::Segments<S> one = curve_->segments(i - 1, i);
-      lengths_.push_back(lengths_.back() + spline::ArcLength<S>(one[0], rows_.exact.rules.metric).total().value);
+      SegmentLength<S> length;
+      length.assign(one[0], one.rotations_of(0), rows_.exact.rules.metric);
+      lengths_.push_back(lengths_.back() + length.total().value);
     }
     return lengths_[key];
   }
 
   void set_turns() {
     const auto first = curve_->segments(0, 1), last = curve_->segments(curve_->size() - 1, curve_->size());
-    for (std::size_t i = 0; i < first.rotation_channels.size(); ++i) {
+    for (std::size_t i = 0; i < first.rotation_columns.size(); ++i) {
       turns_.push_back(last.rotations[i].at({S(1), S(0)}) * spline::conjugate(first.rotations[i].at({S(0), S(-1)})));
     }
   }
@@ -174,7 +176,7 @@ class Level final : public AnyLevel {
     Segment segment{one.times[0], one.times[1], S(0),   S(0),   one[0], rows_.exact.rules.metric,
                     last,         one.warp(0),  cycle_, number, 0,      last && curve_->is_closed() ? 0 : number + 1};
     segment.rotations = one.rotations_of(0);
-    segment.rotation_channels = one.rotation_channels;
+    segment.rotation_columns = one.rotation_columns;
     segment.turns = turns_;
     return segment;
   }
@@ -209,8 +211,8 @@ class Level final : public AnyLevel {
     if (shown <= printed(segment_.s_start)) return place_at_key(false, segment_.s_start);
     segment_.s_end = length_to(segment_.number + 1);
     if (shown >= printed(segment_.s_end)) return place_at_key(true, segment_.s_end);
-    spline::ArcInverse<S> inverse(arc(segment_.number), segment_.s_start, segment_.s_end);
-    const auto at = inverse.at(s);
+    spline::LocalParameter<S> at;
+    arc(segment_.number).places(segment_.s_start, segment_.s_end, {&s, 1}, {&at, 1});
     sample_ = {time_at(segment_, S(segment_.end - segment_.start), at), at, s};
   }
 

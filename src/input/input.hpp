@@ -57,14 +57,40 @@ struct ChannelScale {
   Rational factor;
 };
 
-/// Options of the reading of an input.
-/// Which channels make rotations.
-struct RotationOptions {
-  bool none = false;                                       ///< their numbers are plain channels
-  bool normalize = false;                                  ///< quaternions may have any norm
-  std::vector<std::vector<std::string>> quaternions = {};  ///< names of the channels of x, y, z, w
+/// The names of the forms of rotations.
+struct RotationFormName {
+  std::string_view name;
+  spline::RotationForm form;
+};
+inline constexpr std::array rotation_forms{RotationFormName{"quaternion", spline::RotationForm::quaternion},
+                                           RotationFormName{"axis-angle", spline::RotationForm::axis_angle},
+                                           RotationFormName{"euler", spline::RotationForm::euler},
+                                           RotationFormName{"matrix", spline::RotationForm::matrix}};
+
+/// The units of angles.
+struct AngleUnit {
+  std::string_view name;
+  bool degrees;
+};
+inline constexpr std::array angle_units{AngleUnit{"radians", false}, AngleUnit{"degrees", true}};
+
+/// How keys give a rotation.
+struct GivenRotation {
+  spline::RotationNotation notation = {};
+  bool relative = false;                  ///< to the rotation of the key before
+  std::vector<std::string> columns = {};  ///< names of those of its numbers
 };
 
+/// Which columns are rotations, and how rows show them.
+struct RotationOptions {
+  bool none = false;       ///< their numbers are plain channels
+  bool normalize = false;  ///< quaternions may have any norm
+  bool degrees = false;    ///< their angles are in degrees, else in radians
+  std::vector<GivenRotation> requests = {};
+  std::optional<spline::RotationNotation> shown = {};  ///< nothing: as they are given
+};
+
+/// Options of the reading of an input.
 struct InputOptions {
   std::optional<FormatId> format;  ///< nothing: by ending or content
   std::optional<char> delimiter;   ///< ' ' is any run of blanks and tabs
@@ -129,13 +155,15 @@ struct InputFacts {
 
 /// An opened input: the meaning of its numbers, and its keys in blocks.
 struct Input {
-  bool named = false;                                    ///< it names its columns
-  bool timed = false;                                    ///< it has a time column
-  std::string time;                                      ///< name of the time column
-  std::vector<std::string> channels;                     ///< names of the position channels
-  std::vector<spline::RotationChannels> rotations = {};  ///< which of them make rotations
-  bool normalize = false;                                ///< quaternions may have any norm
-  CurveInfo curve_info;                                  ///< of all curves, unless they have their own
+  bool named = false;                                         ///< it names its columns
+  bool timed = false;                                         ///< it has a time column
+  std::string time;                                           ///< name of the time column
+  std::vector<std::string> channels;                          ///< names of the position channels
+  std::vector<spline::RotationColumns> rotations = {};        ///< which of them make rotations
+  std::vector<GivenRotation> given_rotations = {};            ///< how keys give each
+  std::vector<std::vector<std::string>> rotation_names = {};  ///< of the cells of each, where they are not channels
+  bool normalize = false;                                     ///< quaternions may have any norm
+  CurveInfo curve_info;                                       ///< of all curves, unless they have their own
   Source<KeyBlock> keys;
   InputFacts facts = {};
   std::vector<std::string> ignored = {};               ///< names of the columns without a role
@@ -166,8 +194,8 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
 void set_units_and_names(Input& input, const InputOptions& options);
 
 /// Sets which channels make rotations, as requested or else by their names: "q" and x, y, z and w, or w, x, y and z
-/// between the same texts of which the first has a "q". Throws: Error (data) for one of four that is missing, or that
-/// is in two rotations.
+/// between the same texts of which the first has a "q". Rotations with three columns get a channel more, the last one.
+/// Throws: Error (data) for a column that is missing, or that is in two rotations, and for names that are taken.
 void set_rotations(Input& input, const RotationOptions& options);
 
 /// The largest number of faults of an input that are reported.

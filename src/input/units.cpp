@@ -37,16 +37,39 @@ void require_unit(const InputOptions& options, const std::string& time) {
 std::vector<std::string*> names_of(Input& input) {
   std::vector<std::string*> names;
   if (input.timed) names.push_back(&input.time);
-  for (auto* const list : {&input.channels, &input.groups, &input.carried}) {
+  const auto is_shown = [&](std::size_t channel) {
+    return std::ranges::none_of(input.rotations, [&](const spline::RotationColumns& rotation) {
+      return rotation.shown.form != spline::RotationForm::quaternion &&
+             std::ranges::count(rotation.channels, channel) > 0;
+    });
+  };
+  for (std::size_t i = 0; i < input.channels.size(); ++i) {
+    if (is_shown(i)) names.push_back(&input.channels[i]);
+  }
+  for (auto& list : input.rotation_names) {
+    for (std::string& name : list) names.push_back(&name);
+  }
+  for (auto* const list : {&input.groups, &input.carried}) {
     for (std::string& name : *list) names.push_back(&name);
   }
   return names;
 }
 
+/// Throws: Error (data) about an option by which two columns have the same name.
+void require_other_names(Input& input, Option option) {
+  std::vector<std::string> known;
+  for (const std::string* name : names_of(input)) {
+    if (std::ranges::count(known, *name) > 0) {
+      throw Error(Exit::data, ErrorCode::same_column_names, {*name}).about(option);
+    }
+    known.push_back(*name);
+  }
+}
+
 /// Throws: Error (data) for a name that no column has, and where two columns would have the same name.
 void rename(Input& input, const std::vector<Renaming>& renamings) {
   const std::vector<std::string*> names = names_of(input);
-  std::vector<std::string> before, after;
+  std::vector<std::string> before;
   for (const std::string* name : names) before.push_back(*name);
   for (const Renaming& renaming : renamings) {
     const auto found = std::ranges::find(before, renaming.from);
@@ -55,12 +78,7 @@ void rename(Input& input, const std::vector<Renaming>& renamings) {
     }
     *names[static_cast<std::size_t>(found - before.begin())] = renaming.to;
   }
-  for (const std::string* name : names) {
-    if (std::ranges::count(after, *name) > 0) {
-      throw Error(Exit::data, ErrorCode::same_column_names, {*name}).about(Option::rename);
-    }
-    after.push_back(*name);
-  }
+  require_other_names(input, Option::rename);
 }
 
 /// The index of a channel by its name, in any case if none has it exactly.
@@ -74,7 +92,7 @@ std::size_t requested_channel(const std::string& name, const std::vector<std::st
 }
 
 /// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, after a "q".
-std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::string>& channels) {
+std::vector<spline::RotationColumns> rotations_by_name(const std::vector<std::string>& channels) {
   constexpr std::string_view letters = "xyzw";
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::map<std::string, spline::RotationChannels> found;  // by the names without that letter
@@ -89,10 +107,10 @@ std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::s
       rotation[letter] = channel;
     }
   }
-  std::vector<spline::RotationChannels> rotations;
+  std::vector<spline::RotationColumns> rotations;
   for (const auto& [name, rotation] : found) {
     const auto missing = std::ranges::count(rotation, none);
-    if (missing == 0) rotations.push_back(rotation);
+    if (missing == 0) rotations.push_back({rotation});
     const bool is_quaternion = name[0] == 'q' && (name[1] == '*' || name[1] == '_' || name[1] == '.');
     if (missing != 1 || !is_quaternion) continue;
     std::vector<std::string> others;
@@ -103,8 +121,78 @@ std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::s
     lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
     throw Error(Exit::data, ErrorCode::rotation_column_missing, {lacking, others}).about(Option::rotation);
   }
-  std::ranges::sort(rotations, {}, [](const spline::RotationChannels& rotation) { return std::ranges::min(rotation); });
+  std::ranges::sort(rotations, {},
+                    [](const spline::RotationColumns& rotation) { return std::ranges::min(rotation.channels); });
   return rotations;
+}
+
+/// The names of the numbers of a rotation, where its columns give none; `number` follows where it is not empty.
+std::vector<std::string> names_in(const spline::RotationNotation& notation, const std::string& number) {
+  std::vector<std::string> names;
+  switch (notation.form) {
+    case spline::RotationForm::quaternion: names = {"qx", "qy", "qz", "qw"}; break;
+    case spline::RotationForm::axis_angle: names = {"ax", "ay", "az", "angle"}; break;
+    case spline::RotationForm::matrix: names = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}; break;
+    case spline::RotationForm::euler:
+      for (std::size_t i = 0; i < notation.axes.size(); ++i) {
+        const bool is_named = notation.axes[0] != notation.axes[2];
+        names.push_back(std::string("r") + (is_named ? "xyz"[notation.axes[i]] : "123"[i]));
+      }
+  }
+  for (std::string& name : names) name += number;
+  return names;
+}
+
+/// Adds a rotation with the requested columns. One with three columns gets a channel more.
+void add_rotation(Input& input, const GivenRotation& request) {
+  spline::RotationColumns rotation;
+  const std::size_t given = request.columns.size();
+  for (std::size_t i = 0; i < given; ++i) {
+    rotation.channels[i] = requested_channel(request.columns[i], input.channels);
+  }
+  if (given == 3) {
+    rotation.channels[3] = input.channels.size();
+    input.channels.push_back("rotation of " + input.channels[rotation.channels[0]]);
+  }
+  input.rotations.push_back(rotation);
+  input.given_rotations.push_back(request);
+  for (std::size_t i = 0; i < given; ++i) {
+    input.given_rotations.back().columns[i] = input.channels[rotation.channels[i]];
+  }
+}
+
+/// Sets the form in which rows show a rotation, and the names of its cells, those of the columns in their order if the
+/// form is the given one.
+void show_rotation(Input& input, std::size_t index, const spline::RotationNotation& shown) {
+  spline::RotationColumns& rotation = input.rotations[index];
+  rotation.shown = shown;
+  const std::string number = input.rotations.size() == 1 ? "" : "_" + std::to_string(index + 1);
+  std::vector<std::string> names = names_in(shown, number);
+  if (shown == input.given_rotations[index].notation) {
+    std::vector<std::size_t> columns(rotation.channels.begin(), rotation.channels.begin() + names.size());
+    std::ranges::sort(columns);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      names[i] = input.channels[columns[i]];
+      const auto cell = std::ranges::find(columns, rotation.channels[i]) - columns.begin();
+      rotation.cells[i] = static_cast<std::uint8_t>(cell);
+    }
+  } else if (shown.form == spline::RotationForm::quaternion) {
+    for (std::size_t i = 0; i < names.size(); ++i) input.channels[rotation.channels[i]] = names[i];
+    return;
+  }
+  input.rotation_names[index] = std::move(names);
+}
+
+/// Throws: Error (data) where a column is in two rotations.
+void require_own_columns(const Input& input) {
+  std::vector<bool> taken(input.channels.size());
+  for (const spline::RotationColumns& rotation : input.rotations) {
+    for (const std::size_t channel : rotation.channels) {
+      if (taken[channel])
+        throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.channels[channel]}).about(Option::rotation);
+      taken[channel] = true;
+    }
+  }
 }
 
 }  // namespace
@@ -144,22 +232,28 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
 void set_rotations(Input& input, const RotationOptions& options) {
   input.normalize = options.normalize;
   if (options.none) return;
-  if (options.quaternions.empty()) {
+  if (options.requests.empty()) {
     input.rotations = rotations_by_name(input.channels);
-  }
-  for (const std::vector<std::string>& columns : options.quaternions) {
-    spline::RotationChannels rotation{};
-    for (std::size_t i = 0; i < rotation.size(); ++i) rotation[i] = requested_channel(columns[i], input.channels);
-    input.rotations.push_back(rotation);
-  }
-  std::vector<bool> taken(input.channels.size());
-  for (const spline::RotationChannels& rotation : input.rotations) {
-    for (const std::size_t channel : rotation) {
-      if (taken[channel])
-        throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.channels[channel]}).about(Option::rotation);
-      taken[channel] = true;
+    for (const spline::RotationColumns& rotation : input.rotations) {
+      GivenRotation& given = input.given_rotations.emplace_back();
+      for (const std::size_t channel : rotation.channels) given.columns.push_back(input.channels[channel]);
     }
   }
+  for (GivenRotation request : options.requests) {
+    request.notation.degrees = options.degrees;
+    add_rotation(input, request);
+  }
+  require_own_columns(input);
+  input.rotation_names.resize(input.rotations.size());
+  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
+    const spline::RotationNotation& given = input.given_rotations[i].notation;
+    spline::RotationNotation shown = options.shown.value_or(given);
+    shown.degrees = options.degrees;
+    if (shown.form != spline::RotationForm::quaternion || given.form != spline::RotationForm::quaternion) {
+      show_rotation(input, i, shown);
+    }
+  }
+  if (options.shown) require_other_names(input, Option::rotation_output);
 }
 
 void set_units_and_names(Input& input, const InputOptions& options) {

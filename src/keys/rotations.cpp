@@ -1,4 +1,4 @@
-// Rotations among keys: the checks of quaternions, and their signs.
+// Rotations among keys: quaternions from other forms, their checks, and their signs.
 #include "keys/rotations.hpp"
 
 #include <algorithm>
@@ -6,10 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "error.hpp"
+#include "tcb/spline/detail/rotation_notation.hpp"
 
 namespace tcb {
 namespace {
@@ -17,6 +21,104 @@ namespace {
 using Numbers = std::array<double, 4>;
 
 double dot(const Numbers& a, const Numbers& b) { return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]); }
+
+[[noreturn]] void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
+  throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
+}
+
+/// Inserts one entry after every `stride` entries.
+template <class T>
+void widen(std::vector<T>& entries, std::size_t stride, const T& inserted) {
+  std::vector<T> wider;
+  wider.reserve(entries.size() / stride * (stride + 1));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    wider.push_back(entries[i]);
+    if ((i + 1) % stride == 0) wider.push_back(inserted);
+  }
+  entries = std::move(wider);
+}
+
+/// Gives a block one channel more, without positions.
+void add_channel(KeyBlock& block) {
+  Keys& keys = block.keys;
+  const std::size_t channels = keys.channels;
+  if (keys.has_channel_tcbs()) widen(keys.tcbs, channels, keys.common_tcb);
+  widen(keys.positions, channels, 0.0);
+  if (!keys.velocities.empty()) {
+    widen(keys.velocities, channels, {});
+    keys.given.push_back(false);
+  }
+  Texts decimals;
+  const std::size_t per_key = block.empty() ? 0 : block.decimals.size() / block.size();
+  for (std::size_t i = 0; i < block.decimals.size(); ++i) {
+    const std::size_t number = i % per_key;
+    decimals.add(block.decimals[i]);
+    if (number >= NumberOfKey::position && (number - NumberOfKey::position + 1) % channels == 0) decimals.add("");
+  }
+  block.decimals = std::move(decimals);
+  ++keys.channels;
+}
+
+/// One rotation of successive keys that give it in another form.
+class Conversion {
+ public:
+  Conversion(const spline::RotationChannels& channels, const GivenRotation& given, bool in_parent)
+      : channels_(channels), given_(given), in_parent_(in_parent) {}
+
+  void convert(KeyBlock& block) {
+    std::vector<bool> changed(NumberOfKey::position + block.keys.channels);
+    for (const std::size_t channel : channels_) changed[NumberOfKey::position + channel] = true;
+    for (std::size_t key = 0; key < block.size(); ++key) convert_key(block, key);
+    Texts decimals;  // those of the quaternions are the shortest
+    const std::size_t per_key = block.empty() ? 0 : block.decimals.size() / block.size();
+    for (std::size_t i = 0; i < block.decimals.size(); ++i) {
+      const std::size_t number = i % per_key;
+      decimals.add(number < changed.size() && changed[number] ? "" : block.decimals[i]);
+    }
+    block.decimals = std::move(decimals);
+  }
+
+ private:
+  void convert_key(KeyBlock& block, std::size_t key) {
+    const std::uint64_t line = block.lines[key];
+    double* const positions = block.keys.positions.data() + key * block.keys.channels;
+    const spline::RotationNotation& notation = given_.notation;
+    Numbers numbers{};
+    for (std::size_t i = 0; i < notation.numbers(); ++i) numbers[i] = positions[channels_[i]];
+    const auto lacking = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
+    if (lacking == static_cast<std::ptrdiff_t>(notation.numbers())) {
+      positions[channels_[3]] = std::numeric_limits<double>::quiet_NaN();
+      return;
+    }
+    if (lacking > 0) refuse(ErrorCode::rotation_incomplete, line, {given_.columns[0]});
+    check(numbers, line);
+    spline::Quaternion<double> q = spline::quaternion_from(numbers, notation);
+    if (given_.relative) q = before_ = spline::normalized(in_parent_ ? q * before_ : before_ * q);
+    positions[channels_[0]] = q.x;
+    positions[channels_[1]] = q.y;
+    positions[channels_[2]] = q.z;
+    positions[channels_[3]] = q.w;
+  }
+
+  void check(const Numbers& numbers, std::uint64_t line) const {
+    constexpr double turn = 6.283185307179586, most_degrees = 360e4;
+    const bool has_axis = given_.notation.form == spline::RotationForm::axis_angle;
+    const std::span<const double> angles = std::span(numbers).subspan(has_axis ? 3 : 0, has_axis ? 1 : 3);
+    for (const double angle : angles) {
+      if (std::abs(angle) > (given_.notation.degrees ? most_degrees : turn)) {
+        refuse(given_.notation.degrees ? ErrorCode::angle_too_large : ErrorCode::angle_over_turn, line,
+               {given_.columns[0], angle});
+      }
+    }
+    const bool is_zero = std::ranges::all_of(numbers.begin(), numbers.begin() + 3, [](double n) { return n == 0; });
+    if (has_axis && is_zero && numbers[3] != 0) refuse(ErrorCode::axis_zero, line, {given_.columns[0], numbers[3]});
+  }
+
+  spline::RotationChannels channels_;
+  GivenRotation given_;
+  bool in_parent_;
+  spline::Quaternion<double> before_{0, 0, 0, 1};
+};
 
 /// One rotation of successive keys.
 class SignChain {
@@ -26,6 +128,11 @@ class SignChain {
 
   /// Checks the keys of a block, and negates its quaternions where the one before needs it.
   void add(KeyBlock& block) {
+    for (const std::size_t channel : channels_) {
+      if (!block.keys.given.empty() && block.keys.given[channel]) {
+        throw Error(Exit::data, ErrorCode::velocity_of_rotation, {name_});
+      }
+    }
     std::vector<bool> negated(block.size());
     for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
     if (!block.decimals.empty() && std::ranges::count(negated, true) > 0) negate_decimals(block, negated);
@@ -84,10 +191,6 @@ class SignChain {
     block.decimals = std::move(decimals);
   }
 
-  [[noreturn]] static void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
-    throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
-  }
-
   spline::RotationChannels channels_;
   std::string name_;
   bool normalize_;
@@ -97,12 +200,21 @@ class SignChain {
 
 }  // namespace
 
-Source<KeyBlock> with_continuous_signs(Source<KeyBlock> blocks, const std::vector<spline::RotationChannels>& rotations,
-                                       const std::vector<std::string>& channels, bool normalize) {
-  if (rotations.empty()) return blocks;
+Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations) {
+  if (rotations.columns.empty()) return blocks;
+  auto conversions = std::make_shared<std::vector<Conversion>>();
   auto chains = std::make_shared<std::vector<SignChain>>();
-  for (const auto& rotation : rotations) chains->emplace_back(rotation, channels[rotation[0]], normalize);
-  return mapped(std::move(blocks), [chains](KeyBlock block) {
+  for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
+    const auto& [channels, shown, cells] = rotations.columns[i];
+    const GivenRotation& given = rotations.given[i];
+    if (given.notation.form != spline::RotationForm::quaternion) {
+      conversions->emplace_back(channels, given, rotations.in_parent);
+    }
+    chains->emplace_back(channels, given.columns[0], rotations.normalize);
+  }
+  return mapped(std::move(blocks), [conversions, chains, channels = rotations.channels](KeyBlock block) {
+    while (block.keys.channels < channels) add_channel(block);
+    for (Conversion& conversion : *conversions) conversion.convert(block);
     for (SignChain& chain : *chains) chain.add(block);
     return block;
   });

@@ -1,20 +1,28 @@
-// Rotations among keys: the checks of quaternions, and their signs.
+// Rotations among keys: quaternions from other forms, their checks, and their signs.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "input/key_block.hpp"
+#include "input/input.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
 
-/// The keys of a curve with its quaternions negated where that makes the dot product with the one before positive, so
-/// that signs are continuous. A key may lack all four numbers of a rotation.
-/// `normalize`: norms need not be 1 within 0.001.
-/// Throws: Error (data), at its line, for a quaternion that is zero, not whole or not of that norm, and for half a turn
-/// between two.
-Source<KeyBlock> with_continuous_signs(Source<KeyBlock> blocks, const std::vector<spline::RotationChannels>& rotations,
-                                       const std::vector<std::string>& channels, bool normalize);
+/// What the keys of an input have for rotations.
+struct RotationsOfKeys {
+  std::vector<spline::RotationColumns> columns;
+  std::vector<GivenRotation> given;  ///< how keys give each
+  std::size_t channels;              ///< with those that keys do not have yet
+  bool normalize = false;            ///< norms need not be 1 within 0.001
+  bool in_parent = false;            ///< a relative rotation turns in the frame outside that of the key before
+};
+
+/// The keys of a curve with the quaternions of their rotations, in blocks that have a channel for each of its numbers.
+/// They are negated where that makes the dot product with the one before positive, so that signs are continuous. A key
+/// may lack all numbers of a rotation.
+/// Throws: Error (data), at its line, for a quaternion that is zero, not whole or not of the norm 1, for an angle
+/// beyond what its unit allows, for an axis of zero, and for half a turn between two.
+Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
 
 }  // namespace tcb

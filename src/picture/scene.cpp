@@ -70,9 +70,9 @@ SegmentBlock cubic_parts(const SegmentBlock& block) {
     const auto at = warp.at(spline::DoubleDouble(u), spline::DoubleDouble(1 - u));
     Ends ends;
     for (const Cubic& x : whole[i]) ends.emplace_back(spline::position(x, at), spline::first_derivative(x, at));
-    for (std::size_t rotation = 0; rotation < whole.rotation_channels.size(); ++rotation) {
+    for (std::size_t rotation = 0; rotation < whole.rotation_columns.size(); ++rotation) {
       const auto numbers = numbers_of(whole.rotations_of(i)[rotation], at);
-      for (std::size_t k = 0; k < numbers.size(); ++k) ends[whole.rotation_channels[rotation][k]] = numbers[k];
+      for (std::size_t k = 0; k < numbers.size(); ++k) ends[whole.rotation_columns[rotation].channels[k]] = numbers[k];
     }
     for (auto& [position, derivative] : ends) derivative *= warp.first_derivative(u) / parts;
     return ends;
@@ -125,8 +125,8 @@ bool Scene::has_samples() const {
 std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
                                                     const std::vector<std::string>& requested,
                                                     const std::vector<std::size_t>& metric) {
-  std::vector<std::size_t> axes = metric;
-  for (std::size_t i = 0; metric.empty() && i < channels.size(); ++i) axes.push_back(i);
+  std::vector<std::size_t> axes = spline::is_turn(metric) ? std::vector<std::size_t>{} : metric;
+  for (std::size_t i = 0; axes.size() == i && i < channels.size(); ++i) axes.push_back(i);
   if (!requested.empty()) axes.clear();
   for (const std::string& name : requested) {
     const auto channel = find_channel(name, channels);

@@ -31,12 +31,12 @@ struct CurveSegmentOf {
   std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 if a closed curve has returned
   int decimals = 0;                          ///< of the times on it, if they have more digits than doubles; else 0
   std::span<const spline::RotationSegment<S>> rotations = {};
-  std::span<const spline::RotationChannels> rotation_channels = {};  ///< those of each rotation
+  std::span<const spline::RotationColumns> rotation_columns = {};  ///< those of each
   std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
 
   bool is_rotation(std::size_t channel) const {
-    return std::ranges::any_of(rotation_channels,
-                               [&](const auto& four) { return std::ranges::count(four, channel) > 0; });
+    return std::ranges::any_of(
+        rotation_columns, [&](const auto& rotation) { return std::ranges::count(rotation.channels, channel) > 0; });
   }
 };
 using CurveSegment = CurveSegmentOf<double>;

@@ -243,9 +243,9 @@ void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::u
 }  // namespace
 
 void locate_lengths(const CurveSegment& segment, Located& located) {
-  located.arc.assign(segment.cubics, segment.metric);
+  located.arc.assign(segment.cubics, segment.rotations, segment.metric);
   located.places.resize(located.coordinates.size());
-  spline::ArcInverse<double>(located.arc, segment.s_start, segment.s_end).at(located.coordinates, located.places);
+  located.arc.places(segment.s_start, segment.s_end, located.coordinates, located.places);
   const Time duration = segment.end - segment.start;
   located.samples.clear();
   for (std::size_t i = 0; i < located.coordinates.size(); ++i) {

@@ -16,7 +16,7 @@
 
 #include "sampling/curve_segment.hpp"
 #include "sampling/grid.hpp"
-#include "tcb/spline/arc_length.hpp"
+#include "sampling/segment_length.hpp"
 
 namespace tcb {
 
@@ -42,7 +42,7 @@ struct Located {
   std::vector<Outside> outside = {};   ///< one per sample, or none where all samples must be on the curve
   std::vector<Time> coordinates = {};  ///< the times or arc lengths of the samples
   std::vector<spline::LocalParameter<double>> places = {};
-  spline::ArcLength<double> arc = {};
+  SegmentLength<double> arc = {};
 };
 
 /// Locates samples on the segment on which they lie.

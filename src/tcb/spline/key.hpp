@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,6 +38,36 @@ struct Velocity {
 
 /// The channels that together are a rotation: those of the numbers x, y, z, w of a quaternion.
 using RotationChannels = std::array<std::size_t, 4>;
+
+/// The numbers that give a rotation: x, y, z, w; an axis and the angle around it; angles around three axes in turn; or
+/// the nine of a matrix, row after row.
+enum class RotationForm : std::uint8_t { quaternion, axis_angle, euler, matrix };
+
+/// How a rotation is written.
+struct RotationNotation {
+  RotationForm form = RotationForm::quaternion;
+  std::array<std::uint8_t, 3> axes{};  ///< of Euler angles: 0 to 2, in the order of the turns
+  bool intrinsic = true;               ///< each turn is around an axis of the frame that was turned before
+  bool degrees = false;                ///< angles are in degrees, else in radians
+
+  constexpr std::size_t numbers() const {
+    constexpr std::array<std::size_t, 4> counts{4, 4, 3, 9};
+    return counts[static_cast<std::size_t>(form)];
+  }
+  friend bool operator==(const RotationNotation&, const RotationNotation&) = default;
+};
+
+/// A rotation of keys, and how rows show it: as quaternion in its channels, otherwise in cells in place of the first of
+/// its channels.
+struct RotationColumns {
+  RotationChannels channels{};
+  RotationNotation shown = {};
+  std::array<std::uint8_t, 9> cells{0, 1, 2, 3, 4, 5, 6, 7, 8};  ///< of each number, among those of the rotation
+};
+
+/// In place of metric channels: lengths are the angles that rotations turn through.
+inline constexpr std::size_t turn_metric = std::numeric_limits<std::size_t>::max();
+constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.empty() && metric[0] == turn_metric; }
 
 /// Successive keys, each with the same number of channels.
 /// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or `channels`

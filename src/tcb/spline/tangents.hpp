@@ -161,7 +161,10 @@ class RotationOfWindow {
 
   /// Requires: at least two keys.
   RotationOfWindow(const Window<S>& window, const CurveRules<S>& rules, const RotationChannels& channels)
-      : window_(window), rules_(rules), is_linear_(rules.rotation_curve == RotationCurve::components) {
+      : window_(window),
+        rules_(rules),
+        channel_(channels[0]),
+        is_linear_(rules.rotation_curve == RotationCurve::components) {
     const Keys<S>& keys = window.keys;
     for (std::size_t key = 0; key < keys.size(); ++key) keys_.push_back(rotation_of<S>(keys.position(key), channels));
     const auto align = [&](std::size_t key, std::size_t with) {
@@ -175,15 +178,15 @@ class RotationOfWindow {
   /// The curves between the keys, segment after segment.
   std::vector<RotationSegment<S>> segments() const {
     Window<S> turns = window_;  // of as many channels as a chord has numbers
-    const std::size_t width = is_linear_ ? 4 : 3;
-    turns.keys.channels = width;
-    turns.keys.positions.assign(keys_.size() * width, S(0));
+    turns.keys.channels = is_linear_ ? 4 : 3;
+    turns.keys.positions.assign(keys_.size() * turns.keys.channels, S(0));
     turns.keys.velocities.clear();
-    if (window_.keys.has_channel_tcbs()) turns.keys.tcbs.clear();
+    if (window_.keys.has_channel_tcbs()) {
+      turns.keys.tcbs.clear();
+      for (std::size_t key = 0; key < keys_.size(); ++key) turns.keys.tcbs.push_back(window_.keys.tcb(key, channel_));
+    }
     CurveRules<S> rules = rules_;
     rules.metric.clear();
-    rules.start.velocity.clear();
-    rules.end.velocity.clear();
     const Tangents tangents(turns, rules, [&](std::size_t key, std::size_t i) { return W(chords_[key][i]); });
     std::vector<RotationSegment<S>> result;
     for (std::size_t key = window_.first_key(); key < window_.last_key(); ++key) {
@@ -236,6 +239,7 @@ class RotationOfWindow {
 
   const Window<S>& window_;
   const CurveRules<S>& rules_;
+  std::size_t channel_;  ///< the first of its own
   bool is_linear_;
   std::vector<Quaternion<S>> keys_;
   std::vector<Chord> chords_;
@@ -247,7 +251,7 @@ std::vector<RotationSegment<S>> rotation_segments(const Window<S>& window, const
   std::vector<RotationSegment<S>> result;
   const std::size_t count = rules.rotations.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const auto one = RotationOfWindow<S>(window, rules, rules.rotations[i]).segments();
+    const auto one = RotationOfWindow<S>(window, rules, rules.rotations[i].channels).segments();
     result.resize(one.size() * count);
     for (std::size_t segment = 0; segment < one.size(); ++segment) result[segment * count + i] = one[segment];
   }
@@ -260,9 +264,9 @@ Segments<S> constant_segment(const Keys<S>& keys, const CurveRules<S>& rules) {
   Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
   for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
   if constexpr (has_roots<S>) {
-    result.rotation_channels = rules.rotations;
-    for (const RotationChannels& channels : rules.rotations) {
-      const Quaternion<S> q = rotation_of<S>(keys.position(0), channels);
+    result.rotation_columns = rules.rotations;
+    for (const RotationColumns& rotation : rules.rotations) {
+      const Quaternion<S> q = rotation_of<S>(keys.position(0), rotation.channels);
       result.rotations.push_back({RotationCurve::slerp, {q, q, q, q}});
     }
   }
@@ -287,7 +291,7 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   }
   result.times.push_back(keys.times[window.last_key()]);
   if constexpr (has_roots<S>) {
-    result.rotation_channels = rules.rotations;
+    result.rotation_columns = rules.rotations;
     result.rotations = rotation_segments(window, rules);
   }
   return result;

@@ -74,9 +74,9 @@ template <class S>
 struct CurveRules {
   TangentRule tangents = TangentRule::velocity;
   EndChoice<S> start, end;
-  bool equal_speed = false;                      ///< both tangents of a key get the same speed
-  std::vector<std::size_t> metric;               ///< the channels of speeds and lengths; empty: all
-  std::vector<RotationChannels> rotations = {};  ///< not in the metric
+  bool equal_speed = false;                     ///< both tangents of a key get the same speed
+  std::vector<std::size_t> metric;              ///< the channels of speeds and lengths; empty: all; or turn_metric
+  std::vector<RotationColumns> rotations = {};  ///< not in the metric
   RotationCurve rotation_curve = RotationCurve::squad;
 };
 
@@ -97,7 +97,7 @@ struct Segments {
   std::vector<Cubic<S>> cubics;
   std::vector<Warp<S>> warps;
   std::vector<RotationSegment<S>> rotations = {};
-  std::vector<RotationChannels> rotation_channels = {};
+  std::vector<RotationColumns> rotation_columns = {};
 
   std::size_t size() const { return times.empty() ? 0 : times.size() - 1; }
   std::span<const Cubic<S>> operator[](std::size_t segment) const {
@@ -105,7 +105,7 @@ struct Segments {
   }
   Warp<S> warp(std::size_t segment) const { return warps.empty() ? Warp<S>() : warps[segment]; }
   std::span<const RotationSegment<S>> rotations_of(std::size_t segment) const {
-    return std::span(rotations).subspan(segment * rotation_channels.size(), rotation_channels.size());
+    return std::span(rotations).subspan(segment * rotation_columns.size(), rotation_columns.size());
   }
 };
 

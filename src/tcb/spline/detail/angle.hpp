@@ -43,6 +43,19 @@ class ReducedAngle {
     low_ = reduced.lo;
   }
 
+  /// An angle in degrees: multiples of 90 are exact. Requires: |degrees| <= 2^26.
+  static ReducedAngle of_degrees(double degrees) {
+    constexpr double high = 0x1.1df46a2529d39p-6, low = 0x1.5c1d8becdd291p-62;  // pi/180
+    ReducedAngle result;
+    result.quarters_ = static_cast<int>(degrees / 90 + (degrees < 0 ? -0.5 : 0.5));
+    const double rest = degrees - 90.0 * result.quarters_;
+    const auto product = two_product(rest, high);
+    const auto reduced = DoubleDouble::normalized(product.value, product.error + rest * low);
+    result.x_ = reduced.hi;
+    result.low_ = reduced.lo;
+    return result;
+  }
+
   double sine() const {
     switch (quarters_ & 3) {
       case 0: return sine_of_rest();
@@ -62,6 +75,8 @@ class ReducedAngle {
 
  private:
   static constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
+
+  ReducedAngle() = default;
 
   double sine_of_rest() const {
     const double z = x_ * x_;
@@ -83,8 +98,8 @@ class ReducedAngle {
     return rest + (((1 - rest) - half) + (z * z * series - x_ * low_));
   }
 
-  int quarters_;
-  double x_, low_;
+  int quarters_ = 0;
+  double x_ = 0, low_ = 0;
 };
 
 /// For doubles. Requires: |angle| <= 2^20. Promises: within 1 ulp.

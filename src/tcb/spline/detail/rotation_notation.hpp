@@ -1,0 +1,134 @@
+// Notations of rotations: a quaternion from numbers of another form, and back.
+//
+// Angles turn by the right-hand rule. Euler angles are in the order of their axes.
+// Source: E. Bernardes, S. Viollet, "Quaternion to Euler angles conversion", doi:10.1371/journal.pone.0276302.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/key.hpp"
+#include "tcb/spline/rotation.hpp"
+
+namespace tcb::spline {
+
+/// The cosine and sine of half an angle. Requires: |angle| <= 2^20 radians.
+inline SineCosine<double> sine_cosine_of_half(double angle, bool degrees) {
+  const ReducedAngle half = degrees ? ReducedAngle::of_degrees(angle / 2) : ReducedAngle(angle / 2);
+  return {half.sine(), half.cosine()};
+}
+
+/// The rotation that numbers give. Requires: the form is that of axis and angle or of Euler angles; an axis is not zero
+/// unless its angle is. Promises: |q| = 1 within 2^-52.
+inline Quaternion<double> quaternion_from(std::span<const double> numbers, const RotationNotation& notation) {
+  if (notation.form == RotationForm::axis_angle) {
+    const auto [sine, cosine] = sine_cosine_of_half(numbers[3], notation.degrees);
+    const double largest = std::max({std::abs(numbers[0]), std::abs(numbers[1]), std::abs(numbers[2])});
+    if (largest == 0) return {0, 0, 0, 1};
+    const double unit = power_of_two_below(largest);
+    const Quaternion<double> axis =
+        normalized(Quaternion<double>{numbers[0] / unit, numbers[1] / unit, numbers[2] / unit, 0});
+    return normalized(Quaternion<double>{axis.x * sine, axis.y * sine, axis.z * sine, cosine});
+  }
+  Quaternion<double> q{0, 0, 0, 1};
+  for (std::size_t i = 0; i < notation.axes.size(); ++i) {
+    const auto [sine, cosine] = sine_cosine_of_half(numbers[i], notation.degrees);
+    std::array<double, 3> v{};
+    v[notation.axes[i]] = sine;
+    const Quaternion<double> turn{v[0], v[1], v[2], cosine};
+    q = notation.intrinsic ? q * turn : turn * q;
+  }
+  return normalized(q);
+}
+
+/// The angle of the vector (x, y) in (-pi, pi].
+template <class S>
+S direction(const S& y, const S& x) {
+  return y < S(0) ? S(-angle_of(S(-y), x)) : angle_of(S(y), x);
+}
+
+/// A number of degrees or radians from radians.
+template <class S>
+S in_unit(const S& radians, bool degrees) {
+  if (!degrees) return radians;
+  if constexpr (std::is_same_v<S, double>) {
+    constexpr double high = 0x1.ca5dc1a63c1f8p+5, low = -0x1.1e7ab456405f9p-49;  // 180/pi
+    const auto product = two_product(radians, high);
+    return product.value + (product.error + radians * low);
+  } else {
+    return radians * S(180) / angle_of(S(0), S(-1));
+  }
+}
+
+/// Euler angles in radians: in (-pi, pi], the second one in [0, pi], or [-pi/2, pi/2] if the axes all differ. Where the
+/// second makes the first and the third axis parallel, the third angle is 0.
+template <class S>
+std::array<S, 3> euler_angles(const Quaternion<S>& q, const RotationNotation& notation) {
+  using std::sqrt;
+  auto [i, j, k] = notation.axes;
+  if (notation.intrinsic) std::swap(i, k);  // the same turns as around fixed axes in the other order
+  const bool is_proper = i == k;
+  if (is_proper) k = static_cast<std::uint8_t>(3 - i - j);
+  const int parity = (i - j) * (j - k) * (k - i) / 2;
+  const std::array<S, 3> v{q.x, q.y, q.z};
+  const S third = S(parity) * v[k];
+  const S a = is_proper ? q.w : S(q.w - v[j]), b = is_proper ? v[i] : S(v[i] + third);
+  const S c = is_proper ? v[j] : S(v[j] + q.w), d = is_proper ? third : S(third - v[i]);
+  const S pi = angle_of(S(0), S(-1)), small = S(8) * std::numeric_limits<S>::epsilon();
+  const S first = sqrt(a * a + b * b), second = sqrt(c * c + d * d);
+  S middle = S(2) * angle_of(second, first);
+  const bool is_zero = second < small, is_half_turn = first < small;
+  const S sum = is_half_turn ? S(0) : direction(b, a), difference = is_zero ? S(0) : direction(d, c);
+  S before = sum - difference, after = sum + difference;  // around i and k
+  if (is_zero || is_half_turn) {
+    S& kept = notation.intrinsic ? after : before;
+    S& other = notation.intrinsic ? before : after;
+    kept = is_zero ? S(2 * sum) : notation.intrinsic ? S(2 * difference) : S(-2 * difference);
+    other = S(0);
+  }
+  if (!is_proper) {
+    after = S(parity) * after;
+    middle = middle - pi / S(2);
+  }
+  for (S* const angle : {&before, &after}) {
+    if (*angle > pi) *angle -= pi + pi;
+    if (*angle <= -pi) *angle += pi + pi;
+  }
+  return notation.intrinsic ? std::array<S, 3>{after, middle, before} : std::array<S, 3>{before, middle, after};
+}
+
+/// The nine numbers of the matrix that turns column vectors, row after row.
+template <class S>
+std::array<S, 9> matrix_of(const Quaternion<S>& q) {
+  const auto& [x, y, z, w] = q;
+  const S one(1), two(2);
+  return {S(one - two * (y * y + z * z)), S(two * (x * y - z * w)),       S(two * (x * z + y * w)),
+          S(two * (x * y + z * w)),       S(one - two * (x * x + z * z)), S(two * (y * z - x * w)),
+          S(two * (x * z - y * w)),       S(two * (y * z + x * w)),       S(one - two * (x * x + y * y))};
+}
+
+/// The numbers of a rotation in a notation; zeros follow. The angle around an axis is in [0, pi]; where it is 0, the
+/// axis is x. Requires: |q| = 1.
+template <class S>
+std::array<S, 9> numbers_of(Quaternion<S> q, const RotationNotation& notation) {
+  using std::sqrt;
+  if (notation.form == RotationForm::matrix) return matrix_of(q);
+  if (notation.form == RotationForm::quaternion) return {q.x, q.y, q.z, q.w};
+  if (notation.form == RotationForm::euler) {
+    const auto angles = euler_angles(q, notation);
+    return {in_unit(angles[0], notation.degrees), in_unit(angles[1], notation.degrees),
+            in_unit(angles[2], notation.degrees)};
+  }
+  if (q.w < S(0)) q = -q;
+  const S sine = sqrt(q.x * q.x + (q.y * q.y + q.z * q.z));
+  if (sine == S(0)) return {S(1)};
+  const S angle = S(2) * angle_of(sine, q.w);
+  return {S(q.x / sine), S(q.y / sine), S(q.z / sine), in_unit(angle, notation.degrees)};
+}
+
+}  // namespace tcb::spline
