@@ -48,6 +48,7 @@ enum class Option {
   rotation,
   angles,
   rotation_output,
+  angle,
   normalize,
   duplicates,
   sort,
@@ -312,11 +313,13 @@ enum class ErrorCode {
   repeated_metric_channel,
   rotation_in_metric,
   metric_without_rotation,
+  angle_in_metric,
   path_of_rotations,
   only_rotations,
   end_velocity_of_rotation,
   emit_of_rotation,
   emit_of_angles,
+  emit_of_angle,
   ease_with_missing_cells,
   tangents_beyond_doubles,
   length_beyond_doubles,
@@ -333,6 +336,8 @@ enum class ErrorCode {
   angle_too_large,            ///< name of a channel of its rotation, angle in degrees
   axis_zero,                  ///< name of a channel of its rotation, angle
   half_turn_between_keys,     ///< name of a channel of it, line of the key before
+  angle_missing,              ///< name
+  half_turn_of_angle,         ///< name, line of the key before
   equal_speed_with_velocities,
   segment_starts_elsewhere,  ///< start, end of the segment before it
   segment_jumps,             ///< position, that at the end of the segment before it
@@ -420,6 +425,7 @@ enum class ErrorCode {
   expected_rotation,
   expected_euler_order,  ///< in a value
   expected_rotation_form,
+  expected_angles,
   expected_name_part,
   expected_axes,
   expected_size,

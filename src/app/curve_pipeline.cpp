@@ -15,8 +15,8 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
                              std::vector<std::size_t> fields, const std::optional<GoldenOptions>& golden,
                              const Input& input, const CurveInfo& curve_info)
     : request_(request),
-      spec_(make_spec(merged(settings, checked_settings(curve_info, input.channels, input.rotations)), input.channels,
-                      input.rotations)),
+      spec_(make_spec(merged(settings, checked_settings(curve_info, input)), input.channels, input.rotations,
+                      input.angles)),
       fields_(std::move(fields)),
       golden_(golden),
       timed_(input.timed),
@@ -67,6 +67,7 @@ MetricUse CurvePipeline::metric_use() const {
 /// The keys with times, checked.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) const {
   blocks = with_quaternions(std::move(blocks), rotations_);
+  blocks = with_clear_angles(std::move(blocks), spec_.rules.angles, channels_);
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
   const auto other_scale = has_tcb_scale_ ? std::nullopt : scale_fault(spec_.preset);
@@ -106,8 +107,8 @@ double CurvePipeline::rows_on(const KnownPart& part, const SamplingRequest& requ
   return std::min(rows, static_cast<double>(spacing->rows)) + keys;
 }
 
-PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) const {
-  blocks = prepared(std::move(blocks), 2);
+PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
+  blocks = prepared(with_signs(std::move(blocks), spec_.rules.angles), 2);
   const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal);
   if (golden_) blocks = recorded(std::move(blocks), exact);
   if (spec_.closed || needs_random_access() || may_miss_ || golden_ || needs_end(request_)) {
@@ -168,15 +169,15 @@ Extent CurvePipeline::extent(KeyStore& keys) const {
   return extent;
 }
 
-IndexedCurve CurvePipeline::whole(Source<KeyBlock> blocks) const {
-  KeyStore keys(prepared(std::move(blocks), 1));
+IndexedCurve CurvePipeline::whole(Source<KeyBlock> blocks) {
+  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.rules.angles), 1));
   const Extent range = extent(keys);
   return {std::make_shared<const CurveIndex>(segments(keys, range, needs_lengths()), spec_.rules.metric), range,
           spec_.extrapolation};
 }
 
-StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled) const {
-  KeyStore keys(prepared(std::move(blocks), 1));
+StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled) {
+  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.rules.angles), 1));
   const Extent range = extent(keys);
   const auto again = [pipeline = *this, keys, range] { return pipeline.segments(keys, range, false); };
   StoredCurve curve{keys, again, spec_.closed, {}};

@@ -72,13 +72,13 @@ class CurvePipeline {
                 const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
 
   /// Throws: Error (data) for keys that make no curve.
-  PlacedCurve place(Source<KeyBlock> blocks) const;
+  PlacedCurve place(Source<KeyBlock> blocks);
 
   /// The curve with random access. Throws: Error (data) for keys that make no curve.
-  IndexedCurve whole(Source<KeyBlock> blocks) const;
+  IndexedCurve whole(Source<KeyBlock> blocks);
 
   /// The curve as it is drawn; it may have a single key. Throws: Error (data) for keys that make no curve.
-  StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true) const;
+  StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true);
 
   RuleFacts facts() const { return {spec_, timed_}; }
 

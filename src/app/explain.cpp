@@ -80,6 +80,9 @@ Facts intentions(const Job& job, const Input& input) {
   if (job.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
+  for (const spline::AngleChannel& angle : input.angles) {
+    add("angle", input.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
+  }
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
     const GivenRotation& given = input.given_rotations[i];
     const spline::RotationNotation& shown = input.rotations[i].shown;
@@ -88,7 +91,10 @@ Facts intentions(const Job& job, const Input& input) {
     add(name.c_str(), fmt::format("{}{} {}{}", given.relative ? "relative " : "", in_words(given.notation),
                                   fmt::join(given.columns, " "), rows));
   }
-  add("metric", job.curve.metric.value_or(input.rotations.empty() ? "all channels" : "all channels without rotation"));
+  const std::string_view others = !input.rotations.empty() ? " without rotation"
+                                  : input.angles.empty()   ? ""
+                                                           : " without angle";
+  add("metric", job.curve.metric.value_or(fmt::format("all channels{}", others)));
   add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));
   if (job.sampling.to) add("to", shown(*job.sampling.to));
@@ -128,7 +134,7 @@ struct CurveOutcome {
 };
 
 /// Places the samples of a curve, and reads its keys to the end.
-CurveOutcome outcome_of(const CurvePipeline& pipeline, const CurveKeys& curve) {
+CurveOutcome outcome_of(CurvePipeline& pipeline, const CurveKeys& curve) {
   CurveOutcome outcome;
   const Source<KeyBlock> observed = mapped(curve.keys, [&outcome](KeyBlock block) {
     outcome.add(block);
@@ -180,8 +186,8 @@ class Explainer {
   Explainer(const Input& input, const Job& job, const Wording& wording) : input_(input), job_(job), wording_(wording) {}
 
   void add(const CurveKeys& curve) {
-    const CurvePipeline pipeline(sampling_of(curve, input_, job_), job_.curve, job_.fields, job_.golden, input_,
-                                 *curve.curve_info);
+    CurvePipeline pipeline(sampling_of(curve, input_, job_), job_.curve, job_.fields, job_.golden, input_,
+                           *curve.curve_info);
     if (count_ == 0) {
       append(intended_, rules_in_words(pipeline.facts(), wording_));
       append(intended_, intentions(job_, input_));

@@ -109,6 +109,10 @@ constexpr std::array<OptionRow, option_count> table{{
     {Option::rotation_output, "--rotation-output", "FORM", input,
      "How rows show rotations: quaternion, axis-angle, matrix, or euler=XYZ; by default as the input gives them", "", other,
      recorded, [](Typed& to, Text text) { to.job.input.rotation.shown = rotation_form(text); }},
+    {Option::angle, "--angle", "CHANNEL=UNIT,...", input,
+     "Channels that are angles in degrees or radians: from key to key they turn less than half a turn; rows have them from "
+     "0 to 360 degrees, or if a key is negative from -180 to 180",
+     "", columns, recorded, [](Typed& to, Text text) { to.job.input.rotation.angles = angle_channels(text); }},
     {Option::normalize, "--normalize", "", input, "Takes quaternions of any norm but 0, and divides them by it", "", flag, recorded,
      [](Typed& to, Text) { to.job.input.rotation.normalize = true; }},
     {Option::duplicates, "--duplicates", "POLICY", input,

@@ -253,6 +253,8 @@ std::vector<Renaming> renamings(const std::string& text);
 std::vector<ChannelScale> channel_scales(const std::string& text);
 /// FORM=COLUMN:... for each rotation, or none.
 std::vector<GivenRotation> rotations(const std::string& text, bool& none);
+/// "CHANNEL=UNIT", or several separated by commas.
+std::vector<NamedAngle> angle_channels(const std::string& text);
 /// quaternion, axis-angle, matrix or euler=ORDER.
 spline::RotationNotation rotation_form(const std::string& text);
 /// Indices into fields(), each once.

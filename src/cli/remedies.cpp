@@ -85,7 +85,7 @@ constexpr Words all_words[]{
           "--rotation none "
           "to take them as plain channels"},
     Words{ErrorCode::rotation_columns_shared,
-          "\"{0}\" is in two rotations, or twice in one; expected four columns for each; name others"},
+          "\"{0}\" is in two rotations or angles, or twice in one; expected columns of their own; name others"},
     Words{ErrorCode::velocity_of_rotation,
           "\"{0}\" is a number of a rotation, and has a velocity; expected tension, continuity and bias; leave its "
           "column "
@@ -358,6 +358,10 @@ constexpr Words all_words[]{
     Words{ErrorCode::rotation_in_metric,
           "{subject}: channel \"{0}\" is a number of a rotation, which has no length; expected a position; give "
           "--rotation none to take it as one"},
+    Words{
+        ErrorCode::angle_in_metric,
+        "{subject}: channel \"{0}\" is an angle, which has no length; expected a position; leave it out, or leave out "
+        "--angle"},
     Words{ErrorCode::metric_without_rotation,
           "{subject} rotation: there is no rotation; expected columns of one; name them with --rotation"},
     Words{
@@ -365,12 +369,17 @@ constexpr Words all_words[]{
         "{subject} rotation measures angles, so that there are no distances, speeds and shapes of a path; expected arc "
         "lengths alone; leave out the others, or give the field angular_speed"},
     Words{ErrorCode::only_rotations,
-          "there are only rotations, which have no lengths; expected a position; give --metric rotation for angles, or "
+          "there are only rotations or angles, which have no lengths; expected a position; give --metric rotation for "
+          "angles, or "
           "--rotation "
           "none to take their numbers as positions"},
     Words{ErrorCode::end_velocity_of_rotation,
           "{subject}: a velocity has a number per channel, and rotations have none; expected another end rule; give "
           "--rotation none for plain channels"},
+    Words{ErrorCode::emit_of_angle,
+          "the pieces of an angle would be in different turns; expected channels that are no angles; leave out "
+          "--angle, or "
+          "{subject}"},
     Words{ErrorCode::emit_of_angles,
           "the pieces of a rotation are those of the numbers of its quaternion; expected rows with these; give "
           "--rotation-output quaternion"},
@@ -413,16 +422,22 @@ constexpr Words all_words[]{
           "the quaternion of \"{0}\" is zero, which is no rotation; expected the norm 1; correct it, or give "
           "--rotation none for plain channels"},
     Words{ErrorCode::angle_over_turn,
-          "the rotation of \"{0}\" has an angle of {1} radians; expected no more than a whole turn, 6.2832; give "
-          "--angles degrees if that is their unit, or subtract whole turns"},
+          "\"{0}\" has an angle of {1} radians; expected no more than a whole turn, 6.2832; give degrees as its unit, "
+          "with --angles or --angle, or subtract whole turns"},
     Words{ErrorCode::angle_too_large,
-          "the rotation of \"{0}\" has an angle of {1} degrees; expected no more than 10000 turns; check its columns "
+          "\"{0}\" has an angle of {1} degrees; expected no more than 10000 turns; check its columns "
           "and their order"},
     Words{ErrorCode::axis_zero,
           "the rotation of \"{0}\" has an angle of {1} around an axis of zero; expected an axis; correct it"},
     Words{ErrorCode::half_turn_between_keys,
           "the rotation of \"{0}\" is half a turn from the one on line {1}, around an axis that nothing gives; "
           "expected less; add a key between them"},
+    Words{ErrorCode::angle_missing,
+          "the angle \"{0}\" is missing; expected a number at every key; fill it in, or remove the row"},
+    Words{ErrorCode::half_turn_of_angle,
+          "the angle \"{0}\" is half a turn from the one on line {1}, which leaves the way open; expected less; add a "
+          "key "
+          "between them"},
     Words{ErrorCode::equal_speed_with_velocities,
           "{subject} would change velocities, which are given; expected one of the two; remove {subject}"},
     Words{ErrorCode::segment_starts_elsewhere,
@@ -544,13 +559,16 @@ constexpr Words all_words[]{
           "{subject} \"{0}\": expected two names with = between, or several such pairs separated by commas, as in "
           "pos_x=x,pos_y=y"},
     Words{ErrorCode::expected_rotation,
-          "{subject}: {0}; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, after which ,relative may follow, "
+          "{subject} \"{0}\": expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, after which ,relative may follow, "
           "euler=A:B:C,order=XYZ, each with names of columns, or none"},
     Words{ErrorCode::expected_euler_order,
-          "{subject}: {0}; expected three letters of X, Y and Z, the second other than those next to it, as in "
+          "{subject} \"{0}\": expected three letters of X, Y and Z, the second other than those next to it, as in "
           "order=ZYX for turns around the turned axes, or order=zyx around those at rest"},
     Words{ErrorCode::expected_rotation_form,
-          "{subject}: {0}; expected quaternion, axis-angle, matrix, or euler= and an order, as in euler=ZYX"},
+          "{subject} \"{0}\": expected quaternion, axis-angle, matrix, or euler= and an order, as in euler=ZYX"},
+    Words{ErrorCode::expected_angles,
+          "{subject} \"{0}\": expected a channel and its unit, degrees or radians, or several separated by commas, "
+          "such as heading=degrees"},
     Words{ErrorCode::expected_scales,
           "{subject} \"{0}\": expected a channel and a factor other than 0, or several separated by commas, such "
           "as x=0.01,y=1/3"},

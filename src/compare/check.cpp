@@ -89,20 +89,6 @@ ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs) {
   return result;
 }
 
-namespace {
-
-/// Negates a computed quaternion where that is nearer to the given one.
-void align(std::span<Cell> cells, const std::array<std::size_t, 4>& numbers, const MatchedColumns& columns,
-           std::span<const double> given) {
-  double cosine = 0;
-  for (const std::size_t i : numbers)
-    cosine += cells[columns.compared[i].computed].hi * given[columns.compared[i].given];
-  if (!(cosine < 0)) return;
-  for (const std::size_t i : numbers) cells[columns.compared[i].computed].hi *= -1;
-}
-
-}  // namespace
-
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
                  const IndexedCurve& curve, const Limits& limits) {
   const Time first = columns.by_length ? Time(0.0) : curve.extent.first;
@@ -157,7 +143,7 @@ void for_each_row(const SampleRows& given, const Places& places, const MatchedCo
     const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
     for (std::size_t at = 0; at < block->size(); at += width) {
       const std::span row = std::span(*block).subspan(at, width);
-      for (const auto& numbers : columns.rotations) align(row, numbers, columns, given.row(places.rows[next]));
+      columns.align(row, given.row(places.rows[next]));
       use(places.rows[next++], row);
     }
   }
@@ -246,8 +232,7 @@ void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs
   const MatchedColumns& columns = inputs.columns;
   SamplingRequest request = job.sampling;
   request.mode = columns.by_length ? Mode::arc_at : Mode::at;
-  const CurvePipeline pipeline(request, job.curve, columns.fields, std::nullopt, inputs.kept.input,
-                               *pair.curve->curve_info);
+  CurvePipeline pipeline(request, job.curve, columns.fields, std::nullopt, inputs.kept.input, *pair.curve->curve_info);
   const IndexedCurve curve = pipeline.whole(pair.curve->keys());
   const Places places =
       places_of(pair.rows, inputs.table, columns, curve, limits_of(*job.comparison, inputs.place_name()));

@@ -95,8 +95,8 @@ struct Places {
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
                  const IndexedCurve& curve, const Limits& limits);
 
-/// Calls `use` for each of the rows, in order, with its cells. A quaternion is negated where that is nearer to the
-/// given one, as both are the same rotation. Throws: Error (data) for a number beyond the range.
+/// Calls `use` for each of the rows, in order, with its cells. They are aligned with the given row. Throws: Error
+/// (data) for a number beyond the range.
 void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
                   const IndexedCurve& curve, bool from_left, unsigned threads,
                   const std::function<void(std::size_t row, std::span<const Cell> cells)>& use);

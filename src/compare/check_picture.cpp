@@ -81,7 +81,8 @@ void CheckPicture::add(const CheckedPair& pair) {
 }
 
 void CheckPicture::add_curve(const CheckedPair& pair) {
-  const StoredCurve stored = pair.pipeline.stored(pair.curve.keys(), false);
+  CurvePipeline pipeline = pair.pipeline;
+  const StoredCurve stored = pipeline.stored(pair.curve.keys(), false);
   const Keys all = stored.keys.all();
   Keys keys{2 * channels_.size(), all.times, {}, {}, {}, {}};
   for (std::size_t key = 0; key < all.size(); ++key) {

@@ -229,8 +229,27 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
 
 }  // namespace
 
+void MatchedColumns::align(std::span<Cell> computed, std::span<const double> given_row) const {
+  for (const auto& [i, degrees] : angles) {
+    double& angle = computed[compared[i].computed].hi;
+    const spline::DoubleDouble excess = spline::exact_difference(angle, given_row[compared[i].given]);
+    angle -= spline::nearest_turns<double>(excess, degrees).hi;
+  }
+  for (const auto& numbers : rotations) {
+    double cosine = 0;
+    for (const std::size_t i : numbers) cosine += computed[compared[i].computed].hi * given_row[compared[i].given];
+    if (!(cosine < 0)) continue;
+    for (const std::size_t i : numbers) computed[compared[i].computed].hi *= -1;
+  }
+}
+
 MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
   MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
+  for (const spline::AngleChannel& angle : keys.angles) {
+    const auto found = std::ranges::find(columns.compared, keys.channels[angle.channel], &MatchedColumn::name);
+    if (found == columns.compared.end()) continue;
+    columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
+  }
   for (const auto& [channels, shown, cells] : keys.rotations) {
     if (shown.form != spline::RotationForm::quaternion) continue;
     std::array<std::size_t, 4> numbers{};

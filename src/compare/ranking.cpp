@@ -43,8 +43,8 @@ class Comparer {
 
   IndexedCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
     const CurveSettings settings = settings_of(convention, job_.curve, closed_);
-    const CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.input,
-                                 *curve.curve_info);
+    CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.input,
+                           *curve.curve_info);
     const TcbOrder& order = orders_[convention.order].order;
     if (order.is_plain()) return pipeline.whole(curve.keys());
     return pipeline.whole(mapped(curve.keys(), [&order](KeyBlock block) {

@@ -41,15 +41,15 @@ std::optional<std::size_t> find_channel(const std::string& name, const std::vect
 /// Throws: Error (usage), about its option, for an unknown name, or for settings that contradict each other.
 CurveSpec make_spec(const CurveSettings& settings);
 
-/// The same for keys with these channels: with the metric, to which rotations do not belong. Throws: Error (usage),
-/// about its option, also for a metric channel that does not exist or belongs to a rotation, or a velocity with another
-/// number of channels.
+/// The same for keys with these channels: with the metric, to which rotations and angles do not belong. Throws: Error
+/// (usage), about its option, also for a metric channel that does not exist or belongs to a rotation, or a velocity
+/// with another number of channels.
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<spline::RotationColumns>& rotations = {});
+                    const std::vector<spline::RotationColumns>& rotations = {},
+                    const std::vector<spline::AngleChannel>& angles = {});
 
 /// The settings of an input, checked. Throws: Error (data) about a member, at its text position.
-const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::vector<std::string>& channels,
-                                      const std::vector<spline::RotationColumns>& rotations);
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input);
 
 /// What tension, continuity and bias beyond 5 are, where the preset's product shows another scale than the formulas.
 std::optional<ErrorCode> scale_fault(spline::Preset preset);

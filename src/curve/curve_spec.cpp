@@ -143,35 +143,53 @@ CurveSpec make_spec(const CurveSettings& settings) {
   return spec;
 }
 
-CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<spline::RotationColumns>& rotations) {
-  CurveSpec spec = make_spec(settings);
-  spec.rules.rotations = rotations;
+namespace {
+
+/// Sets the metric: the named channels, or all that are no angles and no numbers of a rotation.
+void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vector<std::string>& channels) {
+  const std::vector<spline::RotationColumns>& rotations = spec.rules.rotations;
+  const std::vector<spline::AngleChannel>& angles = spec.rules.angles;
   const auto is_rotation = [&](std::size_t channel) {
     return std::ranges::any_of(rotations,
                                [&](const auto& one) { return std::ranges::count(one.channels, channel) > 0; });
   };
-  auto metric = settings.metric ? split(*settings.metric, ',') : std::vector<std::string_view>{};
+  const auto is_angle = [&](std::size_t channel) {
+    return std::ranges::count(angles, channel, &spline::AngleChannel::channel) > 0;
+  };
+  std::vector<std::size_t>& metric = spec.rules.metric;
+  if (!settings.metric) {
+    if (rotations.empty() && angles.empty()) return;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      if (!is_rotation(i) && !is_angle(i)) metric.push_back(i);
+    }
+    spec.lacks_metric = metric.empty();
+    return;
+  }
   if (settings.metric == "rotation" && !find_channel("rotation", channels)) {
     if (rotations.empty()) refuse(Option::metric, ErrorCode::metric_without_rotation);
-    spec.rules.metric = {spline::turn_metric};
-    metric.clear();
+    metric = {spline::turn_metric};
+    return;
   }
-  for (const std::string_view part : metric) {
+  for (const std::string_view part : split(*settings.metric, ',')) {
     const std::string name(part);
     const auto channel = find_channel(name, channels);
     if (!channel) refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
     if (is_rotation(*channel)) refuse(Option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
-    if (std::ranges::count(spec.rules.metric, *channel) > 0) {
-      refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
-    }
-    spec.rules.metric.push_back(*channel);
+    if (is_angle(*channel)) refuse(Option::metric, ErrorCode::angle_in_metric, {channels[*channel]});
+    if (std::ranges::count(metric, *channel) > 0) refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
+    metric.push_back(*channel);
   }
-  const bool all = !settings.metric && !rotations.empty();
-  for (std::size_t i = 0; all && i < channels.size(); ++i) {
-    if (!is_rotation(i)) spec.rules.metric.push_back(i);
-  }
-  spec.lacks_metric = !rotations.empty() && spec.rules.metric.empty();
+}
+
+}  // namespace
+
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
+                    const std::vector<spline::RotationColumns>& rotations,
+                    const std::vector<spline::AngleChannel>& angles) {
+  CurveSpec spec = make_spec(settings);
+  spec.rules.rotations = rotations;
+  spec.rules.angles = angles;
+  set_metric(spec, settings, channels);
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
     if (!rotations.empty()) refuse(Option::ends, ErrorCode::end_velocity_of_rotation);
@@ -182,10 +200,9 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   return spec;
 }
 
-const CurveSettings& checked_settings(const CurveInfo& curve_info, const std::vector<std::string>& channels,
-                                      const std::vector<spline::RotationColumns>& rotations) {
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input) {
   try {
-    (void)make_spec(curve_info.settings, channels, rotations);
+    (void)make_spec(curve_info.settings, input.channels, input.rotations, input.angles);
     return curve_info.settings;
   } catch (const Error& error) {
     const std::string member(setting_member(error.option()));
@@ -209,6 +226,7 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
   }
   const spline::RotationCurve curve = spec.rules.rotation_curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
+  if (emits && !spec.rules.angles.empty()) throw Error(Exit::data, ErrorCode::emit_of_angle).about(Option::emit);
   if (emits && curve == spline::RotationCurve::components &&
       !std::ranges::all_of(spec.rules.rotations, is_quaternion)) {
     throw Error(Exit::data, ErrorCode::emit_of_angles).about(Option::emit);

@@ -39,9 +39,12 @@ std::vector<PositionCell> position_cells(std::size_t channels, std::span<const s
 namespace {
 
 /// Writes the column of a channel of all samples.
-void write_channel(Cell* cell, std::size_t width, const spline::Cubic<double>& x, std::span<const Sample> samples) {
+void write_channel(Cell* cell, std::size_t width, const CurveSegment& segment, std::size_t channel,
+                   std::span<const Sample> samples) {
+  const spline::Cubic<double>& x = segment.cubics[channel];
+  const spline::AngleChannel* const angle = segment.angle(channel);
   const auto put = [&](double value) {
-    *cell = value;
+    *cell = angle == nullptr ? value : spline::wrapped(value, angle->degrees, angle->is_signed);
     cell += width;
   };
   for (std::size_t i = 0; i < samples.size();) {
@@ -76,7 +79,7 @@ void write_positions(Cell* first, std::size_t width, const CurveSegment& segment
   const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
   if (std::ranges::all_of(rotations, is_quaternion)) {
     for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
-      if (!segment.is_rotation(i)) write_channel(first + i, width, segment.cubics[i], samples);
+      if (!segment.is_rotation(i)) write_channel(first + i, width, segment, i, samples);
     }
     for (std::size_t i = 0; i < rotations.size(); ++i) {
       write_rotation(first, width, segment.rotations[i], {}, rotations[i].channels, samples);
@@ -87,7 +90,7 @@ void write_positions(Cell* first, std::size_t width, const CurveSegment& segment
   std::size_t next = 0;
   for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {
     if (cell.rotation == PositionCell::none) {
-      write_channel(first + next, width, segment.cubics[cell.channel], samples);
+      write_channel(first + next, width, segment, cell.channel, samples);
     } else {
       cells[cell.rotation][static_cast<std::size_t>(std::ranges::find(rotations[cell.rotation].cells, cell.number) -
                                                     rotations[cell.rotation].cells.begin())] = next;

@@ -57,7 +57,10 @@ void write_position(Point<S>& point, CellWriter<S> out) {
   }
   for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {
     if (cell.rotation == PositionCell::none) {
-      out.add_of_channel(point.position(cell.channel), cell.channel, false);
+      const S position = point.position(cell.channel);
+      const spline::AngleChannel* const angle = segment.angle(cell.channel);
+      out.add_of_channel(angle == nullptr ? position : spline::wrapped(position, angle->degrees, angle->is_signed),
+                         cell.channel, false);
     } else if (cell.channel != PositionCell::none) {
       out.add_of_channel(numbers[cell.rotation][cell.number], cell.channel, false);
     } else {

@@ -91,6 +91,7 @@ CurveSegment CurveIndex::segment(std::uint64_t number) const {
           decimals_,
           segments.rotations_of(i),
           segments.rotation_columns,
+          segments.angles,
           turns_};
 }
 

@@ -69,7 +69,8 @@ class Placer {
                          .number = number_++,
                          .s_error = s_error_,
                          .rotations = segments.rotations_of(i),
-                         .rotation_columns = segments.rotation_columns};
+                         .rotation_columns = segments.rotation_columns,
+                         .angles = segments.angles};
     if (last && block_->closes) segment.end_key = 0;
     decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
     segment.decimals = decimals_;

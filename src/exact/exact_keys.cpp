@@ -65,8 +65,8 @@ spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules
     for (const double value : choice.velocity) exact.velocity.push_back(exact_number(value, decimal));
     return exact;
   };
-  return {rules.tangents, end(rules.start), end(rules.end),      rules.equal_speed,
-          rules.metric,   rules.rotations,  rules.rotation_curve};
+  return {rules.tangents, end(rules.start), end(rules.end),       rules.equal_speed,
+          rules.metric,   rules.rotations,  rules.rotation_curve, rules.angles};
 }
 
 ChannelFacts channel_facts(const ExactCurve& exact) {

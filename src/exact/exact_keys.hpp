@@ -29,7 +29,9 @@ struct ExactCurve {
   bool decimal = false;  ///< numbers are the decimals that they are written as
 
   /// All numbers are rational: no distance makes a time or a tangent.
-  bool is_rational() const { return !exponent && !rules.equal_speed; }
+  bool is_rational() const {
+    return !exponent && !rules.equal_speed && std::ranges::all_of(rules.angles, &spline::AngleChannel::degrees);
+  }
 };
 
 /// What is certain about the channels of a curve from its keys alone.

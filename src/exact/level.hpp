@@ -177,6 +177,7 @@ class Level final : public AnyLevel {
                     last,         one.warp(0),  cycle_, number, 0,      last && curve_->is_closed() ? 0 : number + 1};
     segment.rotations = one.rotations_of(0);
     segment.rotation_columns = one.rotation_columns;
+    segment.angles = one.angles;
     segment.turns = turns_;
     return segment;
   }

@@ -81,12 +81,19 @@ struct GivenRotation {
   std::vector<std::string> columns = {};  ///< names of those of its numbers
 };
 
+/// A channel that is an angle.
+struct NamedAngle {
+  std::string channel;
+  bool degrees = false;
+};
+
 /// Which columns are rotations, and how rows show them.
 struct RotationOptions {
   bool none = false;       ///< their numbers are plain channels
   bool normalize = false;  ///< quaternions may have any norm
   bool degrees = false;    ///< their angles are in degrees, else in radians
   std::vector<GivenRotation> requests = {};
+  std::vector<NamedAngle> angles = {};
   std::optional<spline::RotationNotation> shown = {};  ///< nothing: as they are given
 };
 
@@ -162,6 +169,7 @@ struct Input {
   std::vector<spline::RotationColumns> rotations = {};        ///< which of them make rotations
   std::vector<GivenRotation> given_rotations = {};            ///< how keys give each
   std::vector<std::vector<std::string>> rotation_names = {};  ///< of the cells of each, where they are not channels
+  std::vector<spline::AngleChannel> angles = {};              ///< which of them are angles
   bool normalize = false;                                     ///< quaternions may have any norm
   CurveInfo curve_info;                                       ///< of all curves, unless they have their own
   Source<KeyBlock> keys;
@@ -193,9 +201,10 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
 /// column.
 void set_units_and_names(Input& input, const InputOptions& options);
 
-/// Sets which channels make rotations, as requested or else by their names: "q" and x, y, z and w, or w, x, y and z
-/// between the same texts of which the first has a "q". Rotations with three columns get a channel more, the last one.
-/// Throws: Error (data) for a column that is missing, or that is in two rotations, and for names that are taken.
+/// Sets which channels are angles, and which make rotations, as requested or else by their names: "q" and x, y, z and
+/// w, or w, x, y and z between the same texts of which the first has a "q". Rotations with three columns get a channel
+/// more, the last one. Throws: Error (data) for a column that is missing, or that is in two rotations, and for names
+/// that are taken.
 void set_rotations(Input& input, const RotationOptions& options);
 
 /// The largest number of faults of an input that are reported.

@@ -82,13 +82,14 @@ void rename(Input& input, const std::vector<Renaming>& renamings) {
 }
 
 /// The index of a channel by its name, in any case if none has it exactly.
-std::size_t requested_channel(const std::string& name, const std::vector<std::string>& channels) {
+std::size_t requested_channel(const std::string& name, const std::vector<std::string>& channels,
+                              Option option = Option::rotation) {
   const auto exact = std::ranges::find(channels, name);
   const auto found = exact != channels.end() ? exact : std::ranges::find_if(channels, [&](const std::string& channel) {
     return same_in_any_case(channel, name);
   });
   if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
-  throw Error(Exit::data, ErrorCode::no_such_column, {name, channels}).about(Option::rotation);
+  throw Error(Exit::data, ErrorCode::no_such_column, {name, channels}).about(option);
 }
 
 /// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, after a "q".
@@ -183,15 +184,17 @@ void show_rotation(Input& input, std::size_t index, const spline::RotationNotati
   input.rotation_names[index] = std::move(names);
 }
 
-/// Throws: Error (data) where a column is in two rotations.
+/// Throws: Error (data) where a column is in two rotations or angles.
 void require_own_columns(const Input& input) {
   std::vector<bool> taken(input.channels.size());
+  const auto take = [&](std::size_t channel, Option option) {
+    if (taken[channel])
+      throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.channels[channel]}).about(option);
+    taken[channel] = true;
+  };
+  for (const spline::AngleChannel& angle : input.angles) take(angle.channel, Option::angle);
   for (const spline::RotationColumns& rotation : input.rotations) {
-    for (const std::size_t channel : rotation.channels) {
-      if (taken[channel])
-        throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.channels[channel]}).about(Option::rotation);
-      taken[channel] = true;
-    }
+    for (const std::size_t channel : rotation.channels) take(channel, Option::rotation);
   }
 }
 
@@ -231,8 +234,10 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
 
 void set_rotations(Input& input, const RotationOptions& options) {
   input.normalize = options.normalize;
-  if (options.none) return;
-  if (options.requests.empty()) {
+  for (const NamedAngle& angle : options.angles) {
+    input.angles.push_back({requested_channel(angle.channel, input.channels, Option::angle), angle.degrees});
+  }
+  if (options.requests.empty() && !options.none) {
     input.rotations = rotations_by_name(input.channels);
     for (const spline::RotationColumns& rotation : input.rotations) {
       GivenRotation& given = input.given_rotations.emplace_back();

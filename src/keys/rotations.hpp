@@ -1,4 +1,4 @@
-// Rotations among keys: quaternions from other forms, their checks, and their signs.
+// Rotations and angles among keys: quaternions from other forms, their checks, and their signs.
 #pragma once
 
 #include <string>
@@ -24,5 +24,13 @@ struct RotationsOfKeys {
 /// Throws: Error (data), at its line, for a quaternion that is zero, not whole or not of the norm 1, for an angle
 /// beyond what its unit allows, for an axis of zero, and for half a turn between two.
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
+
+/// The same keys. Throws: Error (data), at its line, for an angle that is missing or beyond what its unit allows, and
+/// for half a turn between two.
+Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
+                                   const std::vector<std::string>& channels);
+
+/// The same keys. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
+Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles);
 
 }  // namespace tcb

@@ -58,6 +58,16 @@ std::array<std::pair<double, double>, 4> numbers_of(const spline::RotationSegmen
   return {{{q.x, slope.x}, {q.y, slope.y}, {q.z, slope.z}, {q.w, slope.w}}};
 }
 
+/// Gives the two halves of the cubics of angles the same turn.
+void join_angles(spline::Segments<double>& segments) {
+  for (const spline::AngleChannel& angle : segments.angles) {
+    for (std::size_t i = angle.channel; i < segments.cubics.size(); i += segments.channels) {
+      Cubic& x = segments.cubics[i];
+      x.p1 = x.p0 + (x.c + 2 * x.out + x.in) / 3;
+    }
+  }
+}
+
 /// Each segment as short ones without ease, whose cubics have the positions and velocities of the curve at their ends.
 SegmentBlock cubic_parts(const SegmentBlock& block) {
   constexpr int parts = 16;
@@ -142,6 +152,7 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
 std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments) {
   return [segments = std::move(segments)] {
     return mapped(segments(), [](SegmentBlock block) {
+      join_angles(block.segments);
       return block.segments.rotations.empty() ? std::move(block) : cubic_parts(block);
     });
   };

@@ -32,8 +32,14 @@ struct CurveSegmentOf {
   int decimals = 0;                          ///< of the times on it, if they have more digits than doubles; else 0
   std::span<const spline::RotationSegment<S>> rotations = {};
   std::span<const spline::RotationColumns> rotation_columns = {};  ///< those of each
+  std::span<const spline::AngleChannel> angles = {};
   std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
 
+  /// Null where the channel is no angle.
+  const spline::AngleChannel* angle(std::size_t channel) const {
+    const auto found = std::ranges::find(angles, channel, &spline::AngleChannel::channel);
+    return found == angles.end() ? nullptr : &*found;
+  }
   bool is_rotation(std::size_t channel) const {
     return std::ranges::any_of(
         rotation_columns, [&](const auto& rotation) { return std::ranges::count(rotation.channels, channel) > 0; });

@@ -86,8 +86,8 @@ class Line {
     inputs = read_inputs(job, {});
     request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
     const KeptCurve& curve = inputs.kept.curves.at(0);
-    const CurvePipeline pipeline(request_, job.curve, inputs.columns.fields, std::nullopt, inputs.kept.input,
-                                 *curve.curve_info);
+    CurvePipeline pipeline(request_, job.curve, inputs.columns.fields, std::nullopt, inputs.kept.input,
+                           *curve.curve_info);
     indexed = pipeline.whole(curve.keys());
   }
 

@@ -153,7 +153,16 @@ def keys_of(path):
         rows = list(csv.reader(text.splitlines(), delimiter="\t" if path.suffix == ".tsv" else ","))
     names = [name for name in rows[0] if name not in ("tension", "continuity", "bias")]
     columns = {name: [float(row[rows[0].index(name)]) for row in rows[1:]] for name in names}
+    give_near_signs([columns[name] for name in ("qx", "qy", "qz", "qw") if name in columns])
     return columns.pop(names[0]), columns
+
+
+def give_near_signs(quaternion):
+    """Each quaternion in the sign nearer to the one before, as rows and pictures have it."""
+    for key in range(1, len(quaternion[0]) if quaternion else 0):
+        if sum(column[key - 1] * column[key] for column in quaternion) < 0:
+            for column in quaternion:
+                column[key] = -column[key]
 
 
 def main():

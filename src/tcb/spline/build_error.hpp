@@ -226,7 +226,7 @@ std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys
   const std::size_t channels = keys.channels;
   if (static_cast<std::size_t>(rules.tangents) >= tangent_rules<S>.size()) return BuildError{.code = unknown_rule};
   if (rules.equal_speed && !has_roots<S>) return BuildError{.code = equal_speed_without_roots};
-  if (!rules.rotations.empty()) return BuildError{.code = curve_of_rotations};
+  if (!rules.rotations.empty() || !rules.angles.empty()) return BuildError{.code = curve_of_rotations};
   if (rules.equal_speed && std::ranges::count(keys.given, true) > 0) {
     return BuildError{.code = equal_speed_with_velocities};
   }

@@ -65,6 +65,13 @@ struct RotationColumns {
   std::array<std::uint8_t, 9> cells{0, 1, 2, 3, 4, 5, 6, 7, 8};  ///< of each number, among those of the rotation
 };
 
+/// A channel whose numbers are angles: they turn the shorter way from key to key.
+struct AngleChannel {
+  std::size_t channel = 0;
+  bool degrees = false;    ///< else radians
+  bool is_signed = false;  ///< rows show it from half a turn below 0 to half a turn, else from 0 to a whole turn
+};
+
 /// In place of metric channels: lengths are the angles that rotations turn through.
 inline constexpr std::size_t turn_metric = std::numeric_limits<std::size_t>::max();
 constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.empty() && metric[0] == turn_metric; }

@@ -44,10 +44,10 @@ struct Cubic {
 
 /// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is set to 0 if it is within the
 /// rounding error of its terms, so that a natural end has no acceleration and a straight segment no curvature.
+/// The chord is p1 - p0, or differs from it by whole turns; then the two halves of the cubic do.
 template <class S>
-Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
+Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& chord, const working_t<S>& out, const working_t<S>& in) {
   using W = working_t<S>;
-  const W chord = exact_difference(p1, p0);
   S residue(0);
   if constexpr (std::is_same_v<S, double>) {
     residue = 0x1p-96 * std::abs(chord.hi) + 0x1p-96 * std::abs(out.hi) + 0x1p-96 * std::abs(in.hi);
@@ -70,6 +70,11 @@ Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_
           high_part<S>(e),
           low_part<S>(e),
           high_part<S>(d)};
+}
+
+template <class S>
+Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_t<S>& in) {
+  return cubic<S>(p0, p1, exact_difference(p1, p0), out, in);
 }
 
 /// base + x (a + x (b + x d)): Horner's rule that also carries the rounding errors of its two inner sums.

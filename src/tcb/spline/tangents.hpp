@@ -13,16 +13,6 @@
 
 namespace tcb::spline {
 
-/// The difference between the positions of a key and the next one in a channel.
-template <class S>
-struct PositionChord {
-  const Keys<S>& keys;
-
-  working_t<S> operator()(std::size_t key, std::size_t channel) const {
-    return exact_difference(keys.position(key + 1)[channel], keys.position(key)[channel]);
-  }
-};
-
 /// The tangents at the keys of a window, `channels` numbers per key, in local units, from the chords between the keys.
 template <class S, class Chord = PositionChord<S>>
 class Tangents {
@@ -30,7 +20,8 @@ class Tangents {
   using W = working_t<S>;
 
   /// Requires: at least two keys. Context keys are left at zero.
-  Tangents(const Window<S>& window, const CurveRules<S>& rules) : Tangents(window, rules, {window.keys}) {}
+  Tangents(const Window<S>& window, const CurveRules<S>& rules)
+      : Tangents(window, rules, {window.keys, rules.angles}) {}
   Tangents(const Window<S>& window, const CurveRules<S>& rules, Chord chord)
       : keys_(window.keys), rules_(rules), chord_(std::move(chord)) {
     incoming_.assign(keys_.size() * keys_.channels, W(0));
@@ -262,6 +253,7 @@ std::vector<RotationSegment<S>> rotation_segments(const Window<S>& window, const
 template <class S>
 Segments<S> constant_segment(const Keys<S>& keys, const CurveRules<S>& rules) {
   Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
+  result.angles = rules.angles;
   for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
   if constexpr (has_roots<S>) {
     result.rotation_columns = rules.rotations;
@@ -279,13 +271,15 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   if (window.is_single_key()) return constant_segment(window.keys, rules);
   const Keys<S>& keys = window.keys;
   const Tangents<S> tangents(window, rules);
+  const PositionChord<S> chord{keys, rules.angles};
   Segments<S> result{keys.channels, {}, {}, {}};
+  result.angles = rules.angles;
   result.cubics.reserve((window.last_key() - window.first_key()) * keys.channels);
   for (std::size_t key = window.first_key(); key < window.last_key(); ++key) {
     result.times.push_back(keys.times[key]);
     for (std::size_t i = 0; i < keys.channels; ++i) {
-      result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], tangents.outgoing(key)[i],
-                                       tangents.incoming(key + 1)[i]));
+      result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], chord(key, i),
+                                       tangents.outgoing(key)[i], tangents.incoming(key + 1)[i]));
     }
     if (!keys.eases.empty()) result.warps.emplace_back(keys.eases[key].out, keys.eases[key + 1].in);
   }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "tcb/spline/detail/angle.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation.hpp"
@@ -78,6 +79,23 @@ struct CurveRules {
   std::vector<std::size_t> metric;              ///< the channels of speeds and lengths; empty: all; or turn_metric
   std::vector<RotationColumns> rotations = {};  ///< not in the metric
   RotationCurve rotation_curve = RotationCurve::squad;
+  std::vector<AngleChannel> angles = {};
+};
+
+/// The difference between the positions of a key and the next one in a channel; that of angles is less than half a
+/// turn.
+template <class S>
+struct PositionChord {
+  const Keys<S>& keys;
+  const std::vector<AngleChannel>& angles;
+
+  working_t<S> operator()(std::size_t key, std::size_t channel) const {
+    const auto chord = exact_difference(keys.position(key + 1)[channel], keys.position(key)[channel]);
+    for (const AngleChannel& angle : angles) {
+      if (angle.channel == channel) return chord - nearest_turns<S>(chord, angle.degrees);
+    }
+    return chord;
+  }
 };
 
 /// The rules of a product, the same end rule for both ends.
@@ -98,6 +116,7 @@ struct Segments {
   std::vector<Warp<S>> warps;
   std::vector<RotationSegment<S>> rotations = {};
   std::vector<RotationColumns> rotation_columns = {};
+  std::vector<AngleChannel> angles = {};
 
   std::size_t size() const { return times.empty() ? 0 : times.size() - 1; }
   std::span<const Cubic<S>> operator[](std::size_t segment) const {

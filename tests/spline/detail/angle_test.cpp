@@ -56,5 +56,23 @@ TEST(Angle, the_angle_of_a_vector_is_within_an_ulp) {
   EXPECT_EQ(angle_of(1.0, 0.0), 1.5707963267948966);
 }
 
+TEST(Angles, are_wrapped_into_a_whole_turn) {
+  EXPECT_EQ(wrapped(370.5, true, false), 10.5);
+  EXPECT_EQ(wrapped(-0.5, true, false), 359.5);
+  EXPECT_EQ(wrapped(-1e-300, true, false), 0);
+  EXPECT_EQ(wrapped(360.0, true, false), 0);
+  EXPECT_EQ(wrapped(180.0, true, true), -180);
+  EXPECT_EQ(wrapped(-180.0, true, true), -180);
+  EXPECT_EQ(wrapped(-725.0, true, true), -5);
+  EXPECT_NEAR(wrapped(7.0, false, false), 7 - 2 * 3.141592653589793, 4e-16);
+  EXPECT_EQ(wrapped(3.0, false, true), 3.0);
+}
+
+TEST(Angles, have_nearest_whole_turns) {
+  EXPECT_EQ(nearest_turns<double>(DoubleDouble(179.0), true).hi, 0);
+  EXPECT_EQ(nearest_turns<double>(DoubleDouble(-181.0), true).hi, -360);
+  EXPECT_EQ(nearest_turns<double>(DoubleDouble(1000.0), true).hi, 1080);
+}
+
 }  // namespace
 }  // namespace tcb::spline

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
 #include "tcb/spline/scalar.hpp"
 
@@ -145,6 +147,54 @@ inline double angle_of(double y, double x) {
   const DoubleDouble angle = eighths[index] + DoubleDouble::normalized(r.hi, r.lo + r.hi * z * series);
   if (steep) return (halved(half_turn) + (x < 0 ? angle : -angle)).hi;
   return x < 0 ? (half_turn - angle).hi : angle.hi;
+}
+
+/// A whole turn in degrees or radians. Requires: degrees, or a scalar with roots.
+template <class S>
+working_t<S> whole_turn(bool degrees) {
+  if (degrees) return working_t<S>(360);
+  if constexpr (std::is_same_v<S, double>) {
+    return {0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
+  } else if constexpr (has_roots<S>) {
+    return S(2) * angle_of(S(0), S(-1));
+  } else {
+    return {};
+  }
+}
+
+/// The greatest whole number that is not above a value. Requires of a double: |value| < 2^53.
+template <class S>
+S whole_below(const S& value) {
+  if constexpr (std::is_same_v<S, double>) {
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
+    return whole > value ? whole - 1 : whole;
+  } else {
+    const S size = value < S(0) ? S(-value) : value;
+    S whole(0), step(1);
+    while (step <= size) step = step + step;
+    for (; step >= S(1); step = step / S(2)) {
+      if (whole + step <= size) whole = whole + step;
+    }
+    return value >= S(0) ? whole : S(whole == size ? -whole : S(-whole - S(1)));
+  }
+}
+
+/// The whole turns that are nearest to an angle, as an angle.
+template <class S, class W = working_t<S>>
+W nearest_turns(const W& angle, bool degrees) {
+  const W turn = whole_turn<S>(degrees);
+  return turn * whole_below(S(high_part<S>(angle / turn) + S(1) / S(2)));
+}
+
+/// The same angle from 0 to less than a whole turn, or if it is signed, from half a turn below 0.
+template <class S>
+S wrapped(const S& value, bool degrees, bool is_signed) {
+  const working_t<S> turn = whole_turn<S>(degrees);
+  const S whole = high_part<S>(turn), low = is_signed ? S(-whole / S(2)) : S(0), high = low + whole;
+  if (value >= low && value < high) return value;
+  const S turns = whole_below(S((value - low) / whole));
+  const S result = high_part<S>(working_t<S>(value) - turn * working_t<S>(turns));
+  return result >= high || result < low ? low : result;
 }
 
 }  // namespace tcb::spline
