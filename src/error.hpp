@@ -336,6 +336,7 @@ enum class ErrorCode {
   angle_too_large,            ///< name of a channel of its rotation, angle in degrees
   axis_zero,                  ///< name of a channel of its rotation, angle
   half_turn_between_keys,     ///< name of a channel of it, line of the key before
+  whole_turns,                ///< name of a channel of it, angle
   angle_missing,              ///< name
   half_turn_of_angle,         ///< name, line of the key before
   equal_speed_with_velocities,

@@ -13,6 +13,7 @@
 #include "curve/index.hpp"
 #include "curve/rows.hpp"
 #include "input/input.hpp"
+#include "keys/angles.hpp"
 #include "keys/key_store.hpp"
 #include "keys/rotations.hpp"
 #include "sampling/grid.hpp"

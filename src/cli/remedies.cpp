@@ -432,6 +432,9 @@ constexpr Words all_words[]{
     Words{ErrorCode::half_turn_between_keys,
           "the rotation of \"{0}\" is half a turn from the one on line {1}, around an axis that nothing gives; "
           "expected less; add a key between them"},
+    Words{ErrorCode::whole_turns,
+          "the rotation of \"{0}\" makes whole turns, an angle of {1}; expected a curve that can; give "
+          "--rotation-curve squad or slerp"},
     Words{ErrorCode::angle_missing,
           "the angle \"{0}\" is missing; expected a number at every key; fill it in, or remove the row"},
     Words{ErrorCode::half_turn_of_angle,

@@ -250,11 +250,11 @@ MatchedColumns match_columns(const SampleTable& table, const Input& keys, const 
     if (found == columns.compared.end()) continue;
     columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
   }
-  for (const auto& [channels, shown, cells] : keys.rotations) {
-    if (shown.form != spline::RotationForm::quaternion) continue;
+  for (const spline::RotationColumns& rotation : keys.rotations) {
+    if (rotation.shown.form != spline::RotationForm::quaternion) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto found = std::ranges::find(columns.compared, keys.channels[channels[i]], &MatchedColumn::name);
+      const auto found = std::ranges::find(columns.compared, keys.channels[rotation.channels[i]], &MatchedColumn::name);
       numbers[i] = static_cast<std::size_t>(found - columns.compared.begin());
     }
     if (std::ranges::max(numbers) < columns.compared.size()) columns.rotations.push_back(numbers);

@@ -136,7 +136,7 @@ Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
   if (keys.size() > 1 && same_position(first, last)) {
     end = end_by_last_key(first, last, keys, end);
     keys.drop_last();
-    if (!last.velocities.empty()) keys.set_first_incoming(last);
+    keys.set_first_incoming(last);
     if (keys.size() > 0) last = keys.key(keys.size() - 1);
   } else if (end) {
     end = end_by_period(first, last, *spec.period, keys.decimals());

@@ -190,10 +190,11 @@ std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, co
       }
     } else if (field.per_rotation) {
       for (std::size_t rotation = 0; rotation < input.rotations.size(); ++rotation) {
-        const std::string number = input.rotations.size() == 1 ? "" : std::to_string(rotation + 1);
-        for (std::size_t i = 0; i < field.columns; ++i) {
-          const std::string axis = field.columns == 1 ? "" : std::string("_") + "xyz"[i];
-          columns.push_back({std::string(field.name) + number + axis, field.kind});
+        std::string name(field.name);
+        if (input.rotations.size() > 1) name += std::to_string(rotation + 1);
+        if (field.columns == 1) columns.push_back({name, field.kind});
+        for (std::size_t i = 0; field.columns > 1 && i < field.columns; ++i) {
+          columns.push_back({(name + '_').append(1, "xyz"[i]), field.kind});
         }
       }
     } else {

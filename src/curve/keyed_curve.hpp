@@ -121,6 +121,8 @@ class ChannelKeys {
       key.tcbs.push_back(keys_.tcb(number, channel_ + i));
     }
     if (!keys_.eases.empty()) key.eases.push_back(keys_.eases[number]);
+    const std::size_t turns = keys_.turns_per_key();
+    for (std::size_t i = number * turns; i < (number + 1) * turns; ++i) key.turns.push_back(keys_.turns[i]);
     for (std::size_t i = channel_; !keys_.velocities.empty() && i < channel_ + channels_; ++i) {
       key.given.push_back(keys_.given[i]);
       key.velocities.push_back(keys_.velocities[number * keys_.channels + i]);

@@ -47,6 +47,9 @@ std::unique_ptr<const KeyedCurve<S>> curve_at(const ExactCurve& exact) {
   for (const auto& ease : exact.keys.eases) keys.eases.push_back({scalar_of<S>(ease.in), scalar_of<S>(ease.out)});
   keys.given = exact.keys.given;
   for (const auto& [in, out] : exact.keys.velocities) keys.velocities.push_back({scalar_of<S>(in), scalar_of<S>(out)});
+  for (const auto& [x, y, z] : exact.keys.turns) {
+    keys.turns.push_back({scalar_of<S>(x), scalar_of<S>(y), scalar_of<S>(z)});
+  }
   const auto end_choice = [](const spline::EndChoice<Rational>& from) {
     spline::EndChoice<S> to{from.rule, {}};
     for (const Rational& value : from.velocity) to.velocity.push_back(scalar_of<S>(value));

@@ -118,6 +118,10 @@ void ExactKeys::add(const KeyBlock& block) {
       keys_.eases.push_back({number(NumberOfKey::ease_in, ease.in), number(NumberOfKey::ease_out, ease.out)});
     }
     add_velocities(keys, key, number);
+    const std::size_t turns = keys.turns_per_key();
+    for (const auto& [x, y, z] : std::span(keys.turns).subspan(key * turns, turns)) {
+      keys_.turns.push_back({exact_number(x, false), exact_number(y, false), exact_number(z, false)});
+    }
     for (std::size_t i = 0; i < keys.channels; ++i) {
       const double position = keys.position(key)[i];
       missing_.push_back(std::isnan(position));
@@ -150,6 +154,8 @@ ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& 
       curve.keys.velocities[i].in = keys_.velocities[size * keys_.channels + i].in;
     }
   }
+  const std::size_t turns = keys_.turns_per_key();
+  for (std::size_t i = 0; size < keys_.size() && i < turns; ++i) curve.keys.turns[i] = keys_.turns[size * turns + i];
   curve.rules = exact_rules(rules, decimal_);
   curve.end = size < keys_.size() ? std::optional(keys_.times[size]) : end;
   curve.decimal = decimal_;

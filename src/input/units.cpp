@@ -70,6 +70,7 @@ void require_other_names(Input& input, Option option) {
 void rename(Input& input, const std::vector<Renaming>& renamings) {
   const std::vector<std::string*> names = names_of(input);
   std::vector<std::string> before;
+  before.reserve(names.size());
   for (const std::string* name : names) before.push_back(*name);
   for (const Renaming& renaming : renamings) {
     const auto found = std::ranges::find(before, renaming.from);
@@ -155,6 +156,9 @@ void add_rotation(Input& input, const GivenRotation& request) {
     rotation.channels[3] = input.channels.size();
     input.channels.push_back("rotation of " + input.channels[rotation.channels[0]]);
   }
+  const auto relative =
+      static_cast<std::size_t>(std::ranges::count(input.given_rotations, true, &GivenRotation::relative));
+  if (request.relative) rotation.turn = relative;
   input.rotations.push_back(rotation);
   input.given_rotations.push_back(request);
   for (std::size_t i = 0; i < given; ++i) {

@@ -21,6 +21,8 @@ void KeyStore::Columns::append(const Keys& keys) {
   tcbs_per_key = keys.tcbs_per_key();
   tcbs.insert(tcbs.end(), keys.tcbs.begin(), keys.tcbs.end());
   eases.insert(eases.end(), keys.eases.begin(), keys.eases.end());
+  turns_per_key = keys.turns_per_key();
+  turns.insert(turns.end(), keys.turns.begin(), keys.turns.end());
   given = keys.given;
   velocities.insert(velocities.end(), keys.velocities.begin(), keys.velocities.end());
 }
@@ -38,6 +40,7 @@ Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
   copy(keys.positions, positions, channels);
   copy(keys.tcbs, tcbs, tcbs_per_key);
   if (!eases.empty()) copy(keys.eases, eases, 1);
+  copy(keys.turns, turns, turns_per_key);
   if (velocities.empty()) return keys;
   keys.given = given;
   copy(keys.velocities, velocities, channels);
@@ -61,11 +64,13 @@ void KeyStore::drop_last() {
   columns.positions.resize(columns.times.size() * columns.channels);
   columns.tcbs.resize(columns.times.size() * columns.tcbs_per_key);
   if (!columns.eases.empty()) columns.eases.pop_back();
+  columns.turns.resize(columns.times.size() * columns.turns_per_key);
   if (!columns.velocities.empty()) columns.velocities.resize(columns.positions.size());
 }
 
 void KeyStore::set_first_incoming(const Keys& repeated) {
-  for (std::size_t i = 0; i < repeated.channels; ++i) columns_->velocities[i].in = repeated.velocities[i].in;
+  for (std::size_t i = 0; i < repeated.velocities.size(); ++i) columns_->velocities[i].in = repeated.velocities[i].in;
+  std::ranges::copy(repeated.turns, columns_->turns.begin());
 }
 
 int KeyStore::decimals() const {

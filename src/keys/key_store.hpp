@@ -25,7 +25,7 @@ class KeyStore {
   /// A single key; the last one is number size() - 1.
   Keys key(std::size_t number) const { return columns_->part(number, number + 1); }
   void drop_last();
-  /// Gives the first key the incoming velocities of a key that repeats it. Requires: velocities are given.
+  /// Gives the first key the incoming velocities and the turns of a key that repeats it.
   void set_first_incoming(const Keys& repeated);
   /// The largest number of decimals of the times that have more digits than doubles; 0: there are none.
   int decimals() const;
@@ -51,6 +51,8 @@ class KeyStore {
     std::deque<spline::Ease<double>> eases;
     std::deque<spline::Velocity<double>> velocities;
     std::vector<bool> given;
+    std::size_t turns_per_key = 0;
+    std::deque<spline::TurnVector<double>> turns;
 
     void append(const Keys& keys);
     Keys part(std::size_t first, std::size_t last) const;

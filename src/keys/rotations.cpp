@@ -1,4 +1,4 @@
-// Rotations and angles among keys: quaternions from other forms, their checks, and their signs.
+// Rotations among keys: quaternions from other forms, their checks, and their signs.
 #include "keys/rotations.hpp"
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "keys/angles.hpp"
 #include "tcb/spline/detail/rotation_notation.hpp"
 
 namespace tcb {
@@ -20,17 +21,12 @@ namespace {
 
 using Numbers = std::array<double, 4>;
 
+constexpr double half_turn_rounding = 0x1p-50;  // of the cosine of half the angle
+
 double dot(const Numbers& a, const Numbers& b) { return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]); }
 
 [[noreturn]] void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
   throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
-}
-
-/// Throws: Error (data) for an angle of more turns than its unit allows.
-void require_angle(double angle, bool degrees, const std::string& name, std::uint64_t line) {
-  constexpr double turn = 6.283185307179586, most_degrees = 360e4;
-  if (std::abs(angle) <= (degrees ? most_degrees : turn)) return;
-  refuse(degrees ? ErrorCode::angle_too_large : ErrorCode::angle_over_turn, line, {name, angle});
 }
 
 /// Inserts one entry after every `stride` entries.
@@ -69,8 +65,12 @@ void add_channel(KeyBlock& block) {
 /// One rotation of successive keys that give it in another form.
 class Conversion {
  public:
-  Conversion(const spline::RotationChannels& channels, const GivenRotation& given, bool in_parent)
-      : channels_(channels), given_(given), in_parent_(in_parent) {}
+  Conversion(const spline::RotationColumns& rotation, const GivenRotation& given, const RotationsOfKeys& all)
+      : channels_(rotation.channels),
+        turn_(rotation.turn),
+        given_(given),
+        in_parent_(all.in_parent),
+        has_whole_turns_(all.curve == spline::RotationCurve::squad || all.curve == spline::RotationCurve::slerp) {}
 
   void convert(KeyBlock& block) {
     std::vector<bool> changed(NumberOfKey::position + block.keys.channels);
@@ -100,32 +100,57 @@ class Conversion {
     if (lacking > 0) refuse(ErrorCode::rotation_incomplete, line, {given_.columns[0]});
     check(numbers, line);
     spline::Quaternion<double> q = spline::quaternion_from(numbers, notation);
-    if (given_.relative) q = before_ = spline::normalized(in_parent_ ? q * before_ : before_ * q);
+    if (given_.relative) {
+      if (is_first_) {
+        is_first_ = false;
+      } else {
+        set_turn(block, key, numbers, q);
+      }
+      q = before_ = spline::normalized(in_parent_ ? q * before_ : before_ * q);
+    }
     positions[channels_[0]] = q.x;
     positions[channels_[1]] = q.y;
     positions[channels_[2]] = q.z;
     positions[channels_[3]] = q.w;
   }
 
+  /// Keeps the turn from the key before where the two keys do not tell it. `q`: the same turn.
+  void set_turn(KeyBlock& block, std::size_t key, const Numbers& numbers, const spline::Quaternion<double>& q) const {
+    constexpr double pi = 3.141592653589793;
+    const bool degrees = given_.notation.degrees;
+    const double angle = numbers[3];
+    const bool is_whole = std::abs(angle) >= (degrees ? 360 : 2 * pi);
+    if (!is_whole && std::abs(q.w) > half_turn_rounding) return;
+    if (is_whole && !has_whole_turns_) refuse(ErrorCode::whole_turns, block.lines[key], {given_.columns[0], angle});
+    spline::Quaternion<double> axis =
+        spline::normalized(spline::Quaternion<double>{numbers[0], numbers[1], numbers[2], 0});
+    if (in_parent_) axis = spline::conjugate(before_) * axis * before_;
+    const double half = degrees ? angle / 360 * pi : angle / 2;
+    block.keys.turns[key * block.keys.turns_per_key() + *turn_] = {axis.x * half, axis.y * half, axis.z * half};
+  }
+
   void check(const Numbers& numbers, std::uint64_t line) const {
     const bool has_axis = given_.notation.form == spline::RotationForm::axis_angle;
     const std::span<const double> angles = std::span(numbers).subspan(has_axis ? 3 : 0, has_axis ? 1 : 3);
-    for (const double angle : angles) require_angle(angle, given_.notation.degrees, given_.columns[0], line);
+    for (const double angle : angles)
+      require_angle(angle, given_.notation.degrees, given_.relative, given_.columns[0], line);
     const bool is_zero = std::ranges::all_of(numbers.begin(), numbers.begin() + 3, [](double n) { return n == 0; });
     if (has_axis && is_zero && numbers[3] != 0) refuse(ErrorCode::axis_zero, line, {given_.columns[0], numbers[3]});
   }
 
   spline::RotationChannels channels_;
+  std::optional<std::size_t> turn_;
   GivenRotation given_;
-  bool in_parent_;
+  bool in_parent_, has_whole_turns_;
+  bool is_first_ = true;
   spline::Quaternion<double> before_{0, 0, 0, 1};
 };
 
 /// One rotation of successive keys.
 class SignChain {
  public:
-  SignChain(const spline::RotationChannels& channels, std::string name, bool normalize)
-      : channels_(channels), name_(std::move(name)), normalize_(normalize) {}
+  SignChain(const spline::RotationColumns& rotation, std::string name, bool normalize)
+      : channels_(rotation.channels), turn_(rotation.turn), name_(std::move(name)), normalize_(normalize) {}
 
   /// Checks the keys of a block, and negates its quaternions where the one before needs it.
   void add(KeyBlock& block) {
@@ -162,15 +187,21 @@ class SignChain {
     if (missing > 0) refuse(ErrorCode::rotation_incomplete, line, {name_});
     const double norm = checked_norm(q, line);
     for (double& number : q) number /= norm;
-    constexpr double rounding = 0x1p-50;
+    if (line_ != 0 && turn_) turn_before(block.keys.turns[key * block.keys.turns_per_key() + *turn_]);
     const double cosine = line_ == 0 ? 1 : dot(before_, q);
-    if (std::abs(cosine) <= rounding) refuse(ErrorCode::half_turn_between_keys, line, {name_, line_});
+    if (std::abs(cosine) <= half_turn_rounding) refuse(ErrorCode::half_turn_between_keys, line, {name_, line_});
     before_ = q;
     line_ = line;
     if (cosine > 0) return false;
     for (const std::size_t channel : channels_) positions[channel] = 0 - positions[channel];  // 0 stays without a sign
     for (double& number : before_) number = -number;
     return true;
+  }
+
+  void turn_before(const spline::TurnVector<double>& turn) {
+    const auto [x, y, z, w] =
+        spline::Quaternion<double>{before_[0], before_[1], before_[2], before_[3]} * spline::exponential(turn);
+    before_ = {x, y, z, w};
   }
 
   void negate_decimals(KeyBlock& block, const std::vector<bool>& negated) const {
@@ -193,41 +224,11 @@ class SignChain {
   }
 
   spline::RotationChannels channels_;
+  std::optional<std::size_t> turn_;
   std::string name_;
   bool normalize_;
   Numbers before_{};
   std::uint64_t line_ = 0;  ///< of the last key with this rotation; 0: there is none
-};
-
-/// One angle of successive keys.
-class AngleChain {
- public:
-  AngleChain(const spline::AngleChannel& angle, std::string name) : angle_(angle), name_(std::move(name)) {}
-
-  void check(const KeyBlock& block) {
-    for (std::size_t key = 0; key < block.size(); ++key) {
-      const double value = block.keys.position(key)[angle_.channel];
-      const std::uint64_t line = block.lines[key];
-      if (std::isnan(value)) refuse(ErrorCode::angle_missing, line, {name_});
-      require_angle(value, angle_.degrees, name_, line);
-      if (line_ != 0 && is_half_turn(value)) refuse(ErrorCode::half_turn_of_angle, line, {name_, line_});
-      before_ = value;
-      line_ = line;
-    }
-  }
-
- private:
-  bool is_half_turn(double value) const {
-    const double half = spline::whole_turn<double>(angle_.degrees).hi / 2;
-    const spline::DoubleDouble chord = spline::exact_difference(value, before_);
-    const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
-    return std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
-  }
-
-  spline::AngleChannel angle_;
-  std::string name_;
-  double before_ = 0;
-  std::uint64_t line_ = 0;  ///< of the key before; 0: there is none
 };
 
 }  // namespace
@@ -237,49 +238,22 @@ Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys
   auto conversions = std::make_shared<std::vector<Conversion>>();
   auto chains = std::make_shared<std::vector<SignChain>>();
   for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
-    const auto& [channels, shown, cells] = rotations.columns[i];
+    const spline::RotationColumns& columns = rotations.columns[i];
     const GivenRotation& given = rotations.given[i];
     if (given.notation.form != spline::RotationForm::quaternion) {
-      conversions->emplace_back(channels, given, rotations.in_parent);
+      conversions->emplace_back(columns, given, rotations);
     }
-    chains->emplace_back(channels, given.columns[0], rotations.normalize);
+    chains->emplace_back(columns, given.columns[0], rotations.normalize);
   }
-  return mapped(std::move(blocks), [conversions, chains, channels = rotations.channels](KeyBlock block) {
+  const auto turns = static_cast<std::size_t>(std::ranges::count_if(
+      rotations.columns, [](const spline::RotationColumns& columns) { return columns.turn.has_value(); }));
+  return mapped(std::move(blocks), [conversions, chains, turns, channels = rotations.channels](KeyBlock block) {
     while (block.keys.channels < channels) add_channel(block);
+    block.keys.turns.resize(turns * block.size());
     for (Conversion& conversion : *conversions) conversion.convert(block);
     for (SignChain& chain : *chains) chain.add(block);
     return block;
   });
-}
-
-Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
-                                   const std::vector<std::string>& channels) {
-  if (angles.empty()) return blocks;
-  auto chains = std::make_shared<std::vector<AngleChain>>();
-  for (const spline::AngleChannel& angle : angles) chains->emplace_back(angle, channels[angle.channel]);
-  return mapped(std::move(blocks), [chains](KeyBlock block) {
-    for (AngleChain& chain : *chains) chain.check(block);
-    return block;
-  });
-}
-
-Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles) {
-  if (angles.empty()) return blocks;
-  std::vector<KeyBlock> all;
-  for (spline::AngleChannel& angle : angles) angle.is_signed = false;
-  while (std::optional<KeyBlock> block = blocks()) {
-    const Keys& keys = block->keys;
-    for (spline::AngleChannel& angle : angles) {
-      for (std::size_t i = angle.channel; i < keys.positions.size(); i += keys.channels) {
-        angle.is_signed = angle.is_signed || keys.positions[i] < 0;
-      }
-    }
-    all.push_back(std::move(*block));
-  }
-  return [all = std::move(all), next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
-    if (next == all.size()) return std::nullopt;
-    return std::move(all[next++]);
-  };
 }
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// Rotations and angles among keys: quaternions from other forms, their checks, and their signs.
+// Rotations among keys: quaternions from other forms, their checks, and their signs.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 
 #include "input/input.hpp"
 #include "stream/source.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 
@@ -15,7 +16,8 @@ struct RotationsOfKeys {
   std::vector<GivenRotation> given;  ///< how keys give each
   std::size_t channels;              ///< with those that keys do not have yet
   bool normalize = false;            ///< norms need not be 1 within 0.001
-  bool in_parent = false;            ///< a relative rotation turns in the frame outside that of the key before
+  spline::RotationCurve curve = spline::RotationCurve::squad;
+  bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
 };
 
 /// The keys of a curve with the quaternions of their rotations, in blocks that have a channel for each of its numbers.
@@ -24,13 +26,5 @@ struct RotationsOfKeys {
 /// Throws: Error (data), at its line, for a quaternion that is zero, not whole or not of the norm 1, for an angle
 /// beyond what its unit allows, for an axis of zero, and for half a turn between two.
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
-
-/// The same keys. Throws: Error (data), at its line, for an angle that is missing or beyond what its unit allows, and
-/// for half a turn between two.
-Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
-                                   const std::vector<std::string>& channels);
-
-/// The same keys. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
-Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles);
 
 }  // namespace tcb

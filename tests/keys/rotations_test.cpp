@@ -36,7 +36,7 @@ KeyBlock checked(KeyBlock block, bool normalize = false) {
     return block;
   };
   const GivenRotation given{{}, false, {"qx", "qy", "qz", "qw"}};
-  return *with_quaternions(std::move(source), {{{{1, 2, 3, 4}}}, {given}, 5, normalize})();
+  return *with_quaternions(std::move(source), {{{{1, 2, 3, 4}, {}, {}, 0}}, {given}, 5, normalize})();
 }
 
 std::pair<ErrorCode, std::uint64_t> refusal(const std::vector<Numbers>& quaternions, bool normalize = false) {
@@ -93,7 +93,9 @@ Numbers quaternions_of(const std::vector<Numbers>& keys, bool relative, bool in_
     if (std::exchange(done, true)) return std::nullopt;
     return block;
   };
-  return with_quaternions(std::move(source), {{{{1, 2, 3, 4}}}, {given}, 5, false, in_parent})()->keys.positions;
+  return with_quaternions(std::move(source),
+                          {{{{1, 2, 3, 4}, {}, {}, 0}}, {given}, 5, false, spline::RotationCurve::squad, in_parent})()
+      ->keys.positions;
 }
 
 void expect_near(const Numbers& numbers, const Numbers& expected) {

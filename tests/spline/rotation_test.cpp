@@ -197,6 +197,44 @@ TEST(Rotation, parts_are_on_the_whole_curve) {
   EXPECT_EQ(whole.part(0.5, 0.5, 0).at(place<double>(1)).w, whole.at(place<double>(1)).w);
 }
 
+/// Values of an independent program that follows the text on turns in rotation.hpp.
+TEST(Rotation, whole_turns_run_along_a_great_circle) {
+  const double pi = angle_of(0.0, -1.0);
+  const auto half_angle = [&](double degrees) { return degrees / 360 * pi; };
+  const TurnVector<double> turns{half_angle(300), half_angle(600), half_angle(600)};  // 900 degrees around (1, 2, 2)
+  const Quaternion<double> first{0, 0, 0, 1}, second = exponential(turns);
+  const Quaternion<double> third = second * turn<double>({0, 1, 0}, 60);
+  Window<double> window;
+  window.keys.channels = 4;
+  window.keys.times = {0.0, 1.0, 3.0};
+  for (const auto& [x, y, z, w] : {first, second, third}) {
+    for (const double number : {x, y, z, w}) window.keys.positions.push_back(number);
+  }
+  window.keys.tcbs = {{0, 0, 0}, {.25, -.5, .5}, {0, 0, 0}};
+  window.keys.turns = {{}, turns, {}};
+  auto rules = rules_with<double>(TangentRule::uniform, RotationCurve::squad, EndRule::chord);
+  rules.rotations[0].turn = 0;
+  const auto curve = rotation_segments(window, rules);
+  const auto expect_at = [&](std::size_t segment, double u, const std::array<double, 4>& expected) {
+    const auto [x, y, z, w] = curve[segment].at(place<double>(u));
+    EXPECT_NEAR(x, expected[0], 1e-12) << u;
+    EXPECT_NEAR(y, expected[1], 1e-12) << u;
+    EXPECT_NEAR(z, expected[2], 1e-12) << u;
+    EXPECT_NEAR(w, expected[3], 1e-12) << u;
+  };
+  const double root = std::sqrt(0.5);
+  expect_at(0, .1, {root / 3, root * 2 / 3, root * 2 / 3, root});
+  expect_at(0, .5, {-root / 3, -root * 2 / 3, -root * 2 / 3, -root});
+  expect_at(0, .95, {.31749309676401, .62325559810495, .62032294924918, .35489439495834});
+  expect_at(1, .5, {.1816192270224, .64493766010493, .71536246161996, -.19830889909228});
+  rules.rotation_curve = RotationCurve::slerp;
+  const auto at_one_rate = rotation_segments(window, rules)[0];
+  for (const double u : {0.0, .25, .7, .99}) {
+    const auto rate = at_one_rate.rate(place<double>(u));
+    EXPECT_NEAR(std::sqrt(rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2]), 5 * pi, 1e-13) << u;
+  }
+}
+
 TEST(Rotation, logarithm_and_exponential_are_inverse) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> near(-1, 1);

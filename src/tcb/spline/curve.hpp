@@ -81,7 +81,7 @@ class Curve {
 
   std::size_t channels() const { return segments_.channels; }
   bool is_closed() const { return closed_; }
-  /// The time of the first key, and that of the last key or, if closed, of the return to the first key.
+  /// The times of the first key and of the last key or, if closed, of the return to the first.
   S start() const { return high_part<S>(segments_.times.front()); }
   S end() const { return high_part<S>(segments_.times.back()); }
 
@@ -173,8 +173,7 @@ BuildResult<S> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules, 
   if (const auto error = find_rule_error(rules, keys, true)) return *error;
   if (period && !is_finite(*period)) return BuildError{.code = period_not_finite};
   const std::size_t last = keys.size() - 1;
-  std::optional<Time<S>> end;
-  if (period) end = keys.times[0] + *period;
+  auto end = period ? std::optional<Time<S>>(keys.times[0] + *period) : std::nullopt;
   const bool repeated = last > 0 && std::ranges::equal(keys.position(0), keys.position(last));
   if (repeated) {
     for (std::size_t i = 0; i < keys.channels; ++i) {
@@ -194,6 +193,7 @@ BuildResult<S> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules, 
     keys.velocities[i].in = keys.velocities[last * keys.channels + i].in;
     keys.velocities[last * keys.channels + i].out = keys.velocities[i].out;
   }
+  if (repeated) std::copy_n(keys.turns.end() - keys.turns_per_key(), keys.turns_per_key(), keys.turns.begin());
   if (const auto error = find_velocity_error(keys, true)) return *error;
   Window<S> window{{}, false, false, true};
   const auto add = [&](std::size_t key, const Time<S>& time) {

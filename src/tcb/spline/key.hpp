@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,7 @@ struct RotationColumns {
   RotationChannels channels{};
   RotationNotation shown = {};
   std::array<std::uint8_t, 9> cells{0, 1, 2, 3, 4, 5, 6, 7, 8};  ///< of each number, among those of the rotation
+  std::optional<std::size_t> turn = {};                          ///< the number of its turns among those of a key
 };
 
 /// A channel whose numbers are angles: they turn the shorter way from key to key.
@@ -72,6 +74,10 @@ struct AngleChannel {
   bool is_signed = false;  ///< rows show it from half a turn below 0 to half a turn, else from 0 to a whole turn
 };
 
+/// Half the angle of a turn along its axis, in the frame before it.
+template <class S>
+using TurnVector = std::array<S, 3>;
+
 /// In place of metric channels: lengths are the angles that rotations turn through.
 inline constexpr std::size_t turn_metric = std::numeric_limits<std::size_t>::max();
 constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.empty() && metric[0] == turn_metric; }
@@ -80,7 +86,9 @@ constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.emp
 /// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or `channels`
 /// entries per key where each channel has its own, or none where every key has `common_tcb`; eases holds one entry per
 /// key, or none; velocities holds `channels` entries per key, and `given` one per channel, or both hold none. In a
-/// channel that is given, the velocities are those of the curve, and no tangent rule and no end rule applies.
+/// channel that is given, the velocities are those of the curve, and no tangent rule and no end rule applies. turns
+/// holds as many entries per key as rotations have turns: the turn to it from the key before, where that is half a turn
+/// or makes whole turns; zeros: the shorter way.
 template <class S>
 struct Keys {
   std::size_t channels = 0;
@@ -91,11 +99,13 @@ struct Keys {
   std::vector<Ease<S>> eases;
   std::vector<Velocity<S>> velocities = {};
   std::vector<bool> given = {};
+  std::vector<TurnVector<S>> turns = {};
 
   std::size_t size() const { return times.size(); }
   std::span<const S> position(std::size_t key) const { return std::span(positions).subspan(key * channels, channels); }
   /// The number of entries of tcbs per key: 0, 1 or `channels`.
   std::size_t tcbs_per_key() const { return tcbs.empty() ? 0 : tcbs.size() * channels / positions.size(); }
+  std::size_t turns_per_key() const { return turns.empty() ? 0 : turns.size() / times.size(); }
   /// Whether each channel has its own tension, continuity and bias.
   bool has_channel_tcbs() const { return tcbs_per_key() > 1; }
   /// Those of a key, in a channel where each has its own.
@@ -120,6 +130,7 @@ void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t las
   copy(to.positions, from.positions, from.channels);
   if (!from.tcbs.empty()) copy(to.tcbs, from.tcbs, from.tcbs_per_key());
   if (!from.eases.empty()) copy(to.eases, from.eases, 1);
+  if (!from.turns.empty()) copy(to.turns, from.turns, from.turns_per_key());
   if (from.velocities.empty()) return;
   to.given = from.given;
   copy(to.velocities, from.velocities, from.channels);

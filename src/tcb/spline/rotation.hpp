@@ -7,8 +7,11 @@
 //   casteljau:  de Casteljau's algorithm with slerp over q_i, q_i exp(out/3), q_(i+1) exp(-in/3), q_(i+1)
 //   components: the same with lerp over the cubics of the four numbers, normalized
 //   slerp:      slerp(q_i, q_(i+1), u)
+// A turn of the angle g > 2 pi around the axis n from q_i has D_i = n pi/2. With s = u g/pi, squad runs from q_i and a
+// to p = q_i exp(n pi/2) in s <= 1, along q_i exp(s n pi/2) up to the last half turn, and back from q_(i+1) likewise.
 // Source: K. Shoemake, "Animating rotation with quaternion curves", doi:10.1145/325165.325242, for slerp and
-//   casteljau; D. Eberly, "Key Frame Interpolation via Splines and Quaternions", for squad.
+//   casteljau; D. Eberly, "Key Frame Interpolation via Splines and Quaternions", for squad; the products of the preset
+//   nel, for turns.
 // Units: logarithms are half the angle of the turn, in radians, along its axis.
 #pragma once
 
@@ -19,9 +22,9 @@
 #include <limits>
 #include <span>
 #include <type_traits>
-#include <utility>
 
 #include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/detail/dual.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rules.hpp"
 #include "tcb/spline/segment.hpp"
@@ -29,7 +32,7 @@
 namespace tcb::spline {
 
 template <class T>
-using Vector3 = std::array<T, 3>;
+using Vector3 = TurnVector<T>;
 
 template <class T>
 struct Quaternion {
@@ -85,52 +88,6 @@ inline Quaternion<double> normalized(const Quaternion<double>& q) {
   return {divided(q.x), divided(q.y), divided(q.z), divided(q.w)};
 }
 
-/// A number and its derivative.
-template <class S>
-struct Dual {
-  S value{}, slope{};
-
-  Dual() = default;
-  Dual(const S& number) : value(number), slope(0) {}  // NOLINT(google-explicit-constructor): a constant
-  Dual(const S& number, const S& derivative) : value(number), slope(derivative) {}
-
-  friend Dual operator-(const Dual& a) { return {-a.value, -a.slope}; }
-  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.slope + b.slope}; }
-  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.slope - b.slope}; }
-  friend Dual operator*(const Dual& a, const Dual& b) {
-    return {a.value * b.value, a.value * b.slope + a.slope * b.value};
-  }
-  friend Dual operator/(const Dual& a, const Dual& b) {
-    const S quotient = a.value / b.value;
-    return {quotient, (a.slope - quotient * b.slope) / b.value};
-  }
-  friend Dual sqrt(const Dual& a) {
-    using std::sqrt;
-    const S root = sqrt(a.value);
-    return {root, a.slope / (S(2) * root)};
-  }
-  friend Dual sine(const Dual& angle) {
-    const auto [sine, cosine] = sine_cosine(angle.value);
-    return {sine, cosine * angle.slope};
-  }
-  friend Dual angle_of(const Dual& y, const Dual& x) {
-    return {angle_of(y.value, x.value),
-            (x.value * y.slope - y.value * x.slope) / (x.value * x.value + y.value * y.value)};
-  }
-};
-
-/// The number without its derivative, if it has one.
-template <class S>
-const S& value_of(const S& number) {
-  return number;
-}
-template <class S>
-const S& value_of(const Dual<S>& number) {
-  return number.value;
-}
-template <class T>
-using value_t = std::remove_cvref_t<decltype(value_of(std::declval<const T&>()))>;
-
 /// The arc of unit quaternions from one to another, at a constant rate.
 template <class T>
 class Arc {
@@ -145,6 +102,8 @@ class Arc {
     sine_ = sqrt(square_);
     angle_ = angle_of(sine_, turn.w);
   }
+
+  const Quaternion<T>& from() const { return from_; }
 
   /// The point after the fraction u of the arc; `left` is 1 - u.
   template <class U>
@@ -185,6 +144,14 @@ Vector3<S> logarithm(const Quaternion<S>& q) {
   return {q.x * factor, q.y * factor, q.z * factor};
 }
 
+/// The number of half turns of a turn; 0: it is none.
+template <class S>
+S half_turns_of(const Vector3<S>& turn) {
+  using std::sqrt;
+  const S half = sqrt(turn[0] * turn[0] + (turn[1] * turn[1] + turn[2] * turn[2]));
+  return half == S(0) ? S(0) : S(S(2) * half / angle_of(S(0), S(-1)));
+}
+
 /// The rotation with a logarithm.
 template <class S>
 Quaternion<S> exponential(const Vector3<S>& v) {
@@ -215,8 +182,17 @@ class RotationSegment {
  public:
   RotationSegment() = default;
 
-  /// From four points: the keys, and between them the control points of squad or of de Casteljau's algorithm.
-  RotationSegment(RotationCurve curve, const std::array<Quaternion<S>, 4>& points) : curve_(curve), points_(points) {
+  /// From four points: the keys, and between them the control points of squad or of de Casteljau's algorithm. `turn`:
+  /// that of squad or slerp, if it makes whole turns.
+  RotationSegment(RotationCurve curve, const std::array<Quaternion<S>, 4>& points, const Vector3<S>& turn = {})
+      : curve_(curve), points_(points), half_turns_(half_turns_of(turn)) {
+    if (has_whole_turns()) {
+      const S part = S(1) / half_turns_;
+      const Quaternion<S> half_turn = exponential<S>({turn[0] * part, turn[1] * part, turn[2] * part});
+      const Quaternion<S> after = points[0] * half_turn;
+      arcs_ = {Arc<S>(points[0], after), Arc<S>(points[1], after), Arc<S>(points[3] * conjugate(half_turn), points[3])};
+      return;
+    }
     if (curve == RotationCurve::casteljau) {
       arcs_ = {Arc<S>(points[0], points[1]), Arc<S>(points[1], points[2]), Arc<S>(points[2], points[3])};
     } else if (curve != RotationCurve::components) {
@@ -252,6 +228,8 @@ class RotationSegment {
   }
 
  private:
+  bool has_whole_turns() const { return half_turns_ > S(1.5); }
+
   LocalParameter<S> of_whole(const LocalParameter<S>& place) const {
     if (size_ == S(1)) return place;
     return {from_ + size_ * place.u, size_ * place.w - left_};
@@ -259,6 +237,7 @@ class RotationSegment {
   /// A point of the curve, not yet normalized.
   template <class T>
   Quaternion<T> point(const T& u, const T& left) const {
+    if (has_whole_turns()) return turned(u, left);
     if (curve_ == RotationCurve::components) return cubic_point(u, left);
     const Quaternion<T> first = arcs_[0].at(u, left);
     if (curve_ == RotationCurve::slerp) return first;
@@ -266,6 +245,23 @@ class RotationSegment {
     if (curve_ == RotationCurve::squad) return Arc<T>(first, second).at(T(T(2) * (u * left)), T(u * u + left * left));
     const Arc<T> before(first, second), after(second, arcs_[2].at(u, left));
     return Arc<T>(before.at(u, left), after.at(u, left)).at(u, left);
+  }
+  /// A point of whole turns: on the way from the first key, along the great circle, or on the way to the last key.
+  template <class T>
+  Quaternion<T> turned(const T& u, const T& left) const {
+    using std::floor;
+    const T one(1), s = u * half_turns_, rest = left * half_turns_;
+    const auto squad = [&](const Arc<S>& keys, const Arc<S>& controls, const T& to, const T& from) {
+      return Arc<T>(keys.at(to, from), controls.at(to, from)).at(T(T(2) * (to * from)), T(to * to + from * from));
+    };
+    if (curve_ == RotationCurve::squad && value_of(s) < S(1)) return squad(arcs_[0], arcs_[1], s, T(one - s));
+    if (curve_ == RotationCurve::squad && value_of(rest) < S(1)) {
+      return squad(arcs_[2], Arc<S>(arcs_[2].from(), points_[2]), T(one - rest), rest);
+    }
+    const S turns = floor(S(value_of(s) / S(2)));  // each negates the quaternion
+    const T within = s - T(S(2) * turns);
+    const Quaternion<T> q = arcs_[0].at(within, T(one - within));
+    return floor(S(turns / S(2))) * S(2) == turns ? q : -q;
   }
   template <class T>
   Quaternion<T> cubic_point(const T& u, const T& left) const {
@@ -281,7 +277,8 @@ class RotationSegment {
 
   RotationCurve curve_ = RotationCurve::slerp;
   std::array<Quaternion<S>, 4> points_;
-  std::array<Arc<S>, 3> arcs_;     ///< that the curve begins with
+  S half_turns_{0};                ///< of the turn; 0: the shorter way
+  std::array<Arc<S>, 3> arcs_;     ///< that the curve begins with; those of squad to and from the ends of a turn
   S from_{0}, size_{1}, left_{0};  ///< of a part
 };
 

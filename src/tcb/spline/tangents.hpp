@@ -151,18 +151,22 @@ class RotationOfWindow {
   using W = working_t<S>;
 
   /// Requires: at least two keys.
-  RotationOfWindow(const Window<S>& window, const CurveRules<S>& rules, const RotationChannels& channels)
+  RotationOfWindow(const Window<S>& window, const CurveRules<S>& rules, const RotationColumns& rotation)
       : window_(window),
         rules_(rules),
-        channel_(channels[0]),
+        rotation_(rotation),
         is_linear_(rules.rotation_curve == RotationCurve::components) {
     const Keys<S>& keys = window.keys;
-    for (std::size_t key = 0; key < keys.size(); ++key) keys_.push_back(rotation_of<S>(keys.position(key), channels));
-    const auto align = [&](std::size_t key, std::size_t with) {
-      if (dot(keys_[key], keys_[with]) < S(0)) keys_[key] = -keys_[key];
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+      keys_.push_back(rotation_of<S>(keys.position(key), rotation.channels));
+    }
+    const auto align = [&](std::size_t key, const Quaternion<S>& with) {
+      if (dot(keys_[key], with) < S(0)) keys_[key] = -keys_[key];
     };
-    if (window.first_key() > 0) align(0, 1);  // context: the first key keeps its sign
-    for (std::size_t key = window.first_key() + 1; key < keys_.size(); ++key) align(key, key - 1);
+    if (window.first_key() > 0) align(0, keys_[1] * exponential(turn(0, S(-1))));  // the first key keeps its sign
+    for (std::size_t key = window.first_key() + 1; key < keys_.size(); ++key) {
+      align(key, keys_[key - 1] * exponential(turn(key - 1)));
+    }
     for (std::size_t key = 1; key < keys_.size(); ++key) chords_.push_back(chord(key - 1));
   }
 
@@ -174,7 +178,8 @@ class RotationOfWindow {
     turns.keys.velocities.clear();
     if (window_.keys.has_channel_tcbs()) {
       turns.keys.tcbs.clear();
-      for (std::size_t key = 0; key < keys_.size(); ++key) turns.keys.tcbs.push_back(window_.keys.tcb(key, channel_));
+      for (std::size_t key = 0; key < keys_.size(); ++key)
+        turns.keys.tcbs.push_back(window_.keys.tcb(key, rotation_.channels[0]));
     }
     CurveRules<S> rules = rules_;
     rules.metric.clear();
@@ -192,8 +197,20 @@ class RotationOfWindow {
   Chord chord(std::size_t key) const {
     const Quaternion<S>&from = keys_[key], &to = keys_[key + 1];
     if (is_linear_) return {to.x - from.x, to.y - from.y, to.z - from.z, to.w - from.w};
-    const Vector3<S> turn = logarithm(conjugate(from) * to);
-    return {turn[0], turn[1], turn[2], S(0)};
+    Vector3<S> log = turn(key);
+    if (const S half_turns = half_turns_of(log); half_turns > S(1.5)) {
+      for (S& number : log) number = number / half_turns;  // up to the first half turn
+    } else if (half_turns == S(0)) {
+      log = logarithm(conjugate(from) * to);
+    }
+    return {log[0], log[1], log[2], S(0)};
+  }
+  /// The given turn from a key to the next one, times a factor; zeros: there is none.
+  Vector3<S> turn(std::size_t key, const S& factor = S(1)) const {
+    const Keys<S>& keys = window_.keys;
+    if (!rotation_.turn || keys.turns.empty()) return {S(0), S(0), S(0)};
+    const auto& [x, y, z] = keys.turns[(key + 1) * keys.turns_per_key() + *rotation_.turn];
+    return {x * factor, y * factor, z * factor};
   }
   static Chord rounded(std::span<const W> tangent) {
     Chord result{};
@@ -212,10 +229,12 @@ class RotationOfWindow {
   RotationSegment<S> segment(std::size_t key, const Chord& out, const Chord& in) const {
     const Quaternion<S>&from = keys_[key], &to = keys_[key + 1];
     const S half(0.5), third = S(1) / S(3);
-    if (rules_.rotation_curve == RotationCurve::slerp) return {RotationCurve::slerp, {from, from, to, to}};
+    const Vector3<S> whole_turns = turn(key);
+    if (rules_.rotation_curve == RotationCurve::slerp) return {RotationCurve::slerp, {from, from, to, to}, whole_turns};
     if (rules_.rotation_curve == RotationCurve::squad) {
       return {RotationCurve::squad,
-              {from, moved(from, half, out, S(-half), chords_[key]), moved(to, half, chords_[key], S(-half), in), to}};
+              {from, moved(from, half, out, S(-half), chords_[key]), moved(to, half, chords_[key], S(-half), in), to},
+              whole_turns};
     }
     Quaternion<S> second = moved(from, third, out, S(0), out), last = moved(to, S(-third), in, S(0), in);
     if (!is_linear_ && keys_.size() > 2) {  // as the Python package splines makes its natural ends
@@ -230,7 +249,7 @@ class RotationOfWindow {
 
   const Window<S>& window_;
   const CurveRules<S>& rules_;
-  std::size_t channel_;  ///< the first of its own
+  const RotationColumns& rotation_;
   bool is_linear_;
   std::vector<Quaternion<S>> keys_;
   std::vector<Chord> chords_;
@@ -242,25 +261,9 @@ std::vector<RotationSegment<S>> rotation_segments(const Window<S>& window, const
   std::vector<RotationSegment<S>> result;
   const std::size_t count = rules.rotations.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const auto one = RotationOfWindow<S>(window, rules, rules.rotations[i].channels).segments();
+    const auto one = RotationOfWindow<S>(window, rules, rules.rotations[i]).segments();
     result.resize(one.size() * count);
     for (std::size_t segment = 0; segment < one.size(); ++segment) result[segment * count + i] = one[segment];
-  }
-  return result;
-}
-
-/// A single key as a constant segment without duration.
-template <class S>
-Segments<S> constant_segment(const Keys<S>& keys, const CurveRules<S>& rules) {
-  Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
-  result.angles = rules.angles;
-  for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
-  if constexpr (has_roots<S>) {
-    result.rotation_columns = rules.rotations;
-    for (const RotationColumns& rotation : rules.rotations) {
-      const Quaternion<S> q = rotation_of<S>(keys.position(0), rotation.channels);
-      result.rotations.push_back({RotationCurve::slerp, {q, q, q, q}});
-    }
   }
   return result;
 }

@@ -128,4 +128,20 @@ struct Segments {
   }
 };
 
+/// A single key as a constant segment without duration.
+template <class S>
+Segments<S> constant_segment(const Keys<S>& keys, const CurveRules<S>& rules) {
+  Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
+  result.angles = rules.angles;
+  for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
+  if constexpr (has_roots<S>) {
+    result.rotation_columns = rules.rotations;
+    for (const RotationColumns& rotation : rules.rotations) {
+      const Quaternion<S> q = rotation_of<S>(keys.position(0), rotation.channels);
+      result.rotations.push_back({RotationCurve::slerp, {q, q, q, q}});
+    }
+  }
+  return result;
+}
+
 }  // namespace tcb::spline

@@ -1,0 +1,87 @@
+// Angles among keys: their checks, and whether rows show negative ones.
+#include "keys/angles.hpp"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "error.hpp"
+#include "tcb/spline/detail/angle.hpp"
+
+namespace tcb {
+namespace {
+
+[[noreturn]] void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
+  throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
+}
+
+/// One angle of successive keys.
+class AngleChain {
+ public:
+  AngleChain(const spline::AngleChannel& angle, std::string name) : angle_(angle), name_(std::move(name)) {}
+
+  void check(const KeyBlock& block) {
+    for (std::size_t key = 0; key < block.size(); ++key) {
+      const double value = block.keys.position(key)[angle_.channel];
+      const std::uint64_t line = block.lines[key];
+      if (std::isnan(value)) refuse(ErrorCode::angle_missing, line, {name_});
+      require_angle(value, angle_.degrees, false, name_, line);
+      if (line_ != 0 && is_half_turn(value)) refuse(ErrorCode::half_turn_of_angle, line, {name_, line_});
+      before_ = value;
+      line_ = line;
+    }
+  }
+
+ private:
+  bool is_half_turn(double value) const {
+    const double half = spline::whole_turn<double>(angle_.degrees).hi / 2;
+    const spline::DoubleDouble chord = spline::exact_difference(value, before_);
+    const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
+    return std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
+  }
+
+  spline::AngleChannel angle_;
+  std::string name_;
+  double before_ = 0;
+  std::uint64_t line_ = 0;  ///< of the key before; 0: there is none
+};
+
+}  // namespace
+
+void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line) {
+  constexpr double turn = 6.283185307179586, most_turns = 1e4;
+  if (std::abs(angle) <= (degrees ? 360 * most_turns : makes_turns ? turn * most_turns : turn)) return;
+  refuse(degrees || makes_turns ? ErrorCode::angle_too_large : ErrorCode::angle_over_turn, line, {name, angle});
+}
+
+Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
+                                   const std::vector<std::string>& channels) {
+  if (angles.empty()) return blocks;
+  auto chains = std::make_shared<std::vector<AngleChain>>();
+  for (const spline::AngleChannel& angle : angles) chains->emplace_back(angle, channels[angle.channel]);
+  return mapped(std::move(blocks), [chains](KeyBlock block) {
+    for (AngleChain& chain : *chains) chain.check(block);
+    return block;
+  });
+}
+
+Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles) {
+  if (angles.empty()) return blocks;
+  std::vector<KeyBlock> all;
+  for (spline::AngleChannel& angle : angles) angle.is_signed = false;
+  while (std::optional<KeyBlock> block = blocks()) {
+    const Keys& keys = block->keys;
+    for (spline::AngleChannel& angle : angles) {
+      for (std::size_t i = angle.channel; i < keys.positions.size(); i += keys.channels) {
+        angle.is_signed = angle.is_signed || keys.positions[i] < 0;
+      }
+    }
+    all.push_back(std::move(*block));
+  }
+  return [all = std::move(all), next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+    if (next == all.size()) return std::nullopt;
+    return std::move(all[next++]);
+  };
+}
+
+}  // namespace tcb

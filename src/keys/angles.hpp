@@ -1,0 +1,24 @@
+// Angles among keys: their checks, and whether rows show negative ones.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "input/input.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// Throws: Error (data) for an angle of more turns than its unit allows. `makes_turns`: they count.
+void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line);
+
+/// The same keys. Throws: Error (data), at its line, for an angle that is missing or beyond what its unit allows, and
+/// for half a turn between two.
+Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
+                                   const std::vector<std::string>& channels);
+
+/// The same keys. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
+Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles);
+
+}  // namespace tcb

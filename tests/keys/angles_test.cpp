@@ -1,0 +1,62 @@
+// Angles among keys: what is refused, and whether rows show negative ones.
+#include "keys/angles.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+/// Keys of one channel, on lines from 2 on.
+Source<KeyBlock> keys_of(const std::vector<double>& angles) {
+  KeyBlock block;
+  block.keys.channels = 1;
+  for (const double angle : angles) {
+    block.keys.times.emplace_back(static_cast<double>(block.lines.size()));
+    block.keys.positions.push_back(angle);
+    block.lines.push_back(block.lines.size() + 2);
+  }
+  return [block, done = false]() mutable -> std::optional<KeyBlock> {
+    return std::exchange(done, true) ? std::nullopt : std::optional(block);
+  };
+}
+
+/// The error of keys with these angles; none: they are taken.
+std::optional<ErrorCode> refusal(const std::vector<double>& angles, bool degrees) {
+  try {
+    (void)with_clear_angles(keys_of(angles), {{0, degrees}}, {"heading"})();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return std::nullopt;
+}
+
+TEST(Angles, half_a_turn_between_keys_is_refused_in_any_turn) {
+  EXPECT_EQ(refusal({0, 180}, true), ErrorCode::half_turn_of_angle);
+  EXPECT_EQ(refusal({-90, 90}, true), ErrorCode::half_turn_of_angle);
+  EXPECT_EQ(refusal({10, 550}, true), ErrorCode::half_turn_of_angle);
+  EXPECT_EQ(refusal({0, 3.141592653589793}, false), ErrorCode::half_turn_of_angle);
+  EXPECT_EQ(refusal({0, 179.999, 0.001, 360}, true), std::nullopt);
+  EXPECT_EQ(refusal({0, 3.14159, 6.28}, false), std::nullopt);
+}
+
+TEST(Angles, beyond_what_the_unit_allows_are_refused) {
+  EXPECT_EQ(refusal({0, 7}, false), ErrorCode::angle_over_turn);
+  EXPECT_EQ(refusal({0, 4e6}, true), ErrorCode::angle_too_large);
+  EXPECT_EQ(refusal({0, std::nan("")}, true), ErrorCode::angle_missing);
+}
+
+TEST(Angles, rows_show_negative_ones_where_a_key_does) {
+  for (const double last : {30.0, -30.0}) {
+    std::vector<spline::AngleChannel> angles{{0, true}};
+    const auto again = with_signs(keys_of({10, 20, last}), angles);
+    EXPECT_EQ(angles[0].is_signed, last < 0);
+    EXPECT_EQ(again()->keys.positions, (std::vector<double>{10, 20, last}));
+    EXPECT_FALSE(again());
+  }
+}
+
+}  // namespace
+}  // namespace tcb
