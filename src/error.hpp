@@ -316,6 +316,7 @@ enum class ErrorCode {
   angle_in_metric,
   path_of_rotations,
   only_rotations,
+  tolerance_without_rotation,
   end_velocity_of_rotation,
   emit_of_rotation,
   emit_of_angles,
@@ -415,7 +416,7 @@ enum class ErrorCode {
   expected_count,
   expected_form,
   expected_whole_number,  ///< text, least, most
-  expected_distance,
+  expected_curve_tolerance,
   expected_tolerance,
   expected_delimiter,
   expected_decimal_mark,

@@ -39,6 +39,9 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
     throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);
   }
   require_fitting_rotations(spec_, metric_use(), request_.mode == Mode::emit);
+  if (request_.tolerance.limits_angle() && spec_.rules.rotations.empty()) {
+    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::tolerance);
+  }
 }
 
 bool CurvePipeline::is_single() const {
@@ -60,7 +63,8 @@ MetricUse CurvePipeline::metric_use() const {
     return fields()[field].over_metric && !fields()[field].needs_lengths;
   };
   const bool has_path_field = std::ranges::any_of(fields_, is_of_path);
-  if (has_path_field || time_exponent() != 0 || request_.mode == Mode::tolerance) return MetricUse::path;
+  const bool is_near_path = request_.mode == Mode::tolerance && request_.tolerance.limits_distance();
+  if (has_path_field || time_exponent() != 0 || is_near_path) return MetricUse::path;
   return needs_lengths() ? MetricUse::lengths : MetricUse::nothing;
 }
 

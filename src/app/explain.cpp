@@ -73,10 +73,10 @@ Facts input_facts(const Input& input) {
 /// What will be done with every curve of an input.
 Facts intentions(const Job& job, const Input& input) {
   Facts facts;
-  const auto add = [&](const char* name, std::string value) { facts.emplace_back(name, std::move(value)); };
+  const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
   add("missing", std::string(name_of(missing_names, &MissingName::way, job.input.missing)));
-  if (input.timed)
-    add("duplicates", std::string(name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates)));
+  const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates);
+  if (input.timed) add("duplicates", std::string(duplicates));
   if (job.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
@@ -84,17 +84,14 @@ Facts intentions(const Job& job, const Input& input) {
     add("angle", input.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
   }
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const GivenRotation& given = input.given_rotations[i];
-    const spline::RotationNotation& shown = input.rotations[i].shown;
-    const std::string name = i == 0 ? "rotation" : fmt::format("rotation {}", i + 1);
-    const std::string rows = shown == given.notation ? "" : fmt::format(", in rows {}", in_words(shown));
-    add(name.c_str(), fmt::format("{}{} {}{}", given.relative ? "relative " : "", in_words(given.notation),
-                                  fmt::join(given.columns, " "), rows));
+    const auto& [notation, relative, columns] = input.given_rotations[i];
+    const auto& shown = input.rotations[i].shown;
+    const std::string rows = shown == notation ? "" : ", in rows " + in_words(shown);
+    add(i == 0 ? "rotation" : fmt::format("rotation {}", i + 1),
+        fmt::format("{}{} {}{}", relative ? "relative " : "", in_words(notation), fmt::join(columns, " "), rows));
   }
-  const std::string_view others = !input.rotations.empty() ? " without rotation"
-                                  : input.angles.empty()   ? ""
-                                                           : " without angle";
-  add("metric", job.curve.metric.value_or(fmt::format("all channels{}", others)));
+  const std::string_view others = input.rotations.empty() && input.angles.empty() ? "" : "other ";
+  add("metric", job.curve.metric.value_or(fmt::format("all {}channels", others)));
   add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));
   if (job.sampling.to) add("to", shown(*job.sampling.to));
@@ -102,11 +99,8 @@ Facts intentions(const Job& job, const Input& input) {
   for (const std::size_t field : job.fields) names.push_back(fields()[field].name);
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
   const Format& output = format_of(job.output_format);
-  const bool header = output.has_header && job.output_header.value_or(input.named);
-  add("output", fmt::format("{}{}", output.name,
-                            !output.has_header ? ""
-                            : header           ? " with a header"
-                                               : " without a header"));
+  const std::string_view header = job.output_header.value_or(input.named) ? " with a header" : " without a header";
+  add("output", fmt::format("{}{}", output.name, output.has_header ? header : ""));
   return facts;
 }
 
@@ -262,16 +256,21 @@ std::string samples_in_words(const SamplingRequest& request) {
       if (request.is_rate) return fmt::format("{} per unit of time", shown(Rational(1) / request.step));
       [[fallthrough]];
     case Mode::arc_step: return fmt::format("every {} of {}", shown(request.step), of);
-    case Mode::count:
-    case Mode::arc_count: return fmt::format("{}, equally spaced in {}", request.count, of);
+    case Mode::arc_count:
+    case Mode::count: return fmt::format("{}, equally spaced in {}", request.count, of);
     case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
     case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
     case Mode::at:
     case Mode::arc_at:
-      if (request.places.empty()) return fmt::format("at places in {} for each group", of);
-      return fmt::format("at {} places in {}", request.places.size(), of);
+      return request.places.empty() ? fmt::format("at places in {} for each group", of)
+                                    : fmt::format("at {} places in {}", request.places.size(), of);
     case Mode::emit: return "the cubic of each segment";
-    case Mode::tolerance: return fmt::format("within {} of the curve", request.tolerance);
+    case Mode::tolerance: {
+      const auto& [distance, angle] = request.tolerance;
+      if (!request.tolerance.limits_angle()) return fmt::format("within {} of the curve", distance);
+      if (!request.tolerance.limits_distance()) return fmt::format("rotations within {} radians", angle);
+      return fmt::format("within {} of the curve, rotations within {} radians", distance, angle);
+    }
   }
   return "";
 }
@@ -290,8 +289,8 @@ std::string explanation(const std::string& path, const Job& job, const Wording& 
   append(input_facts(input));
   append(explainer.lines());
   if (curves.skipped() > 0) lines.emplace_back("rows left out", fmt::format("{}", curves.skipped()));
-  std::string out;
   if (is_json(job.output_format)) return as_object(lines);
+  std::string out;
   for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);
   return out;
 }

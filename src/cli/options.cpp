@@ -219,11 +219,12 @@ constexpr std::array<OptionRow, option_count> table{{
        to.job.sampling.mode = Mode::arc_at;
        store_places(to, Option::arc_at, text);
      }},
-    {Option::tolerance, "--tolerance", "D", sampling,
-     "Samples, as few as a greedy search finds, whose polyline stays within D of the curve, over the metric channels", "", other, recorded,
+    {Option::tolerance, "--tolerance", "D[,ANGLE]", sampling,
+     "Samples, as few as a greedy search finds, whose polyline stays within D of the curve, over the metric channels, and "
+     "rotations within ANGLE, such as 0.5deg or 0.01rad", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::tolerance;
-       to.job.sampling.tolerance = positive_distance(text);
+       to.job.sampling.tolerance = curve_tolerance(text);
      }},
     {Option::emit, "--emit", "FORM", sampling,
      "The exact cubics instead of samples, a row for each segment: hermite, position and velocity at both ends; bezier, "

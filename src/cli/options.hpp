@@ -239,7 +239,7 @@ std::uint64_t positive_count(const std::string& text);
 std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most);
 /// In digits alone.
 int digit_count(const std::string& text, int least);
-double positive_distance(const std::string& text);
+CurveTolerance curve_tolerance(const std::string& text);
 /// "1e-9", "x=1e-6", or several separated by commas.
 std::vector<Tolerance> tolerances(const std::string& text);
 char delimiter(const std::string& text);

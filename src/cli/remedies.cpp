@@ -335,7 +335,7 @@ constexpr Words all_words[]{
     Words{ErrorCode::piece_with_ease,
           "segment {0}, from the key at time {1} to the key at {2}, has ease, so it is no cubic in time; expected "
           "keys without ease; give --no-ease, or a sampling option instead of --emit"},
-    Words{ErrorCode::tolerance_too_small, "{subject} {0} is too small: two rows would be the same; give a larger one"},
+    Words{ErrorCode::tolerance_too_small, "{subject} is too small: two rows would be the same; give a larger one"},
     // curve
     Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
     Words{ErrorCode::velocity_missing, "{subject} {0}: expected a number for each channel, as in velocity=1:0"},
@@ -370,9 +370,11 @@ constexpr Words all_words[]{
         "lengths alone; leave out the others, or give the field angular_speed"},
     Words{ErrorCode::only_rotations,
           "there are only rotations or angles, which have no lengths; expected a position; give --metric rotation for "
-          "angles, or "
-          "--rotation "
-          "none to take their numbers as positions"},
+          "angles, or --rotation none to take their numbers as positions"},
+    Words{
+        ErrorCode::tolerance_without_rotation,
+        "{subject} has an angle, and there are no rotations; expected a distance alone; leave out the angle, or name a "
+        "rotation with --rotation"},
     Words{ErrorCode::end_velocity_of_rotation,
           "{subject}: a velocity has a number per channel, and rotations have none; expected another end rule; give "
           "--rotation none for plain channels"},
@@ -591,7 +593,10 @@ constexpr Words all_words[]{
     Words{ErrorCode::expected_count, "{subject} \"{0}\": expected a whole number from 1 to 2^63 - 1, in digits"},
     Words{ErrorCode::expected_form, "{subject} \"{0}\": expected 4 to 32 coefficients, such as poly8"},
     Words{ErrorCode::expected_whole_number, "{subject} \"{0}\": expected a whole number from {1} to {2}"},
-    Words{ErrorCode::expected_distance, "{subject} \"{0}\": expected a distance above 0, such as 0.01"},
+    Words{ErrorCode::expected_curve_tolerance,
+          "{subject} \"{0}\": expected a distance above 0, an angle with deg or rad for rotations, or both separated "
+          "by a "
+          "comma, such as 0.01 or 0.01,0.5deg"},
     Words{ErrorCode::expected_tolerance,
           "{subject} \"{0}\": expected a distance of at least 0, for all columns or as COLUMN=DISTANCE, such as "
           "1e-9 or x=1e-6"},

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -90,10 +91,19 @@ int digit_count(const std::string& text, int least) {
   return *value;
 }
 
-double positive_distance(const std::string& text) {
-  const auto value = parse_number(text);
-  if (!value || *value <= 0) refuse(ErrorCode::expected_distance, text);
-  return *value;
+CurveTolerance curve_tolerance(const std::string& text) {
+  constexpr double radian = 1, degree = 0.017453292519943295;
+  constexpr std::array units{std::pair{std::string_view("deg"), degree}, std::pair{std::string_view("rad"), radian}};
+  CurveTolerance tolerance;
+  for (std::string_view part : split(text, ',')) {
+    const auto unit = std::ranges::find_if(units, [&](const auto& one) { return part.ends_with(one.first); });
+    if (unit != units.end()) part.remove_suffix(unit->first.size());
+    const auto value = parse_number(part);
+    double& limit = unit == units.end() ? tolerance.distance : tolerance.angle;
+    if (!value || *value <= 0 || std::isfinite(limit)) refuse(ErrorCode::expected_curve_tolerance, text);
+    limit = unit == units.end() ? *value : *value * unit->second;
+  }
+  return tolerance;
 }
 
 std::vector<Tolerance> tolerances(const std::string& text) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -31,13 +32,21 @@ inline constexpr std::array end_policies{
     NamedEndPolicy{"fit-up", EndPolicy::fit_up, "equal steps, the smallest that are not smaller"},
 };
 
+/// How far the curve may be from its rows: from the polyline through them, and rotations from the arcs between them.
+struct CurveTolerance {
+  double distance = std::numeric_limits<double>::infinity();
+  double angle = std::numeric_limits<double>::infinity();  ///< in radians
+  bool limits_distance() const { return distance < std::numeric_limits<double>::infinity(); }
+  bool limits_angle() const { return angle < std::numeric_limits<double>::infinity(); }
+};
+
 struct SamplingRequest {
   Mode mode = Mode::step;
   Rational step;                     ///< time or arc length between rows: step, arc_step
   bool is_rate = false;              ///< the step is in seconds, where the unit of the times is known: step
   std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
   std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
-  double tolerance = 0;              ///< how far the polyline may be from the curve
+  CurveTolerance tolerance;          ///< tolerance
   std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
   EndPolicy end = EndPolicy::drop;   ///< step, arc_step
   bool keys = false;                 ///< every key is a row too

@@ -147,7 +147,7 @@ double least_rows(const CurveSegments& segments, double tolerance);
 /// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last; see
 /// tolerance.cpp. Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within
 /// the tolerance, too. Throws: Error (usage) for more than max_rows rows.
-std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows,
-                                         bool at_keys = false);
+std::vector<Time> times_within_tolerance(const CurveSegments& segments, const CurveTolerance& tolerance,
+                                         std::uint64_t max_rows, bool at_keys = false);
 
 }  // namespace tcb

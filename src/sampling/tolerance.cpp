@@ -4,15 +4,18 @@
 // within the tolerance. The points within D of a chord form a convex set, so a part of the curve lies in it
 // if its Bezier control points do; parts that are not decided so are halved. That is a bound, not a sample.
 // A row between keys is where its time is printed, if rounding that matters.
+// A rotation is tried at places of each segment against the arc between the rows at equal times.
 // With a single metric channel the polyline is its graph over time, and the distance is taken at equal times.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "error.hpp"
 #include "sampling/sampler.hpp"
+#include "sampling/turn_chord.hpp"
 
 namespace tcb {
 namespace {
@@ -73,8 +76,13 @@ class Chord {
 /// Finds row after row along a curve.
 class Walker {
  public:
-  Walker(const CurveSegments& segments, double tolerance, bool at_keys)
-      : segments_(segments), tolerance_(tolerance), at_keys_(at_keys) {}
+  Walker(const CurveSegments& segments, const CurveTolerance& tolerance, bool at_keys)
+      : segments_(segments),
+        tolerance_(tolerance.distance),
+        angle_(tolerance.angle * 0.99),
+        limits_distance_(tolerance.limits_distance()),
+        limits_angle_(tolerance.limits_angle()),
+        at_keys_(at_keys) {}
 
   Vertex start() const { return at(0, 0); }
 
@@ -138,7 +146,7 @@ class Walker {
     }
     Vertex reached = low == 0 && number > 0 ? key(number) : at(number, low);
     if (number == from.segment && reached.u <= from.u) {
-      throw Error(Exit::usage, ErrorCode::tolerance_too_small, {tolerance_}).about(Option::tolerance);
+      throw Error(Exit::usage, ErrorCode::tolerance_too_small).about(Option::tolerance);
     }
     return reached;
   }
@@ -146,14 +154,22 @@ class Walker {
   /// The chord between the two places is near the curve between them.
   bool reaches(const Vertex& from, const Vertex& to) const {
     const Chord chord(from, to, tolerance_);
+    std::optional<TurnChord> turns;
+    if (limits_angle_) turns.emplace(turn_place(from), turn_place(to), angle_);
     for (std::uint64_t number = from.segment; number <= to.segment; ++number) {
       const double low = number == from.segment ? from.u : 0;
       const double high = number == to.segment ? to.u : 1;
       const CurveSegment segment = segments_.segment(number);
       Effort effort = effort_for(segment);
-      if (low < high && !is_near(chord, segment, low, high, effort.depth, effort.parts)) return false;
+      if (low >= high) continue;
+      if (limits_distance_ && !is_near(chord, segment, low, high, effort.depth, effort.parts)) return false;
+      if (turns && !turns->is_near(segment, low, high)) return false;
     }
     return true;
+  }
+
+  TurnPlace turn_place(const Vertex& place) const {
+    return {segments_.segment(place.segment), {place.u, place.u - 1}, place.t};
   }
 
   /// The chords from key to key between two places are near the curve.
@@ -230,7 +246,7 @@ class Walker {
   std::uint64_t next_corner(const Vertex& from) {
     if (corner_ >= next_key(from)) return corner_;
     corner_ = next_key(from);
-    while (corner_ < segments_.count && !is_corner(corner_)) ++corner_;
+    while (corner_ < segments_.count && !(limits_distance_ && is_corner(corner_))) ++corner_;
     return corner_;
   }
 
@@ -257,17 +273,17 @@ class Walker {
   using Local = spline::LocalParameter<double>;
 
   const CurveSegments& segments_;
-  double tolerance_;
-  bool at_keys_;
+  double tolerance_, angle_;
+  bool limits_distance_, limits_angle_, at_keys_;
   std::uint64_t corner_ = 0;  ///< the last one found
 };
 
 }  // namespace
 
-std::vector<Time> times_within_tolerance(const CurveSegments& segments, double tolerance, std::uint64_t max_rows,
-                                         bool at_keys) {
+std::vector<Time> times_within_tolerance(const CurveSegments& segments, const CurveTolerance& tolerance,
+                                         std::uint64_t max_rows, bool at_keys) {
   constexpr double most = 1e300;
-  const double least = std::min(std::floor(least_rows(segments, tolerance)), most);
+  const double least = std::min(std::floor(least_rows(segments, tolerance.distance)), most);
   require_rows(Rational(least) - 1, max_rows, true);
   Walker walker(segments, tolerance, at_keys);
   std::vector<Time> times;

@@ -113,7 +113,7 @@ TEST(Plan, each_sampling_option_has_its_mode_and_value) {
   EXPECT_EQ(sampling("--arc-count", "3").mode, Mode::arc_count);
   EXPECT_EQ(sampling("--arc-at", "3").mode, Mode::arc_at);
   EXPECT_EQ(sampling("--tolerance", "0.5").mode, Mode::tolerance);
-  EXPECT_EQ(sampling("--tolerance", "0.5").tolerance, 0.5);
+  EXPECT_EQ(sampling("--tolerance", "0.5").tolerance.distance, 0.5);
   EXPECT_EQ(sampling("--emit", "poly").mode, Mode::emit);
 }
 

@@ -55,9 +55,17 @@ TEST(Validators, whole_numbers_of_options_are_within_their_range) {
 }
 
 TEST(Validators, a_tolerance_of_samples_is_above_0) {
-  EXPECT_EQ(positive_distance("1e-9"), 1e-9);
-  for (const std::string value : {"0", "-1", "x", "inf"}) {
-    EXPECT_EQ(refusal({"--tolerance", value}), expected("--tolerance", value, "a distance above 0, such as 0.01"));
+  EXPECT_EQ(curve_tolerance("1e-9").distance, 1e-9);
+  EXPECT_FALSE(curve_tolerance("1e-9").limits_angle());
+  EXPECT_FALSE(curve_tolerance("0.5deg").limits_distance());
+  EXPECT_DOUBLE_EQ(curve_tolerance("2,180deg").angle, 3.141592653589793);
+  EXPECT_EQ(curve_tolerance("0.25rad,2").angle, 0.25);
+  for (const std::string value : {"0", "-1", "x", "inf", "1,2", "1,2deg,3deg", "deg", "1,", "0deg"}) {
+    EXPECT_EQ(
+        refusal({"--tolerance", value}),
+        expected("--tolerance", value,
+                 "a distance above 0, an angle with deg or rad for rotations, or both separated by a comma, such as "
+                 "0.01 or 0.01,0.5deg"));
   }
 }
 

@@ -34,7 +34,7 @@ TEST(LeastRows, are_never_more_than_the_rows_that_are_enough) {
   for (int round = 0; round < 60; ++round) {
     const auto curve = random_curve(random, 1 + round % 4);
     const double tolerance = std::pow(10, -1 - round % 4);
-    const auto rows = times_within_tolerance(segments_of(curve), tolerance, 1'000'000);
+    const auto rows = times_within_tolerance(segments_of(curve), {tolerance}, 1'000'000);
     EXPECT_LE(least_rows(segments_of(curve), tolerance), static_cast<double>(rows.size()));
   }
 }
