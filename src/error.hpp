@@ -76,6 +76,10 @@ enum class Option {
   arc_at,
   tolerance,
   emit,
+  fit,
+  fit_keys,
+  keep_times,
+  corner,
   from,
   to,
   end,
@@ -317,6 +321,14 @@ enum class ErrorCode {
   path_of_rotations,
   only_rotations,
   tolerance_without_rotation,
+  fit_without_times,
+  fit_of_keys,            ///< name of a role
+  fit_without_tolerance,  ///< name of a channel
+  fit_of_missing,         ///< name of a channel
+  fit_of_single_sample,
+  fit_below_doubles,         ///< tolerance, name of a channel, its largest size
+  kept_time_without_sample,  ///< the time
+  fit_impossible,
   end_velocity_of_rotation,
   emit_of_rotation,
   emit_of_angles,
@@ -417,6 +429,8 @@ enum class ErrorCode {
   expected_form,
   expected_whole_number,  ///< text, least, most
   expected_curve_tolerance,
+  expected_fit,
+  expected_corner,
   expected_tolerance,
   expected_delimiter,
   expected_decimal_mark,

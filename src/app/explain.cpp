@@ -265,6 +265,7 @@ std::string samples_in_words(const SamplingRequest& request) {
       return request.places.empty() ? fmt::format("at places in {} for each group", of)
                                     : fmt::format("at {} places in {}", request.places.size(), of);
     case Mode::emit: return "the cubic of each segment";
+    case Mode::fit: return "keys near the samples";
     case Mode::tolerance: {
       const auto& [distance, angle] = request.tolerance;
       if (!request.tolerance.limits_angle()) return fmt::format("within {} of the curve", distance);

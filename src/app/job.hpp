@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/fit.hpp"
 #include "input/input.hpp"
 #include "io/formats.hpp"
 #include "keys/curves.hpp"
@@ -65,6 +66,13 @@ struct PictureOptions {
   PictureSize size;
 };
 
+/// Keys for recordings, where the mode is Mode::fit.
+struct FitOptions {
+  std::vector<Tolerance> tolerances;
+  FitKeys keys = FitKeys::tcb;
+  std::optional<double> corner;  ///< in degrees
+};
+
 /// Everything that one run of the program is to do.
 struct Job {
   std::vector<std::string> files;  ///< "-" is standard input
@@ -73,6 +81,7 @@ struct Job {
   CurveOptions curves;
   CurveSettings curve;
   SamplingRequest sampling;
+  FitOptions fit;
   GroupedPlaces grouped_places;          ///< instead of sampling.places, where curves have their own
   std::vector<std::size_t> fields;       ///< indices into fields(), in output order; none: those of the comparison
   std::optional<Comparison> comparison;  ///< instead of printing samples

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/drawing.hpp"
+#include "app/fitting.hpp"
 #include "input/input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
@@ -59,6 +60,10 @@ class FileRun {
     Curves curves(input, job_.curves, live_);  // order, group, split into curves
     while (const std::optional<CurveKeys> curve = curves.next()) {
       begin(input, *curve);
+      if (job_.sampling.mode == Mode::fit) {
+        fit(input, *curve, *sink_.writer);
+        continue;
+      }
       sink_.writer ? print(input, *curve, *sink_.writer) : draw(*curve, *sink_.drawing);
     }
     if (sink_.writer) sink_.writer->recorder().end_input();
@@ -74,7 +79,10 @@ class FileRun {
       pipeline_.emplace(sampling_of(curve, input, job_), job_.curve, job_.fields, job_.golden, input,
                         *curve.curve_info);
     }
-    if (curve_info_ == nullptr) sink_.begin(path_, input, pipeline_->facts(), wording_);
+    const bool fits = job_.sampling.mode == Mode::fit;
+    if (curve_info_ == nullptr) {
+      sink_.begin(path_, fits ? columns_of_fit(input, job_) : input, pipeline_->facts(), wording_);
+    }
     curve_info_ = curve.curve_info;
     if (sink_.writer) sink_.writer->begin_curve(curve.group);
   }
@@ -90,6 +98,21 @@ class FileRun {
     writer.write(printed(writer, placed, labels, input.threads));  // evaluate, print
     provenance.end_curve();
     note_curve(placed);
+  }
+
+  /// From the samples of a recording to its keys.
+  void fit(const Input& input, const CurveKeys& samples, Writer& writer) {
+    ProvenanceRecorder& provenance = writer.recorder();
+    CurveKeys observed{samples.group, samples.curve_info, provenance.observe_keys(samples.keys)};
+    const FittedRows fitted = fitted_rows(observed, input, pipeline_->request(), job_);
+    writer.write([&, done = false]() mutable -> std::optional<std::string> {
+      if (std::exchange(done, true)) return std::nullopt;
+      return writer.print(fitted.table, true);
+    });
+    provenance.count_rows(fitted.rows);
+    provenance.end_curve();
+    rows_ += fitted.rows;
+    report_.note(path_, fitted.note);
   }
 
   /// The stages from the keys of a curve to its part of a picture.
@@ -127,6 +150,13 @@ class FileRun {
   }
 
   void note_input(const Input& input) {
+    if (job_.sampling.mode == Mode::fit && !input.rotations.empty()) {
+      std::vector<std::string> names;
+      for (const GivenRotation& rotation : input.given_rotations) {
+        names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
+      }
+      report_.note(path_, {NoteCode::left_out_of_fit, {names}});
+    }
     if (!input.timed && !job_.curve.parameter) report_.note(path_, {NoteCode::no_time_column});
     if (job_.sampling.is_rate && input.time_unit == TimeUnit::frames) {
       report_.note(path_, {NoteCode::rate_of_frames, {input.time}});

@@ -112,8 +112,9 @@ std::string progress_text(const Progress& progress, std::size_t width) {
 Report::~Report() { clear(); }
 
 void Report::note(const std::string& path, const Note& note) {
-  constexpr std::array losses{NoteCode::ignored_columns, NoteCode::remainder, NoteCode::range_remainder,
-                              NoteCode::more_remainders, NoteCode::rate_of_frames};
+  constexpr std::array losses{NoteCode::ignored_columns, NoteCode::remainder,      NoteCode::range_remainder,
+                              NoteCode::more_remainders, NoteCode::rate_of_frames, NoteCode::fitted,
+                              NoteCode::left_out_of_fit};
   const bool is_loss = std::ranges::count(losses, note.code) > 0;
   if (is_loss ? !verbosity_.quiet : verbosity_.notes)
     print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + wording_.note(note));

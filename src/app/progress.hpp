@@ -32,6 +32,8 @@ enum class NoteCode {
   skipped_rows,      ///< number
   made_times,        ///< the parameterization, as given
   other_program,     ///< the program of the earlier output, this program
+  fitted,            ///< number of samples, of keys, their ratio, largest distance, its line, least number of keys
+  left_out_of_fit,   ///< names of the columns of rotations
 };
 
 struct Note {

@@ -139,6 +139,16 @@ constexpr std::array table{
     Conflict{{O::fields}, need, {O::emit}, ", for the length of each piece", has_field_of_pieces},
     Conflict{{O::extrapolate}, idle, {O::emit}, ", whose pieces lie between keys", extends_curve},
     Conflict{{O::extrapolate}, idle, modes, " alone, whose samples are on the curve", stays_on_curve},
+    // fit
+    Conflict{{O::fit_keys, O::keep_times, O::corner}, need, {O::fit}},
+    Conflict{rules | OptionSet{O::fields, O::golden, O::exact_input, O::keys, O::from, O::to, O::end, O::extrapolate,
+                               O::closed, O::period, O::parameter, O::metric, O::tcb, O::tcb_scale, O::angle,
+                               O::rotation_output, O::rotation_curve, O::rename},
+             idle,
+             {O::fit},
+             ", which prints keys with the default rules"},
+    Conflict{{O::digits, O::fixed}, idle, {O::fit}, ", whose numbers have the digits that the tolerance needs"},
+    Conflict{{O::plot, O::explain}, exclude, {O::fit}},
     // pictures
     Conflict{{O::plot}, exclude, {O::output_format}},
     Conflict{{O::axes, O::title, O::size}, idle, {}, " on an output that is not a picture", has_no_picture},

@@ -236,6 +236,21 @@ constexpr std::array<OptionRow, option_count> table{{
        to.form = form_of_pieces(text);
      },
      names_in<form_table>},
+    {Option::fit, "--fit", "D,...", sampling,
+     "Keys in place of samples: the fewest found whose curve is within D of every sample of the input, over the channels; "
+     "NAME=D for a channel alone", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.job.sampling.mode = Mode::fit;
+       to.job.fit.tolerances = fit_tolerances(text);
+     }},
+    {Option::fit_keys, "--fit-keys", "KIND", sampling,
+     "What the keys of --fit carry: tcb, tension and bias, or hermite, velocities", "tcb", name, recorded,
+     [](Typed& to, Text text) { to.job.fit.keys = named_row(fit_key_names, text).keys; }, names_in<fit_key_names>},
+    {Option::keep_times, "--keep-times", "T,...", sampling, "Times of samples that become keys in any case, as in --at",
+     "", places, recorded, [](Typed& to, Text text) { store_places(to, Option::keep_times, text); }},
+    {Option::corner, "--corner", "DEGREES", sampling,
+     "Where the samples turn by more, a key of --fit may be a corner", "", other, recorded,
+     [](Typed& to, Text text) { to.job.fit.corner = corner_angle(text); }},
     {Option::from, "--from", "T", sampling,
      "Where sampling begins, in time, or in arc length for the arc modes; by default the first key", "", other,
      recorded, [](Typed& to, Text text) { to.job.sampling.from = ratio(text); }},

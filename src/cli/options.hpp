@@ -35,6 +35,12 @@ inline constexpr std::array generated_names{
     GeneratedName{"zsh", Generated::zsh}, GeneratedName{"fish", Generated::fish},
     GeneratedName{"columns", Generated::columns}};
 
+struct FitKeysName {
+  std::string_view name;
+  FitKeys keys;
+};
+inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
+
 struct ColorName {
   std::string_view name;
   ColorWhen when;
@@ -189,7 +195,7 @@ class OptionSet {
 /// The options that place the samples.
 inline constexpr OptionSet sampling_options{Option::step,        Option::rate,      Option::count,    Option::segments,
                                             Option::per_segment, Option::at,        Option::arc_step, Option::arc_count,
-                                            Option::arc_at,      Option::tolerance, Option::emit};
+                                            Option::arc_at,      Option::tolerance, Option::emit,     Option::fit};
 
 enum class Relation {
   exclude,  ///< at most one of `options`, or of `options` and `others`
@@ -240,6 +246,10 @@ std::uint64_t count_between(const std::string& text, std::uint64_t least, std::u
 /// In digits alone.
 int digit_count(const std::string& text, int least);
 CurveTolerance curve_tolerance(const std::string& text);
+/// "D" or "NAME=D", or several separated by commas, above 0.
+std::vector<Tolerance> fit_tolerances(const std::string& text);
+/// Degrees above 0 and below 180.
+double corner_angle(const std::string& text);
 /// "1e-9", "x=1e-6", or several separated by commas.
 std::vector<Tolerance> tolerances(const std::string& text);
 char delimiter(const std::string& text);

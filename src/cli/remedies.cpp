@@ -371,6 +371,26 @@ constexpr Words all_words[]{
     Words{ErrorCode::only_rotations,
           "there are only rotations or angles, which have no lengths; expected a position; give --metric rotation for "
           "angles, or --rotation none to take their numbers as positions"},
+    Words{ErrorCode::fit_without_times,
+          "{subject} takes samples with times, and no column is the time; expected one; name it with --columns "
+          "time=NAME"},
+    Words{ErrorCode::fit_of_keys,
+          "a column is {0}, as keys have; expected samples; leave it out with --columns ignore=NAME"},
+    Words{ErrorCode::fit_without_tolerance,
+          "--fit has no tolerance for channel \"{0}\"; expected one for each; add {0}=D, or D for all others"},
+    Words{ErrorCode::fit_of_missing,
+          "the number in channel \"{0}\" is missing; expected one in every sample; give --missing skip-row"},
+    Words{ErrorCode::fit_of_single_sample, "{subject} takes two samples or more, and there are fewer; add some"},
+    Words{ErrorCode::fit_below_doubles,
+          "{subject}: {0} is near the spacing of doubles in channel \"{1}\", whose numbers reach {2}; expected more; "
+          "give a "
+          "larger tolerance"},
+    Words{ErrorCode::kept_time_without_sample, "{subject}: no sample is at the time {0}; expected times of samples"},
+    Words{ErrorCode::fit_impossible,
+          "no tension, continuity and bias were found that stay within {subject}; expected a tolerance that the digits "
+          "of "
+          "the output have, and positions that do not repeat; give --fit-keys hermite, more digits, or a larger "
+          "tolerance"},
     Words{
         ErrorCode::tolerance_without_rotation,
         "{subject} has an angle, and there are no rotations; expected a distance alone; leave out the angle, or name a "
@@ -597,6 +617,10 @@ constexpr Words all_words[]{
           "{subject} \"{0}\": expected a distance above 0, an angle with deg or rad for rotations, or both separated "
           "by a "
           "comma, such as 0.01 or 0.01,0.5deg"},
+    Words{ErrorCode::expected_fit,
+          "{subject} \"{0}\": expected a distance above 0, for all channels, or NAME=D for one, such as 0.01 or "
+          "0.01,fov=0.5"},
+    Words{ErrorCode::expected_corner, "{subject} \"{0}\": expected degrees above 0 and below 180, such as 30"},
     Words{ErrorCode::expected_tolerance,
           "{subject} \"{0}\": expected a distance of at least 0, for all columns or as COLUMN=DISTANCE, such as "
           "1e-9 or x=1e-6"},
@@ -777,6 +801,10 @@ constexpr std::array note_words{
     NoteWords{NoteCode::step, "the step is {0}"},
     NoteWords{NoteCode::skipped_rows, "rows skipped for missing numbers: {0}"},
     NoteWords{NoteCode::made_times, "none; made with --parameter {0}"},
+    NoteWords{NoteCode::fitted,
+              "{0} samples, {1} keys, {2} times fewer; at most {3} from a sample, on line {4}; no fewer than {5} keys "
+              "can do"},
+    NoteWords{NoteCode::left_out_of_fit, "left out, as fits have no rotations: {0}"},
     NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose last digits may differ"},
 };
 

@@ -118,6 +118,21 @@ std::vector<Tolerance> tolerances(const std::string& text) {
   return list;
 }
 
+std::vector<Tolerance> fit_tolerances(const std::string& text) {
+  std::vector<Tolerance> list = tolerances(text);
+  const auto is_bad = [](const Tolerance& one) { return one.most <= 0; };
+  if (std::ranges::any_of(list, is_bad) || std::ranges::count(list, "", &Tolerance::column) > 1) {
+    refuse(ErrorCode::expected_fit, text);
+  }
+  return list;
+}
+
+double corner_angle(const std::string& text) {
+  const auto value = parse_number(text);
+  if (!value || *value <= 0 || *value >= 180) refuse(ErrorCode::expected_corner, text);
+  return *value;
+}
+
 char delimiter(const std::string& text) {
   for (const auto& [name, character] : delimiter_names) {
     if (text == name) return character;

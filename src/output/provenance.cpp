@@ -184,6 +184,10 @@ Source<SampleBlock> ProvenanceRecorder::observe_rows(Source<SampleBlock> rows) {
   });
 }
 
+void ProvenanceRecorder::count_rows(std::uint64_t rows) {
+  if (tally_ != nullptr) tally_->provenance.rows += rows;
+}
+
 void ProvenanceRecorder::set_rules(Facts rules) {
   if (tally_ != nullptr) tally_->provenance.rules = std::move(rules);
 }

@@ -56,6 +56,8 @@ class ProvenanceRecorder {
   /// The keys of the next curve.
   Source<KeyBlock> observe_keys(Source<KeyBlock> keys);
   Source<SampleBlock> observe_rows(Source<SampleBlock> rows);
+  /// Rows that no block has.
+  void count_rows(std::uint64_t rows);
   void set_rules(Facts rules);
 
   /// Ends the current curve, or input.

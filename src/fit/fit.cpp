@@ -1,0 +1,165 @@
+// Fit: few keys whose curve stays within tolerances of a recording, checked on the numbers as they are printed.
+#include "fit/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fit/key_numbers.hpp"
+#include "fit/key_times.hpp"
+#include "fit/pieces.hpp"
+#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/ease.hpp"
+#include "tcb/spline/tangents.hpp"
+
+namespace tcb {
+namespace {
+
+/// The samples of a recording from one to another one.
+Recording stretch(const Recording& recording, std::size_t first, std::size_t last) {
+  const auto at = [](const std::vector<double>& numbers, std::size_t index) {
+    return numbers.begin() + static_cast<std::ptrdiff_t>(index);
+  };
+  return {
+      recording.channels,
+      {at(recording.times, first), at(recording.times, last + 1)},
+      {at(recording.positions, first * recording.channels), at(recording.positions, (last + 1) * recording.channels)},
+      recording.groups,
+      first > 0,
+      last + 1 < recording.size()};
+}
+
+/// Those of a list between two samples, both included, counted from the first one.
+std::vector<std::size_t> between(const std::vector<std::size_t>& samples, std::size_t first, std::size_t last) {
+  std::vector<std::size_t> result;
+  for (const std::size_t sample : samples) {
+    if (sample >= first && sample <= last) result.push_back(sample - first);
+  }
+  return result;
+}
+
+/// The distances of the samples from the curve of keys, as it is read.
+class Verification {
+ public:
+  Verification(const Recording& recording, const std::vector<Time>& times) : recording_(recording), times_(times) {}
+
+  /// Sets the largest distance, and returns that of each segment, in tolerances.
+  std::vector<double> measure(const std::vector<std::size_t>& samples, FitResult& result) const {
+    const spline::CurveRules<double> rules;
+    const auto segments = spline::segments(spline::Window<double>{result.keys}, rules);
+    std::vector<double> worst(segments.size());
+    result.largest = 0;
+    for (std::size_t segment = 0; segment < segments.size(); ++segment) {
+      const spline::TimeMap<double> map(segments.times[segment], segments.times[segment + 1], {});
+      for (std::size_t sample = samples[segment]; sample <= samples[segment + 1]; ++sample) {
+        const double now = error(segments[segment], map(times_[sample]), sample);
+        worst[segment] = std::max(worst[segment], now);
+        if (!(now <= result.largest)) {
+          result.largest = now;
+          result.sample = sample;
+        }
+      }
+    }
+    return worst;
+  }
+
+ private:
+  double error(std::span<const spline::Cubic<double>> cubics, const spline::LocalParameter<double>& at,
+               std::size_t sample) const {
+    double largest = 0;
+    for (const FitGroup& group : recording_.groups) {
+      double sum = 0;
+      for (const std::size_t channel : group.channels) {
+        const double gap = spline::position(cubics[channel], at) - recording_.position(sample, channel);
+        sum += gap * gap;
+      }
+      largest = std::max(largest, std::sqrt(sum) / group.tolerance);
+    }
+    return largest;
+  }
+
+  const Recording& recording_;
+  const std::vector<Time>& times_;
+};
+
+/// The keys of the stretches between corners, joined.
+std::vector<CornerKey> joined_keys(const Recording& recording, const std::vector<std::size_t>& pieces,
+                                   const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed) {
+  std::vector<CornerKey> keys;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const std::size_t first = corners[i - 1], last = corners[i];
+    const auto own =
+        fitting_keys(stretch(recording, first, last), between(pieces, first, last), between(fixed, first, last));
+    for (const FitKey& key : own) {
+      const bool is_corner = !keys.empty() && key.sample == 0;
+      if (!is_corner) keys.push_back({first + key.sample, key.position, key.slope, key.slope});
+      keys.back().outgoing = key.slope;
+    }
+  }
+  return keys;
+}
+
+/// The recording with tolerances that leave room for the rounding of keys.
+Recording with_room(Recording recording, double part) {
+  for (FitGroup& group : recording.groups) group.tolerance *= part;
+  return recording;
+}
+
+}  // namespace
+
+std::vector<std::size_t> corners_of(const Recording& recording, double degrees) {
+  constexpr std::size_t reach = 2;  // samples on either side
+  const double limit = spline::ReducedAngle::of_degrees(degrees).cosine();
+  std::vector<double> cosines(recording.size(), 1.0);
+  for (std::size_t i = reach; i + reach < recording.size(); ++i) {
+    double in2 = 0, out2 = 0, both = 0;
+    for (std::size_t c = 0; c < recording.channels; ++c) {
+      const double in = recording.position(i, c) - recording.position(i - reach, c);
+      const double out = recording.position(i + reach, c) - recording.position(i, c);
+      in2 += in * in;
+      out2 += out * out;
+      both += in * out;
+    }
+    if (in2 > 0 && out2 > 0) cosines[i] = both / std::sqrt(in2 * out2);
+  }
+  std::vector<std::size_t> corners;
+  for (std::size_t i = reach; i + reach < recording.size(); ++i) {
+    const auto around = std::span(cosines).subspan(i - reach, 2 * reach + 1);
+    const bool is_sharpest = cosines[i] <= *std::ranges::min_element(around);
+    if (cosines[i] < limit && is_sharpest && (corners.empty() || corners.back() + reach < i)) corners.push_back(i);
+  }
+  return corners;
+}
+
+std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>& times, const FitRules& rules) {
+  const std::size_t last = recording.size() - 1;
+  std::vector<std::size_t> corners{0}, fixed = rules.fixed;
+  if (rules.corner) {
+    const auto inner = corners_of(recording, *rules.corner);
+    corners.insert(corners.end(), inner.begin(), inner.end());
+  }
+  corners.push_back(last);
+  fixed.insert(fixed.end(), corners.begin(), corners.end());
+  FitResult result;
+  const std::vector<std::size_t> pieces = longest_pieces(recording);
+  result.least_keys = pieces.size() + 1;
+  const Verification verification(recording, times);
+  double room = 0.998;
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    std::ranges::sort(fixed);
+    fixed.erase(std::ranges::unique(fixed).begin(), fixed.end());
+    const auto keys = joined_keys(with_room(recording, room), pieces, corners, fixed);
+    result.keys = numbered_keys(keys, recording, times, rules);
+    std::vector<std::size_t> samples;
+    for (const CornerKey& key : keys) samples.push_back(key.sample);
+    const std::vector<double> worst = verification.measure(samples, result);
+    if (result.largest <= 1) return result;
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      if (!(worst[i] <= 1)) fixed.push_back((samples[i] + samples[i + 1]) / 2);
+    }
+    room = std::max(room - 0.005, 0.9);
+  }
+  return std::nullopt;
+}
+
+}  // namespace tcb

@@ -1,0 +1,39 @@
+// Fit: few keys whose curve stays within tolerances of a recording, checked on the numbers as they are printed.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "fit/recording.hpp"
+#include "input/key_block.hpp"
+
+namespace tcb {
+
+/// What the keys carry.
+enum class FitKeys { tcb, hermite };
+
+/// How a recording is fitted.
+struct FitRules {
+  FitKeys keys = FitKeys::tcb;
+  std::vector<std::size_t> fixed = {};  ///< samples that have keys, besides the first and the last one
+  std::optional<double> corner = {};    ///< in degrees: where the samples turn by more, the curve may have a corner
+};
+
+/// The keys of a recording.
+struct FitResult {
+  Keys keys;                   ///< tension, continuity and bias of each channel, or velocities
+  double largest = 0;          ///< the largest distance from a sample, in tolerances
+  std::size_t sample = 0;      ///< at which
+  std::size_t least_keys = 0;  ///< no curve with fewer is within the tolerances
+};
+
+/// The samples between which the curve may have corners.
+std::vector<std::size_t> corners_of(const Recording& recording, double degrees);
+
+/// Fits a recording, whose samples have these times. Promises: the curve of the keys with the default rules is within
+/// the tolerances at every sample. Nothing where keys with tension, continuity and bias cannot have such a curve.
+/// Requires: two samples.
+std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>& times, const FitRules& rules);
+
+}  // namespace tcb

@@ -1,0 +1,24 @@
+// Key times: at which samples of a recording keys lie, so that few are enough.
+//
+// Keys begin a little denser than the longest pieces need them, and move to where the errors of all segments are alike.
+// Segments that stay too far from their samples are divided; then each group of segments is tried with one less.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fit/recording.hpp"
+#include "fit/smooth_fit.hpp"
+
+namespace tcb {
+
+/// Keys of a curve that is within the tolerances at the samples. `pieces`: from longest_pieces(). `fixed`: samples that
+/// have keys, increasing, among them the first and the last one.
+std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& pieces,
+                                 const std::vector<std::size_t>& fixed);
+
+/// Divides segments and fits their keys again, until all are within the tolerances. `worst`: as fit_smoothly returns
+/// it.
+void divide_segments(const Recording& recording, std::vector<FitKey>& keys, std::vector<double> worst);
+
+}  // namespace tcb

@@ -1,0 +1,189 @@
+// Pieces: the least number of cubics that stay within the tolerances of a recording.
+#include "fit/pieces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t order = 4;  // of a cubic
+using Basis = std::array<double, order>;
+
+/// Chebyshev polynomials at x in [-1, 1].
+Basis basis_at(double x) { return {1, x, 2 * x * x - 1, x * (4 * x * x - 3)}; }
+
+/// Solves a symmetric positive definite system for several right sides, in place.
+void solve(std::array<Basis, order>& matrix, std::span<Basis> sides) {
+  for (std::size_t k = 0; k < order; ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      for (std::size_t i = k; i < order; ++i) matrix[i][k] -= matrix[i][j] * matrix[k][j];
+    }
+    const double root = std::sqrt(std::max(matrix[k][k], 1e-300));
+    for (std::size_t i = k; i < order; ++i) matrix[i][k] /= root;
+  }
+  for (Basis& side : sides) {
+    for (std::size_t k = 0; k < order; ++k) {
+      for (std::size_t j = 0; j < k; ++j) side[k] -= matrix[k][j] * side[j];
+      side[k] /= matrix[k][k];
+    }
+    for (std::size_t k = order; k-- > 0;) {
+      for (std::size_t j = k + 1; j < order; ++j) side[k] -= matrix[j][k] * side[j];
+      side[k] /= matrix[k][k];
+    }
+  }
+}
+
+/// Whether one cubic stays within the tolerance of the channels of a group at some samples.
+class PieceTest {
+ public:
+  PieceTest(const Recording& recording, const FitGroup& group)
+      : recording_(recording), group_(group), cubic_(group.channels.size()) {}
+
+  /// Not where that is proved to be impossible.
+  bool may_fit(SampleRange range) {
+    if (range.size() <= order) return true;
+    begin(range);
+    for (int round = 0; round < most_rounds; ++round) {
+      if (!fit_chosen()) return false;
+      if (!add_worst(range)) return true;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int most_rounds = 40, most_weightings = 60;
+  static constexpr std::size_t parts = 6;  // of the range, each of whose worst samples is chosen
+
+  void begin(SampleRange range) {
+    const double first = recording_.times[range.first], last = recording_.times[range.last - 1];
+    middle_ = (first + last) / 2;
+    half_ = (last - first) / 2;
+    chosen_.clear();
+    weights_.clear();
+    constexpr std::size_t least = 9;
+    for (std::size_t i = 0; i < least; ++i) choose(range.first + (range.size() - 1) * i / (least - 1));
+  }
+
+  void choose(std::size_t sample) {
+    if (std::ranges::count(chosen_, sample) > 0) return;
+    chosen_.push_back(sample);
+    double mean = 0;
+    for (const double weight : weights_) mean += weight;
+    weights_.push_back(weights_.empty() ? 1 : mean / static_cast<double>(weights_.size()));
+  }
+
+  /// Fits the chosen samples, with more and more weight on those that are far. Whether that may be possible.
+  bool fit_chosen() {
+    for (int i = 0; i < most_weightings; ++i) {
+      fit_weighted();
+      double largest = 0, sum = 0, squares = 0;
+      errors_.clear();
+      for (std::size_t k = 0; k < chosen_.size(); ++k) {
+        errors_.push_back(error(chosen_[k]));
+        largest = std::max(largest, errors_[k]);
+        sum += weights_[k];
+        squares += weights_[k] * errors_[k] * errors_[k];
+      }
+      constexpr double rounding = 1 + 1e-9;
+      if (squares > sum * rounding) return false;
+      if (largest <= 1) return true;
+      for (std::size_t k = 0; k < chosen_.size(); ++k) weights_[k] *= (errors_[k] + 1e-3) / largest;
+    }
+    return true;
+  }
+
+  void fit_weighted() {
+    std::array<Basis, order> matrix{};
+    std::ranges::fill(cubic_, Basis{});
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+      const Basis b = basis(chosen_[k]);
+      for (std::size_t i = 0; i < order; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) matrix[i][j] += weights_[k] * b[i] * b[j];
+        for (std::size_t c = 0; c < cubic_.size(); ++c) {
+          cubic_[c][i] += weights_[k] * b[i] * recording_.position(chosen_[k], group_.channels[c]);
+        }
+      }
+    }
+    solve(matrix, cubic_);
+  }
+
+  /// Chooses the worst samples beyond the tolerance; false: there are none.
+  bool add_worst(SampleRange range) {
+    bool any = false;
+    for (std::size_t part = 0; part < parts; ++part) {
+      double largest = 1;
+      std::size_t worst = range.last;
+      for (std::size_t i = range.first + range.size() * part / parts;
+           i < range.first + range.size() * (part + 1) / parts; ++i) {
+        const double now = error(i);
+        if (now > largest) {
+          largest = now;
+          worst = i;
+        }
+      }
+      if (worst == range.last) continue;
+      any = any || std::ranges::count(chosen_, worst) == 0;
+      choose(worst);
+    }
+    return any;
+  }
+
+  Basis basis(std::size_t sample) const { return basis_at((recording_.times[sample] - middle_) / half_); }
+
+  /// The distance of the cubic from a sample, in tolerances.
+  double error(std::size_t sample) const {
+    const Basis b = basis(sample);
+    double sum = 0;
+    for (std::size_t c = 0; c < cubic_.size(); ++c) {
+      const Basis& a = cubic_[c];
+      const double gap =
+          ((a[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) - recording_.position(sample, group_.channels[c]);
+      sum += gap * gap;
+    }
+    return std::sqrt(sum) / group_.tolerance;
+  }
+
+  const Recording& recording_;
+  const FitGroup& group_;
+  double middle_ = 0, half_ = 1;
+  std::vector<std::size_t> chosen_;
+  std::vector<double> weights_, errors_;
+  std::vector<Basis> cubic_;  ///< of each channel, in Chebyshev polynomials
+};
+
+}  // namespace
+
+std::vector<std::size_t> longest_pieces(const Recording& recording) {
+  std::vector<PieceTest> tests;
+  for (const FitGroup& group : recording.groups) tests.emplace_back(recording, group);
+  const auto may_fit = [&](std::size_t first, std::size_t last) {
+    return std::ranges::all_of(tests, [&](PieceTest& test) { return test.may_fit({first, last}); });
+  };
+  std::vector<std::size_t> starts;
+  std::size_t guess = order;
+  for (std::size_t first = 0; first < recording.size();) {
+    starts.push_back(first);
+    const std::size_t most = recording.size() - first;
+    std::size_t good = std::min(order, most), bad = most + 1;
+    for (std::size_t size = std::clamp(guess, good, most); good < most && bad > most;) {
+      if (may_fit(first, first + size)) {
+        good = size;
+        size = std::min(2 * size, most);
+      } else {
+        bad = size;
+      }
+    }
+    while (good + 1 < bad) {
+      const std::size_t middle = good + (bad - good) / 2;
+      (may_fit(first, first + middle) ? good : bad) = middle;
+    }
+    first += good;
+    guess = good;
+  }
+  return starts;
+}
+
+}  // namespace tcb

@@ -1,0 +1,267 @@
+// Smooth fits: positions and slopes of keys at given times, so that the largest distance from the samples is small.
+#include "fit/smooth_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tcb {
+namespace {
+
+/// The weights of the position and slope at the start and at the end of a segment for its point at u.
+using Hermite = std::array<double, 4>;
+
+Hermite hermite_at(double u, double duration) {
+  const double left = 1 - u;
+  return {left * left * (1 + 2 * u), u * left * left * duration, u * u * (3 - 2 * u), -u * u * left * duration};
+}
+
+/// A symmetric positive definite matrix whose numbers are at most 3 columns from the diagonal.
+class Banded {
+ public:
+  static constexpr std::size_t band = 4;
+
+  explicit Banded(std::size_t size) : rows_(size) {}
+
+  /// The number in a row and a column at or before it.
+  double& at(std::size_t row, std::size_t column) { return rows_[row][row - column]; }
+
+  /// Gives a variable a value: it leaves the system. `side`: the right side.
+  void fix(std::size_t variable, double value, std::span<double> side) {
+    const std::size_t size = rows_.size();
+    for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
+         ++other) {
+      if (other == variable) continue;
+      side[other] -= at(std::max(variable, other), std::min(variable, other)) * value;
+    }
+    side[variable] = value;
+  }
+  void clear(std::size_t variable) {
+    const std::size_t size = rows_.size();
+    for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
+         ++other) {
+      at(std::max(variable, other), std::min(variable, other)) = other == variable ? 1 : 0;
+    }
+  }
+
+  /// Cholesky's factors, in place.
+  void factor() {
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+      const std::size_t first = row < band ? 0 : row - band + 1;
+      for (std::size_t column = first; column <= row; ++column) {
+        double sum = at(row, column);
+        const std::size_t begin = std::max(first, column < band ? 0 : column - band + 1);
+        for (std::size_t k = begin; k < column; ++k) sum -= at(row, k) * at(column, k);
+        at(row, column) = column < row ? sum / at(column, column) : std::sqrt(std::max(sum, 1e-300));
+      }
+    }
+  }
+
+  /// Solves for a right side, in place. Requires: factor().
+  void solve(std::span<double> side) {
+    const std::size_t size = rows_.size();
+    for (std::size_t row = 0; row < size; ++row) {
+      for (std::size_t k = row < band ? 0 : row - band + 1; k < row; ++k) side[row] -= at(row, k) * side[k];
+      side[row] /= at(row, row);
+    }
+    for (std::size_t row = size; row-- > 0;) {
+      for (std::size_t k = row + 1; k < std::min(row + band, size); ++k) side[row] -= at(k, row) * side[k];
+      side[row] /= at(row, row);
+    }
+  }
+
+ private:
+  std::vector<std::array<double, band>> rows_;  ///< from the diagonal backward
+};
+
+/// The fit of the channels of one group.
+class GroupFit {
+ public:
+  GroupFit(const Recording& recording, const FitGroup& group, std::span<FitKey> keys, FixedEnds fixed)
+      : recording_(recording),
+        channels_(group.channels),
+        tolerance_(group.tolerance),
+        keys_(keys),
+        fixed_(fixed),
+        first_(keys.front().sample),
+        unit_(elapsed(first_, keys.back().sample) / static_cast<double>(keys.size() - 1)),
+        weights_(keys.back().sample - first_ + 1, 1.0),
+        errors_(weights_.size()),
+        worst_(keys.size() - 1) {
+    for (std::size_t segment = 0; segment + 1 < keys.size(); ++segment) {
+      const std::size_t from = keys[segment].sample;
+      const double duration = elapsed(from, keys[segment + 1].sample);
+      for (std::size_t i = from; i < end_of(segment); ++i) {
+        hermite_.push_back(hermite_at(elapsed(from, i) / duration, duration / unit_));
+        for (const std::size_t channel : channels_) values_.push_back(recording.position(i, channel));
+      }
+    }
+  }
+
+  void run(int most_weightings, std::span<double> result) {
+    for (int i = 0;; ++i) {
+      solve();
+      measure();
+      const double largest = *std::ranges::max_element(worst_);
+      if (largest <= 1 || i >= most_weightings || (is_window() && is_impossible())) break;
+      weigh();
+    }
+    for (std::size_t i = 0; i < worst_.size(); ++i) result[i] = std::max(result[i], worst_[i]);
+  }
+
+ private:
+  double elapsed(std::size_t from, std::size_t to) const { return recording_.times[to] - recording_.times[from]; }
+
+  /// Before which sample a segment ends: a key is on the segment after it, the last one on the last segment.
+  std::size_t end_of(std::size_t segment) const {
+    return keys_[segment + 1].sample + (segment + 2 == keys_.size() ? 1 : 0);
+  }
+
+  /// The variables are positions and slopes, these per mean duration of a segment.
+  void solve() {
+    const std::size_t count = channels_.size();
+    Banded matrix(2 * keys_.size());
+    std::vector<std::vector<double>> sides(count, std::vector<double>(2 * keys_.size()));
+    std::vector<Hermite> side(count);
+    for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
+      std::array<Hermite, 4> products{};
+      std::ranges::fill(side, Hermite{});
+      for (std::size_t i = keys_[segment].sample - first_; i < end_of(segment) - first_; ++i) {
+        const Hermite& h = hermite_[i];
+        for (std::size_t j = 0; j < h.size(); ++j) {
+          const double part = weights_[i] * h[j];
+          for (std::size_t k = 0; k < h.size(); ++k) products[j][k] += part * h[k];
+          for (std::size_t c = 0; c < count; ++c) side[c][j] += part * values_[i * count + c];
+        }
+      }
+      for (std::size_t j = 0; j < products.size(); ++j) {
+        for (std::size_t k = 0; k <= j; ++k) matrix.at(2 * segment + j, 2 * segment + k) += products[j][k];
+        for (std::size_t c = 0; c < count; ++c) sides[c][2 * segment + j] += side[c][j];
+      }
+    }
+    keep_regular(matrix, sides);
+    fix_ends(matrix, sides);
+    matrix.factor();
+    for (std::size_t c = 0; c < count; ++c) {
+      matrix.solve(sides[c]);
+      for (std::size_t key = 0; key < keys_.size(); ++key) {
+        keys_[key].position[channels_[c]] = sides[c][2 * key];
+        keys_[key].slope[channels_[c]] = sides[c][2 * key + 1] / unit_;
+      }
+    }
+  }
+
+  /// Where samples do not determine a key, it is at its sample, with the slope of the neighbours of that.
+  void keep_regular(Banded& matrix, std::vector<std::vector<double>>& sides) {
+    constexpr double little = 1e-7;
+    double total = 0;
+    for (const double w : weights_) total += w;
+    const double strength = little * total / static_cast<double>(weights_.size());
+    for (std::size_t key = 0; key < keys_.size(); ++key) {
+      const std::size_t sample = keys_[key].sample;
+      const std::size_t before = sample == 0 ? 0 : sample - 1, after = std::min(sample + 1, recording_.size() - 1);
+      matrix.at(2 * key, 2 * key) += strength;
+      matrix.at(2 * key + 1, 2 * key + 1) += strength;
+      for (std::size_t c = 0; c < sides.size(); ++c) {
+        const std::size_t channel = channels_[c];
+        const double step = recording_.position(after, channel) - recording_.position(before, channel);
+        sides[c][2 * key] += strength * recording_.position(sample, channel);
+        sides[c][2 * key + 1] += strength * step / elapsed(before, after) * unit_;
+      }
+    }
+  }
+
+  void fix_ends(Banded& matrix, std::vector<std::vector<double>>& sides) {
+    const auto fix = [&](std::size_t variable, const auto& value) {
+      for (std::size_t c = 0; c < sides.size(); ++c) matrix.fix(variable, value(channels_[c]), sides[c]);
+      matrix.clear(variable);
+    };
+    const auto fix_key = [&](std::size_t key, bool is_fixed, bool is_corner) {
+      if (is_fixed) {
+        fix(2 * key, [&](std::size_t channel) { return keys_[key].position[channel]; });
+        fix(2 * key + 1, [&](std::size_t channel) { return keys_[key].slope[channel] * unit_; });
+      } else if (is_corner) {
+        fix(2 * key, [&](std::size_t channel) { return recording_.position(keys_[key].sample, channel); });
+      }
+    };
+    fix_key(0, fixed_.first, recording_.starts_at_corner && keys_.front().sample == 0);
+    fix_key(keys_.size() - 1, fixed_.last, recording_.ends_at_corner && keys_.back().sample + 1 == recording_.size());
+  }
+
+  void measure() {
+    const std::size_t count = channels_.size();
+    std::vector<Hermite> cubic(count);
+    for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
+      const FitKey &from = keys_[segment], &to = keys_[segment + 1];
+      for (std::size_t c = 0; c < count; ++c) {
+        const std::size_t channel = channels_[c];
+        cubic[c] = {from.position[channel], from.slope[channel] * unit_, to.position[channel],
+                    to.slope[channel] * unit_};
+      }
+      double largest = 0;
+      for (std::size_t i = from.sample - first_; i < end_of(segment) - first_; ++i) {
+        const Hermite& h = hermite_[i];
+        double sum = 0;
+        for (std::size_t c = 0; c < count; ++c) {
+          const Hermite& x = cubic[c];
+          const double gap = (h[0] * x[0] + h[1] * x[1]) + (h[2] * x[2] + h[3] * x[3]) - values_[i * count + c];
+          sum += gap * gap;
+        }
+        errors_[i] = std::sqrt(sum) / tolerance_;
+        largest = std::max(largest, errors_[i]);
+      }
+      worst_[segment] = largest;
+    }
+  }
+
+  bool is_window() const { return fixed_.first || fixed_.last; }
+
+  /// No positions and slopes have a largest error of at most 1, as the weighted mean of squares is larger.
+  bool is_impossible() const {
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      sum += weights_[i];
+      squares += weights_[i] * errors_[i] * errors_[i];
+    }
+    return squares > sum;
+  }
+
+  /// More weight to samples that are far, compared with those around them.
+  void weigh() {
+    for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
+      double largest = worst_[segment];
+      if (segment > 0) largest = std::max(largest, worst_[segment - 1]);
+      if (segment + 2 < keys_.size()) largest = std::max(largest, worst_[segment + 1]);
+      if (largest == 0) continue;
+      for (std::size_t i = keys_[segment].sample - first_; i < keys_[segment + 1].sample - first_; ++i) {
+        weights_[i] *= (errors_[i] + 0.02 * largest) / largest;
+      }
+    }
+    weights_.back() *= (errors_.back() + 0.02) / std::max(worst_.back(), 1e-300);
+    double largest = *std::ranges::max_element(weights_);
+    for (double& w : weights_) w = std::max(w / largest, 1e-9);
+  }
+
+  const Recording& recording_;
+  const std::vector<std::size_t>& channels_;
+  double tolerance_;
+  std::span<FitKey> keys_;
+  FixedEnds fixed_;
+  std::size_t first_;                     ///< sample
+  double unit_;                           ///< of time
+  std::vector<double> weights_, errors_;  ///< of each sample
+  std::vector<double> worst_;             ///< the largest error of each segment
+  std::vector<Hermite> hermite_;          ///< of each sample
+  std::vector<double> values_;            ///< of each sample and channel
+};
+
+}  // namespace
+
+std::vector<double> fit_smoothly(const Recording& recording, std::span<FitKey> keys, FixedEnds fixed,
+                                 int most_weightings) {
+  std::vector<double> worst(keys.size() - 1);
+  for (const FitGroup& group : recording.groups) GroupFit(recording, group, keys, fixed).run(most_weightings, worst);
+  return worst;
+}
+
+}  // namespace tcb

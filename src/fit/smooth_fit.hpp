@@ -1,0 +1,33 @@
+// Smooth fits: positions and slopes of keys at given times, so that the largest distance from the samples is small.
+//
+// The curve between two keys is the cubic with their positions and slopes, so that the curve and its slope are
+// continuous. Least squares give both, by a banded system; then samples that are far get more weight, and so on.
+// Source: C. L. Lawson, "Contributions to the theory of linear least maximum approximation", 1961, for the weights.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fit/recording.hpp"
+
+namespace tcb {
+
+/// A key that is being fitted. Shapes: a position and a slope, per unit of time, for each channel.
+struct FitKey {
+  std::size_t sample = 0;  ///< at whose time it is
+  std::vector<double> position, slope;
+};
+
+/// Which of the two outer keys of a fit stay as they are.
+struct FixedEnds {
+  bool first = false, last = false;
+};
+
+/// Sets positions and slopes of the keys, which have samples that increase. `most_weightings`: how often samples are
+/// weighted again. Returns the largest distance of the samples of each segment, those at its two keys included, in
+/// tolerances; stops where it is at most 1.
+std::vector<double> fit_smoothly(const Recording& recording, std::span<FitKey> keys, FixedEnds fixed,
+                                 int most_weightings);
+
+}  // namespace tcb
