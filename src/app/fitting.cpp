@@ -91,28 +91,6 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
   return groups;
 }
 
-/// The samples of a recording with their times and lines.
-struct Samples {
-  Recording recording;
-  std::vector<Time> times;
-  std::vector<std::uint64_t> lines;
-
-  void add(const KeyBlock& block, const std::vector<std::size_t>& channels, const Input& input) {
-    for (std::size_t key = 0; key < block.size(); ++key) {
-      times.push_back(block.keys.times[key]);
-      lines.push_back(block.lines[key]);
-      recording.times.push_back((times.back() - times.front()).hi);
-      for (const std::size_t channel : channels) {
-        const double position = block.keys.position(key)[channel];
-        if (std::isnan(position)) {
-          throw Error(Exit::data, ErrorCode::fit_of_missing, {input.channels[channel]}).at({"", lines.back(), 0});
-        }
-        recording.positions.push_back(position);
-      }
-    }
-  }
-};
-
 /// Throws: Error (data) for a tolerance below the spacing of doubles at the size of the positions.
 void require_resolution(const Recording& recording, const std::vector<std::string>& channels) {
   for (const FitGroup& group : recording.groups) {
@@ -130,23 +108,17 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
 }
 
 /// The samples at the times that are to have keys.
-std::vector<std::size_t> kept_samples(const Samples& samples, const SamplingRequest& request) {
+std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const std::vector<Rational>& places) {
   std::vector<std::size_t> kept;
-  for (const Rational& place : request.places) {
+  for (const Rational& place : places) {
     const Time time = nearest_time(place);
-    const auto found = std::ranges::lower_bound(samples.times, time);
-    if (found == samples.times.end() || *found != time) {
+    const auto found = std::ranges::lower_bound(samples, time);
+    if (found == samples.end() || *found != time) {
       throw Error(Exit::data, ErrorCode::kept_time_without_sample, {time_text(time)}).about(Option::keep_times);
     }
-    kept.push_back(static_cast<std::size_t>(found - samples.times.begin()));
+    kept.push_back(static_cast<std::size_t>(found - samples.begin()));
   }
   return kept;
-}
-
-/// The largest distance in words.
-std::string largest_distance(const FitResult& result, const std::vector<FitGroup>& groups) {
-  if (groups.size() == 1) return fmt::format("{:.4g}", result.largest * groups[0].tolerance);
-  return fmt::format("{:.4g} of the tolerance", result.largest);
 }
 
 }  // namespace
@@ -168,31 +140,63 @@ Input columns_of_fit(const Input& samples, const Job& job) {
   return result;
 }
 
-FittedRows fitted_rows(const CurveKeys& samples, const Input& input, const SamplingRequest& request, const Job& job) {
+Samples read_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+                     const Job& job) {
   const std::vector<std::size_t> channels = fitted_channels(input);
   std::vector<std::string> names;
   for (const std::size_t channel : channels) names.push_back(input.channels[channel]);
-  Samples all;
-  all.recording.channels = channels.size();
-  all.recording.groups = groups_of(names, job.fit);
-  while (const std::optional<KeyBlock> block = samples.keys()) all.add(*block, channels, input);
-  if (all.times.size() < 2) throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit);
-  require_resolution(all.recording, names);
-  const auto result = fit(all.recording, all.times, {job.fit.keys, kept_samples(all, request), job.fit.corner});
+  Samples samples{curve.group, {}, {}, {}, {}};
+  Recording& recording = samples.recording;
+  recording.channels = channels.size();
+  recording.groups = groups_of(names, job.fit);
+  while (const std::optional<KeyBlock> block = curve.keys()) {
+    for (std::size_t key = 0; key < block->size(); ++key) {
+      samples.times.push_back(block->keys.times[key]);
+      samples.lines.push_back(block->lines[key]);
+      recording.times.push_back((samples.times.back() - samples.times.front()).hi);
+      for (const std::size_t channel : channels) {
+        recording.positions.push_back(block->keys.position(key)[channel]);
+        if (!std::isnan(recording.positions.back())) continue;
+        throw Error(Exit::data, ErrorCode::fit_of_missing, {input.channels[channel]}).at({"", block->lines[key], 0});
+      }
+    }
+  }
+  if (samples.times.size() < 2) throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit);
+  require_resolution(recording, names);
+  samples.kept = kept_samples(samples.times, kept_times);
+  return samples;
+}
+
+FittedRows fitted_rows(const Samples& samples, const FitOptions& options) {
+  const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner});
   if (!result) throw Error(Exit::data, ErrorCode::fit_impossible).about(Option::fit);
-  FittedRows rows;
-  rows.rows = result->keys.size();
+  FittedRows rows{samples.group, {}, {}};
+  rows.report = {samples.times.size(), result->keys.size(), result->least_keys, result->largest,
+                 samples.lines[result->sample]};
   for (std::size_t key = 0; key < result->keys.size(); ++key) {
     rows.table.cells.push_back(result->keys.times[key]);
     for (const double position : result->keys.position(key)) rows.table.cells.emplace_back(position);
-    for (const double number : numbers_of_slopes(result->keys, key, job.fit)) rows.table.cells.emplace_back(number);
+    for (const double number : numbers_of_slopes(result->keys, key, options)) rows.table.cells.emplace_back(number);
   }
-  const double ratio = static_cast<double>(all.times.size()) / static_cast<double>(rows.rows);
-  rows.note = {
-      NoteCode::fitted,
-      {std::uint64_t{all.times.size()}, rows.rows, fmt::format("{:.3g}", ratio),
-       largest_distance(*result, all.recording.groups), all.lines[result->sample], std::uint64_t{result->least_keys}}};
   return rows;
+}
+
+void FitReport::add(const FitReport& other) {
+  samples += other.samples;
+  keys += other.keys;
+  least_keys += other.least_keys;
+  if (line != 0 && largest >= other.largest) return;
+  largest = other.largest;
+  line = other.line;
+}
+
+Note note_of(const FitReport& report, const FitOptions& options) {
+  const bool is_distance = options.tolerances.size() == 1 && options.tolerances[0].column.empty();
+  const std::string largest = is_distance ? fmt::format("{:.4g}", report.largest * options.tolerances[0].most)
+                                          : fmt::format("{:.4g} of the tolerance", report.largest);
+  const double ratio = static_cast<double>(report.samples) / static_cast<double>(report.keys);
+  return {NoteCode::fitted,
+          {report.samples, report.keys, fmt::format("{:.3g}", ratio), largest, report.line, report.least_keys}};
 }
 
 }  // namespace tcb

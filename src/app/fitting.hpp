@@ -14,18 +14,46 @@
 
 namespace tcb {
 
+/// The samples of one recording.
+struct Samples {
+  std::vector<std::string> group;
+  Recording recording;
+  std::vector<Time> times;
+  std::vector<std::uint64_t> lines;
+  std::vector<std::size_t> kept;  ///< that become keys in any case
+};
+
+/// How recordings were fitted.
+struct FitReport {
+  std::uint64_t samples = 0, keys = 0;
+  std::uint64_t least_keys = 0;  ///< fewer cannot be within the tolerances
+  double largest = 0;            ///< distance of a sample from the curve, in tolerances
+  std::uint64_t line = 0;        ///< of that sample; 0: there are no samples
+
+  /// Adds that of another recording.
+  void add(const FitReport& other);
+};
+
+/// The report in numbers of the input.
+Note note_of(const FitReport& report, const FitOptions& options);
+
 /// The keys of one recording.
 struct FittedRows {
+  std::vector<std::string> group;
   Table table;
-  std::uint64_t rows = 0;
-  Note note;  ///< how many samples and keys, and how far they are apart
+  FitReport report;
 };
 
 /// The columns of the keys that fit samples, as those of an input. Throws: Error (data) for an input that has no times
 /// or is one of keys, and for a tolerance of a channel that it does not have.
 Input columns_of_fit(const Input& samples, const Job& job);
 
-/// Fits the samples of a curve. Throws: Error (data) where no keys can be within the tolerances.
-FittedRows fitted_rows(const CurveKeys& samples, const Input& input, const SamplingRequest& request, const Job& job);
+/// The samples of a curve. Throws: Error (data) for missing numbers, fewer than two samples, a tolerance near the
+/// spacing of doubles, and a time to keep that no sample has.
+Samples read_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+                     const Job& job);
+
+/// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.
+FittedRows fitted_rows(const Samples& samples, const FitOptions& options);
 
 }  // namespace tcb

@@ -58,13 +58,13 @@ class FileRun {
     const Input input = open_input(path_, bytes, input_options(job_, threads, live_));  // split, parse
     note_input(input);
     Curves curves(input, job_.curves, live_);  // order, group, split into curves
-    while (const std::optional<CurveKeys> curve = curves.next()) {
-      begin(input, *curve);
-      if (job_.sampling.mode == Mode::fit) {
-        fit(input, *curve, *sink_.writer);
-        continue;
+    if (job_.sampling.mode == Mode::fit) {
+      fit(input, curves, *sink_.writer);
+    } else {
+      while (const std::optional<CurveKeys> curve = curves.next()) {
+        begin(input, *curve);
+        sink_.writer ? print(input, *curve, *sink_.writer) : draw(*curve, *sink_.drawing);
       }
-      sink_.writer ? print(input, *curve, *sink_.writer) : draw(*curve, *sink_.drawing);
     }
     if (sink_.writer) sink_.writer->recorder().end_input();
     if (remainders_ > 1) report_.note(path_, {NoteCode::more_remainders, {remainders_ - 1}});
@@ -79,10 +79,7 @@ class FileRun {
       pipeline_.emplace(sampling_of(curve, input, job_), job_.curve, job_.fields, job_.golden, input,
                         *curve.curve_info);
     }
-    const bool fits = job_.sampling.mode == Mode::fit;
-    if (curve_info_ == nullptr) {
-      sink_.begin(path_, fits ? columns_of_fit(input, job_) : input, pipeline_->facts(), wording_);
-    }
+    if (curve_info_ == nullptr) sink_.begin(path_, input, pipeline_->facts(), wording_);
     curve_info_ = curve.curve_info;
     if (sink_.writer) sink_.writer->begin_curve(curve.group);
   }
@@ -100,19 +97,30 @@ class FileRun {
     note_curve(placed);
   }
 
-  /// From the samples of a recording to its keys.
-  void fit(const Input& input, const CurveKeys& samples, Writer& writer) {
+  /// From the samples of each recording to its keys.
+  void fit(const Input& input, Curves& curves, Writer& writer) {
     ProvenanceRecorder& provenance = writer.recorder();
-    CurveKeys observed{samples.group, samples.curve_info, provenance.observe_keys(samples.keys)};
-    const FittedRows fitted = fitted_rows(observed, input, pipeline_->request(), job_);
-    writer.write([&, done = false]() mutable -> std::optional<std::string> {
-      if (std::exchange(done, true)) return std::nullopt;
-      return writer.print(fitted.table, true);
-    });
-    provenance.count_rows(fitted.rows);
-    provenance.end_curve();
-    rows_ += fitted.rows;
-    report_.note(path_, fitted.note);
+    const Source<Samples> samples = [&]() -> std::optional<Samples> {
+      std::optional<CurveKeys> curve = curves.next();
+      if (!curve) return std::nullopt;
+      curve->keys = provenance.observe_keys(std::move(curve->keys));
+      return read_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
+    };
+    sink_.begin(path_, columns_of_fit(input, job_), RuleFacts{{}, true}, wording_);
+    const auto keys_of = [this](const Samples& one) { return fitted_rows(one, job_.fit); };
+    FitReport report;
+    const Source<FittedRows> fitted = ordered_map(samples, keys_of, input.threads);
+    while (const std::optional<FittedRows> rows = fitted()) {
+      writer.begin_curve(rows->group);
+      writer.write([&, done = false]() mutable -> std::optional<std::string> {
+        if (std::exchange(done, true)) return std::nullopt;
+        return writer.print(rows->table, true);
+      });
+      provenance.count_rows(rows->report.keys);
+      report.add(rows->report);
+    }
+    rows_ = report.keys;
+    if (report.keys > 0) report_.note(path_, note_of(report, job_.fit));
   }
 
   /// The stages from the keys of a curve to its part of a picture.

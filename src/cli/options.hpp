@@ -35,12 +35,6 @@ inline constexpr std::array generated_names{
     GeneratedName{"zsh", Generated::zsh}, GeneratedName{"fish", Generated::fish},
     GeneratedName{"columns", Generated::columns}};
 
-struct FitKeysName {
-  std::string_view name;
-  FitKeys keys;
-};
-inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
-
 struct ColorName {
   std::string_view name;
   ColorWhen when;

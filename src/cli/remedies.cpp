@@ -375,7 +375,7 @@ constexpr Words all_words[]{
           "{subject} takes samples with times, and no column is the time; expected one; name it with --columns "
           "time=NAME"},
     Words{ErrorCode::fit_of_keys,
-          "a column is {0}, as keys have; expected samples; leave it out with --columns ignore=NAME"},
+          "the input has the role {0}, as keys do; expected samples; leave its column out with --columns ignore=NAME"},
     Words{ErrorCode::fit_without_tolerance,
           "--fit has no tolerance for channel \"{0}\"; expected one for each; add {0}=D, or D for all others"},
     Words{ErrorCode::fit_of_missing,

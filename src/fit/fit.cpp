@@ -7,7 +7,7 @@
 
 #include "fit/key_numbers.hpp"
 #include "fit/key_times.hpp"
-#include "fit/pieces.hpp"
+#include "fit/longest_cubics.hpp"
 #include "tcb/spline/detail/angle.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/tangents.hpp"
@@ -16,7 +16,7 @@ namespace tcb {
 namespace {
 
 /// The samples of a recording from one to another one.
-Recording stretch(const Recording& recording, std::size_t first, std::size_t last) {
+Recording part_of(const Recording& recording, std::size_t first, std::size_t last) {
   const auto at = [](const std::vector<double>& numbers, std::size_t index) {
     return numbers.begin() + static_cast<std::ptrdiff_t>(index);
   };
@@ -82,14 +82,14 @@ class Verification {
   const std::vector<Time>& times_;
 };
 
-/// The keys of the stretches between corners, joined.
-std::vector<CornerKey> joined_keys(const Recording& recording, const std::vector<std::size_t>& pieces,
+/// The keys of the parts between corners, joined.
+std::vector<CornerKey> joined_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
                                    const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed) {
   std::vector<CornerKey> keys;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const std::size_t first = corners[i - 1], last = corners[i];
     const auto own =
-        fitting_keys(stretch(recording, first, last), between(pieces, first, last), between(fixed, first, last));
+        fitting_keys(part_of(recording, first, last), between(cubics, first, last), between(fixed, first, last));
     for (const FitKey& key : own) {
       const bool is_corner = !keys.empty() && key.sample == 0;
       if (!is_corner) keys.push_back({first + key.sample, key.position, key.slope, key.slope});
@@ -98,6 +98,58 @@ std::vector<CornerKey> joined_keys(const Recording& recording, const std::vector
   }
   return keys;
 }
+
+/// In which directions the samples go. That of one channel is in its graph, whose targets have the same length.
+class Directions {
+ public:
+  static constexpr std::size_t reach = 12;  ///< samples
+
+  explicit Directions(const Recording& recording) : recording_(recording) {
+    if (recording.channels > 1) return;
+    const auto [least, most] = std::ranges::minmax(recording.positions);
+    time_ = (most - least) / recording.times.back();
+  }
+
+  /// The cosine of the angle by which the samples turn at one, seen from several tolerances away; 1: they are not.
+  double cosine(std::size_t sample) const {
+    constexpr double away = 4;
+    std::size_t before = sample, after = sample;
+    while (before > 0 && sample - before < reach && distance(before, sample) < away) --before;
+    while (after + 1 < recording_.size() && after - sample < reach && distance(after, sample) < away) ++after;
+    if (distance(before, sample) < away || distance(after, sample) < away) return 1;
+    double in2 = 0, out2 = 0, both = 0;
+    const auto add = [&](double in, double out) {
+      in2 += in * in;
+      out2 += out * out;
+      both += in * out;
+    };
+    for (std::size_t c = 0; c < recording_.channels; ++c) {
+      const double position = recording_.position(sample, c);
+      add(position - recording_.position(before, c), recording_.position(after, c) - position);
+    }
+    add((recording_.times[sample] - recording_.times[before]) * time_,
+        (recording_.times[after] - recording_.times[sample]) * time_);
+    return both / std::sqrt(in2 * out2);
+  }
+
+ private:
+  /// In tolerances.
+  double distance(std::size_t a, std::size_t b) const {
+    double largest = 0;
+    for (const FitGroup& group : recording_.groups) {
+      double sum = 0;
+      for (const std::size_t channel : group.channels) {
+        const double gap = recording_.position(a, channel) - recording_.position(b, channel);
+        sum += gap * gap;
+      }
+      largest = std::max(largest, std::sqrt(sum) / group.tolerance);
+    }
+    return largest;
+  }
+
+  const Recording& recording_;
+  double time_ = 0;  ///< how much of a position a unit of time is as long as
+};
 
 /// The recording with tolerances that leave room for the rounding of keys.
 Recording with_room(Recording recording, double part) {
@@ -108,25 +160,19 @@ Recording with_room(Recording recording, double part) {
 }  // namespace
 
 std::vector<std::size_t> corners_of(const Recording& recording, double degrees) {
-  constexpr std::size_t reach = 2;  // samples on either side
   const double limit = spline::ReducedAngle::of_degrees(degrees).cosine();
-  std::vector<double> cosines(recording.size(), 1.0);
-  for (std::size_t i = reach; i + reach < recording.size(); ++i) {
-    double in2 = 0, out2 = 0, both = 0;
-    for (std::size_t c = 0; c < recording.channels; ++c) {
-      const double in = recording.position(i, c) - recording.position(i - reach, c);
-      const double out = recording.position(i + reach, c) - recording.position(i, c);
-      in2 += in * in;
-      out2 += out * out;
-      both += in * out;
-    }
-    if (in2 > 0 && out2 > 0) cosines[i] = both / std::sqrt(in2 * out2);
-  }
+  const Directions directions(recording);
+  std::vector<double> cosines;
+  for (std::size_t i = 0; i < recording.size(); ++i) cosines.push_back(directions.cosine(i));
   std::vector<std::size_t> corners;
-  for (std::size_t i = reach; i + reach < recording.size(); ++i) {
-    const auto around = std::span(cosines).subspan(i - reach, 2 * reach + 1);
+  for (std::size_t i = 1; i + 1 < recording.size(); ++i) {
+    const std::size_t first = i - std::min(i, Directions::reach);
+    const auto around =
+        std::span(cosines).subspan(first, std::min(i + Directions::reach + 1, recording.size()) - first);
     const bool is_sharpest = cosines[i] <= *std::ranges::min_element(around);
-    if (cosines[i] < limit && is_sharpest && (corners.empty() || corners.back() + reach < i)) corners.push_back(i);
+    if (cosines[i] < limit && is_sharpest && (corners.empty() || corners.back() + Directions::reach < i)) {
+      corners.push_back(i);
+    }
   }
   return corners;
 }
@@ -141,14 +187,14 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   corners.push_back(last);
   fixed.insert(fixed.end(), corners.begin(), corners.end());
   FitResult result;
-  const std::vector<std::size_t> pieces = longest_pieces(recording);
-  result.least_keys = pieces.size() + 1;
+  const std::vector<std::size_t> cubics = longest_cubics(recording);
+  result.least_keys = cubics.size() + 1;
   const Verification verification(recording, times);
   double room = 0.998;
   for (int attempt = 0; attempt < 12; ++attempt) {
     std::ranges::sort(fixed);
     fixed.erase(std::ranges::unique(fixed).begin(), fixed.end());
-    const auto keys = joined_keys(with_room(recording, room), pieces, corners, fixed);
+    const auto keys = joined_keys(with_room(recording, room), cubics, corners, fixed);
     result.keys = numbered_keys(keys, recording, times, rules);
     std::vector<std::size_t> samples;
     for (const CornerKey& key : keys) samples.push_back(key.sample);

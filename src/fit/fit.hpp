@@ -1,8 +1,10 @@
 // Fit: few keys whose curve stays within tolerances of a recording, checked on the numbers as they are printed.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "fit/recording.hpp"
@@ -12,11 +14,16 @@ namespace tcb {
 
 /// What the keys carry.
 enum class FitKeys { tcb, hermite };
+struct FitKeysName {
+  std::string_view name;
+  FitKeys keys;
+};
+inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
 
 /// How a recording is fitted.
 struct FitRules {
   FitKeys keys = FitKeys::tcb;
-  std::vector<std::size_t> fixed = {};  ///< samples that have keys, besides the first and the last one
+  std::vector<std::size_t> fixed = {};  ///< samples that have keys, next tos the first and the last one
   std::optional<double> corner = {};    ///< in degrees: where the samples turn by more, the curve may have a corner
 };
 

@@ -46,7 +46,9 @@ std::optional<Tcb> tcb_of_corner(double in, double out, double before, double af
   const auto of = [&](double continuity, double p, double q) -> std::optional<Tcb> {
     const double tension = 1 - (p + q), bias = (p - q) / (p + q);
     if (!std::isfinite(tension) || !std::isfinite(bias)) return std::nullopt;
-    const double little = step / ((std::abs(before) + std::abs(after)) * (1 + std::abs(p) + std::abs(q)) * 4);
+    const double chords = std::abs(before) + std::abs(after),
+                 factors = (1 + std::abs(p) + std::abs(q)) * (1 + std::abs(bias));
+    const double little = step / (4 * chords * factors);
     return Tcb{rounded(tension, little), rounded(continuity, little), rounded(bias, little)};
   };
   if (before != 0 && after != 0) {

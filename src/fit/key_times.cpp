@@ -9,6 +9,9 @@
 namespace tcb {
 namespace {
 
+/// Slopes do not swing while segments are divided, as the keys of each group of segments are fitted between others.
+constexpr FitEffort of_division{6, 0.05};
+
 FitKey key_at(std::size_t sample, const Recording& recording) {
   return {sample, std::vector<double>(recording.channels), std::vector<double>(recording.channels)};
 }
@@ -86,7 +89,7 @@ class Thinning {
   }
 
  private:
-  static constexpr int most_weightings = 14, most_moves = 3;
+  static constexpr int most_moves = 3;
 
   /// The first key after this one that has to stay.
   std::size_t next_fixed(std::size_t key) const {
@@ -102,7 +105,7 @@ class Thinning {
     const auto at = [this](std::size_t index) { return keys_.begin() + static_cast<std::ptrdiff_t>(index); };
     std::vector<FitKey> keys(at(first), at(last + 1));
     keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(key - first));
-    const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last), most_weightings);
+    const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
     if (*std::ranges::max_element(worst) > 1) return false;
     replace(first, last, std::move(keys));
     return true;
@@ -118,7 +121,7 @@ class Thinning {
       std::vector<FitKey> keys = keys_at(marks, recording_);
       keys.front() = keys_[first];
       keys.back() = keys_[last];
-      const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last), most_weightings);
+      const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
       const double largest = *std::ranges::max_element(worst);
       if (largest <= 1) {
         replace(first, last, std::move(keys));
@@ -142,12 +145,12 @@ class Thinning {
   const std::vector<std::size_t>& fixed_;
 };
 
-/// The samples of keys between two fixed ones, half as many again as the longest pieces there.
+/// The samples of keys between two fixed ones, half as many again as the longest cubics there.
 void append_first_samples(std::vector<std::size_t>& samples, const Recording& recording,
-                          const std::vector<std::size_t>& pieces, std::size_t first, std::size_t last) {
+                          const std::vector<std::size_t>& cubics, std::size_t first, std::size_t last) {
   std::vector<std::size_t> marks{first};
-  for (const std::size_t piece : pieces) {
-    if (piece > first && piece < last) marks.push_back(piece);
+  for (const std::size_t cubic : cubics) {
+    if (cubic > first && cubic < last) marks.push_back(cubic);
   }
   marks.push_back(last);
   const std::vector<double> masses(marks.size() - 1, 1.0);
@@ -158,12 +161,11 @@ void append_first_samples(std::vector<std::size_t>& samples, const Recording& re
 }  // namespace
 
 void divide_segments(const Recording& recording, std::vector<FitKey>& keys, std::vector<double> worst) {
-  constexpr int most_weightings = 6;
   while (*std::ranges::max_element(worst) > 1) {
     std::vector<std::size_t> samples{keys.front().sample};
     for (std::size_t i = 0; i < worst.size(); ++i) {
       const std::size_t from = keys[i].sample, to = keys[i + 1].sample;
-      // Where no sample is left between, the segments beside this one are divided.
+      // Where no sample is left between, the segments next to this one are divided.
       const bool is_far = worst[i] > 1 || (i > 0 && worst[i - 1] > 1 && keys[i].sample - keys[i - 1].sample == 1) ||
                           (i + 1 < worst.size() && worst[i + 1] > 1 && keys[i + 2].sample - to == 1);
       if (is_far && to - from > 1) samples.push_back(from + (to - from) / 2);
@@ -171,19 +173,18 @@ void divide_segments(const Recording& recording, std::vector<FitKey>& keys, std:
     }
     if (samples.size() == keys.size()) return;
     keys = keys_at(samples, recording);
-    worst = fit_smoothly(recording, keys, {}, most_weightings);
+    worst = fit_smoothly(recording, keys, {}, of_division);
   }
 }
 
-std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& pieces,
+std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
                                  const std::vector<std::size_t>& fixed) {
-  constexpr int most_weightings = 6;
   std::vector<std::size_t> samples;
   for (std::size_t i = 1; i < fixed.size(); ++i) {
-    append_first_samples(samples, recording, pieces, fixed[i - 1], fixed[i]);
+    append_first_samples(samples, recording, cubics, fixed[i - 1], fixed[i]);
   }
   std::vector<FitKey> keys = keys_at(samples, recording);
-  divide_segments(recording, keys, fit_smoothly(recording, keys, {}, most_weightings));
+  divide_segments(recording, keys, fit_smoothly(recording, keys, {}, of_division));
   Thinning thinning(recording, keys, fixed);
   thinning.remove_keys();
   for (const std::size_t segments : {4, 8, 16}) thinning.sweep(segments);

@@ -1,6 +1,6 @@
 // Key times: at which samples of a recording keys lie, so that few are enough.
 //
-// Keys begin a little denser than the longest pieces need them, and move to where the errors of all segments are alike.
+// Keys begin a little denser than the longest cubics need them, and move to where the errors of all segments are alike.
 // Segments that stay too far from their samples are divided; then each group of segments is tried with one less.
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace tcb {
 
-/// Keys of a curve that is within the tolerances at the samples. `pieces`: from longest_pieces(). `fixed`: samples that
+/// Keys of a curve that is within the tolerances at the samples. `cubics`: from longest_cubics(). `fixed`: samples that
 /// have keys, increasing, among them the first and the last one.
-std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& pieces,
+std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
                                  const std::vector<std::size_t>& fixed);
 
 /// Divides segments and fits their keys again, until all are within the tolerances. `worst`: as fit_smoothly returns

@@ -26,15 +26,15 @@ class Banded {
   /// The number in a row and a column at or before it.
   double& at(std::size_t row, std::size_t column) { return rows_[row][row - column]; }
 
-  /// Gives a variable a value: it leaves the system. `side`: the right side.
-  void fix(std::size_t variable, double value, std::span<double> side) {
+  /// Gives a variable a value: it leaves the system. `target`: the right-hand vector.
+  void fix(std::size_t variable, double value, std::span<double> target) {
     const std::size_t size = rows_.size();
     for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
          ++other) {
       if (other == variable) continue;
-      side[other] -= at(std::max(variable, other), std::min(variable, other)) * value;
+      target[other] -= at(std::max(variable, other), std::min(variable, other)) * value;
     }
-    side[variable] = value;
+    target[variable] = value;
   }
   void clear(std::size_t variable) {
     const std::size_t size = rows_.size();
@@ -57,16 +57,16 @@ class Banded {
     }
   }
 
-  /// Solves for a right side, in place. Requires: factor().
-  void solve(std::span<double> side) {
+  /// Solves for a right-hand vector, in place. Requires: factor().
+  void solve(std::span<double> target) {
     const std::size_t size = rows_.size();
     for (std::size_t row = 0; row < size; ++row) {
-      for (std::size_t k = row < band ? 0 : row - band + 1; k < row; ++k) side[row] -= at(row, k) * side[k];
-      side[row] /= at(row, row);
+      for (std::size_t k = row < band ? 0 : row - band + 1; k < row; ++k) target[row] -= at(row, k) * target[k];
+      target[row] /= at(row, row);
     }
     for (std::size_t row = size; row-- > 0;) {
-      for (std::size_t k = row + 1; k < std::min(row + band, size); ++k) side[row] -= at(k, row) * side[k];
-      side[row] /= at(row, row);
+      for (std::size_t k = row + 1; k < std::min(row + band, size); ++k) target[row] -= at(k, row) * target[k];
+      target[row] /= at(row, row);
     }
   }
 
@@ -98,12 +98,12 @@ class GroupFit {
     }
   }
 
-  void run(int most_weightings, std::span<double> result) {
+  void run(const FitEffort& effort, std::span<double> result) {
     for (int i = 0;; ++i) {
-      solve();
+      solve(effort.stiffness);
       measure();
       const double largest = *std::ranges::max_element(worst_);
-      if (largest <= 1 || i >= most_weightings || (is_window() && is_impossible())) break;
+      if (largest <= 1 || i >= effort.most_weightings || (is_window() && is_impossible())) break;
       weigh();
     }
     for (std::size_t i = 0; i < worst_.size(); ++i) result[i] = std::max(result[i], worst_[i]);
@@ -118,62 +118,71 @@ class GroupFit {
   }
 
   /// The variables are positions and slopes, these per mean duration of a segment.
-  void solve() {
+  void solve(double stiffness) {
     const std::size_t count = channels_.size();
     Banded matrix(2 * keys_.size());
-    std::vector<std::vector<double>> sides(count, std::vector<double>(2 * keys_.size()));
-    std::vector<Hermite> side(count);
+    std::vector<std::vector<double>> targets(count, std::vector<double>(2 * keys_.size()));
+    std::vector<Hermite> target(count);
     for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
       std::array<Hermite, 4> products{};
-      std::ranges::fill(side, Hermite{});
+      std::ranges::fill(target, Hermite{});
       for (std::size_t i = keys_[segment].sample - first_; i < end_of(segment) - first_; ++i) {
         const Hermite& h = hermite_[i];
         for (std::size_t j = 0; j < h.size(); ++j) {
           const double part = weights_[i] * h[j];
           for (std::size_t k = 0; k < h.size(); ++k) products[j][k] += part * h[k];
-          for (std::size_t c = 0; c < count; ++c) side[c][j] += part * values_[i * count + c];
+          for (std::size_t c = 0; c < count; ++c) target[c][j] += part * values_[i * count + c];
         }
       }
       for (std::size_t j = 0; j < products.size(); ++j) {
         for (std::size_t k = 0; k <= j; ++k) matrix.at(2 * segment + j, 2 * segment + k) += products[j][k];
-        for (std::size_t c = 0; c < count; ++c) sides[c][2 * segment + j] += side[c][j];
+        for (std::size_t c = 0; c < count; ++c) targets[c][2 * segment + j] += target[c][j];
       }
     }
-    keep_regular(matrix, sides);
-    fix_ends(matrix, sides);
+    keep_regular(matrix, targets, stiffness);
+    fix_ends(matrix, targets);
     matrix.factor();
     for (std::size_t c = 0; c < count; ++c) {
-      matrix.solve(sides[c]);
+      matrix.solve(targets[c]);
       for (std::size_t key = 0; key < keys_.size(); ++key) {
-        keys_[key].position[channels_[c]] = sides[c][2 * key];
-        keys_[key].slope[channels_[c]] = sides[c][2 * key + 1] / unit_;
+        keys_[key].position[channels_[c]] = targets[c][2 * key];
+        keys_[key].slope[channels_[c]] = targets[c][2 * key + 1] / unit_;
       }
     }
   }
 
-  /// Where samples do not determine a key, it is at its sample, with the slope of the neighbours of that.
-  void keep_regular(Banded& matrix, std::vector<std::vector<double>>& sides) {
-    constexpr double little = 1e-7;
+  /// Pulls each key a little to its sample, and to a slope between those to the samples next to it, so that no slopes
+  /// swing where samples do not determine them.
+  void keep_regular(Banded& matrix, std::vector<std::vector<double>>& targets, double stiffness) {
     double total = 0;
     for (const double w : weights_) total += w;
-    const double strength = little * total / static_cast<double>(weights_.size());
+    const double strength = stiffness * total / static_cast<double>(weights_.size());
     for (std::size_t key = 0; key < keys_.size(); ++key) {
       const std::size_t sample = keys_[key].sample;
-      const std::size_t before = sample == 0 ? 0 : sample - 1, after = std::min(sample + 1, recording_.size() - 1);
-      matrix.at(2 * key, 2 * key) += strength;
+      matrix.at(2 * key, 2 * key) += strength * 1e-3;
       matrix.at(2 * key + 1, 2 * key + 1) += strength;
-      for (std::size_t c = 0; c < sides.size(); ++c) {
-        const std::size_t channel = channels_[c];
-        const double step = recording_.position(after, channel) - recording_.position(before, channel);
-        sides[c][2 * key] += strength * recording_.position(sample, channel);
-        sides[c][2 * key + 1] += strength * step / elapsed(before, after) * unit_;
+      for (std::size_t c = 0; c < targets.size(); ++c) {
+        targets[c][2 * key] += strength * 1e-3 * recording_.position(sample, channels_[c]);
+        targets[c][2 * key + 1] += strength * plain_slope(sample, channels_[c]) * unit_;
       }
     }
   }
 
-  void fix_ends(Banded& matrix, std::vector<std::vector<double>>& sides) {
+  /// The smaller one of the slopes to the samples next to a sample; 0 where they have different signs.
+  double plain_slope(std::size_t sample, std::size_t channel) const {
+    const auto slope = [&](std::size_t from) {
+      return (recording_.position(from + 1, channel) - recording_.position(from, channel)) / elapsed(from, from + 1);
+    };
+    if (sample == 0) return slope(0);
+    if (sample + 1 == recording_.size()) return slope(sample - 1);
+    const double before = slope(sample - 1), after = slope(sample);
+    if ((before < 0) != (after < 0)) return 0;
+    return std::abs(before) < std::abs(after) ? before : after;
+  }
+
+  void fix_ends(Banded& matrix, std::vector<std::vector<double>>& targets) {
     const auto fix = [&](std::size_t variable, const auto& value) {
-      for (std::size_t c = 0; c < sides.size(); ++c) matrix.fix(variable, value(channels_[c]), sides[c]);
+      for (std::size_t c = 0; c < targets.size(); ++c) matrix.fix(variable, value(channels_[c]), targets[c]);
       matrix.clear(variable);
     };
     const auto fix_key = [&](std::size_t key, bool is_fixed, bool is_corner) {
@@ -258,9 +267,9 @@ class GroupFit {
 }  // namespace
 
 std::vector<double> fit_smoothly(const Recording& recording, std::span<FitKey> keys, FixedEnds fixed,
-                                 int most_weightings) {
+                                 const FitEffort& effort) {
   std::vector<double> worst(keys.size() - 1);
-  for (const FitGroup& group : recording.groups) GroupFit(recording, group, keys, fixed).run(most_weightings, worst);
+  for (const FitGroup& group : recording.groups) GroupFit(recording, group, keys, fixed).run(effort, worst);
   return worst;
 }
 

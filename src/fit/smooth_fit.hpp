@@ -24,10 +24,15 @@ struct FixedEnds {
   bool first = false, last = false;
 };
 
-/// Sets positions and slopes of the keys, which have samples that increase. `most_weightings`: how often samples are
-/// weighted again. Returns the largest distance of the samples of each segment, those at its two keys included, in
-/// tolerances; stops where it is at most 1.
+/// How hard a fit is tried.
+struct FitEffort {
+  int most_weightings = 14;  ///< how often samples are weighted again
+  double stiffness = 1e-6;   ///< weight of plain slopes, as far as a sample has a weight
+};
+
+/// Sets positions and slopes of the keys, which have samples that increase. Returns the largest distance of the samples
+/// of each segment, those at its two keys included, in tolerances; stops where it is at most 1.
 std::vector<double> fit_smoothly(const Recording& recording, std::span<FitKey> keys, FixedEnds fixed,
-                                 int most_weightings);
+                                 const FitEffort& effort = {});
 
 }  // namespace tcb

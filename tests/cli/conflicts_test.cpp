@@ -22,8 +22,16 @@ std::string word(Option option) {
     default: break;
   }
   if (!row.default_value.empty()) return name + "=" + std::string(row.default_value);
-  const bool is_named = option == Option::columns || option == Option::map;
-  return name + (option == Option::delimiter ? "=tab" : is_named ? "=time=t" : "=1");
+  switch (option) {
+    case Option::columns:
+    case Option::map:
+    case Option::rename: return name + "=time=t";
+    case Option::delimiter: return name + "=tab";
+    case Option::angle: return name + "=x=degrees";
+    case Option::rotation_output: return name + "=matrix";
+    case Option::tcb: return name + "=0,0,0";
+    default: return name + "=1";
+  }
 }
 
 std::vector<Option> members(const OptionSet& options) {

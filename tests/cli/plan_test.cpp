@@ -131,7 +131,7 @@ TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
 TEST(Plan, a_sampling_option_is_needed) {
   EXPECT_EQ(refusal({"a.csv"}),
             "no sampling option given; expected one of --step, --rate, --count, --segments, --per-segment, --at, "
-            "--arc-step, --arc-count, --arc-at, --tolerance, --emit; for example tcbsample --step 0.1 keys.csv");
+            "--arc-step, --arc-count, --arc-at, --tolerance, --emit, --fit; for example tcbsample --step 0.1 keys.csv");
 }
 
 TEST(Plan, the_range_is_exact_and_goes_forward) {

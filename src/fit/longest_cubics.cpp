@@ -1,5 +1,5 @@
-// Pieces: the least number of cubics that stay within the tolerances of a recording.
-#include "fit/pieces.hpp"
+// Longest cubics: the least number of cubics that stay within the tolerances of a recording.
+#include "fit/longest_cubics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@ using Basis = std::array<double, order>;
 /// Chebyshev polynomials at x in [-1, 1].
 Basis basis_at(double x) { return {1, x, 2 * x * x - 1, x * (4 * x * x - 3)}; }
 
-/// Solves a symmetric positive definite system for several right sides, in place.
-void solve(std::array<Basis, order>& matrix, std::span<Basis> sides) {
+/// Solves a symmetric positive definite system for several right-hand vectors, in place.
+void solve(std::array<Basis, order>& matrix, std::span<Basis> targets) {
   for (std::size_t k = 0; k < order; ++k) {
     for (std::size_t j = 0; j < k; ++j) {
       for (std::size_t i = k; i < order; ++i) matrix[i][k] -= matrix[i][j] * matrix[k][j];
@@ -24,22 +24,22 @@ void solve(std::array<Basis, order>& matrix, std::span<Basis> sides) {
     const double root = std::sqrt(std::max(matrix[k][k], 1e-300));
     for (std::size_t i = k; i < order; ++i) matrix[i][k] /= root;
   }
-  for (Basis& side : sides) {
+  for (Basis& target : targets) {
     for (std::size_t k = 0; k < order; ++k) {
-      for (std::size_t j = 0; j < k; ++j) side[k] -= matrix[k][j] * side[j];
-      side[k] /= matrix[k][k];
+      for (std::size_t j = 0; j < k; ++j) target[k] -= matrix[k][j] * target[j];
+      target[k] /= matrix[k][k];
     }
     for (std::size_t k = order; k-- > 0;) {
-      for (std::size_t j = k + 1; j < order; ++j) side[k] -= matrix[j][k] * side[j];
-      side[k] /= matrix[k][k];
+      for (std::size_t j = k + 1; j < order; ++j) target[k] -= matrix[j][k] * target[j];
+      target[k] /= matrix[k][k];
     }
   }
 }
 
 /// Whether one cubic stays within the tolerance of the channels of a group at some samples.
-class PieceTest {
+class CubicTest {
  public:
-  PieceTest(const Recording& recording, const FitGroup& group)
+  CubicTest(const Recording& recording, const FitGroup& group)
       : recording_(recording), group_(group), cubic_(group.channels.size()) {}
 
   /// Not where that is proved to be impossible.
@@ -156,11 +156,11 @@ class PieceTest {
 
 }  // namespace
 
-std::vector<std::size_t> longest_pieces(const Recording& recording) {
-  std::vector<PieceTest> tests;
+std::vector<std::size_t> longest_cubics(const Recording& recording) {
+  std::vector<CubicTest> tests;
   for (const FitGroup& group : recording.groups) tests.emplace_back(recording, group);
   const auto may_fit = [&](std::size_t first, std::size_t last) {
-    return std::ranges::all_of(tests, [&](PieceTest& test) { return test.may_fit({first, last}); });
+    return std::ranges::all_of(tests, [&](CubicTest& test) { return test.may_fit({first, last}); });
   };
   std::vector<std::size_t> starts;
   std::size_t guess = order;

@@ -1,0 +1,53 @@
+// Key times: few keys, within the tolerances at all samples.
+#include "fit/key_times.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fit/longest_cubics.hpp"
+#include "fit/recordings.hpp"
+
+namespace tcb {
+namespace {
+
+/// The samples of the keys, once they are within the tolerances.
+std::vector<std::size_t> samples_of(const Recording& recording, std::vector<std::size_t> fixed = {}) {
+  fixed.insert(fixed.begin(), 0);
+  fixed.push_back(recording.size() - 1);
+  auto keys = fitting_keys(recording, longest_cubics(recording), fixed);
+  std::vector<std::size_t> samples;
+  for (const FitKey& key : keys) samples.push_back(key.sample);
+  EXPECT_TRUE(std::ranges::is_sorted(samples));
+  // Each pair of keys alone, as they are.
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    std::vector<FitKey> pair{keys[i - 1], keys[i]};
+    EXPECT_LE(fit_smoothly(recording, pair, {true, true}, {0, 0})[0], 1 + 1e-9) << i;
+  }
+  return samples;
+}
+
+TEST(KeyTimes, a_line_has_two) {
+  EXPECT_EQ(samples_of(recording_of({[](double t) { return 2 * t - 1; }}, 500, 0.1, 1e-6)),
+            (std::vector<std::size_t>{0, 499}));
+}
+
+TEST(KeyTimes, a_sine_has_little_more_than_its_pieces) {
+  const Recording recording = recording_of({[](double t) { return std::sin(t); }}, 20001, 0.01, 1e-4);
+  const std::size_t cubics = longest_cubics(recording).size();
+  EXPECT_LE(samples_of(recording).size(), cubics * 8 / 5 + 2);
+}
+
+TEST(KeyTimes, fixed_samples_have_keys) {
+  const Recording recording = recording_of({[](double t) { return std::sin(t); }}, 1001, 0.01, 1e-2);
+  const auto samples = samples_of(recording, {17, 18, 500});
+  for (const std::size_t fixed : {17U, 18U, 500U}) EXPECT_EQ(std::ranges::count(samples, fixed), 1) << fixed;
+}
+
+TEST(KeyTimes, every_sample_may_be_needed) {
+  const auto zigzag = [](double t) { return std::fmod(t, 2.0) * (1 + t); };
+  EXPECT_LE(samples_of(recording_of({zigzag}, 40, 1, 1e-6)).size(), 40U);
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,61 @@
+// Smooth fits: curves of cubics are found again, and the largest distance is made small.
+#include "fit/smooth_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fit/recordings.hpp"
+
+namespace tcb {
+namespace {
+
+FitKey key_at(std::size_t sample, std::size_t channels = 1) {
+  return {sample, std::vector<double>(channels), std::vector<double>(channels)};
+}
+
+TEST(SmoothFit, finds_a_curve_of_cubics) {
+  const auto curve = [](double t) { return t < 1 ? t * t * t : 1 + 3 * (t - 1) - (t - 1) * (t - 1); };
+  const auto other = [&](double t) { return 5 - 2 * curve(t); };
+  const Recording recording = recording_of({curve, other}, 201, 0.01, 1e-3);
+  std::vector<FitKey> keys{key_at(0, 2), key_at(100, 2), key_at(200, 2)};
+  const auto worst = fit_smoothly(recording, keys, {});
+  EXPECT_LE(*std::ranges::max_element(worst), 0.02);
+  EXPECT_NEAR(keys[1].position[0], 1, 1e-5);
+  EXPECT_NEAR(keys[1].slope[0], 3, 1e-4);
+  EXPECT_NEAR(keys[2].position[1], -1, 1e-5);
+  EXPECT_NEAR(keys[2].slope[1], -2, 1e-4);
+}
+
+TEST(SmoothFit, balances_the_largest_distances) {
+  // The best quadratic (by symmetry) for t^4 on [-1, 1] is off by 1/8; least squares alone by more.
+  const auto power = [](double t) { return (t - 1) * (t - 1) * (t - 1) * (t - 1); };
+  const Recording recording = recording_of({power}, 401, 0.005, 1e-3);
+  std::vector<FitKey> keys{key_at(0), key_at(400)};
+  const double least_squares = fit_smoothly(recording, keys, {}, {0, 1e-6})[0];
+  const double balanced = fit_smoothly(recording, keys, {}, {40, 1e-6})[0];
+  EXPECT_GT(least_squares, 200);
+  EXPECT_NEAR(balanced, 125, 2);
+}
+
+TEST(SmoothFit, keeps_fixed_ends) {
+  const Recording recording = recording_of({[](double t) { return t * t; }}, 101, 0.01, 1e-3);
+  std::vector<FitKey> keys{key_at(0), key_at(50), key_at(100)};
+  keys[0].position = {0.25};
+  keys[0].slope = {-1};
+  fit_smoothly(recording, keys, {true, false});
+  EXPECT_EQ(keys[0].position[0], 0.25);
+  EXPECT_EQ(keys[0].slope[0], -1);
+}
+
+TEST(SmoothFit, a_corner_has_the_position_of_its_sample) {
+  Recording recording = recording_of({[](double t) { return std::sin(9 * t); }}, 101, 0.01, 1e-3);
+  recording.ends_at_corner = true;
+  std::vector<FitKey> keys{key_at(0), key_at(100)};
+  fit_smoothly(recording, keys, {});
+  EXPECT_EQ(keys[1].position[0], recording.positions.back());
+  EXPECT_NE(keys[0].position[0], recording.positions.front());
+}
+
+}  // namespace
+}  // namespace tcb
