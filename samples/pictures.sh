@@ -21,6 +21,11 @@ draw pictures/ball --step 0.06 ball.csv
 draw pictures/loop --arc-step 5 loop.txt
 draw pictures/animation --step 1 --axes hip_z:hip_y animation.json
 draw pictures/events --segments 50 events.jsonl
+draw pictures/poses --step 0.25 poses.csv
+
+# Keys for a recording of the camera path.
+tcbsample --rate 100 --columns position=x:y:z camera.csv |
+  draw pictures/fit --fit 0.01 --title "15 keys within 0.01 of a recording"
 
 # One parameter of the middle key, from -1 to 1.
 family() { # NAME TITLE

@@ -457,6 +457,7 @@ enum class ErrorCode {
   range_backwards,  ///< to, from
   standard_input_twice,
   comparison_of_several_files,  ///< number of files
+  fit_picture_of_several_files,
   line_end_in_provenance,
   option_not_of_provenance,
   file_in_provenance,

@@ -6,6 +6,7 @@
 #include "app/pipeline.hpp"
 #include "cli/options.hpp"
 #include "cli/remedies.hpp"
+#include "compare/fit_picture.hpp"
 #include "compare/report.hpp"
 #include "error.hpp"
 #include "io/atomic_output.hpp"
@@ -36,6 +37,10 @@ int main(int argc, char** argv) {
     const tcb::Invocation invocation = tcb::parse(argc, argv);
     if (invocation.job.writes_files()) tcb::remove_unfinished_when_interrupted();
     if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job, tcb::error_message));
+    const bool draws = tcb::format_of(invocation.job.output_format).is_picture;
+    if (!invocation.text && invocation.job.sampling.mode == tcb::Mode::fit && draws) {
+      return static_cast<int>(tcb::draw_fit(invocation.job, {words, tcb::note_text}));
+    }
     if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job, {words, tcb::note_text}));
     if (invocation.exit != tcb::Exit::done) return refuse(invocation.exit, *invocation.text);
     print(*invocation.text);

@@ -140,8 +140,8 @@ Input columns_of_fit(const Input& samples, const Job& job) {
   return result;
 }
 
-Samples read_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
-                     const Job& job) {
+Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+                         const Job& job) {
   const std::vector<std::size_t> channels = fitted_channels(input);
   std::vector<std::string> names;
   for (const std::size_t channel : channels) names.push_back(input.channels[channel]);
@@ -167,16 +167,20 @@ Samples read_samples(const CurveKeys& curve, const Input& input, const std::vect
   return samples;
 }
 
-FittedRows fitted_rows(const Samples& samples, const FitOptions& options) {
+FitResult fitted(const Samples& samples, const FitOptions& options) {
   const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner});
   if (!result) throw Error(Exit::data, ErrorCode::fit_impossible).about(Option::fit);
+  return *result;
+}
+
+FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options) {
   FittedRows rows{samples.group, {}, {}};
-  rows.report = {samples.times.size(), result->keys.size(), result->least_keys, result->largest,
-                 samples.lines[result->sample]};
-  for (std::size_t key = 0; key < result->keys.size(); ++key) {
-    rows.table.cells.push_back(result->keys.times[key]);
-    for (const double position : result->keys.position(key)) rows.table.cells.emplace_back(position);
-    for (const double number : numbers_of_slopes(result->keys, key, options)) rows.table.cells.emplace_back(number);
+  rows.report = {samples.times.size(), result.keys.size(), result.least_keys, result.largest,
+                 samples.lines[result.sample]};
+  for (std::size_t key = 0; key < result.keys.size(); ++key) {
+    rows.table.cells.push_back(result.keys.times[key]);
+    for (const double position : result.keys.position(key)) rows.table.cells.emplace_back(position);
+    for (const double number : numbers_of_slopes(result.keys, key, options)) rows.table.cells.emplace_back(number);
   }
   return rows;
 }

@@ -50,10 +50,13 @@ Input columns_of_fit(const Input& samples, const Job& job);
 
 /// The samples of a curve. Throws: Error (data) for missing numbers, fewer than two samples, a tolerance near the
 /// spacing of doubles, and a time to keep that no sample has.
-Samples read_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
-                     const Job& job);
+Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+                         const Job& job);
 
 /// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.
-FittedRows fitted_rows(const Samples& samples, const FitOptions& options);
+FitResult fitted(const Samples& samples, const FitOptions& options);
+
+/// The keys of samples as rows.
+FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options);
 
 }  // namespace tcb

@@ -104,13 +104,13 @@ class FileRun {
       std::optional<CurveKeys> curve = curves.next();
       if (!curve) return std::nullopt;
       curve->keys = provenance.observe_keys(std::move(curve->keys));
-      return read_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
+      return recorded_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
     };
     sink_.begin(path_, columns_of_fit(input, job_), RuleFacts{{}, true}, wording_);
-    const auto keys_of = [this](const Samples& one) { return fitted_rows(one, job_.fit); };
+    const auto keys_of = [this](const Samples& one) { return rows_of(one, fitted(one, job_.fit), job_.fit); };
     FitReport report;
-    const Source<FittedRows> fitted = ordered_map(samples, keys_of, input.threads);
-    while (const std::optional<FittedRows> rows = fitted()) {
+    const Source<FittedRows> keys = ordered_map(samples, keys_of, input.threads);
+    while (const std::optional<FittedRows> rows = keys()) {
       writer.begin_curve(rows->group);
       writer.write([&, done = false]() mutable -> std::optional<std::string> {
         if (std::exchange(done, true)) return std::nullopt;

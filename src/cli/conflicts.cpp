@@ -153,7 +153,7 @@ constexpr std::array table{
     Conflict{{O::plot}, exclude, {O::output_format}},
     Conflict{{O::axes, O::title, O::size}, idle, {}, " on an output that is not a picture", has_no_picture},
     Conflict{notations | OptionSet{O::fields, O::side, O::golden, O::exact_input, O::meta, O::no_output_header, O::emit,
-                                   O::rotation_output, O::fit},
+                                   O::rotation_output},
              idle,
              {O::output_format, O::plot},
              ", which draws the curve and has no rows",

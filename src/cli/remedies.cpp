@@ -652,6 +652,9 @@ constexpr Words all_words[]{
           "npy is not text, and standard output is a terminal; expected a file or a pipe; give -o FILE.npy"},
     Words{ErrorCode::standard_input_twice,
           "{subject} - and the keys are both standard input; expected one of them; give the other by its file name"},
+    Words{ErrorCode::fit_picture_of_several_files,
+          "a picture of {subject} shows the recordings of one file; expected one input and one output; draw each by "
+          "itself"},
     Words{ErrorCode::comparison_of_several_files, "{subject} takes one file of keys; {0} are given; remove the others"},
     Words{ErrorCode::line_end_in_provenance,
           "{subject}: --meta cannot hold a value with a line end; expected one without; remove --meta, or rename "

@@ -18,7 +18,7 @@ double rounded(double number, double step) {
   while (power > step) power /= 10;
   if (step >= 1) {
     while (power * 10 <= step) power *= 10;
-    return std::nearbyint(number / power) * power;
+    return std::nearbyint(number / power) * power + 0.0;  // no negative zero
   }
   double inverse = 1;
   while (1 / inverse > step) inverse *= 10;

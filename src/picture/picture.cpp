@@ -52,14 +52,15 @@ class Composer {
 
  private:
   Marks marks_of(const View& view) const {
-    const std::uint64_t keys = scene_.keys(), rows = scene_.rows();
+    const std::uint64_t rows = scene_.rows();
     const std::size_t views = arrangement_.views.size();
     const auto fits = [&](std::uint64_t count, double between) {
       const double room = view.is_graph() ? view.box.width : 3 * view.box.width;
       return static_cast<double>(count) * between <= room && count * (view.is_graph() ? views : 1) <= most_dots;
     };
     Marks marks;
-    marks.keys = fits(keys, between_keys);
+    marks.keys = fits(scene_.keys(), between_keys);
+    marks.dots = marks.keys && fits(scene_.keys() + scene_.dots(), between_keys);
     marks.handles = marks.keys && (!view.is_graph() || !scene_.path);
     marks.samples = rows > 0 && scene_.has_samples() && fits(rows, between_samples);
     return marks;
@@ -90,6 +91,7 @@ class Composer {
     for (const Marks& marks : marks_) {
       others += scene_.curves.size() * bytes_of_path;
       if (marks.keys) others += scene_.keys() * (bytes_of_dot + (marks.handles ? 2 * bytes_of_tick : 0));
+      if (marks.dots) others += scene_.dots() * bytes_of_dot;
       if (marks.samples) others += scene_.rows() * bytes_of_tick;
     }
     return others < most_bytes ? (most_bytes - others) / marks_.size() : 0;
@@ -107,7 +109,10 @@ class Composer {
     std::vector<CurveDrawing> drawings;
     for (std::size_t i = 0; i < views.size(); ++i) {
       Marks marks = marks_[i];
-      marks.handles = marks.handles && !curve.is_polyline;
+      if (curve.is_polyline) {
+        marks.keys = marks.dots;
+        marks.handles = false;
+      }
       drawings.emplace_back(views[i], marks, outline_of(views[i]));
     }
     const Source<SegmentBlock> blocks = curve.segments();

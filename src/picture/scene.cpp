@@ -118,7 +118,13 @@ void require_finite(const Interval& interval) {
 
 std::uint64_t Scene::keys() const {
   std::uint64_t sum = 0;
-  for (const SceneCurve& curve : curves) sum += curve.keys.size();
+  for (const SceneCurve& curve : curves) sum += curve.is_polyline ? 0 : curve.keys.size();
+  return sum;
+}
+
+std::uint64_t Scene::dots() const {
+  std::uint64_t sum = 0;
+  for (const SceneCurve& curve : curves) sum += curve.is_polyline ? curve.keys.size() : 0;
   return sum;
 }
 

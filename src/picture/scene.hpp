@@ -55,7 +55,8 @@ struct Scene {
   /// Further curves are counted, not drawn.
   static constexpr std::size_t most_curves = 400;
 
-  std::uint64_t keys() const;
+  std::uint64_t keys() const;  ///< without those of polylines
+  std::uint64_t dots() const;  ///< of polylines
   std::uint64_t rows() const;
   /// Whether every curve has its samples.
   bool has_samples() const;

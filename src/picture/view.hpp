@@ -52,6 +52,7 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame);
 /// Which marks a picture has.
 struct Marks {
   bool keys = false, corners = false, handles = false, samples = false, worst = false;
+  bool dots = false;  ///< of the samples of polylines
 };
 
 inline constexpr double key_radius = 3.2, sample_radius = 2.2, half_tick = 4, worst_radius = 7;

@@ -193,7 +193,7 @@ BuildResult<S> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules, 
     keys.velocities[i].in = keys.velocities[last * keys.channels + i].in;
     keys.velocities[last * keys.channels + i].out = keys.velocities[i].out;
   }
-  if (repeated) std::copy_n(keys.turns.end() - keys.turns_per_key(), keys.turns_per_key(), keys.turns.begin());
+  if (repeated) std::ranges::copy(std::span(keys.turns).last(keys.turns_per_key()), keys.turns.begin());
   if (const auto error = find_velocity_error(keys, true)) return *error;
   Window<S> window{{}, false, false, true};
   const auto add = [&](std::size_t key, const Time<S>& time) {
