@@ -324,6 +324,7 @@ enum class ErrorCode {
   fit_without_times,
   fit_of_keys,            ///< name of a role
   fit_without_tolerance,  ///< name of a channel
+  fit_of_other_form,      ///< name of a column
   fit_of_missing,         ///< name of a channel
   fit_of_single_sample,
   fit_below_doubles,         ///< tolerance, name of a channel, its largest size

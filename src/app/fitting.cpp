@@ -5,67 +5,77 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "curve/build.hpp"
 #include "error.hpp"
 #include "fit/fit.hpp"
+#include "keys/angles.hpp"
+#include "keys/rotations.hpp"
+#include "tcb/spline/detail/angle.hpp"
 #include "text/print_number.hpp"
 
 namespace tcb {
 namespace {
 
-/// The channels that are fitted: all but those of rotations.
-std::vector<std::size_t> fitted_channels(const Input& input) {
-  std::vector<std::size_t> channels;
-  for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    const auto has = [&](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
-    if (std::ranges::none_of(input.rotations, has)) channels.push_back(i);
-  }
-  return channels;
-}
+/// A column of what keys carry besides positions.
+struct SlopeColumn {
+  std::string name;
+  std::size_t channel;
+  double (*number)(const Keys&, std::size_t);  ///< by the number of a key's channel, counted through all keys
+};
 
-/// What the keys carry besides positions: the roles of the columns of a channel.
-std::vector<std::string> names_of_slopes(const std::vector<std::string>& channels, const FitOptions& options) {
-  std::vector<std::string> names;
-  const auto add = [&](std::string_view before, std::string_view after) {
-    for (const std::string& channel : channels) names.push_back(fmt::format("{}{}{}", before, channel, after));
-  };
-  if (options.keys == FitKeys::hermite && options.corner) {
-    add("", "_vin");
-    add("", "_vout");
-  } else if (options.keys == FitKeys::hermite) {
-    add("", "_v");
-  } else if (channels.size() == 1) {
-    names = {"tension", "continuity", "bias"};
-  } else {
-    add("tension_", "");
-    add("continuity_", "");
-    add("bias_", "");
-  }
-  const auto is_of_corner = [](const std::string& name) { return name.starts_with("continuity"); };
-  if (!options.corner) std::erase_if(names, is_of_corner);
-  return names;
-}
-
-/// The numbers of a key in the order of names_of_slopes().
-std::vector<double> numbers_of_slopes(const Keys& keys, std::size_t key, const FitOptions& options) {
-  std::vector<double> numbers;
-  const auto add = [&](const auto& all, auto member) {
-    for (std::size_t i = 0; i < keys.channels; ++i) numbers.push_back(all[key * keys.channels + i].*member);
-  };
+/// Those of an output.
+std::vector<SlopeColumn> slope_columns(const FittedChannels& fitted, const FitOptions& options) {
+  std::vector<SlopeColumn> columns;
+  const std::vector<std::string>& names = fitted.names;
   if (options.keys == FitKeys::hermite) {
-    add(keys.velocities, &spline::Velocity<double>::in);
-    if (options.corner) add(keys.velocities, &spline::Velocity<double>::out);
-    return numbers;
+    const auto add = [&](std::string_view role, auto number) {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        columns.push_back({fmt::format("{}_{}", names[i], role), i, number});
+    };
+    add(options.corner ? "vin" : "v", [](const Keys& keys, std::size_t i) { return keys.velocities[i].in; });
+    if (options.corner) add("vout", [](const Keys& keys, std::size_t i) { return keys.velocities[i].out; });
+    return columns;
   }
-  add(keys.tcbs, &spline::Tcb<double>::tension);
-  if (options.corner) add(keys.tcbs, &spline::Tcb<double>::continuity);
-  add(keys.tcbs, &spline::Tcb<double>::bias);
-  return numbers;
+  std::vector<std::size_t> plain(names.size()), turning;  // channels; of a rotation the first one
+  std::iota(plain.begin(), plain.end(), std::size_t{0});
+  for (const FitGroup& group : fitted.groups) {
+    if (!group.angle) continue;
+    turning.push_back(group.channels[0]);
+    std::erase_if(plain, [&](std::size_t i) { return std::ranges::count(group.channels, i) > 0; });
+  }
+  const auto add = [&](std::string_view role, auto number) {
+    const auto add_of = [&](const std::vector<std::size_t>& channels, bool is_single) {
+      for (const std::size_t i : channels) {
+        columns.push_back({is_single ? std::string(role) : fmt::format("{}_{}", role, names[i]), i, number});
+      }
+    };
+    add_of(plain, turning.empty() && plain.size() == 1);
+    add_of(turning, turning.size() == 1);
+  };
+  add("tension", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].tension; });
+  if (options.corner) add("continuity", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].continuity; });
+  add("bias", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].bias; });
+  return columns;
 }
 
-/// The limits of the channels: one for the distance over those without a limit of their own, and these.
+/// The limit of a rotation with these channels of an input, of which some are fitted.
+FitGroup rotation_group(const std::vector<std::size_t>& fitted, const spline::RotationChannels& channels, double angle,
+                        FitKeys keys) {
+  const double room = keys == FitKeys::tcb ? 0.85 : 0.98;  // for what keys change of the cubics of the four numbers
+  constexpr double most = 1.5;
+  FitGroup group{{}, room * spline::sine_cosine(std::min(angle / 2, most)).sine, angle};
+  for (const std::size_t channel : channels) {
+    const auto found = std::ranges::find(fitted, channel);
+    group.channels.push_back(static_cast<std::size_t>(found - fitted.begin()));
+  }
+  return group;
+}
+
+/// The limits of channels that are no rotations: one for the distance over those without a limit of their own, and
+/// these.
 std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const FitOptions& options) {
   std::vector<FitGroup> groups;
   FitGroup others;
@@ -91,6 +101,39 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
   return groups;
 }
 
+/// Throws: Error (data) for rotations that are no quaternions, for a limit of rotations where there are none, and as
+/// groups_of().
+FittedChannels fitted_channels(const Input& input, const FitOptions& options) {
+  FittedChannels fitted;
+  std::vector<std::size_t> plain;  // channels that are no rotations, in the result
+  std::vector<std::string> plain_names;
+  for (std::size_t i = 0; i < input.channels.size(); ++i) {
+    const auto has = [&](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
+    const bool is_of_rotation = std::ranges::any_of(input.rotations, has);
+    if (is_of_rotation && !options.angle) continue;
+    if (!is_of_rotation) {
+      plain.push_back(fitted.numbers.size());
+      plain_names.push_back(input.channels[i]);
+    }
+    fitted.numbers.push_back(i);
+    fitted.names.push_back(input.channels[i]);
+  }
+  fitted.groups = groups_of(plain_names, options);
+  for (FitGroup& group : fitted.groups) {
+    for (std::size_t& channel : group.channels) channel = plain[channel];
+  }
+  if (!options.angle) return fitted;
+  if (input.rotations.empty()) throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::fit);
+  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
+    const GivenRotation& given = input.given_rotations[i];
+    if (given.notation.form != spline::RotationForm::quaternion) {
+      throw Error(Exit::data, ErrorCode::fit_of_other_form, {given.columns[0]}).about(Option::fit);
+    }
+    fitted.groups.push_back(rotation_group(fitted.numbers, input.rotations[i].channels, *options.angle, options.keys));
+  }
+  return fitted;
+}
+
 /// Throws: Error (data) for a tolerance below the spacing of doubles at the size of the positions.
 void require_resolution(const Recording& recording, const std::vector<std::string>& channels) {
   for (const FitGroup& group : recording.groups) {
@@ -104,6 +147,24 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
             .about(Option::fit);
       }
     }
+  }
+}
+
+/// The samples of a curve, whose rotations and angles are checked.
+Source<KeyBlock> checked_samples(Source<KeyBlock> blocks, const Input& input, const FitOptions& options) {
+  if (options.angle) {
+    blocks = with_quaternions(std::move(blocks),
+                              {input.rotations, input.given_rotations, input.channels.size(), input.normalize});
+  }
+  return with_clear_angles(std::move(blocks), input.angles, input.channels);
+}
+
+/// Makes an angle go the shorter way from sample to sample.
+void unwrap(Recording& recording, std::size_t channel, bool degrees) {
+  for (std::size_t i = channel + recording.channels; i < recording.positions.size(); i += recording.channels) {
+    double& angle = recording.positions[i];
+    const auto step = spline::exact_difference(angle, recording.positions[i - recording.channels]);
+    angle -= spline::nearest_turns<double>(step, degrees).hi;
   }
 }
 
@@ -127,29 +188,28 @@ Input columns_of_fit(const Input& samples, const Job& job) {
   if (!samples.timed) throw Error(Exit::data, ErrorCode::fit_without_times).about(Option::fit);
   if (!samples.facts.roles.empty()) throw Error(Exit::data, ErrorCode::fit_of_keys, {samples.facts.roles[0]});
   Input result = samples;
-  result.channels.clear();
-  for (const std::size_t channel : fitted_channels(samples)) result.channels.push_back(samples.channels[channel]);
-  if (result.channels.empty()) throw Error(Exit::data, ErrorCode::only_rotations);
-  (void)groups_of(result.channels, job.fit);
-  const std::vector<std::string> names = names_of_slopes(result.channels, job.fit);
-  result.channels.insert(result.channels.end(), names.begin(), names.end());
+  const FittedChannels fitted = fitted_channels(samples, job.fit);
+  if (fitted.names.empty()) throw Error(Exit::data, ErrorCode::only_rotations);
+  result.channels = fitted.names;
+  for (const SlopeColumn& column : slope_columns(fitted, job.fit)) result.channels.push_back(column.name);
   result.rotations.clear();
   result.given_rotations.clear();
   result.rotation_names.clear();
+  result.angles.clear();
   result.carried.clear();
   return result;
 }
 
 Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
                          const Job& job) {
-  const std::vector<std::size_t> channels = fitted_channels(input);
-  std::vector<std::string> names;
-  for (const std::size_t channel : channels) names.push_back(input.channels[channel]);
-  Samples samples{curve.group, {}, {}, {}, {}};
+  Samples samples{curve.group, {}, {}, {}, {}, {}};
+  samples.fitted = fitted_channels(input, job.fit);
+  const auto& [channels, names, groups] = samples.fitted;
   Recording& recording = samples.recording;
   recording.channels = channels.size();
-  recording.groups = groups_of(names, job.fit);
-  while (const std::optional<KeyBlock> block = curve.keys()) {
+  recording.groups = groups;
+  const Source<KeyBlock> blocks = checked_samples(curve.keys, input, job.fit);
+  while (const std::optional<KeyBlock> block = blocks()) {
     for (std::size_t key = 0; key < block->size(); ++key) {
       samples.times.push_back(block->keys.times[key]);
       samples.lines.push_back(block->lines[key]);
@@ -160,6 +220,10 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
         throw Error(Exit::data, ErrorCode::fit_of_missing, {input.channels[channel]}).at({"", block->lines[key], 0});
       }
     }
+  }
+  for (const spline::AngleChannel& angle : input.angles) {
+    const auto found = std::ranges::find(channels, angle.channel);
+    unwrap(recording, static_cast<std::size_t>(found - channels.begin()), angle.degrees);
   }
   if (samples.times.size() < 2) throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit);
   require_resolution(recording, names);
@@ -177,10 +241,13 @@ FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOpt
   FittedRows rows{samples.group, {}, {}};
   rows.report = {samples.times.size(), result.keys.size(), result.least_keys, result.largest,
                  samples.lines[result.sample]};
+  const std::vector<SlopeColumn> columns = slope_columns(samples.fitted, options);
   for (std::size_t key = 0; key < result.keys.size(); ++key) {
     rows.table.cells.push_back(result.keys.times[key]);
     for (const double position : result.keys.position(key)) rows.table.cells.emplace_back(position);
-    for (const double number : numbers_of_slopes(result.keys, key, options)) rows.table.cells.emplace_back(number);
+    for (const auto& [name, channel, number] : columns) {
+      rows.table.cells.emplace_back(number(result.keys, key * result.keys.channels + channel));
+    }
   }
   return rows;
 }
@@ -195,7 +262,7 @@ void FitReport::add(const FitReport& other) {
 }
 
 Note note_of(const FitReport& report, const FitOptions& options) {
-  const bool is_distance = options.tolerances.size() == 1 && options.tolerances[0].column.empty();
+  const bool is_distance = options.tolerances.size() == 1 && options.tolerances[0].column.empty() && !options.angle;
   const std::string largest = is_distance ? fmt::format("{:.4g}", report.largest * options.tolerances[0].most)
                                           : fmt::format("{:.4g} of the tolerance", report.largest);
   const double ratio = static_cast<double>(report.samples) / static_cast<double>(report.keys);

@@ -14,6 +14,13 @@
 
 namespace tcb {
 
+/// What is fitted of an input, and within which limits.
+struct FittedChannels {
+  std::vector<std::size_t> numbers;  ///< of the channels, in the input
+  std::vector<std::string> names;
+  std::vector<FitGroup> groups;  ///< of these channels: those of rotations come last
+};
+
 /// The samples of one recording.
 struct Samples {
   std::vector<std::string> group;
@@ -21,6 +28,7 @@ struct Samples {
   std::vector<Time> times;
   std::vector<std::uint64_t> lines;
   std::vector<std::size_t> kept;  ///< that become keys in any case
+  FittedChannels fitted;
 };
 
 /// How recordings were fitted.

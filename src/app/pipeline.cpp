@@ -158,7 +158,7 @@ class FileRun {
   }
 
   void note_input(const Input& input) {
-    if (job_.sampling.mode == Mode::fit && !input.rotations.empty()) {
+    if (job_.sampling.mode == Mode::fit && !job_.fit.angle && !input.rotations.empty()) {
       std::vector<std::string> names;
       for (const GivenRotation& rotation : input.given_rotations) {
         names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());

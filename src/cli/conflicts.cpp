@@ -142,8 +142,8 @@ constexpr std::array table{
     // fit
     Conflict{{O::fit_keys, O::keep_times, O::corner}, need, {O::fit}},
     Conflict{rules | OptionSet{O::fields, O::golden, O::exact_input, O::keys, O::from, O::to, O::end, O::extrapolate,
-                               O::closed, O::period, O::parameter, O::metric, O::tcb, O::tcb_scale, O::angle,
-                               O::rotation_output, O::rotation_curve, O::rename},
+                               O::closed, O::period, O::parameter, O::metric, O::tcb, O::tcb_scale, O::rotation_output,
+                               O::rotation_curve, O::rename},
              idle,
              {O::fit},
              ", which prints keys with the default rules"},

@@ -2,6 +2,7 @@
 #include "cli/options.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "sampling/extrapolation.hpp"
 #include "sampling/request.hpp"
@@ -238,10 +239,10 @@ constexpr std::array<OptionRow, option_count> table{{
      names_in<form_table>},
     {Option::fit, "--fit", "D,...", sampling,
      "Keys in place of samples: the fewest found whose curve is within D of every sample of the input, over the channels; "
-     "NAME=D for a channel alone", "", other, recorded,
+     "NAME=D for a channel alone, 0.5deg or 0.01rad for rotations", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::fit;
-       to.job.fit.tolerances = fit_tolerances(text);
+       std::tie(to.job.fit.tolerances, to.job.fit.angle) = fit_limits(text);
      }},
     {Option::fit_keys, "--fit-keys", "KIND", sampling,
      "What the keys of --fit carry: tcb, tension and bias, or hermite, velocities", "tcb", name, recorded,

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/job.hpp"
@@ -240,8 +241,8 @@ std::uint64_t count_between(const std::string& text, std::uint64_t least, std::u
 /// In digits alone.
 int digit_count(const std::string& text, int least);
 CurveTolerance curve_tolerance(const std::string& text);
-/// "D" or "NAME=D", or several separated by commas, above 0.
-std::vector<Tolerance> fit_tolerances(const std::string& text);
+/// "D", "NAME=D" or an angle such as "0.5deg", or several separated by commas, above 0; the angle in radians.
+std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::string& text);
 /// Degrees above 0 and below 180.
 double corner_angle(const std::string& text);
 /// "1e-9", "x=1e-6", or several separated by commas.
@@ -271,7 +272,6 @@ std::vector<std::string> axis_names(const std::string& text);
 PictureSize picture_size(const std::string& text);
 FormatId input_format(const std::string& text);
 FormatId output_format(const std::string& text);
-
 /// The format that an output's ending names, if it does. Throws: Error (usage) for the ending of other files.
 std::optional<FormatId> format_by_ending(const std::string& path);
 

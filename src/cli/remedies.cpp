@@ -87,9 +87,8 @@ constexpr Words all_words[]{
     Words{ErrorCode::rotation_columns_shared,
           "\"{0}\" is in two rotations or angles, or twice in one; expected columns of their own; name others"},
     Words{ErrorCode::velocity_of_rotation,
-          "\"{0}\" is a number of a rotation, and has a velocity; expected tension, continuity and bias; leave its "
-          "column "
-          "out with --columns ignore=NAME, or give --rotation none"},
+          "\"{0}\" is a number of a rotation with a velocity; expected velocities of all four numbers of a quaternion, "
+          "or tension, continuity and bias; leave its column out with --columns ignore=NAME"},
     Words{ErrorCode::segment_column_missing,
           "\"{0}\" without \"{1}\"; expected both, where rows are segments; add it, or give --columns ignore={0}"},
     Words{ErrorCode::tcb_with_all_velocities,
@@ -378,6 +377,9 @@ constexpr Words all_words[]{
           "the input has the role {0}, as keys do; expected samples; leave its column out with --columns ignore=NAME"},
     Words{ErrorCode::fit_without_tolerance,
           "--fit has no tolerance for channel \"{0}\"; expected one for each; add {0}=D, or D for all others"},
+    Words{ErrorCode::fit_of_other_form,
+          "{subject} takes rotations as quaternions, and column \"{0}\" gives one in another form; convert them first "
+          "with --rotation-output quaternion"},
     Words{ErrorCode::fit_of_missing,
           "the number in channel \"{0}\" is missing; expected one in every sample; give --missing skip-row"},
     Words{ErrorCode::fit_of_single_sample, "{subject} takes two samples or more, and there are fewer; add some"},
@@ -617,9 +619,10 @@ constexpr Words all_words[]{
           "{subject} \"{0}\": expected a distance above 0, an angle with deg or rad for rotations, or both separated "
           "by a "
           "comma, such as 0.01 or 0.01,0.5deg"},
-    Words{ErrorCode::expected_fit,
-          "{subject} \"{0}\": expected a distance above 0, for all channels, or NAME=D for one, such as 0.01 or "
-          "0.01,fov=0.5"},
+    Words{
+        ErrorCode::expected_fit,
+        "{subject} \"{0}\": expected a distance above 0 for all channels, NAME=D for one, an angle with deg or rad for "
+        "rotations, or several separated by commas, such as 0.01 or 0.01,fov=0.5,0.5deg"},
     Words{ErrorCode::expected_corner, "{subject} \"{0}\": expected degrees above 0 and below 180, such as 30"},
     Words{ErrorCode::expected_tolerance,
           "{subject} \"{0}\": expected a distance of at least 0, for all columns or as COLUMN=DISTANCE, such as "
@@ -807,7 +810,8 @@ constexpr std::array note_words{
     NoteWords{NoteCode::fitted,
               "{0} samples, {1} keys, {2} times fewer; at most {3} from a sample, on line {4}; no fewer than {5} keys "
               "can do"},
-    NoteWords{NoteCode::left_out_of_fit, "left out, as fits have no rotations: {0}"},
+    NoteWords{NoteCode::left_out_of_fit,
+              "left out, as --fit has no angle for rotations: {0}; --fit D,0.5deg fits them"},
     NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose last digits may differ"},
 };
 

@@ -46,6 +46,26 @@ FormatId named_format(const std::string& text, bool Format::*capability) {
   return *find_format(text);
 }
 
+/// The radians of a positive angle with its unit, as in 0.5deg.
+std::optional<double> angle_with_unit(std::string_view text) {
+  constexpr double radian = 1, degree = 0.017453292519943295;
+  for (const auto& [unit, size] : {std::pair{std::string_view("deg"), degree}, {"rad", radian}}) {
+    if (!text.ends_with(unit)) continue;
+    const auto value = parse_number(text.substr(0, text.size() - unit.size()));
+    if (value && *value > 0) return *value * size;
+  }
+  return std::nullopt;
+}
+
+/// A distance, or COLUMN=DISTANCE.
+std::optional<Tolerance> tolerance_of(std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  const bool named = equals != std::string_view::npos;
+  const auto most = parse_number(named ? text.substr(equals + 1) : text);
+  if (!most || *most < 0 || (named && equals == 0)) return std::nullopt;
+  return Tolerance{std::string(named ? text.substr(0, equals) : ""), *most};
+}
+
 }  // namespace
 
 Rational ratio_or(ErrorCode expected, std::string_view text) {
@@ -92,16 +112,12 @@ int digit_count(const std::string& text, int least) {
 }
 
 CurveTolerance curve_tolerance(const std::string& text) {
-  constexpr double radian = 1, degree = 0.017453292519943295;
-  constexpr std::array units{std::pair{std::string_view("deg"), degree}, std::pair{std::string_view("rad"), radian}};
   CurveTolerance tolerance;
-  for (std::string_view part : split(text, ',')) {
-    const auto unit = std::ranges::find_if(units, [&](const auto& one) { return part.ends_with(one.first); });
-    if (unit != units.end()) part.remove_suffix(unit->first.size());
-    const auto value = parse_number(part);
-    double& limit = unit == units.end() ? tolerance.distance : tolerance.angle;
+  for (const std::string_view part : split(text, ',')) {
+    const std::optional<double> angle = angle_with_unit(part), value = angle ? angle : parse_number(part);
+    double& limit = angle ? tolerance.angle : tolerance.distance;
     if (!value || *value <= 0 || std::isfinite(limit)) refuse(ErrorCode::expected_curve_tolerance, text);
-    limit = unit == units.end() ? *value : *value * unit->second;
+    limit = *value;
   }
   return tolerance;
 }
@@ -109,22 +125,28 @@ CurveTolerance curve_tolerance(const std::string& text) {
 std::vector<Tolerance> tolerances(const std::string& text) {
   std::vector<Tolerance> list;
   for (const std::string_view part : split(text, ',')) {
-    const std::size_t equals = part.rfind('=');
-    const bool named = equals != std::string_view::npos;
-    const auto most = parse_number(named ? part.substr(equals + 1) : part);
-    if (!most || *most < 0 || (named && equals == 0)) refuse(ErrorCode::expected_tolerance, part);
-    list.push_back({std::string(named ? part.substr(0, equals) : ""), *most});
+    const std::optional<Tolerance> tolerance = tolerance_of(part);
+    if (!tolerance) refuse(ErrorCode::expected_tolerance, part);
+    list.push_back(*tolerance);
   }
   return list;
 }
 
-std::vector<Tolerance> fit_tolerances(const std::string& text) {
-  std::vector<Tolerance> list = tolerances(text);
-  const auto is_bad = [](const Tolerance& one) { return one.most <= 0; };
-  if (std::ranges::any_of(list, is_bad) || std::ranges::count(list, "", &Tolerance::column) > 1) {
-    refuse(ErrorCode::expected_fit, text);
+std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::string& text) {
+  std::vector<Tolerance> list;
+  std::optional<double> angle;
+  for (const std::string_view part : split(text, ',')) {
+    if (const std::optional<double> limit = angle_with_unit(part)) {
+      if (angle) refuse(ErrorCode::expected_fit, text);
+      angle = limit;
+      continue;
+    }
+    const std::optional<Tolerance> limit = tolerance_of(part);
+    const bool repeats = limit && std::ranges::count(list, limit->column, &Tolerance::column) > 0;
+    if (!limit || limit->most <= 0 || repeats) refuse(ErrorCode::expected_fit, text);
+    list.push_back(*limit);
   }
-  return list;
+  return {list, angle};
 }
 
 double corner_angle(const std::string& text) {

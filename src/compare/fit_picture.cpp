@@ -31,12 +31,17 @@ ComparisonInputs fitted_inputs(const Job& job, FitReport& report) {
   inputs.threads = job.threads();
   const Input input = open_input(job.files[0], read_file(job.files[0]), job.input);
   inputs.kept.input = columns_of_fit(input, job);
+  if (job.fit.angle) inputs.kept.input.given_rotations = input.given_rotations;
   Curves curves(input, job.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
     Samples samples = recorded_samples(*curve, input, sampling_of(*curve, input, job).places, job);
     FitResult result = fitted(samples, job.fit);
     report.add(rows_of(samples, result, job.fit).report);
     inputs.kept.input.channels.resize(samples.recording.channels);  // without what keys carry besides
+    inputs.kept.input.rotations.clear();
+    for (const FitGroup& group : samples.recording.groups) {
+      if (group.angle) inputs.kept.input.rotations.push_back({group.rotation()});
+    }
     inputs.kept.curves.push_back(
         {curve->group, std::make_shared<const CurveInfo>(), {block_of(std::move(result.keys))}});
     inputs.table.curves.push_back(

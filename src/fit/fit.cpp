@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "fit/key_numbers.hpp"
@@ -10,10 +11,13 @@
 #include "fit/longest_cubics.hpp"
 #include "tcb/spline/detail/angle.hpp"
 #include "tcb/spline/ease.hpp"
+#include "tcb/spline/rotation.hpp"
 #include "tcb/spline/tangents.hpp"
 
 namespace tcb {
 namespace {
+
+bool is_of_rotation(const FitGroup& group) { return group.angle.has_value(); }
 
 /// The samples of a recording from one to another one.
 Recording part_of(const Recording& recording, std::size_t first, std::size_t last) {
@@ -38,6 +42,12 @@ std::vector<std::size_t> between(const std::vector<std::size_t>& samples, std::s
   return result;
 }
 
+/// The angle of the turn between two rotations, in radians.
+double angle_between(const spline::Quaternion<double>& a, const spline::Quaternion<double>& b) {
+  const auto turn = spline::conjugate(a) * b;
+  return 2 * spline::angle_of(std::sqrt(turn.x * turn.x + (turn.y * turn.y + turn.z * turn.z)), std::abs(turn.w));
+}
+
 /// The distances of the samples from the curve of keys, as it is read.
 class Verification {
  public:
@@ -45,14 +55,19 @@ class Verification {
 
   /// Sets the largest distance, and returns that of each segment, in tolerances.
   std::vector<double> measure(const std::vector<std::size_t>& samples, FitResult& result) const {
-    const spline::CurveRules<double> rules;
+    spline::CurveRules<double> rules;
+    for (const FitGroup& group : recording_.groups) {
+      if (group.angle) rules.rotations.push_back({group.rotation()});
+    }
+    const std::size_t rotations = rules.rotations.size();
     const auto segments = spline::segments(spline::Window<double>{result.keys}, rules);
     std::vector<double> worst(segments.size());
     result.largest = 0;
     for (std::size_t segment = 0; segment < segments.size(); ++segment) {
       const spline::TimeMap<double> map(segments.times[segment], segments.times[segment + 1], {});
       for (std::size_t sample = samples[segment]; sample <= samples[segment + 1]; ++sample) {
-        const double now = error(segments[segment], map(times_[sample]), sample);
+        const auto turns = std::span(segments.rotations).subspan(segment * rotations, rotations);
+        const double now = error(segments[segment], turns, map(times_[sample]), sample);
         worst[segment] = std::max(worst[segment], now);
         if (!(now <= result.largest)) {
           result.largest = now;
@@ -64,10 +79,15 @@ class Verification {
   }
 
  private:
-  double error(std::span<const spline::Cubic<double>> cubics, const spline::LocalParameter<double>& at,
-               std::size_t sample) const {
+  double error(std::span<const spline::Cubic<double>> cubics, std::span<const spline::RotationSegment<double>> turns,
+               const spline::LocalParameter<double>& at, std::size_t sample) const {
     double largest = 0;
     for (const FitGroup& group : recording_.groups) {
+      if (group.angle) {
+        largest = std::max(largest, angle_between(turns.front().at(at), rotation(group, sample)) / *group.angle);
+        turns = turns.subspan(1);
+        continue;
+      }
       double sum = 0;
       for (const std::size_t channel : group.channels) {
         const double gap = spline::position(cubics[channel], at) - recording_.position(sample, channel);
@@ -76,6 +96,10 @@ class Verification {
       largest = std::max(largest, std::sqrt(sum) / group.tolerance);
     }
     return largest;
+  }
+
+  spline::Quaternion<double> rotation(const FitGroup& group, std::size_t sample) const {
+    return spline::rotation_of(std::span(recording_.positions).subspan(sample * recording_.channels), group.rotation());
   }
 
   const Recording& recording_;
@@ -151,6 +175,12 @@ class Directions {
   double time_ = 0;  ///< how much of a position a unit of time is as long as
 };
 
+/// The number of keys that any curve within the tolerances of distances has.
+std::size_t least_keys(Recording recording) {
+  std::erase_if(recording.groups, is_of_rotation);
+  return longest_cubics(recording).size() + 1;
+}
+
 /// The recording with tolerances that leave room for the rounding of keys.
 Recording with_room(Recording recording, double part) {
   for (FitGroup& group : recording.groups) group.tolerance *= part;
@@ -188,16 +218,17 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   fixed.insert(fixed.end(), corners.begin(), corners.end());
   FitResult result;
   const std::vector<std::size_t> cubics = longest_cubics(recording);
-  result.least_keys = cubics.size() + 1;
+  const bool has_rotations = std::ranges::any_of(recording.groups, &is_of_rotation);
+  result.least_keys = has_rotations ? least_keys(recording) : cubics.size() + 1;
   const Verification verification(recording, times);
   double room = 0.998;
   for (int attempt = 0; attempt < 12; ++attempt) {
     std::ranges::sort(fixed);
-    fixed.erase(std::ranges::unique(fixed).begin(), fixed.end());
+    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
     const auto keys = joined_keys(with_room(recording, room), cubics, corners, fixed);
     result.keys = numbered_keys(keys, recording, times, rules);
     std::vector<std::size_t> samples;
-    for (const CornerKey& key : keys) samples.push_back(key.sample);
+    std::ranges::transform(keys, std::back_inserter(samples), &CornerKey::sample);
     const std::vector<double> worst = verification.measure(samples, result);
     if (result.largest <= 1) return result;
     for (std::size_t i = 0; i < worst.size(); ++i) {

@@ -30,9 +30,9 @@ struct FitRules {
 /// The keys of a recording.
 struct FitResult {
   Keys keys;                   ///< tension, continuity and bias of each channel, or velocities
-  double largest = 0;          ///< the largest distance from a sample, in tolerances
+  double largest = 0;          ///< the largest distance or angle from a sample, in tolerances
   std::size_t sample = 0;      ///< at which
-  std::size_t least_keys = 0;  ///< no curve with fewer is within the tolerances
+  std::size_t least_keys = 0;  ///< no curve with fewer is within the tolerances of distances
 };
 
 /// The samples between which the curve may have corners.

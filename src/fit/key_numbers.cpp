@@ -2,8 +2,12 @@
 #include "fit/key_numbers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "tcb/spline/rotation.hpp"
 
 namespace tcb {
 namespace {
@@ -64,6 +68,38 @@ std::optional<Tcb> tcb_of_corner(double in, double out, double before, double af
   return before == 0 ? of(c, 0, (in + out) / (2 * chord)) : of(c, (in + out) / (2 * chord), 0);
 }
 
+using Quaternion = spline::Quaternion<double>;
+using Vector = spline::Vector3<double>;
+
+std::array<double, 4> numbers_of(const Quaternion& q) { return {q.x, q.y, q.z, q.w}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector scaled(const Vector& v, double factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
+
+/// Tension, continuity and bias of the tangents of a rotation nearest to these, between chords with these velocities,
+/// rounded so that a tangent changes by at most `step`. Tangents that differ lie along the chords.
+Tcb tcb_of_turns(const Vector& in, const Vector& out, const Vector& before, const Vector& after, double step) {
+  const double before2 = dot(before, before), after2 = dot(after, after), both = dot(before, after);
+  const bool is_corner = in != out;
+  double p = 0.5, q = 0.5;  // the parts of the chords in the tangent
+  if (before2 > 0 && after2 > 0 && is_corner) {
+    p = dot(in, before) / before2;
+    q = dot(out, after) / after2;
+  } else if (before2 > 0 && after2 > 0) {
+    const double little = 1e-6 * (before2 + after2);  // keeps them near a half where chords are parallel
+    const double first = dot(in, before) + little / 2, second = dot(in, after) + little / 2;
+    const double determinant = (before2 + little) * (after2 + little) - both * both;
+    p = (first * (after2 + little) - second * both) / determinant;
+    q = (second * (before2 + little) - first * both) / determinant;
+  } else if (before2 + after2 > 0) {
+    p = q = (dot(in, before) + dot(out, after)) / (before2 + after2);
+  }
+  const double sum = p + q, bias = (p - q) / sum;
+  if (!std::isfinite(bias)) return {1, 0, 0};
+  const double chords = std::sqrt(before2) + std::sqrt(after2);
+  const double little = step / (4 * chords * (1 + std::abs(p) + std::abs(q)) * (1 + std::abs(bias)));
+  return {rounded(is_corner ? 1 - sum / 2 : 1 - sum, little), is_corner ? -1.0 : 0.0, rounded(bias, little)};
+}
+
 class Numbering {
  public:
   Numbering(const std::vector<CornerKey>& keys, const Recording& recording, const std::vector<Time>& times,
@@ -81,6 +117,10 @@ class Numbering {
       result_.given.assign(recording_.channels, true);
     }
     for (const FitGroup& group : recording_.groups) {
+      if (group.angle) {
+        set_rotation(group);
+        continue;
+      }
       const double step = group.tolerance / 1000 / std::sqrt(static_cast<double>(group.channels.size()));
       for (const std::size_t channel : group.channels) set_channel(channel, step);
     }
@@ -90,6 +130,11 @@ class Numbering {
  private:
   double duration(std::size_t key) const {
     return recording_.times[keys_[key + 1].sample] - recording_.times[keys_[key].sample];
+  }
+
+  /// Of the segments of a key.
+  double longest_duration(std::size_t key) const {
+    return std::max(key > 0 ? duration(key - 1) : 0, key + 1 < keys_.size() ? duration(key) : 0);
   }
 
   void set_channel(std::size_t channel, double step) {
@@ -103,8 +148,8 @@ class Numbering {
       const bool has_before = key > 0, has_after = key + 1 < keys_.size();
       const double before = has_before ? (position(key) - position(key - 1)) / duration(key - 1) : 0;
       const double after = has_after ? (position(key + 1) - position(key)) / duration(key) : 0;
-      const double longest = std::max(has_before ? duration(key - 1) : 0, has_after ? duration(key) : 0);
-      const double slope_step = step * 4 / longest;  // moves the curve by at most 4/27 of its product with a duration
+      const double slope_step =
+          step * 4 / longest_duration(key);  // moves the curve by at most 4/27 of its product with a duration
       const double in = has_before ? keys_[key].incoming[channel] : keys_[key].outgoing[channel];
       const double out = has_after ? keys_[key].outgoing[channel] : in;
       const std::size_t number = key * recording_.channels + channel;
@@ -114,6 +159,49 @@ class Numbering {
         result_.velocities[number] = {rounded(in, slope_step), rounded(out, slope_step)};
       }
     }
+  }
+
+  void set_rotation(const FitGroup& group) {
+    const double step = *group.angle / 4000;  // of half the angle
+    std::vector<Quaternion> rotations;        // as they are read
+    for (std::size_t key = 0; key < keys_.size(); ++key) {
+      const std::span numbers = std::span(result_.positions).subspan(key * recording_.channels, recording_.channels);
+      const auto unit = numbers_of(spline::rotation_of<double>(keys_[key].position, group.rotation()));
+      for (std::size_t i = 0; i < unit.size(); ++i) numbers[group.channels[i]] = rounded(unit[i], step);
+      rotations.push_back(spline::rotation_of<double>(numbers, group.rotation()));
+    }
+    std::vector<Vector> chords{
+        Vector{}};  // per unit of time; before the first key and after the last one there is none
+    for (std::size_t key = 0; key + 1 < keys_.size(); ++key) {
+      const Quaternion turn = spline::conjugate(rotations[key]) * rotations[key + 1];
+      chords.push_back(scaled(spline::logarithm(turn.w < 0 ? -turn : turn), 1 / duration(key)));
+    }
+    chords.push_back({});
+    for (std::size_t key = 0; key < keys_.size(); ++key) {
+      const double slope_step = 4 * step / longest_duration(key);
+      const Vector in = tangent(key, group, &CornerKey::incoming), out = tangent(key, group, &CornerKey::outgoing);
+      const Tcb tcb = tcb_of_turns(in, out, chords[key], chords[key + 1], slope_step);
+      const auto before = numbers_of(rotations[key] * Quaternion{in[0], in[1], in[2], 0});
+      const auto after = numbers_of(rotations[key] * Quaternion{out[0], out[1], out[2], 0});
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const std::size_t number = key * recording_.channels + group.channels[i];
+        if (rules_.keys == FitKeys::tcb) {
+          result_.tcbs[number] = tcb;
+        } else {
+          result_.velocities[number] = {rounded(before[i], slope_step / 2), rounded(after[i], slope_step / 2)};
+        }
+      }
+    }
+  }
+
+  /// The logarithm of the turn of a key per unit of time, from the slopes of the four numbers.
+  Vector tangent(std::size_t key, const FitGroup& group, std::vector<double> CornerKey::*slope) const {
+    const auto four = [&](const std::vector<double>& numbers) {
+      const auto [x, y, z, w] = group.rotation();
+      return Quaternion{numbers[x], numbers[y], numbers[z], numbers[w]};
+    };
+    const Quaternion q = four(keys_[key].position), turn = spline::conjugate(q) * four(keys_[key].*slope);
+    return scaled({turn.x, turn.y, turn.z}, 1 / spline::dot(q, q));
   }
 
   const std::vector<CornerKey>& keys_;

@@ -22,7 +22,8 @@ struct CornerKey {
 };
 
 /// The keys with numbers rounded to decimals that move the curve by thousandths of the tolerances. A slope that no
-/// tension, continuity and bias give is replaced by 0.
+/// tension, continuity and bias give is replaced by 0. Rotations have the tension, continuity and bias, the same in
+/// their four channels, whose tangents are nearest to the slopes.
 Keys numbered_keys(const std::vector<CornerKey>& keys, const Recording& recording, const std::vector<Time>& times,
                    const FitRules& rules);
 

@@ -2,6 +2,7 @@
 #include "fit/key_times.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <span>
@@ -18,6 +19,7 @@ FitKey key_at(std::size_t sample, const Recording& recording) {
 
 std::vector<FitKey> keys_at(const std::vector<std::size_t>& samples, const Recording& recording) {
   std::vector<FitKey> keys;
+  keys.reserve(samples.size());
   for (const std::size_t sample : samples) keys.push_back(key_at(sample, recording));
   return keys;
 }
@@ -187,7 +189,7 @@ std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<s
   divide_segments(recording, keys, fit_smoothly(recording, keys, {}, of_division));
   Thinning thinning(recording, keys, fixed);
   thinning.remove_keys();
-  for (const std::size_t segments : {4, 8, 16}) thinning.sweep(segments);
+  for (const std::size_t segments : std::array<std::size_t, 3>{4, 8, 16}) thinning.sweep(segments);
   thinning.remove_keys();
   return keys;
 }

@@ -2,15 +2,24 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "tcb/spline/key.hpp"
+
 namespace tcb {
 
-/// Channels whose distance from the samples, the root of the sum of squares, is limited.
+/// Channels whose distance from the samples, the root of the sum of squares, is limited. Those of a rotation are the
+/// numbers x, y, z, w of its quaternion: cubics of them stay within the tolerance, so that its curve is within an
+/// angle.
 struct FitGroup {
   std::vector<std::size_t> channels;
   double tolerance = 0;
+  std::optional<double> angle = {};  ///< of rotations: from the samples, in radians
+
+  /// Requires: four channels.
+  spline::RotationChannels rotation() const { return {channels[0], channels[1], channels[2], channels[3]}; }
 };
 
 /// Samples at increasing times. Shapes: positions holds `channels` numbers per sample, sample after sample.

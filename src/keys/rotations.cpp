@@ -149,15 +149,21 @@ class Conversion {
 /// One rotation of successive keys.
 class SignChain {
  public:
-  SignChain(const spline::RotationColumns& rotation, std::string name, bool normalize)
-      : channels_(rotation.channels), turn_(rotation.turn), name_(std::move(name)), normalize_(normalize) {}
+  SignChain(const spline::RotationColumns& rotation, const GivenRotation& given, bool normalize)
+      : channels_(rotation.channels),
+        turn_(rotation.turn),
+        name_(given.columns[0]),
+        is_quaternion_(given.notation.form == spline::RotationForm::quaternion),
+        normalize_(normalize) {}
 
   /// Checks the keys of a block, and negates its quaternions where the one before needs it.
   void add(KeyBlock& block) {
-    for (const std::size_t channel : channels_) {
-      if (!block.keys.given.empty() && block.keys.given[channel]) {
-        throw Error(Exit::data, ErrorCode::velocity_of_rotation, {name_});
-      }
+    const auto has_velocity = [&](std::size_t channel) {
+      return !block.keys.given.empty() && block.keys.given[channel];
+    };
+    const auto velocities = std::ranges::count_if(channels_, has_velocity);
+    if (velocities > 0 && (velocities < 4 || !is_quaternion_)) {
+      throw Error(Exit::data, ErrorCode::velocity_of_rotation, {name_});
     }
     std::vector<bool> negated(block.size());
     for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
@@ -193,7 +199,12 @@ class SignChain {
     before_ = q;
     line_ = line;
     if (cosine > 0) return false;
-    for (const std::size_t channel : channels_) positions[channel] = 0 - positions[channel];  // 0 stays without a sign
+    for (const std::size_t channel : channels_) {
+      positions[channel] = 0 - positions[channel];  // 0 stays without a sign
+      if (block.keys.velocities.empty()) continue;
+      spline::Velocity<double>& velocity = block.keys.velocities[key * block.keys.channels + channel];
+      velocity = {-velocity.in, -velocity.out};
+    }
     for (double& number : before_) number = -number;
     return true;
   }
@@ -204,15 +215,22 @@ class SignChain {
     before_ = {x, y, z, w};
   }
 
+  /// Whether a number of a key is negated with the quaternion.
+  bool has_sign(std::size_t number, std::size_t channels) const {
+    if (number < NumberOfKey::position) return false;
+    const std::size_t kind = (number - NumberOfKey::position) / channels;
+    const bool is_signed =
+        kind == NumberOfKey::position_of || kind == NumberOfKey::velocity_in_of || kind == NumberOfKey::velocity_out_of;
+    return is_signed && std::ranges::count(channels_, (number - NumberOfKey::position) % channels) > 0;
+  }
+
   void negate_decimals(KeyBlock& block, const std::vector<bool>& negated) const {
     const std::size_t per_key = block.decimals.size() / block.lines.size();
     Texts decimals;
     for (std::size_t i = 0; i < block.decimals.size(); ++i) {
       const std::size_t number = i % per_key;
-      const bool changes = negated[i / per_key] && number >= NumberOfKey::position &&
-                           std::ranges::count(channels_, number - NumberOfKey::position) > 0;
       const std::string_view text = block.decimals[i];
-      if (!changes || text.empty()) {
+      if (!negated[i / per_key] || !has_sign(number, block.keys.channels) || text.empty()) {
         decimals.add(text);
       } else if (text.starts_with('-')) {
         decimals.add(text.substr(1));
@@ -226,7 +244,7 @@ class SignChain {
   spline::RotationChannels channels_;
   std::optional<std::size_t> turn_;
   std::string name_;
-  bool normalize_;
+  bool is_quaternion_, normalize_;
   Numbers before_{};
   std::uint64_t line_ = 0;  ///< of the last key with this rotation; 0: there is none
 };
@@ -243,7 +261,7 @@ Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys
     if (given.notation.form != spline::RotationForm::quaternion) {
       conversions->emplace_back(columns, given, rotations);
     }
-    chains->emplace_back(columns, given.columns[0], rotations.normalize);
+    chains->emplace_back(columns, given, rotations.normalize);
   }
   const auto turns = static_cast<std::size_t>(std::ranges::count_if(
       rotations.columns, [](const spline::RotationColumns& columns) { return columns.turn.has_value(); }));

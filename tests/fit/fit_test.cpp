@@ -7,6 +7,7 @@
 
 #include "fit/recordings.hpp"
 #include "tcb/spline/curve.hpp"
+#include "tcb/spline/tangents.hpp"
 
 namespace tcb {
 namespace {
@@ -49,6 +50,35 @@ TEST(Fit, is_within_the_tolerance) {
         EXPECT_GE(result->keys.size(), result->least_keys);
       }
     }
+  }
+}
+
+TEST(Fit, rotations_are_within_their_angle) {
+  const auto half = [](double t) { return 0.4 * std::sin(t); };  // of the angle, around an axis that moves
+  Recording recording =
+      recording_of({[](double t) { return t * t; }, [&](double t) { return std::sin(half(t)) * std::cos(t / 3); },
+                    [&](double t) { return std::sin(half(t)) * std::sin(t / 3); }, [](double) { return 0.0; },
+                    [&](double t) { return std::cos(half(t)); }},
+                   400, 0.02, 0.1);
+  for (const FitKeys kind : {FitKeys::tcb, FitKeys::hermite}) {
+    constexpr double angle = 0.004;
+    recording.groups = {{{0}, 0.1}, {{1, 2, 3, 4}, 0.0018, angle}};
+    const auto result = fit(recording, times_of(recording), {.keys = kind});
+    ASSERT_TRUE(result);
+    spline::CurveRules<double> rules;
+    rules.rotations = {{{1, 2, 3, 4}}};
+    const auto segments = spline::segments(spline::Window<double>{result->keys}, rules);
+    for (std::size_t i = 0, segment = 0; i < recording.size(); ++i) {
+      while (segments.times[segment + 1].hi < recording.times[i]) ++segment;
+      const double start = segments.times[segment].hi, end = segments.times[segment + 1].hi;
+      const double u = (recording.times[i] - start) / (end - start);
+      const auto q = segments.rotations[segment].at({u, u - 1});
+      const double cosine = q.x * recording.position(i, 1) + q.y * recording.position(i, 2) +
+                            q.z * recording.position(i, 3) + q.w * recording.position(i, 4);
+      EXPECT_LE(2 * std::acos(std::min(std::abs(cosine), 1.0)), angle + 1e-7);  // the cosine is rounded
+    }
+    EXPECT_EQ(result->least_keys, 2);  // of the parabola
+    EXPECT_LT(result->keys.size(), 40);
   }
 }
 

@@ -3,8 +3,8 @@
 Random recordings: smooth, noisy, with steps, at uneven times, of one to ten channels, with one tolerance or several. The
 curve of the printed keys, computed here from the formulas of the manual, is within the tolerance of every sample; the
 reported bound holds; smooth recordings have at most 1.6 times as many keys as the bound and 2 more, noisy ones 2.5
-times. The samples of the printed keys agree with the recording by --at and by --check. Exit 1: a law fails, and its
-command is printed.
+times. The samples of the printed keys agree with the recording by --at and by --check. Recordings of poses: the same
+for angles, by the reference for curves of rotations. Exit 1: a law fails, and its command is printed.
 """
 import math
 import pathlib
@@ -13,6 +13,11 @@ import re
 import subprocess
 import sys
 import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "golden"))
+import quaternions as q4  # noqa: E402
+from mpmath import mpf  # noqa: E402
 
 program = sys.argv[1]
 count = int(sys.argv[2]) if len(sys.argv) > 2 else 40
@@ -125,6 +130,44 @@ def check(kind):
     return len(keys) / least
 
 
+def pose_at(t, waves):
+    """x and a quaternion, w first, of either sign."""
+    x, *turns = (sum(a * math.sin(w * t + p) for a, w, p in wave) for wave in waves)
+    q = [mpf(1), mpf(0), mpf(0), mpf(0)]
+    for axis, turn in enumerate(turns):
+        q = q4.turned(q, [mpf(turn) if axis == i else mpf(0) for i in range(3)])
+    return x, [float(rng.choice([1, -1]) * number) for number in map(float, q)]
+
+
+def check_poses():
+    waves = [[(rng.uniform(0.05, 0.6), rng.uniform(0.2, 2), rng.uniform(0, 7)) for _ in range(2)] for _ in range(4)]
+    poses = [(0.05 * i, *pose_at(0.05 * i, waves)) for i in range(rng.choice([40, 200]))]
+    lines = ["t,x,qw,qx,qy,qz"] + [",".join(map(repr, [t, x, *q])) for t, x, q in poses]
+    pathlib.Path(recording_file).write_text("\n".join(lines) + "\n")
+    degrees, hermite = rng.choice([2, 0.5, 0.1]), rng.random() < 0.5
+    arguments = ["--fit", f"0.02,{degrees}deg", *(["--fit-keys", "hermite"] if hermite else []), "-o", keys_file]
+    result = run([*arguments, recording_file])
+    if result.returncode != 0:
+        fail(result.stderr, arguments)
+    names, keys = read(keys_file)
+    column = {name: [mpf(row[i]) for row in keys] for i, name in enumerate(names)}
+    nothing = [mpf(0)] * len(keys)
+    quaternions = list(zip(*(column[f"q{c}"] for c in "wxyz")))
+    tension, bias = column.get("tension", nothing), column.get("bias", nothing)
+    rows = [(column["t"][i], quaternions[i], (tension[i], mpf(0), bias[i]), (mpf(0), mpf(0))) for i in range(len(keys))]
+    curve = q4.Rotations(rows, "squad", "velocity", ["half", "half"])
+    if hermite:
+        curve.give([(v, v) for v in zip(*(column[f"q{c}_v"] for c in "wxyz"))])
+    computed = positions(names, keys, "x", [t for t, _, _ in poses])
+    for i, (t, x, q) in enumerate(poses):
+        turn = q4.log(q4.product(q4.conjugate(curve.at(mpf(t))[0]), q4.nearest(q, curve.at(mpf(t))[0])))
+        angle = math.degrees(2 * q4.norm(turn))
+        if angle > degrees + 1e-9 or abs(computed[i] - x) > 0.02 + 1e-9:
+            fail(f"line {i + 2} is {angle} degrees and {abs(computed[i] - x)} from the curve", arguments)
+
+
+for _ in range(count // 10 + 1):
+    check_poses()
 ratios = {}
 for number in range(count):
     kind = ("smooth", "noisy", "uneven", "steps")[number % 4]

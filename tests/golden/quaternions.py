@@ -115,10 +115,27 @@ class Rotations:
         self.outs[0] = end_tangent(self.ends[0], fb, fa, one[0], self.chords[0], other[0], h[0], None, n == 1)
         self.ins[-1] = end_tangent(self.ends[1], fc, fd, two[0], self.chords[-1], other[1], h[-1], None, n == 1)
 
+    def give(self, velocities):
+        """Replaces the tangents by given velocities of the four numbers, before and after each key."""
+        for i in range(self.count):
+            h = self.times[i + 1] - self.times[i]
+            self.outs[i] = scaled(self.rate(i, velocities[i][1]), h)
+            self.ins[i] = scaled(self.rate(i + 1, velocities[i + 1][0]), h)
+        self.ends = None
+
+    def rate(self, i, velocity):
+        """A velocity of the four numbers as that of chords."""
+        given = self.keys[i][1]
+        if self.curve == "components":
+            return scaled(velocity, 1 / dot(given, self.quaternions[i]))
+        return scaled(product(conjugate(given), velocity)[1:], 1 / dot(given, given))
+
     def controls(self, i):
         """The four points of casteljau. At a natural end, the middle of the keys, as the Python package splines has it."""
         p, q = self.quaternions[i:i + 2]
         points = [p, turned(p, scaled(self.outs[i], mpf(1) / 3)), turned(q, scaled(self.ins[i], mpf(-1) / 3)), q]
+        if self.ends is None:
+            return points
         if not self.closed and not self.two and i == 0 and self.ends[0] == "natural":
             points[1] = slerp(p, q, mpf(1) / 2)
         if not self.closed and not self.two and i == self.count - 1 and self.ends[1] == "natural":

@@ -263,6 +263,29 @@ def check_one_axis():
     same(f"law of one axis: {options}", got, want, mpf("8e-15"), csv_of(turns))
 
 
+def check_velocities():
+    """Given velocities of the four numbers, with keys that are nearly unit and of any sign."""
+    keys = [(t, q4.scaled(q, 1 + draw.uniform(-1, 1) * 1e-4), tcb, ease) for t, q, tcb, ease in random_keys(True)]
+    curve = draw.choice(["squad", "casteljau", "components"])
+    velocities = [[[draw.gauss(0, 0.3) for _ in range(4)] for _ in range(2)] for _ in keys]
+    reference = q4.Rotations(exact(keys), curve, "velocity", ["half", "half"])
+    reference.give([[list(map(mpf, v)) for v in both] for both in velocities])
+    if max(reference.widest(i) for i in range(reference.count)) > 3:
+        return
+    lines = ["t,qw,qx,qy,qz,ease_in,ease_out," + ",".join(f"q{c}_v{side}" for side in ("in", "out") for c in "wxyz")]
+    for (t, q, _, ease), (before, after) in zip(keys, velocities):
+        lines.append(",".join(map(text, [t, *q, *ease, *before, *after])))
+    keys_text, options = "\n".join(lines) + "\n", ["--rotation-curve", curve]
+    times = sorted(keys[0][0] + (keys[-1][0] - keys[0][0]) * draw.randint(1, 4095) / 4096 for _ in range(8))
+    for row in rows(keys_text, *options, *at(times)):
+        want = q4.nearest(reference.at(mpf(row[0]))[0], row[1:])
+        within(f"given velocities: {options} at {row[0]}", row[1:], want, mpf("2e-15"), keys_text)
+    for row in rows(keys_text, *options, "--golden", *at(times[:2])):
+        want = list(map(float, q4.nearest(reference.at(mpf(row[0]))[0], row[1:])))
+        if want != row[1:]:
+            report(f"golden with given velocities: {options} at {row[0]}", row[1:], want, keys_text)
+
+
 def check_extrapolation():
     keys = random_keys(False)
     ends, curve = draw.choice(end_rules), draw.choice(curves)
@@ -333,6 +356,7 @@ for number in range(cases):
         check_one_axis()
     if number % 4 == 1:
         check_extrapolation()
+        check_velocities()
     if number % 4 == 3:
         check_positions(curve[0], curve[1])
     if number % 4 == 2 and probe.returncode == 0:

@@ -1,0 +1,146 @@
+// Tangents at keys: by the rules, from the chords between the keys.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "tcb/spline/window.hpp"
+
+namespace tcb::spline {
+
+/// The tangents at the keys of a window, `channels` numbers per key, in local units, from the chords between the keys.
+template <class S, class Chord = PositionChord<S>>
+class Tangents {
+ public:
+  using W = working_t<S>;
+
+  /// Requires: at least two keys. Context keys are left at zero.
+  Tangents(const Window<S>& window, const CurveRules<S>& rules)
+      : Tangents(window, rules, {window.keys, rules.angles}) {}
+  Tangents(const Window<S>& window, const CurveRules<S>& rules, Chord chord)
+      : keys_(window.keys), rules_(rules), chord_(std::move(chord)) {
+    incoming_.assign(keys_.size() * keys_.channels, W(0));
+    outgoing_ = incoming_;
+    const auto common = factors(keys_.common_tcb);
+    const bool differ = keys_.has_channel_tcbs();
+    const std::size_t alike = differ ? 1 : keys_.channels;  // channels with the same tension, continuity and bias
+    for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
+      for (std::size_t i = 0; i < keys_.channels; i += alike) {
+        const Tcb<S>& tcb = keys_.tcbs.empty() ? keys_.common_tcb : keys_.tcbs[differ ? key * keys_.channels + i : key];
+        set_interior(key, i, i + alike, keys_.tcbs.empty() ? common : factors(tcb), tcb);
+      }
+      if constexpr (has_roots<S>) {
+        if (rules.equal_speed) equalize(key);
+      }
+    }
+    if (window.starts) set_end(0, 1, rules.start);
+    if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, rules.end);
+    if (!keys_.velocities.empty()) set_given();
+  }
+
+  std::span<const W> incoming(std::size_t key) const {
+    return std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
+  }
+  std::span<const W> outgoing(std::size_t key) const {
+    return std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
+  }
+
+ private:
+  /// The tangents of a key in the channels [first, last), which have the same tension, continuity and bias.
+  void set_interior(std::size_t key, std::size_t first, std::size_t last, const Factors<W>& f, const Tcb<S>& tcb) {
+    const W h0 = keys_.times[key] - keys_.times[key - 1];
+    const W h1 = keys_.times[key + 1] - keys_.times[key];
+    const auto weights = row_of<S>(rules_.tangents).weights({f, W(tcb.continuity), h0, h1});
+    for (std::size_t i = first; i < last; ++i) {
+      const W d0 = chord_(key - 1, i);
+      const W d1 = chord_(key, i);
+      incoming_[key * keys_.channels + i] = weights.in0 * d0 + weights.in1 * d1;
+      outgoing_[key * keys_.channels + i] = weights.out0 * d0 + weights.out1 * d1;
+    }
+  }
+
+  /// The outer tangent of the end segment, at `key`, whose only neighbour is `inner`.
+  void set_end(std::size_t key, std::size_t inner, const EndChoice<S>& choice) {
+    const bool at_start = key < inner;
+    const std::size_t first = std::min(key, inner);
+    const auto weights_of = [&](const Tcb<S>& tcb) {
+      const auto f = factors(tcb);
+      return row_of<S>(choice.rule)
+          .weights({at_start ? f.b : f.c, at_start ? f.a : f.d, W(tcb.tension),
+                    keys_.times[first + 1] - keys_.times[first], keys_.size() == 2});
+    };
+    const bool differ = keys_.has_channel_tcbs();
+    auto weights = weights_of(keys_.tcb(key));
+    auto& tangents = at_start ? outgoing_ : incoming_;
+    const auto& others = at_start ? incoming_ : outgoing_;
+    for (std::size_t i = 0; i < keys_.channels; ++i) {
+      if (differ) weights = weights_of(keys_.tcb(key, i));
+      W tangent = weights.chord * chord_(first, i) + weights.other * others[inner * keys_.channels + i];
+      if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
+      tangents[key * keys_.channels + i] = tangent;
+    }
+  }
+
+  /// The tangents of channels with given velocities: the velocity times the duration of the segment.
+  void set_given() {
+    for (std::size_t i = 0; i < keys_.velocities.size(); ++i) {
+      const std::size_t key = i / keys_.channels;
+      if (!keys_.given[i % keys_.channels]) continue;
+      const auto duration = [&](std::size_t from) { return W(keys_.times[from + 1] - keys_.times[from]); };
+      if (key > 0) incoming_[i] = duration(key - 1) * W(keys_.velocities[i].in);
+      if (key + 1 < keys_.size()) outgoing_[i] = duration(key) * W(keys_.velocities[i].out);
+    }
+  }
+
+  /// Gives both tangents of a key the harmonic mean of their speeds, per unit of time.
+  /// Source: D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", equations 12 and 13.
+  void equalize(std::size_t key) {
+    const std::span in = std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
+    const std::span out = std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
+    const S unit = power_of_two_above(in, out);
+    if (unit == S(0)) return;
+    const W speed_in = size(in, unit) / (keys_.times[key] - keys_.times[key - 1]);
+    const W speed_out = size(out, unit) / (keys_.times[key + 1] - keys_.times[key]);
+    const W sum = speed_in + speed_out;
+    if (sum == W(0)) return;
+    for (W& value : in) value = value * (speed_out + speed_out) / sum;
+    for (W& value : out) value = value * (speed_in + speed_in) / sum;
+  }
+
+  std::size_t metric_size() const { return rules_.metric.empty() ? keys_.channels : rules_.metric.size(); }
+  std::size_t metric(std::size_t i) const { return rules_.metric.empty() ? i : rules_.metric[i]; }
+
+  /// A power of two no smaller than any metric component, so that squares neither overflow nor vanish.
+  S power_of_two_above(std::span<const W> in, std::span<const W> out) const {
+    using std::abs, std::frexp, std::ldexp;
+    S largest(0);
+    for (std::size_t i = 0; i < metric_size(); ++i) {
+      largest = std::max({largest, S(abs(high_part<S>(in[metric(i)]))), S(abs(high_part<S>(out[metric(i)])))});
+    }
+    int exponent = 0;
+    (void)frexp(largest, &exponent);
+    return largest == S(0) ? S(0) : ldexp(S(1), exponent);
+  }
+
+  /// The length of a tangent over the metric channels, in the given unit.
+  W size(std::span<const W> tangent, const S& unit) const {
+    using std::sqrt;
+    W sum(0);
+    for (std::size_t i = 0; i < metric_size(); ++i) {
+      const W component = tangent[metric(i)] / W(unit);
+      sum = sum + component * component;
+    }
+    return sqrt(sum);
+  }
+
+  const Keys<S>& keys_;
+  const CurveRules<S>& rules_;
+  Chord chord_;
+  std::vector<W> incoming_, outgoing_;
+};
+
+}  // namespace tcb::spline
