@@ -1,4 +1,4 @@
-"""The published test vectors against arithmetic of 60 digits: exact.py FOLDER FILE.json...
+"""The published test vectors against arithmetic of 60 digits, or DIGITS: exact.py FOLDER [--digits DIGITS] FILE.json...
 
 Every number is computed again by the independent implementation of golden/referee.py, from the decimals of the keys,
 and has to be correctly rounded. The decimals are the shortest, the hexadecimal numbers and the CSV file beside the
@@ -11,7 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "golden"))
-from referee import Curve, mpf  # noqa: E402
+from referee import Curve, mp, mpf  # noqa: E402
 
 RULES = {  # of the presets, by the products
     "gte": ("velocity", "half"), "fbx": ("velocity", "one-sided"), "gte2021": ("interval", "one-sided"),
@@ -79,7 +79,7 @@ def computed(curve, quantity, at):
 
 
 def rounded(value):
-    return 0.0 if abs(value) < mpf(10) ** -40 else float(value)  # what 60 digits leave of zero
+    return 0.0 if abs(value) < mpf(10) ** (20 - mp.dps) else float(value)  # what the digits leave of zero
 
 
 def check(path, keys):
@@ -105,8 +105,10 @@ def check(path, keys):
     return len(lines)
 
 
-folder = Path(sys.argv[1])
+folder, names = Path(sys.argv[1]), sys.argv[2:]
+if names[0] == "--digits":
+    mp.dps, names = int(names[1]), names[2:]
 keys = keys_of_csv(folder)
-total = sum(check(folder / name, keys) for name in sys.argv[2:])
+total = sum(check(folder / name, keys) for name in names)
 print(f"{total} values, {len(problems)} problems", *problems[:20], sep="\n")
 sys.exit(1 if problems or total == 0 else 0)
