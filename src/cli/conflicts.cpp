@@ -96,12 +96,12 @@ constexpr OptionSet modes = sampling_options;
 constexpr OptionSet modes_without_steps{O::count,     O::segments, O::per_segment, O::at,
                                         O::arc_count, O::arc_at,   O::tolerance,   O::emit};
 constexpr OptionSet text_input{O::delimiter, O::header, O::no_header, O::comment, O::decimal};
-constexpr OptionSet rules{O::preset, O::tangents, O::ends, O::equal_speed, O::side};
+constexpr OptionSet rule_options{O::preset, O::tangents, O::ends, O::equal_speed, O::side};
 constexpr OptionSet notations{O::digits, O::fixed, O::hex};
 constexpr OptionSet reports{O::check, O::identify};
 constexpr std::string_view for_report = ", which takes the samples of its file and prints a report";
 
-constexpr std::array table{
+constexpr std::array conflict_rows{
     // files
     Conflict{{O::output, O::output_dir}, exclude},
     Conflict{{O::recursive, O::suffix, O::update, O::fail_fast}, need, {O::output_dir}, ", an output for each file"},
@@ -116,7 +116,7 @@ constexpr std::array table{
     Conflict{notations | OptionSet{O::golden, O::exact_input, O::no_output_header, O::file_column, O::time_format},
              idle, reports, for_report},
     Conflict{{O::output_format, O::plot}, idle, reports, ", whose report is text, json or svg", has_rows_as_report},
-    Conflict{rules, idle, {O::identify}, ", which tries all rules on positions"},
+    Conflict{rule_options, idle, {O::identify}, ", which tries all rules on positions"},
     // input
     Conflict{{O::header, O::no_header}, exclude},
     Conflict{{O::time_unit, O::input_fps}, exclude},
@@ -141,9 +141,9 @@ constexpr std::array table{
     Conflict{{O::extrapolate}, idle, modes, " alone, whose samples are on the curve", stays_on_curve},
     // fit
     Conflict{{O::fit_keys, O::keep_times, O::corner}, need, {O::fit}},
-    Conflict{rules | OptionSet{O::fields, O::golden, O::exact_input, O::keys, O::from, O::to, O::end, O::extrapolate,
-                               O::closed, O::period, O::parameter, O::metric, O::tcb, O::tcb_scale, O::rotation_output,
-                               O::rotation_curve, O::rename},
+    Conflict{rule_options | OptionSet{O::fields, O::golden, O::exact_input, O::keys, O::from, O::to, O::end,
+                                      O::extrapolate, O::closed, O::period, O::parameter, O::metric, O::tcb,
+                                      O::tcb_scale, O::rotation_output, O::rotation_curve, O::rename},
              idle,
              {O::fit},
              ", which prints keys with the default rules"},
@@ -212,10 +212,10 @@ std::optional<Option> other_option(const Conflict& conflict, Option given, const
 
 }  // namespace
 
-std::span<const Conflict> conflict_table() { return table; }
+std::span<const Conflict> conflict_table() { return conflict_rows; }
 
 void require_no_conflict(const TypedOptions& typed) {
-  for (const Conflict& conflict : table) {
+  for (const Conflict& conflict : conflict_rows) {
     const std::optional<Option> given = first_given(typed, conflict.options);
     if (!given) continue;
     const std::optional<Option> other = other_option(conflict, *given, typed);

@@ -32,8 +32,6 @@ Decimal decimal_of(double value) {
   return decimal;
 }
 
-double power_of_ten(int exponent) { return parse_number("1e" + std::to_string(exponent)).value_or(0); }
-
 /// The numbers of one column, over all curves.
 std::vector<double> numbers_of(const std::vector<GivenSamples>& samples, const SampleTable& table,
                                const MatchedColumn& column) {
@@ -135,7 +133,7 @@ std::vector<Allowance> allowances(std::span<const double> column, double size) {
   for (const double value : column) {
     const bool printed = digits > 0 && digits <= most_printed && std::isfinite(value);
     const int unit = value == 0 ? last : std::max(last, decimal_of(value).first - digits + 1);
-    const double step = printed ? power_of_ten(unit) : 0;
+    const double step = printed ? parse_number("1e" + std::to_string(unit)).value_or(0) : 0;
     result.push_back({rounding, printed ? step + rounding : 0, coarse == 0 ? 0 : std::max(coarse, step + rounding)});
   }
   return result;

@@ -99,8 +99,8 @@ std::string title(const Identification& found, const Candidate& candidate) {
 
 /// The same, with the names of its presets.
 std::string full_title(const Identification& found, const Candidate& candidate) {
-  const auto presets = presets_of(candidate.convention, found.closed);
-  return title(found, candidate) + (presets.empty() ? "" : fmt::format(" ({})", fmt::join(presets, ", ")));
+  const auto found_presets = presets_of(candidate.convention, found.closed);
+  return title(found, candidate) + (found_presets.empty() ? "" : fmt::format(" ({})", fmt::join(found_presets, ", ")));
 }
 
 /// The conventions that fit, or the nearest one with its differences.

@@ -41,7 +41,7 @@ struct Field {
 };
 
 template <class S>
-void write_time(Point<S>& point, CellWriter<S> out) {
+void write_sample_time(Point<S>& point, CellWriter<S> out) {
   out.add(point.sample().t);
 }
 template <class S>
@@ -171,7 +171,7 @@ struct FieldOf : Field {
 /// help and manual.
 template <class S>
 inline constexpr std::array sample_fields{
-    FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_time<S>, write_times},
+    FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_sample_time<S>, write_times},
     FieldOf<S>{{.name = "position", .per_channel = true, .shows_rotations = true}, write_position<S>, write_positions},
     FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false}, write_length<S>},
     FieldOf<S>{{.name = "velocity", .suffix = "_v", .per_channel = true, .of_motion = true, .has_side = true},
@@ -206,7 +206,7 @@ inline constexpr std::array sample_fields{
 template <class S>
 inline constexpr std::array piece_fields{
     FieldOf<S>{{.name = "length", .of_piece = true, .over_metric = true, .is_rational = false}, write_piece_length<S>},
-    FieldOf<S>{{.name = "start", .kind = CellKind::time, .of_piece = true}, write_time<S>},
+    FieldOf<S>{{.name = "start", .kind = CellKind::time, .of_piece = true}, write_sample_time<S>},
     FieldOf<S>{{.name = "duration", .kind = CellKind::duration, .of_piece = true}, write_duration<S>},
     FieldOf<S>{
         {.name = "hermite", .suffix = "_p", .per_channel = true, .columns = 4, .odd_suffix = "_v", .of_piece = true},

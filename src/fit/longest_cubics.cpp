@@ -9,28 +9,28 @@
 namespace tcb {
 namespace {
 
-constexpr std::size_t order = 4;  // of a cubic
-using Basis = std::array<double, order>;
+constexpr std::size_t cubic_order = 4;  // of a cubic
+using Basis = std::array<double, cubic_order>;
 
 /// Chebyshev polynomials at x in [-1, 1].
 Basis basis_at(double x) { return {1, x, 2 * x * x - 1, x * (4 * x * x - 3)}; }
 
 /// Solves a symmetric positive definite system for several right-hand vectors, in place.
-void solve(std::array<Basis, order>& matrix, std::span<Basis> targets) {
-  for (std::size_t k = 0; k < order; ++k) {
+void solve(std::array<Basis, cubic_order>& matrix, std::span<Basis> targets) {
+  for (std::size_t k = 0; k < cubic_order; ++k) {
     for (std::size_t j = 0; j < k; ++j) {
-      for (std::size_t i = k; i < order; ++i) matrix[i][k] -= matrix[i][j] * matrix[k][j];
+      for (std::size_t i = k; i < cubic_order; ++i) matrix[i][k] -= matrix[i][j] * matrix[k][j];
     }
     const double root = std::sqrt(std::max(matrix[k][k], 1e-300));
-    for (std::size_t i = k; i < order; ++i) matrix[i][k] /= root;
+    for (std::size_t i = k; i < cubic_order; ++i) matrix[i][k] /= root;
   }
   for (Basis& target : targets) {
-    for (std::size_t k = 0; k < order; ++k) {
+    for (std::size_t k = 0; k < cubic_order; ++k) {
       for (std::size_t j = 0; j < k; ++j) target[k] -= matrix[k][j] * target[j];
       target[k] /= matrix[k][k];
     }
-    for (std::size_t k = order; k-- > 0;) {
-      for (std::size_t j = k + 1; j < order; ++j) target[k] -= matrix[j][k] * target[j];
+    for (std::size_t k = cubic_order; k-- > 0;) {
+      for (std::size_t j = k + 1; j < cubic_order; ++j) target[k] -= matrix[j][k] * target[j];
       target[k] /= matrix[k][k];
     }
   }
@@ -44,7 +44,7 @@ class CubicTest {
 
   /// Not where that is proved to be impossible.
   bool may_fit(SampleRange range) {
-    if (range.size() <= order) return true;
+    if (range.size() <= cubic_order) return true;
     begin(range);
     for (int round = 0; round < most_rounds; ++round) {
       if (!fit_chosen()) return false;
@@ -96,11 +96,11 @@ class CubicTest {
   }
 
   void fit_weighted() {
-    std::array<Basis, order> matrix{};
+    std::array<Basis, cubic_order> matrix{};
     std::ranges::fill(cubic_, Basis{});
     for (std::size_t k = 0; k < chosen_.size(); ++k) {
       const Basis b = basis(chosen_[k]);
-      for (std::size_t i = 0; i < order; ++i) {
+      for (std::size_t i = 0; i < cubic_order; ++i) {
         for (std::size_t j = 0; j <= i; ++j) matrix[i][j] += weights_[k] * b[i] * b[j];
         for (std::size_t c = 0; c < cubic_.size(); ++c) {
           cubic_[c][i] += weights_[k] * b[i] * recording_.position(chosen_[k], group_.channels[c]);
@@ -163,11 +163,11 @@ std::vector<std::size_t> longest_cubics(const Recording& recording) {
     return std::ranges::all_of(tests, [&](CubicTest& test) { return test.may_fit({first, last}); });
   };
   std::vector<std::size_t> starts;
-  std::size_t guess = order;
+  std::size_t guess = cubic_order;
   for (std::size_t first = 0; first < recording.size();) {
     starts.push_back(first);
     const std::size_t most = recording.size() - first;
-    std::size_t good = std::min(order, most), bad = most + 1;
+    std::size_t good = std::min(cubic_order, most), bad = most + 1;
     for (std::size_t size = std::clamp(guess, good, most); good < most && bad > most;) {
       if (may_fit(first, first + size)) {
         good = size;

@@ -11,7 +11,7 @@ namespace tcb {
 namespace {
 
 /// Besides those of is_missing(). Sources: pandas, R, SQL, Excel and LibreOffice, printf of Microsoft's C library.
-constexpr std::array<std::string_view, 44> signs{
+constexpr std::array<std::string_view, 44> common_signs{
     "n/a",          "n.a.",         "n.a",       "#n/a",   "#n/a n/a", "#na",       "<na>",
     "<n/a>",        "none",         "nil",       "nul",    "undef",    "undefined", "missing",
     "<missing>",    "<null>",       "(null)",    "[null]", "\\n",      "nat",       "+nan",
@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 44> signs{
 
 bool is_missing_sign(std::string_view cell, const std::vector<std::string>& more) {
   return is_missing(cell) || std::ranges::count(more, cell) > 0 ||
-         std::ranges::any_of(signs, [&](std::string_view sign) { return same_in_any_case(cell, sign); });
+         std::ranges::any_of(common_signs, [&](std::string_view sign) { return same_in_any_case(cell, sign); });
 }
 
 }  // namespace tcb

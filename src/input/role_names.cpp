@@ -135,18 +135,20 @@ constexpr std::array short_unit_names{UnitName{"m", {}},    UnitName{"min", minu
 constexpr std::array frame_names{"frame",   "frames",   "frameno",    "framenr",    "framenum", "framenumber",
                                  "frameid", "frameidx", "frameindex", "framecount", "keyframe", "keyframes"};
 
-/// Names of arrays and objects that hold positions, in the same form.
-constexpr std::array positions{"position", "positions", "pos",    "translation", "translate",   "location",  "loc",
-                               "point",    "coords",    "coord",  "coordinate",  "coordinates", "xyz",       "xy",
-                               "p",        "vec",       "vector", "value",       "values",      "transform", "pose"};
+/// Names of arrays and objects that hold names_of_positions, in the same form.
+constexpr std::array names_of_positions{"position", "positions", "pos",    "translation", "translate",  "location",
+                                        "loc",      "point",     "coords", "coord",       "coordinate", "coordinates",
+                                        "xyz",      "xy",        "p",      "vec",         "vector",     "value",
+                                        "values",   "transform", "pose"};
 
 /// Names of columns that distinguish curves, in the same form.
-constexpr std::array labels{"id",    "name",  "group", "curve", "track",  "object",  "series", "trajectory", "traj",
-                            "node",  "bone",  "joint", "agent", "marker", "channel", "target", "particle",   "vehicle",
-                            "actor", "label", "class", "key",   "no",     "nr",      "index",  "number",     "sensor"};
+constexpr std::array label_names{"id",         "name",   "group",    "curve",   "track",  "object", "series",
+                                 "trajectory", "traj",   "node",     "bone",    "joint",  "agent",  "marker",
+                                 "channel",    "target", "particle", "vehicle", "actor",  "label",  "class",
+                                 "key",        "no",     "nr",       "index",   "number", "sensor"};
 
-/// Names of coordinates, in the same form. A column with one of them is never taken for a time.
-constexpr std::array coordinates{
+/// Names of coordinate_names, in the same form. A column with one of them is never taken for a time.
+constexpr std::array coordinate_names{
     "x",   "y",     "z",         "w",        "px",      "py",       "pz",     "tx",        "ty",   "tz",
     "rx",  "ry",    "rz",        "sx",       "sy",      "sz",       "qx",     "qy",        "qz",   "qw",
     "vx",  "vy",    "vz",        "dx",       "dy",      "dz",       "cx",     "cy",        "cz",   "ex",
@@ -251,11 +253,11 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   return found == nullptr ? std::nullopt : found->unit;
 }
 
-bool is_usual_position(std::string_view name) { return has(positions, compact(name)); }
+bool is_usual_position(std::string_view name) { return has(names_of_positions, compact(name)); }
 
 bool is_usual_label(std::string_view name) {
   const std::string text = compact(name);
-  return has(labels, text) || text.ends_with("id");
+  return has(label_names, text) || text.ends_with("id");
 }
 
 bool is_coordinate(std::string_view name) {
@@ -265,9 +267,10 @@ bool is_coordinate(std::string_view name) {
   while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
   const bool numbered = text.size() < whole.size() && text.size() <= 3;  // as in p1
   const std::size_t separator = name.find_last_of("_-. ");
-  const bool last = separator != std::string_view::npos && has(coordinates, compact(name.substr(separator)));
+  const bool last = separator != std::string_view::npos && has(coordinate_names, compact(name.substr(separator)));
   const std::size_t first = name.find_first_of("_-. ");
-  return has(coordinates, text) || numbered || last || (first == 1 && has(coordinates, compact(name.substr(0, first))));
+  return has(coordinate_names, text) || numbered || last ||
+         (first == 1 && has(coordinate_names, compact(name.substr(0, first))));
 }
 
 std::vector<std::string> default_channel_names(std::size_t channels) {

@@ -29,12 +29,12 @@ namespace {
 constexpr std::size_t write_size = 32UL * 1024;
 
 /// The names of all unfinished files; never destroyed, because a signal may arrive while the program ends.
-struct Names {
+struct TemporaryFiles {
   std::mutex mutex;
   std::set<std::string> all;
 };
-Names& names() {
-  static Names& known = *new Names;
+TemporaryFiles& temporary_files() {
+  static TemporaryFiles& known = *new TemporaryFiles;
   return known;
 }
 
@@ -54,8 +54,8 @@ sigset_t interruptions() {
   int signal = 0;
   while (::sigwait(&signals, &signal) != 0) {
   }
-  const std::lock_guard lock(names().mutex);
-  for (const std::string& name : names().all) ::unlink(name.c_str());
+  const std::lock_guard lock(temporary_files().mutex);
+  for (const std::string& name : temporary_files().all) ::unlink(name.c_str());
   end_interrupted();
 }
 
@@ -102,7 +102,7 @@ int create_locked(const std::string& name, mode_t permissions) {
 /// a process that was killed, and is replaced.
 int create_unfinished(const std::string& path, mode_t permissions, std::string& name) {
   constexpr int most_attempts = 1000;
-  const std::lock_guard lock(names().mutex);
+  const std::lock_guard lock(temporary_files().mutex);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     name = unfinished_name(path, attempt);
     int descriptor = create_locked(name, permissions);
@@ -110,7 +110,7 @@ int create_unfinished(const std::string& path, mode_t permissions, std::string& 
       remove_abandoned(name);
       descriptor = create_locked(name, permissions);
     }
-    if (descriptor >= 0) names().all.insert(name);
+    if (descriptor >= 0) temporary_files().all.insert(name);
     if (descriptor >= 0) return descriptor;
     if (errno != EEXIST) break;
   }
@@ -123,17 +123,17 @@ int create_unfinished(const std::string& path, mode_t permissions, std::string& 
 bool finish(int descriptor, const std::string& name, const std::string& path) {
   const int other = ::dup(descriptor);  // closing it reports write errors before the file gets its name
   if (other < 0 || ::close(other) != 0) return false;
-  const std::lock_guard lock(names().mutex);
+  const std::lock_guard lock(temporary_files().mutex);
   if (std::rename(name.c_str(), path.c_str()) != 0) return false;
-  names().all.erase(name);
+  temporary_files().all.erase(name);
   return true;
 }
 
 /// Removes the file that create_unfinished() created. The caller then closes the descriptor, which has the lock.
 void discard(const std::string& name) {
-  const std::lock_guard lock(names().mutex);
+  const std::lock_guard lock(temporary_files().mutex);
   ::unlink(name.c_str());
-  names().all.erase(name);
+  temporary_files().all.erase(name);
 }
 
 /// The number of a descriptor that the program inherited, from a name such as /dev/stdout or /dev/fd/3: writing

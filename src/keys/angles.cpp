@@ -11,10 +11,6 @@
 namespace tcb {
 namespace {
 
-[[noreturn]] void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
-  throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
-}
-
 /// One angle of successive keys.
 class AngleChain {
  public:
@@ -47,6 +43,10 @@ class AngleChain {
 };
 
 }  // namespace
+
+void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
+  throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
+}
 
 void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line) {
   constexpr double turn = 6.283185307179586, most_turns = 1e4;

@@ -25,10 +25,6 @@ constexpr double half_turn_rounding = 0x1p-50;  // of the cosine of half the ang
 
 double dot(const Numbers& a, const Numbers& b) { return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]); }
 
-[[noreturn]] void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
-  throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
-}
-
 /// Inserts one entry after every `stride` entries.
 template <class T>
 void widen(std::vector<T>& entries, std::size_t stride, const T& inserted) {

@@ -9,7 +9,7 @@
 namespace tcb {
 namespace {
 
-constexpr double top = 62, heading = 22, below_axis = 40, gap = 18;
+constexpr double top = 62, heading = 22, below_axis = 40, gap_between = 18;
 constexpr double path_width = 470, strip_width = 520, narrow_strip = 230;
 constexpr double least_width = 40, least_height = 28;
 constexpr std::size_t strips_in_column = 10, most_columns = 6;
@@ -89,7 +89,7 @@ class Arranger {
     }
     for (std::size_t i = 0; i < strips.size(); ++i) {
       const double above = top + heading + static_cast<double>(i) * (strip_height_ + heading);
-      strips[i].box = {left + numbers, above, room - numbers - gap, strip_height_};
+      strips[i].box = {left + numbers, above, room - numbers - gap_between, strip_height_};
       require(strips[i].box.width >= least_width);
       add(std::move(strips[i]), i + 1 == strips.size() ? scene_.time : "", result_.time_title.width);
     }

@@ -16,7 +16,7 @@
 namespace tcb {
 namespace {
 
-constexpr int parts = 16;  ///< of a segment
+constexpr int parts_of_segment = 16;
 
 using spline::MetricView;
 
@@ -31,7 +31,7 @@ double longest_on_path(double least, double speed, double change, double toleran
 
 /// How many chords the part around a place takes at least, without two that it may share with its neighbours.
 double chords(const CurveSegment& segment, double middle, double tolerance) {
-  constexpr double half = 0.5 / parts;
+  constexpr double half = 0.5 / parts_of_segment;
   spline::Derivatives<double> at;
   spline::set_derivatives<double>(at, segment.cubics, {middle, middle - 1}, {}, middle, 1);
   const MetricView<double> v(at.velocity, segment.metric), a(at.acceleration, segment.metric),
@@ -57,7 +57,8 @@ double least_rows(const CurveSegments& segments, double tolerance) {
     const CurveSegment segment = segments.segment(number);
     const std::size_t channels = segment.metric.empty() ? segment.cubics.size() : segment.metric.size();
     if (channels == 1 && !segment.warp.is_identity()) continue;  // its graph is not a cubic
-    for (int part = 0; part < parts; ++part) sum += chords(segment, (part + 0.5) / parts, tolerance);
+    for (int part = 0; part < parts_of_segment; ++part)
+      sum += chords(segment, (part + 0.5) / parts_of_segment, tolerance);
   }
   return sum;
 }

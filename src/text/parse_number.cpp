@@ -14,8 +14,6 @@
 namespace tcb {
 namespace {
 
-constexpr double two_to_63 = 9223372036854775808.0;
-
 /// The text without a leading "+", which neither library accepts.
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
@@ -65,14 +63,14 @@ std::optional<Time> parse_time(std::string_view text) {
 
 Time whole_time(std::int64_t value) {
   const auto high = static_cast<double>(value);
-  const auto rest = high < two_to_63 ? value - static_cast<std::int64_t>(high) : value - INT64_MAX - 1;
+  const auto rest = high < 0x1p63 ? value - static_cast<std::int64_t>(high) : value - INT64_MAX - 1;
   return {high, static_cast<double>(rest)};
 }
 
 Time whole_time(std::uint64_t value) {
   if (value <= INT64_MAX) return whole_time(static_cast<std::int64_t>(value));
   const Time above = whole_time(static_cast<std::int64_t>(value - INT64_MAX - 1));
-  return Time(two_to_63) + above;
+  return Time(0x1p63) + above;
 }
 
 bool is_missing(std::string_view cell) {

@@ -9,15 +9,6 @@
 namespace tcb {
 namespace {
 
-/// The exponent with its sign and two digits at least.
-char* write_exponent(int exponent, char* out) {
-  *out++ = 'e';
-  *out++ = exponent < 0 ? '-' : '+';
-  std::string digits = std::to_string(std::abs(exponent));
-  if (digits.size() < 2) digits.insert(0, 1, '0');
-  return std::copy(digits.begin(), digits.end(), out);
-}
-
 /// The digits of a decimal as a text.
 std::string text_of(LongDecimal::Digits digits) {
   std::string text;
@@ -34,13 +25,17 @@ char* write_plain(std::string digits, int before, char* out) {
   return std::copy(digits.begin(), digits.end(), out);
 }
 
+/// The exponent has its sign and two digits at least.
 char* write_scientific(std::string digits, int exponent, char* out) {
   if (digits.size() > 1) digits.insert(1, 1, '.');
-  return write_exponent(exponent, std::copy(digits.begin(), digits.end(), out));
+  digits += exponent < 0 ? "e-" : "e+";
+  const std::string size = std::to_string(std::abs(exponent));
+  digits += size.size() < 2 ? "0" + size : size;
+  return std::copy(digits.begin(), digits.end(), out);
 }
 
 /// A long decimal in the shorter one of the two notations.
-char* write_shortest(const LongDecimal& decimal, char* out) {
+char* write_shorter(const LongDecimal& decimal, char* out) {
   if (decimal.negative) *out++ = '-';
   std::string digits = text_of(decimal.digits);
   const int count = static_cast<int>(digits.size()), before = count + decimal.exponent;
@@ -53,7 +48,7 @@ char* write_shortest(const LongDecimal& decimal, char* out) {
 }  // namespace
 
 char* write_decimal(LongDecimal decimal, const Notation& notation, char* out) {
-  if (notation.kind == Notation::Kind::shortest) return write_shortest(decimal, out);
+  if (notation.kind == Notation::Kind::shortest) return write_shorter(decimal, out);
   const bool fixed = notation.kind == Notation::Kind::fixed;
   if (decimal.negative) *out++ = '-';
   const int count = std::max(notation.count, 1);

@@ -16,8 +16,6 @@ namespace {
 
 constexpr int longest_fixed = 311;  ///< of a double without decimals, with its sign and point
 
-constexpr double two_to_63 = 9223372036854775808.0;
-
 template <class Word>
 Word load(const char* text) {
   Word bytes;
@@ -31,7 +29,7 @@ void store(char* out, Word bytes) {
 }
 
 /// Seventeen digits with the point after the first of them.
-struct Digits {
+struct PlacedDigits {
   SixteenDigits sixteen;
   char last;
   int exponent;
@@ -44,7 +42,7 @@ struct Digits {
 };
 
 /// Requires: 16 or 17 digits. Inlined, so that they stay in registers.
-[[gnu::always_inline]] inline Digits digits_of(const SplitDecimal& decimal) {
+[[gnu::always_inline]] inline PlacedDigits digits_of(const SplitDecimal& decimal) {
   const bool missing = decimal.tens < 1'000'000'000'000'000;
   const SixteenDigits sixteen(choose(missing, decimal.tens * 10 + decimal.last, decimal.tens));
   const std::uint64_t last = choose(missing, 0, decimal.last);
@@ -52,7 +50,7 @@ struct Digits {
 }
 
 /// Requires: 17 digits.
-Digits digits_of(const Decimal& decimal) {
+PlacedDigits digits_of(const Decimal& decimal) {
   return digits_of(SplitDecimal{decimal.digits / 10, decimal.digits % 10, decimal.exponent});
 }
 
@@ -67,7 +65,7 @@ char* write_exponent(int exponent, char* out) {
   return out + 2;
 }
 
-char* write_scientific(const Digits& digits, char* out) {
+char* write_scientific(const PlacedDigits& digits, char* out) {
   digits.write(out + 1);
   out[0] = out[1];
   out[1] = '.';
@@ -76,7 +74,7 @@ char* write_scientific(const Digits& digits, char* out) {
 
 /// With `count` digits from the first one that is not zero, and all of those before the point.
 /// Requires: -18 <= digits.exponent <= 16. Inlined, so that the digits stay in registers.
-[[gnu::always_inline]] inline char* write_plain(const Digits& digits, int count, char* out) {
+[[gnu::always_inline]] inline char* write_plain(const PlacedDigits& digits, int count, char* out) {
   const int before = digits.exponent + 1;  // digits before the point
   if (before <= 0) {
     for (int i = 0; i < 24; i += 8) store(out + i, eight_zeros);
@@ -116,13 +114,13 @@ char* write_exactly(double value, std::chars_format notation, int precision, cha
 [[gnu::noinline]] char* write_unusual(double size, char* out) {
   if (!std::isfinite(size)) return std::to_chars(out, out + number_room, size).ptr;
   const auto decimal = shortest_if_easy(size);
-  const Digits digits = decimal ? digits_of(*decimal) : digits_of(shortest(size));
+  const PlacedDigits digits = decimal ? digits_of(*decimal) : digits_of(shortest(size));
   // The shorter one of the two notations, as std::to_chars has it. A lone digit has no point in the second one.
   const int lone = digits.count == 1 ? 1 : 0;
   const auto above_least = static_cast<unsigned>(digits.exponent + 4 - lone);
   if (above_least > static_cast<unsigned>(digits.count + 8 - 2 * lone)) return write_scientific(digits, out);
   if (digits.exponent <= 15) return write_plain(digits, digits.count, out);
-  if (size < 2 * two_to_63) return write_whole(static_cast<std::uint64_t>(size), out);
+  if (size < 2 * 0x1p63) return write_whole(static_cast<std::uint64_t>(size), out);
   return std::to_chars(out, out + number_room, size).ptr;
 }
 
@@ -162,7 +160,7 @@ char* write_shortest(double value, char* out) {
     if (whole == size) return write_whole(static_cast<std::uint64_t>(whole), out);
   }
   if (const auto decimal = shortest_if_easy(size)) {
-    const Digits digits = digits_of(*decimal);
+    const PlacedDigits digits = digits_of(*decimal);
     const bool plain = digits.exponent >= -3 && digits.exponent + 1 < digits.count;
     if (plain) return write_plain(digits, digits.count, out);
   }
@@ -175,8 +173,8 @@ char* write_fixed(double value, int decimals, char* out) {
   if (!(size < static_cast<double>(whole_power_of_ten(digits_of_double - decimals)))) return nullptr;
   out = write_sign(value, out);
   const std::uint64_t scaled = size == 0 ? 0 : rounded(size, decimals);
-  const Digits zero{SixteenDigits(0), '0', decimals == 0 ? 0 : -1, 1};
-  const Digits digits = scaled == 0 ? zero : digits_of(widened({scaled, -decimals}));
+  const PlacedDigits zero{SixteenDigits(0), '0', decimals == 0 ? 0 : -1, 1};
+  const PlacedDigits digits = scaled == 0 ? zero : digits_of(widened({scaled, -decimals}));
   return write_plain(digits, digits.exponent + 1 + decimals, out);
 }
 
@@ -187,7 +185,7 @@ char* write_digits(double value, int count, char* out) {
   int power = count - 1 - floor_log10_power_of_two(Binary(size).q + 52);
   std::uint64_t scaled = rounded(size, power);
   if (scaled >= whole_power_of_ten(count)) scaled = rounded(size, --power);
-  const Digits digits = digits_of(widened({scaled, -power}));
+  const PlacedDigits digits = digits_of(widened({scaled, -power}));
   out = write_sign(value, out);
   if (digits.exponent < -4 || digits.exponent >= count) return write_scientific(digits, out);
   return write_plain(digits, digits.count, out);
@@ -244,8 +242,8 @@ char* write_time(const Time& time, const Notation& notation, char* out) {
 
 char* write_time(const Time& time, char* out) {
   if (is_long_decimal(time)) return write_decimal(decimal_of(time), {}, out);
-  if (!(time.hi >= -two_to_63 && time.hi <= two_to_63)) return write_shortest(time.hi, out);
-  if (time.hi == two_to_63) {
+  if (!(time.hi >= -0x1p63 && time.hi <= 0x1p63)) return write_shortest(time.hi, out);
+  if (time.hi == 0x1p63) {
     return write_whole((std::uint64_t{1} << 63) + static_cast<std::uint64_t>(static_cast<std::int64_t>(time.lo)), out);
   }
   const auto high = static_cast<std::int64_t>(time.hi);

@@ -74,7 +74,7 @@ class FirstRecords {
 
 /// Whether the cell looks like a number. One with the other decimal mark, or with
 /// separators of thousands, does too, and is an error later.
-bool looks_numeric(std::string_view cell, const DelimitedHead& head) {
+bool may_be_number(std::string_view cell, const DelimitedHead& head) {
   return is_missing_sign(cell, head.rules.signs) || Decimals('.').looks_numeric(cell) ||
          has_thousands_separators(cell) || (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
 }
@@ -86,7 +86,7 @@ bool is_header(const FirstRecords::Record& record, const DelimitedHead& head,
   if (samples && samples->groups.size() + samples->labels.size() < cells.size()) {
     cells = cells.first(cells.size() - samples->labels.size()).subspan(samples->groups.size());
   }
-  return !std::ranges::all_of(cells, [&](const auto& cell) { return looks_numeric(cell, head); });
+  return !std::ranges::all_of(cells, [&](const auto& cell) { return may_be_number(cell, head); });
 }
 
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
@@ -100,7 +100,7 @@ std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data, c
     const std::string_view below = i < two.size() ? std::string_view(two[i]) : "";
     const bool nameless = i < names.size() && names[i].empty();
     const bool nothing = nameless && one[i].empty() && below.empty();
-    numeric[i] = !nothing && (looks_numeric(one[i], head) || (i < two.size() && looks_numeric(below, head)));
+    numeric[i] = !nothing && (may_be_number(one[i], head) || (i < two.size() && may_be_number(below, head)));
   }
   return numeric;
 }
@@ -124,7 +124,7 @@ bool has_meaning(const std::string& name, const InputOptions& options) {
 /// Whether a comment names columns: one of its words gives a role, and none is a number. Otherwise it may be any text,
 /// or a key that was commented out.
 bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const InputOptions& options) {
-  const auto is_number = [&](const std::string& word) { return looks_numeric(word, head); };
+  const auto is_number = [&](const std::string& word) { return may_be_number(word, head); };
   return std::ranges::none_of(words, is_number) &&
          (options.timeless ||
           std::ranges::any_of(words, [&](const std::string& word) { return has_meaning(word, options); }));
@@ -151,12 +151,12 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
 /// text, another a number, and none a name with a meaning.
 void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const InputOptions& options) {
   const auto is_number = [&](const std::string& cell) {
-    return !is_missing_sign(cell, head.rules.signs) && looks_numeric(cell, head);
+    return !is_missing_sign(cell, head.rules.signs) && may_be_number(cell, head);
   };
   const auto is_name = [&](const std::string& cell) { return !is_number(cell) && has_meaning(cell, options); };
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
-  const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return looks_numeric(cell, head); });
+  const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_number(cell, head); });
   throw Error(Exit::data, ErrorCode::header_unclear, {*text, *number}).at({"", record.line, 1});
 }
 

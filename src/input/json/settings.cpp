@@ -12,7 +12,7 @@
 namespace tcb {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// Options that are not members.
 constexpr std::array options_only{
@@ -116,11 +116,11 @@ class SettingsReader : public JsonObjectReader {
 };
 
 /// The text without its rows.
-json without_rows(std::string_view text) {
-  const auto keep = [](int, json::parse_event_t event, json& parsed) {
-    return event != json::parse_event_t::key || (parsed != "rows" && parsed != "curves");
+Json without_rows(std::string_view text) {
+  const auto keep = [](int, Json::parse_event_t event, Json& parsed) {
+    return event != Json::parse_event_t::key || (parsed != "rows" && parsed != "curves");
   };
-  return json::parse(text, keep, false);
+  return Json::parse(text, keep, false);
 }
 
 std::string_view last_line(std::string_view text) {
@@ -129,7 +129,7 @@ std::string_view last_line(std::string_view text) {
   return text.substr(0, end).substr(before == std::string_view::npos ? 0 : before + 1);
 }
 
-std::string text_of(const json& object, const char* name) {
+std::string text_of(const Json& object, const char* name) {
   const auto found = object.find(name);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
@@ -157,16 +157,16 @@ std::vector<std::string> channels_before_keys(const JsonPart& part) {
 }
 
 JsonProvenance read_json_provenance(std::string_view text) {
-  json whole = without_rows(text);
+  Json whole = without_rows(text);
   if (whole.is_discarded()) whole = without_rows(last_line(text));
   if (!whole.is_object() || !whole.contains("meta") || !whole["meta"].is_object()) return {};
-  const json& object = whole["meta"];
+  const Json& object = whole["meta"];
   JsonProvenance provenance;
   provenance.program = text_of(object, "program");
-  for (const json& option : object.value("options", json::array())) {
+  for (const Json& option : object.value("options", Json::array())) {
     if (option.is_string()) provenance.options.push_back(option.get<std::string>());
   }
-  for (const json& input : object.value("inputs", json::array())) {
+  for (const Json& input : object.value("inputs", Json::array())) {
     if (input.is_object()) provenance.inputs.emplace_back(text_of(input, "name"), text_of(input, "sha256"));
   }
   return provenance;
