@@ -1,7 +1,9 @@
 # Progress at a terminal: truthful, within the width of the terminal, erased at the end and on Ctrl-C.
 import fcntl
+import math
 import os
 import pty
+import random
 import re
 import select
 import struct
@@ -69,10 +71,10 @@ def check_lines(shown, columns):
 
 
 def rows_for_a_while(arguments):
-    """So many rows that the program takes two seconds at least; it has written them to out.csv."""
-    rows, seconds = 500, 0.0
-    while seconds < 2:
-        rows *= max(2, min(10, int(3 / max(seconds, 0.01))))
+    """So many rows that the program takes a second at least; it has written them to out.csv."""
+    rows, seconds = 10000, 0.0
+    while seconds < 1:
+        rows *= max(2, min(10, int(1.5 / max(seconds, 0.01))))
         start = time.monotonic()
         subprocess.run([program, *arguments, "-n", str(rows), "-o", "out.csv", "keys.csv"], check=True)
         seconds = time.monotonic() - start
@@ -111,6 +113,15 @@ def main():
     shown, code = run(["--check", "out.csv", "--output", "report.txt", "keys.csv"], 80)
     require(screen(shown) == "" and code == 0, "a check: not erased, or it failed", shown)
     check_lines(shown, 80)
+
+    noise = random.Random(1)
+    with open("recording.csv", "w", encoding="ascii") as file:
+        file.write("t,x,y\n")
+        for i in range(300000):
+            file.write(f"{i / 100},{math.sin(i / 300) + noise.gauss(0, 0.01):.4f},{noise.gauss(0, 0.01):.4f}\n")
+    shown, code = run(["--fit", "0.05", "-o", "fit.csv", "recording.csv"], 80)
+    require(code == 0 and "300000 samples" in shown, "a fit without its note", shown)
+    check_lines(shown[:shown.rindex("recording.csv")], 80)
 
 
 with tempfile.TemporaryDirectory() as folder:

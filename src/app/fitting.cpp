@@ -13,6 +13,7 @@
 #include "fit/fit.hpp"
 #include "keys/angles.hpp"
 #include "keys/rotations.hpp"
+#include "stream/ordered_map.hpp"
 #include "tcb/spline/detail/angle.hpp"
 #include "text/print_number.hpp"
 
@@ -231,8 +232,8 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
   return samples;
 }
 
-FitResult fitted(const Samples& samples, const FitOptions& options) {
-  const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner});
+FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done) {
+  const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done});
   if (!result) throw Error(Exit::data, ErrorCode::fit_impossible).about(Option::fit);
   return *result;
 }
@@ -250,6 +251,30 @@ FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOpt
     }
   }
   return rows;
+}
+
+FitReport write_fits(const Source<Samples>& samples, const FitOptions& options, Writer& writer, FileProgress& progress,
+                     unsigned threads) {
+  const auto keys_of = [&](const Samples& one) {
+    std::size_t counted = 0;
+    const auto done = [&](std::size_t number) {
+      progress.add_rows((counted + number) / fit_passes - counted / fit_passes);
+      counted += number;
+    };
+    return rows_of(one, fitted(one, options, done), options);
+  };
+  FitReport report;
+  const Source<FittedRows> keys = ordered_map(samples, keys_of, threads);
+  while (const std::optional<FittedRows> rows = keys()) {
+    writer.begin_curve(rows->group);
+    writer.write([&, done = false]() mutable -> std::optional<std::string> {
+      if (std::exchange(done, true)) return std::nullopt;
+      return writer.print(rows->table, true);
+    });
+    writer.recorder().count_rows(rows->report.keys);
+    report.add(rows->report);
+  }
+  return report;
 }
 
 void FitReport::add(const FitReport& other) {

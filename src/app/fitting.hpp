@@ -11,6 +11,7 @@
 #include "curve/rows.hpp"
 #include "input/input.hpp"
 #include "keys/curves.hpp"
+#include "output/writer.hpp"
 
 namespace tcb {
 
@@ -62,9 +63,13 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
                          const Job& job);
 
 /// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.
-FitResult fitted(const Samples& samples, const FitOptions& options);
+FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done = {});
 
 /// The keys of samples as rows.
 FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options);
+
+/// Writes the keys of recordings, each fitted on a thread of its own.
+FitReport write_fits(const Source<Samples>& samples, const FitOptions& options, Writer& writer, FileProgress& progress,
+                     unsigned threads);
 
 }  // namespace tcb

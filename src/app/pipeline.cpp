@@ -100,27 +100,21 @@ class FileRun {
   /// From the samples of each recording to its keys.
   void fit(const Input& input, Curves& curves, Writer& writer) {
     ProvenanceRecorder& provenance = writer.recorder();
-    const Source<Samples> samples = [&]() -> std::optional<Samples> {
+    const Source<Samples> samples = [&, expected = 0.0]() mutable -> std::optional<Samples> {
       std::optional<CurveKeys> curve = curves.next();
       if (!curve) return std::nullopt;
       curve->keys = provenance.observe_keys(std::move(curve->keys));
-      return recorded_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
+      Samples read = recorded_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
+      progress_->expect_rows(expected += static_cast<double>(read.times.size()));
+      return read;
     };
     sink_.begin(path_, columns_of_fit(input, job_), RuleFacts{{}, true}, wording_);
-    const auto keys_of = [this](const Samples& one) { return rows_of(one, fitted(one, job_.fit), job_.fit); };
-    FitReport report;
-    const Source<FittedRows> keys = ordered_map(samples, keys_of, input.threads);
-    while (const std::optional<FittedRows> rows = keys()) {
-      writer.begin_curve(rows->group);
-      writer.write([&, done = false]() mutable -> std::optional<std::string> {
-        if (std::exchange(done, true)) return std::nullopt;
-        return writer.print(rows->table, true);
-      });
-      provenance.count_rows(rows->report.keys);
-      report.add(rows->report);
-    }
+    const FitReport report = write_fits(samples, job_.fit, writer, *progress_, input.threads);
     rows_ = report.keys;
-    if (report.keys > 0) report_.note(path_, note_of(report, job_.fit));
+    if (report.keys == 0) return;
+    const Note note = note_of(report, job_.fit);
+    report_.note(path_, note);
+    provenance.set_results({{"fit", wording_.note(note)}});
   }
 
   /// The stages from the keys of a curve to its part of a picture.

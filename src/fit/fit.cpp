@@ -108,12 +108,13 @@ class Verification {
 
 /// The keys of the parts between corners, joined.
 std::vector<CornerKey> joined_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
-                                   const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed) {
+                                   const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed,
+                                   const SamplesDone& done) {
   std::vector<CornerKey> keys;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const std::size_t first = corners[i - 1], last = corners[i];
     const auto own =
-        fitting_keys(part_of(recording, first, last), between(cubics, first, last), between(fixed, first, last));
+        fitting_keys(part_of(recording, first, last), between(cubics, first, last), between(fixed, first, last), done);
     for (const FitKey& key : own) {
       const bool is_corner = !keys.empty() && key.sample == 0;
       if (!is_corner) keys.push_back({first + key.sample, key.position, key.slope, key.slope});
@@ -218,6 +219,7 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   fixed.insert(fixed.end(), corners.begin(), corners.end());
   FitResult result;
   const std::vector<std::size_t> cubics = longest_cubics(recording);
+  if (rules.done) rules.done(recording.size());
   const bool has_rotations = std::ranges::any_of(recording.groups, &is_of_rotation);
   result.least_keys = has_rotations ? least_keys(recording) : cubics.size() + 1;
   const Verification verification(recording, times);
@@ -225,7 +227,7 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   for (int attempt = 0; attempt < 12; ++attempt) {
     std::ranges::sort(fixed);
     fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-    const auto keys = joined_keys(with_room(recording, room), cubics, corners, fixed);
+    const auto keys = joined_keys(with_room(recording, room), cubics, corners, fixed, rules.done);
     result.keys = numbered_keys(keys, recording, times, rules);
     std::vector<std::size_t> samples;
     std::ranges::transform(keys, std::back_inserter(samples), &CornerKey::sample);

@@ -20,11 +20,15 @@ struct FitKeysName {
 };
 inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
 
+/// How often each sample is counted as done, unless a fit is tried again.
+inline constexpr std::size_t fit_passes = 6;
+
 /// How a recording is fitted.
 struct FitRules {
   FitKeys keys = FitKeys::tcb;
   std::vector<std::size_t> fixed = {};  ///< samples that have keys, next tos the first and the last one
   std::optional<double> corner = {};    ///< in degrees: where the samples turn by more, the curve may have a corner
+  SamplesDone done = {};                ///< counts each sample about `fit_passes` times
 };
 
 /// The keys of a recording.

@@ -66,8 +66,9 @@ std::vector<double> masses_of(std::span<const double> worst) {
 /// Removes keys of segments where the others do.
 class Thinning {
  public:
-  Thinning(const Recording& recording, std::vector<FitKey>& keys, const std::vector<std::size_t>& fixed)
-      : recording_(recording), keys_(keys), fixed_(fixed) {}
+  Thinning(const Recording& recording, std::vector<FitKey>& keys, const std::vector<std::size_t>& fixed,
+           const SamplesDone& done)
+      : recording_(recording), keys_(keys), fixed_(fixed), done_(done) {}
 
   /// Tries to remove each key, with its neighbours fitted again where they are.
   void remove_keys() {
@@ -75,8 +76,9 @@ class Thinning {
     for (std::size_t key = 1; key + 1 < keys_.size();) {
       const std::size_t first = key - std::min(reach, key), last = std::min(key + reach, keys_.size() - 1);
       const bool is_fixed = std::ranges::binary_search(fixed_, keys_[key].sample);
-      if (is_fixed || !remove(first, key, last)) ++key;
+      if (is_fixed || !remove(first, key, last)) count_before(++key);
     }
+    end_pass();
   }
 
   /// Tries each window of so many segments with one less.
@@ -87,11 +89,23 @@ class Thinning {
       const bool at_fixed = last == next_fixed(first) && last - first <= segments;
       first =
           at_fixed && last - first <= (segments + 3) / 4 ? last : first + std::max<std::size_t>((segments + 3) / 4, 1);
+      count_before(std::min(first, keys_.size() - 1));
     }
+    end_pass();
   }
 
  private:
   static constexpr int most_moves = 3;
+
+  void count_before(std::size_t key) {
+    const std::size_t sample = keys_[key].sample;
+    if (done_ && sample > counted_) done_(sample - counted_);
+    counted_ = std::max(counted_, sample);
+  }
+  void end_pass() {
+    count_before(keys_.size() - 1);
+    counted_ = 0;
+  }
 
   /// The first key after this one that has to stay.
   std::size_t next_fixed(std::size_t key) const {
@@ -145,6 +159,8 @@ class Thinning {
   const Recording& recording_;
   std::vector<FitKey>& keys_;
   const std::vector<std::size_t>& fixed_;
+  const SamplesDone& done_;
+  std::size_t counted_ = 0;  ///< samples in this pass
 };
 
 /// The samples of keys between two fixed ones, half as many again as the longest cubics there.
@@ -180,14 +196,14 @@ void divide_segments(const Recording& recording, std::vector<FitKey>& keys, std:
 }
 
 std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
-                                 const std::vector<std::size_t>& fixed) {
+                                 const std::vector<std::size_t>& fixed, const SamplesDone& done) {
   std::vector<std::size_t> samples;
   for (std::size_t i = 1; i < fixed.size(); ++i) {
     append_first_samples(samples, recording, cubics, fixed[i - 1], fixed[i]);
   }
   std::vector<FitKey> keys = keys_at(samples, recording);
   divide_segments(recording, keys, fit_smoothly(recording, keys, {}, of_division));
-  Thinning thinning(recording, keys, fixed);
+  Thinning thinning(recording, keys, fixed, done);
   thinning.remove_keys();
   for (const std::size_t segments : std::array<std::size_t, 3>{4, 8, 16}) thinning.sweep(segments);
   thinning.remove_keys();

@@ -15,7 +15,7 @@ namespace tcb {
 /// Keys of a curve that is within the tolerances at the samples. `cubics`: from longest_cubics(). `fixed`: samples that
 /// have keys, increasing, among them the first and the last one.
 std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
-                                 const std::vector<std::size_t>& fixed);
+                                 const std::vector<std::size_t>& fixed, const SamplesDone& done = {});
 
 /// Divides segments and fits their keys again, until all are within the tolerances. `worst`: as fit_smoothly returns
 /// it.

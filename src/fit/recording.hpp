@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,6 +34,9 @@ struct Recording {
   std::size_t size() const { return times.size(); }
   double position(std::size_t sample, std::size_t channel) const { return positions[sample * channels + channel]; }
 };
+
+/// Is called with a number of samples, while they are fitted.
+using SamplesDone = std::function<void(std::size_t)>;
 
 /// Successive samples [first, last).
 struct SampleRange {

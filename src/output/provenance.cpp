@@ -23,13 +23,21 @@ std::string member(std::string_view name, std::string_view value) {
   return fmt::format("{}:{}", json_text(name), json_text(value));
 }
 
+/// The results of an input, if there are any.
+Facts results_of(const Provenance& provenance, std::size_t input) {
+  return input < provenance.results.size() ? provenance.results[input] : Facts{};
+}
+
 /// The member "meta" of a JSON object.
 std::string json_member(const Provenance& provenance) {
   std::string out = "\"meta\":{" + member("program", provenance.program), options, inputs;
   for (const auto& [name, value] : provenance.rules) out += "," + member(name, value);
   for (const std::string& option : provenance.options) options += (options.empty() ? "" : ",") + json_text(option);
-  for (const auto& [name, digest] : provenance.inputs) {
-    inputs += fmt::format("{}{{{},{}}}", inputs.empty() ? "" : ",", member("name", name), member("sha256", digest));
+  for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
+    const auto& [name, digest] = provenance.inputs[i];
+    inputs += fmt::format("{}{{{},{}", inputs.empty() ? "" : ",", member("name", name), member("sha256", digest));
+    for (const auto& [result, value] : results_of(provenance, i)) inputs += "," + member(result, value);
+    inputs += "}";
   }
   return out + fmt::format(",\"options\":[{}],\"inputs\":[{}],\"curves\":{},\"keys\":{},\"rows\":{}}}", options, inputs,
                            provenance.curves, provenance.keys, provenance.rows);
@@ -77,7 +85,10 @@ std::string text_after_rows(const Provenance& provenance, FormatId format) {
   if (format_of(format).nests) return json_member(provenance);
   if (!format_of(format).has_header) return "{" + json_member(provenance) + "}\n";
   std::string out;
-  for (const auto& [name, digest] : provenance.inputs) out += line("input", name) + line("sha256", digest);
+  for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
+    out += line("input", provenance.inputs[i].first) + line("sha256", provenance.inputs[i].second);
+    for (const auto& [name, value] : results_of(provenance, i)) out += line(name, value);
+  }
   for (const auto& [name, count] : {std::pair{"curves", provenance.curves}, std::pair{"keys", provenance.keys},
                                     std::pair{"rows", provenance.rows}}) {
     out += line(name, fmt::format("{}", count));
@@ -190,6 +201,12 @@ void ProvenanceRecorder::count_rows(std::uint64_t rows) {
 
 void ProvenanceRecorder::set_rules(Facts rules) {
   if (tally_ != nullptr) tally_->provenance.rules = std::move(rules);
+}
+
+void ProvenanceRecorder::set_results(Facts results) {
+  if (tally_ == nullptr) return;
+  tally_->provenance.results.resize(tally_->provenance.inputs.size());
+  tally_->provenance.results.back() = std::move(results);
 }
 
 void ProvenanceRecorder::end_curve() {

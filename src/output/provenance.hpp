@@ -27,6 +27,7 @@ struct Provenance {
   std::vector<std::string> options;                         ///< as given, each as one word
   std::vector<std::pair<std::string, std::string>> inputs;  ///< names, and SHA-256 in hexadecimal digits
   std::uint64_t curves = 0, keys = 0, rows = 0;
+  std::vector<Facts> results = {};  ///< of each input, in words; or none
 };
 
 /// The text of an output before its rows, and the one after them. In formats whose outputs nest, the text after the
@@ -59,6 +60,8 @@ class ProvenanceRecorder {
   /// Rows that no block has.
   void count_rows(std::uint64_t rows);
   void set_rules(Facts rules);
+  /// Of the current input, in words.
+  void set_results(Facts results);
 
   /// Ends the current curve, or input.
   void end_curve();
