@@ -175,6 +175,7 @@ enum class ErrorCode {
   rotation_column_missing,    ///< name of the missing one, names of the others
   rotation_columns_shared,    ///< name
   velocity_of_rotation,       ///< name of a channel of it
+  velocity_with_slerp,        ///< name of a channel of it
   tcb_with_all_velocities,    ///< role
   no_channel_column,
   column_nearly_role,  ///< name, role

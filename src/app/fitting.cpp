@@ -144,7 +144,8 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
         largest = std::max(largest, std::abs(recording.position(i, channel)));
       }
       if (group.tolerance < largest * 0x1p-46) {
-        throw Error(Exit::data, ErrorCode::fit_below_doubles, {group.tolerance, channels[channel], largest})
+        throw Error(Exit::data, ErrorCode::fit_below_doubles,
+                    {group.angle.value_or(group.tolerance), channels[channel], largest})
             .about(Option::fit);
       }
     }

@@ -89,6 +89,9 @@ constexpr Words all_words[]{
     Words{ErrorCode::velocity_of_rotation,
           "\"{0}\" is a number of a rotation with a velocity; expected velocities of all four numbers of a quaternion, "
           "or tension, continuity and bias; leave its column out with --columns ignore=NAME"},
+    Words{ErrorCode::velocity_with_slerp,
+          "\"{0}\" is a number of a rotation with velocities, which the curve slerp does not have; expected one of the "
+          "two; give --rotation-curve squad, or leave the columns out with --columns ignore=NAME"},
     Words{ErrorCode::segment_column_missing,
           "\"{0}\" without \"{1}\"; expected both, where rows are segments; add it, or give --columns ignore={0}"},
     Words{ErrorCode::tcb_with_all_velocities,

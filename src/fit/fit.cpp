@@ -19,18 +19,21 @@ namespace {
 
 bool is_of_rotation(const FitGroup& group) { return group.angle.has_value(); }
 
-/// The samples of a recording from one to another one.
-Recording part_of(const Recording& recording, std::size_t first, std::size_t last) {
+/// The samples of a recording from one to another one, with a part of the tolerances, which leaves room for the
+/// rounding of keys.
+Recording part_of(const Recording& recording, std::size_t first, std::size_t last, double room) {
   const auto at = [](const std::vector<double>& numbers, std::size_t index) {
     return numbers.begin() + static_cast<std::ptrdiff_t>(index);
   };
-  return {
+  Recording part{
       recording.channels,
       {at(recording.times, first), at(recording.times, last + 1)},
       {at(recording.positions, first * recording.channels), at(recording.positions, (last + 1) * recording.channels)},
       recording.groups,
       first > 0,
       last + 1 < recording.size()};
+  for (FitGroup& group : part.groups) group.tolerance *= room;
+  return part;
 }
 
 /// Those of a list between two samples, both included, counted from the first one.
@@ -65,8 +68,8 @@ class Verification {
     result.largest = 0;
     for (std::size_t segment = 0; segment < segments.size(); ++segment) {
       const spline::TimeMap<double> map(segments.times[segment], segments.times[segment + 1], {});
+      const auto turns = std::span(segments.rotations).subspan(segment * rotations, rotations);
       for (std::size_t sample = samples[segment]; sample <= samples[segment + 1]; ++sample) {
-        const auto turns = std::span(segments.rotations).subspan(segment * rotations, rotations);
         const double now = error(segments[segment], turns, map(times_[sample]), sample);
         worst[segment] = std::max(worst[segment], now);
         if (!(now <= result.largest)) {
@@ -107,14 +110,14 @@ class Verification {
 };
 
 /// The keys of the parts between corners, joined.
-std::vector<CornerKey> joined_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
+std::vector<CornerKey> joined_keys(const Recording& recording, double room, const std::vector<std::size_t>& cubics,
                                    const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed,
                                    const SamplesDone& done) {
   std::vector<CornerKey> keys;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const std::size_t first = corners[i - 1], last = corners[i];
-    const auto own =
-        fitting_keys(part_of(recording, first, last), between(cubics, first, last), between(fixed, first, last), done);
+    const auto own = fitting_keys(part_of(recording, first, last, room), between(cubics, first, last),
+                                  between(fixed, first, last), done);
     for (const FitKey& key : own) {
       const bool is_corner = !keys.empty() && key.sample == 0;
       if (!is_corner) keys.push_back({first + key.sample, key.position, key.slope, key.slope});
@@ -182,12 +185,6 @@ std::size_t least_keys(Recording recording) {
   return longest_cubics(recording).size() + 1;
 }
 
-/// The recording with tolerances that leave room for the rounding of keys.
-Recording with_room(Recording recording, double part) {
-  for (FitGroup& group : recording.groups) group.tolerance *= part;
-  return recording;
-}
-
 }  // namespace
 
 std::vector<std::size_t> corners_of(const Recording& recording, double degrees) {
@@ -227,7 +224,7 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   for (int attempt = 0; attempt < 12; ++attempt) {
     std::ranges::sort(fixed);
     fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-    const auto keys = joined_keys(with_room(recording, room), cubics, corners, fixed, rules.done);
+    const auto keys = joined_keys(recording, room, cubics, corners, fixed, rules.done);
     result.keys = numbered_keys(keys, recording, times, rules);
     std::vector<std::size_t> samples;
     std::ranges::transform(keys, std::back_inserter(samples), &CornerKey::sample);

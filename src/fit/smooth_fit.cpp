@@ -88,6 +88,8 @@ class GroupFit {
         weights_(keys.back().sample - first_ + 1, 1.0),
         errors_(weights_.size()),
         worst_(keys.size() - 1) {
+    hermite_.reserve(weights_.size());
+    values_.reserve(weights_.size() * channels_.size());
     for (std::size_t segment = 0; segment + 1 < keys.size(); ++segment) {
       const std::size_t from = keys[segment].sample;
       const double duration = elapsed(from, keys[segment + 1].sample);

@@ -145,12 +145,13 @@ class Conversion {
 /// One rotation of successive keys.
 class SignChain {
  public:
-  SignChain(const spline::RotationColumns& rotation, const GivenRotation& given, bool normalize)
+  SignChain(const spline::RotationColumns& rotation, const GivenRotation& given, const RotationsOfKeys& all)
       : channels_(rotation.channels),
         turn_(rotation.turn),
         name_(given.columns[0]),
         is_quaternion_(given.notation.form == spline::RotationForm::quaternion),
-        normalize_(normalize) {}
+        normalize_(all.normalize),
+        has_tangents_(all.curve != spline::RotationCurve::slerp) {}
 
   /// Checks the keys of a block, and negates its quaternions where the one before needs it.
   void add(KeyBlock& block) {
@@ -161,6 +162,7 @@ class SignChain {
     if (velocities > 0 && (velocities < 4 || !is_quaternion_)) {
       throw Error(Exit::data, ErrorCode::velocity_of_rotation, {name_});
     }
+    if (velocities > 0 && !has_tangents_) throw Error(Exit::data, ErrorCode::velocity_with_slerp, {name_});
     std::vector<bool> negated(block.size());
     for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
     if (!block.decimals.empty() && std::ranges::count(negated, true) > 0) negate_decimals(block, negated);
@@ -240,7 +242,7 @@ class SignChain {
   spline::RotationChannels channels_;
   std::optional<std::size_t> turn_;
   std::string name_;
-  bool is_quaternion_, normalize_;
+  bool is_quaternion_, normalize_, has_tangents_;
   Numbers before_{};
   std::uint64_t line_ = 0;  ///< of the last key with this rotation; 0: there is none
 };
@@ -257,7 +259,7 @@ Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys
     if (given.notation.form != spline::RotationForm::quaternion) {
       conversions->emplace_back(columns, given, rotations);
     }
-    chains->emplace_back(columns, given, rotations.normalize);
+    chains->emplace_back(columns, given, rotations);
   }
   const auto turns = static_cast<std::size_t>(std::ranges::count_if(
       rotations.columns, [](const spline::RotationColumns& columns) { return columns.turn.has_value(); }));

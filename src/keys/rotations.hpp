@@ -24,7 +24,8 @@ struct RotationsOfKeys {
 /// They are negated where that makes the dot product with the one before positive, so that signs are continuous. A key
 /// may lack all numbers of a rotation.
 /// Throws: Error (data), at its line, for a quaternion that is zero, not whole or not of the norm 1, for an angle
-/// beyond what its unit allows, for an axis of zero, and for half a turn between two.
+/// beyond what its unit allows, for an axis of zero, for half a turn between two, and for velocities of some numbers
+/// alone or with the curve slerp.
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
 
 }  // namespace tcb
