@@ -30,9 +30,13 @@ std::optional<ArcLengths> arc_lengths(const SamplingRequest& request, const Exte
   return arc;
 }
 
-/// The levels of floats, each with twice the digits of the one before.
-constexpr std::array float_levels{make_level<Float<40>>, make_level<Float<80>>, make_level<Float<160>>,
-                                  make_level<Float<320>>};
+/// A level of floats.
+struct FloatLevel {
+  int digits;
+  std::unique_ptr<AnyLevel> (*make)(const RowsOfCurve&);
+};
+constexpr std::array float_levels{FloatLevel{40, make_level<Float<40>>}, FloatLevel{80, make_level<Float<80>>},
+                                  FloatLevel{200, make_level<Float<200>>}};
 
 }  // namespace
 
@@ -78,7 +82,7 @@ class ExactRows::Evaluation {
   }
 
   std::vector<Value> float_values(std::size_t level, const FastRow& row, std::span<const std::size_t> chosen) {
-    if (floats_[level] == nullptr) floats_[level] = float_levels[level](rows_);
+    if (floats_[level] == nullptr) floats_[level] = float_levels[level].make(rows_);
     return floats_[level]->values(row, chosen);
   }
 
@@ -93,6 +97,7 @@ class ExactRows::Evaluation {
   std::vector<Printed> cells_from(std::size_t level, const FastRow& row, std::span<const std::size_t> chosen,
                                   std::span<const Column> columns, const std::vector<Value>& rough) {
     const bool last = level + 1 == float_levels.size();
+    const int more = float_levels[level].digits - float_levels[level - 1].digits;
     const std::vector<Value> fine = float_values(level, row, chosen);
     const std::optional<bool> key_at_end = floats_[level]->key_at_end();
     const bool place_is_rational = !rows_.arc || key_at_end;
@@ -101,13 +106,13 @@ class ExactRows::Evaluation {
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const Rounding rounding(notation_, columns[i].kind, row.segment.decimals);
       const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && row.sample.t.lo != 0;
-      auto cell = is_known ? rounding.exactly({exact_time(row.sample.t)}) : rounding.between(rough[i], fine[i]);
+      auto cell = is_known ? rounding.exactly({exact_time(row.sample.t)}) : rounding.between(rough[i], fine[i], more);
       if (!cell && columns[i].rational && place_is_rational) {
         if (exact.empty()) exact = rational_values(row, chosen, key_at_end);
         cell = rounding.exactly(exact[i]);
       } else if (!cell) {
         if (!last) return cells_from(level + 1, row, chosen, columns, fine);
-        cell = rounding.at_last(rough[i], fine[i]);
+        cell = rounding.at_last(rough[i], fine[i], more);
       }
       cells.push_back(std::move(*cell));
     }

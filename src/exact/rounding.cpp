@@ -40,6 +40,14 @@ int floor_log10(const Rational& value) {
   return times_ten_to(value, -above) < 1 ? above - 1 : above;
 }
 
+/// Of the second of two values, which was computed with `more` more digits. What is zero in one of them alone may be
+/// noise in the other.
+Rational error_of(const Value& rough, const Value& fine, int more) {
+  constexpr int unused = 20;
+  const bool is_noise = rough.number == 0 || fine.number == 0;
+  return times_ten_to(2 * abs(rough.number - fine.number), is_noise ? 0 : -std::max(more - unused, 0));
+}
+
 std::string without_zeros(std::string text) {
   if (text.find('.') == std::string::npos) return text;
   text.erase(text.find_last_not_of('0') + 1);
@@ -138,16 +146,16 @@ Printed Rounding::exactly(const Value& value) const {
   }
 }
 
-std::optional<Printed> Rounding::between(const Value& rough, const Value& fine) const {
+std::optional<Printed> Rounding::between(const Value& rough, const Value& fine, int more) const {
   if (rough.doubtful || fine.doubtful || rough.empty != fine.empty) return std::nullopt;
   if (fine.empty) return Printed{empty_cell};
-  const Rational error = 2 * abs(rough.number - fine.number);
+  const Rational error = error_of(rough, fine, more);
   return enclosed(fine.number - error, fine.number + error);
 }
 
-Printed Rounding::at_last(const Value& rough, const Value& fine) const {
+Printed Rounding::at_last(const Value& rough, const Value& fine, int more) const {
   if (fine.empty) return {empty_cell};
-  const Rational error = 2 * abs(rough.number - fine.number);
+  const Rational error = error_of(rough, fine, more);
   const Rational size = abs(fine.number);
   if (size <= error) return rounded(0);
   const bool fixed = has_text() && notation_.kind == Kind::fixed;

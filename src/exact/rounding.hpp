@@ -82,13 +82,14 @@ class Rounding {
   /// An exact value, or the root of one.
   Printed exactly(const Value& value) const;
 
-  /// A number given by two values, the second with more digits: nothing if they do not determine the rounding.
-  /// Requires: the first one's error is at least as large as their distance.
-  std::optional<Printed> between(const Value& rough, const Value& fine) const;
+  /// A number given by two values, the second computed in the same way with `more` more digits: nothing if they do not
+  /// determine the rounding. The first one's error is about their distance, and the second one's is smaller by a factor
+  /// of 10^more, of which 10^20 are not used, for what is not proportional.
+  std::optional<Printed> between(const Value& rough, const Value& fine, int more) const;
 
   /// The same if no more digits are available. What these digits do not distinguish from a number with few is that
   /// number. Throws: std::range_error where they are not enough for the text.
-  Printed at_last(const Value& rough, const Value& fine) const;
+  Printed at_last(const Value& rough, const Value& fine, int more) const;
 
  private:
   bool has_text() const;
