@@ -82,6 +82,20 @@ Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
   };
 }
 
+/// A key with the sign of each rotation, and of its velocities, that is nearer to another one's.
+Keys with_signs_of(const Keys& other, Keys key, const std::vector<spline::RotationColumns>& rotations) {
+  for (const spline::RotationColumns& rotation : rotations) {
+    double dot = 0;
+    for (const std::size_t i : rotation.channels) dot += other.positions[i] * key.positions[i];
+    if (!(dot < 0)) continue;
+    for (const std::size_t i : rotation.channels) {
+      key.positions[i] = 0 - key.positions[i];  // 0 stays without a sign
+      if (!key.velocities.empty()) key.velocities[i] = {-key.velocities[i].in, -key.velocities[i].out};
+    }
+  }
+  return key;
+}
+
 bool same_position(const Keys& a, const Keys& b) { return std::ranges::equal(a.position(0), b.position(0)); }
 
 /// The end of the period. Requires: a period.
@@ -133,10 +147,11 @@ Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
   Keys last = keys.key(keys.size() - 1);
   std::optional<Time> end;
   if (spec.period) end = end_by_period(first, first, *spec.period, keys.decimals());
-  if (keys.size() > 1 && same_position(first, last)) {
-    end = end_by_last_key(first, last, keys, end);
+  const Keys repeated = with_signs_of(first, last, spec.rules.rotations);
+  if (keys.size() > 1 && same_position(first, repeated)) {
+    end = end_by_last_key(first, repeated, keys, end);
     keys.drop_last();
-    keys.set_first_incoming(last);
+    keys.set_first_incoming(repeated);
     if (keys.size() > 0) last = keys.key(keys.size() - 1);
   } else if (end) {
     end = end_by_period(first, last, *spec.period, keys.decimals());

@@ -153,6 +153,13 @@ ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& 
     for (std::size_t i = 0; i < keys_.channels; ++i) {
       curve.keys.velocities[i].in = keys_.velocities[size * keys_.channels + i].in;
     }
+    for (const spline::RotationColumns& rotation : rules.rotations) {  // a quaternion may be the negative of the first one
+      Rational dot = 0;
+      for (const std::size_t i : rotation.channels) dot += keys_.position(0)[i] * keys_.position(size)[i];
+      for (const std::size_t i : rotation.channels) {
+        if (dot < 0) curve.keys.velocities[i].in = -curve.keys.velocities[i].in;
+      }
+    }
   }
   const std::size_t turns = keys_.turns_per_key();
   for (std::size_t i = 0; size < keys_.size() && i < turns; ++i) curve.keys.turns[i] = keys_.turns[size * turns + i];

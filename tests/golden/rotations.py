@@ -233,6 +233,12 @@ def check_laws(keys, options, reference):
     signs = [draw.choice([1, -1]) for _ in keys]
     flipped = [(t, [sign * x for x in q], *rest) for (t, q, *rest), sign in zip(keys, signs)]
     same(f"law of signs: {options}", list(map(wxyz, rows(csv_of(flipped), *options, *at(times)))), base, mpf(0), keys_text)
+    if reference.closed:
+        place, sign = options.index("--period"), draw.choice([1, -1])
+        t, q, *rest = keys[0]
+        repeated = keys + [(t + float(options[place + 1]), [sign * x for x in q], *rest)]
+        got = list(map(wxyz, rows(csv_of(repeated), *options[:place], *options[place + 2:], *at(times))))
+        same(f"law of a repeated first key: {options}", got, base, mpf(0), csv_of(repeated))
     if not reference.closed:
         back = [(-t, q, (a, b, -c), ease[::-1]) for t, q, (a, b, c), ease in reversed(keys)]
         mirrored = [",".join(reversed(x.split(","))) if y == "--ends" else x for y, x in zip([""] + options, options)]

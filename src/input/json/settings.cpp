@@ -21,6 +21,10 @@ constexpr std::array options_only{
     std::pair{std::string_view("metric"), Option::metric},
     std::pair{std::string_view("extrapolate"), Option::extrapolate},
     std::pair{std::string_view("no-ease"), Option::no_ease},
+    std::pair{std::string_view("rotation-curve"), Option::rotation_curve},
+    std::pair{std::string_view("rotation-output"), Option::rotation_output},
+    std::pair{std::string_view("angles"), Option::angles},
+    std::pair{std::string_view("normalize"), Option::normalize},
 };
 
 class SettingsReader : public JsonObjectReader {
