@@ -13,6 +13,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 CURVES = ["even", "uneven", "corner", "inside", "beyond", "pair", "plane", "space", "closed"]
+TURNS = ["turns", "turn", "round"]
+PRESETS_OF_ROTATIONS = ["gte", "lib3ds1", "lib3ds2", "nel", "cryengine", "splines"]  # those whose product has them
 VELOCITIES = ["0.5", "-1", "0.25"]  # of the end rule velocity, one per channel
 PLACES = ["0.25", "0.625"]  # u of the positions: together with the keys they determine a cubic
 LENGTHS = "0.5,1.25,2.75"
@@ -49,9 +51,10 @@ def read_keys():
     with open(HERE / "keys.csv", newline="") as file:
         for name, closed, time, *cells in list(csv.reader(file))[1:]:
             ease = f',"ease_in":{cells[3]},"ease_out":{cells[4]}' if name == "ease" else ""
-            position = cells[5:]
-            key = f'{{"time":{time},"position":[{",".join(position)}],"tcb":[{",".join(cells[:3])}]{ease}}}'
-            curves.setdefault(name, (closed == "1", len(position), []))[2].append(key)
+            numbers = cells[5:]
+            member = "rotation" if len(numbers) == 4 else "position"
+            key = f'{{"time":{time},"{member}":[{",".join(numbers)}],"tcb":[{",".join(cells[:3])}]{ease}}}'
+            curves.setdefault(name, (closed == "1", len(numbers), []))[2].append(key)
     return curves
 
 
@@ -93,11 +96,27 @@ def expect_lengths(curves, names, *options):
         curve.expect("arc_position", row["s"], [row[name] for name in names])
 
 
+def expect_rotations(curves, names, *options):
+    """Rotations inside each segment with their angular velocities, and those into and out of its keys."""
+    velocity = ["angular_velocity_" + axis for axis in "xyz"]
+    options = ["--per-segment", "8", "--fields", "u,time,position,angular_velocity", *options]
+    for row, curve in rows(curves, *options):
+        rates = [row[name] for name in velocity]
+        if row["u"] in PLACES:
+            curve.expect("rotation", row["time"], [row[name] for name in names])
+            curve.expect("angular_velocity", row["time"], rates)
+        elif row["u"] == "0":
+            curve.expect("outgoing", row["time"], rates)
+    for row, curve in rows(curves, *options, "--side", "left"):
+        if row["u"] == "1":
+            curve.expect("incoming", row["time"], [row[name] for name in velocity])
+
+
 def expect(how, curves, *options):
-    for channels in 1, 2, 3:
-        group = [curve for curve in curves if curve.channels == channels]
+    for names in ["x"], ["x", "y"], ["x", "y", "z"], ["qx", "qy", "qz", "qw"]:
+        group = [curve for curve in curves if curve.channels == len(names)]
         if group:
-            how(group, ["x", "y", "z"][:channels], *options)
+            how(group, names, *options)
     return curves
 
 
@@ -146,6 +165,17 @@ def make(folder):
     curves = [Curve(keys, preset=preset)
               for preset in ("gte", "vtk") for keys in ("corner", "plane", "space", "closed", "cusp")]
     write(folder / "length", expect(expect_lengths, curves))
+    curves = [Curve(keys, preset=preset) for preset in PRESETS_OF_ROTATIONS for keys in TURNS]
+    write(folder / "rotations" / "presets", expect(expect_rotations, curves))
+    write(folder / "rotations" / "slerp",
+          expect(expect_rotations, [Curve(keys, preset="gte") for keys in TURNS], "--rotation-curve", "slerp"),
+          rotation_curve="slerp")
+    for name in "squad", "casteljau", "components":
+        curves = [Curve(keys, tangents="velocity", ends=end)
+                  for end in ends if end != "velocity" for keys in ("turns", "turn")]
+        curves += [Curve(keys, tangents=rule, ends="half") for rule in tangents for keys in ("turns", "round")]
+        write(folder / "rotations" / name, expect(expect_rotations, curves, "--rotation-curve", name),
+              rotation_curve=name)
 
 
 os.environ["PATH"] += os.pathsep + str(HERE / "../../build/release")

@@ -11,6 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "golden"))
+import quaternions  # noqa: E402
 from referee import Curve, mp, mpf  # noqa: E402
 
 RULES = {  # of the presets, by the products
@@ -22,7 +23,9 @@ RULES = {  # of the presets, by the products
     "splines": ("finite-difference", "natural"), "synfig": ("synfig", "chord"), "kb1984": ("kb1984", "half"),
     "wikipedia": ("uniform", "half"), "ogre": ("uniform", "half"),
 }
-QUANTITIES = ["outgoing", "position", "incoming", "length", "arc_time", "arc_position"]
+CURVES_OF_ROTATIONS = {preset: "squad" for preset in ("gte", "lib3ds1", "lib3ds2", "nel", "cryengine")}
+CURVES_OF_ROTATIONS["splines"] = "casteljau"
+QUANTITIES = ["outgoing", "position", "rotation", "angular_velocity", "incoming", "length", "arc_time", "arc_position"]
 problems = []
 
 
@@ -41,7 +44,7 @@ def keys_of_csv(folder):
     curves = {}
     with open(folder / "keys.csv", newline="") as file:
         for row in csv.DictReader(file):
-            position = [row[channel] for channel in "xyz" if row[channel]]
+            position = [row[channel] for channel in "xyzw" if row[channel]]
             ease = [row["ease_in"], row["ease_out"]]
             key = (row["time"], position, [row["tension"], row["continuity"], row["bias"]], ease)
             curves.setdefault(row["curve"], (row["closed"] == "1", []))[1].append(key)
@@ -62,8 +65,24 @@ def curve_of(given):
                  [number(v) for v in velocity.split(":") if v])
 
 
+def rotations_of(given):
+    """The curve of rotations of an object of JSON."""
+    rule, end = RULES[given["preset"]] if "preset" in given else (given["tangents"], given.get("ends", "half"))
+    name = given.get("rotation_curve") or CURVES_OF_ROTATIONS[given["preset"]]
+    keys = []
+    for key in given["keys"]:
+        x, y, z, w = map(number, key["rotation"])
+        keys.append((number(key["time"]), [w, x, y, z], [*map(number, key["tcb"])], (mpf(0), mpf(0))))
+    period = keys.pop()[0] - keys[0][0] if given["closed"] else None
+    return quaternions.Rotations(keys, name, rule, [end, end], period)
+
+
 def computed(curve, quantity, at):
     """The exact values of a quantity at a time, or at an arc length."""
+    if isinstance(curve, quaternions.Rotations):
+        i = curve.segment_at(at)
+        (w, x, y, z), velocity = curve.at(at, i - 1 if quantity == "incoming" and at == curve.times[i] else i)
+        return [x, y, z, w] if quantity == "rotation" else velocity
     segments = range(len(curve.cubics))
     if quantity.startswith("arc_"):
         i, warped = curve.place_at(at)
@@ -79,7 +98,7 @@ def computed(curve, quantity, at):
 
 
 def rounded(value):
-    return 0.0 if abs(value) < mpf(10) ** (20 - mp.dps) else float(value)  # what the digits leave of zero
+    return 0.0 if abs(value) < mpf(10) ** (-mp.dps // 2) else float(value)  # what the digits leave of zero
 
 
 def check(path, keys):
@@ -87,10 +106,10 @@ def check(path, keys):
     lines = []
     for given in json.loads(path.read_text(), parse_float=str, parse_int=str)["curves"]:
         closed, expected = keys[given["id"].split("/")[1]]
-        mine = [(k["time"], k["position"], k["tcb"], [k.get("ease_in", "0"), k.get("ease_out", "0")])
-                for k in given["keys"]]
+        mine = [(k["time"], k["rotation" if "rotation" in k else "position"], k["tcb"],
+                 [k.get("ease_in", "0"), k.get("ease_out", "0")]) for k in given["keys"]]
         expect((given["closed"], mine) == (closed, expected), given["id"], "has other keys than keys.csv")
-        curve = curve_of(given)
+        curve = rotations_of(given) if "rotation" in given["keys"][0] else curve_of(given)
         for quantity in (q for q in QUANTITIES if q in given):
             for row in given[quantity]:
                 exact = [*map(rounded, computed(curve, quantity, number(row["at"])))]

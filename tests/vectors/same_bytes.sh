@@ -5,8 +5,9 @@ PATH=$(dirname "$1"):$PATH
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 python3 "$2/make_vectors.py" "$scratch"
-diff -r "$scratch/presets" "$2/presets"
-diff -r "$scratch/tangents" "$2/tangents"
+for folder in presets tangents rotations; do
+  diff -r "$scratch/$folder" "$2/$folder"
+done
 for file in "$scratch"/*.json "$scratch"/*.csv; do
   cmp "$file" "$2/$(basename "$file")"
 done
