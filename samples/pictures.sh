@@ -22,6 +22,7 @@ draw pictures/loop --arc-step 5 loop.txt
 draw pictures/animation --step 1 --axes hip_z:hip_y animation.json
 draw pictures/events --segments 50 events.jsonl
 draw pictures/poses --step 0.25 poses.csv
+draw pictures/drive --angle heading=degrees --fit 0.1,heading=1 --title "14 keys for a drive" drive.csv
 
 # Keys for a recording of the camera path.
 tcbsample --rate 100 --columns position=x:y:z camera.csv |

@@ -45,13 +45,15 @@ SceneSample sample_of(std::span<const Cell> cells, const CurveSegment& segment) 
 }
 
 /// The samples of a block, each with its position and velocity.
-void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed, const SampleBlock& block) {
+void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed, const SampleBlock& block,
+                    const std::vector<FirstRotation>& firsts) {
   const std::array chosen{field_of("time"), field_of("position"), field_of("velocity"), field_of("angular_velocity")};
   const Table table = placed.evaluate(block, chosen);
   const std::size_t rows = block.rows();
   const std::size_t width = rows == 0 ? 0 : table.cells.size() / rows;
   for (std::size_t row = 0; row < rows; ++row) {
     samples.push_back(sample_of(std::span(table.cells).subspan(row * width, width), block.parts.front().segment));
+    add_angles(samples.back(), firsts);
   }
 }
 
@@ -73,15 +75,41 @@ std::string short_rules(const RuleFacts& rules, const Wording& wording) {
 void Drawing::begin(const std::string& path, const Input& input, const RuleFacts& rules) {
   const std::string name = shown_name(path);
   files_.push_back(name.substr(name.rfind('/') + 1));
-  if (files_.size() == 1) {
-    scene_.time = input.time;
-    scene_.channels = input.channels;
-    scene_.path = path_axes(input.channels, job_.picture.axes, rules.spec.rules.metric);
-  } else if (input.time != scene_.time || input.channels != scene_.channels) {
-    std::vector<std::string> columns{input.time}, before{scene_.time};
-    columns.insert(columns.end(), input.channels.begin(), input.channels.end());
-    before.insert(before.end(), scene_.channels.begin(), scene_.channels.end());
-    throw Error(Exit::data, ErrorCode::other_columns, {columns, before});
+  std::vector<std::string> columns{input.time};
+  columns.insert(columns.end(), input.channels.begin(), input.channels.end());
+  if (columns_.empty()) {
+    columns_ = std::move(columns);
+    begin_scene(input, rules.spec);
+  } else if (columns != columns_) {
+    throw Error(Exit::data, ErrorCode::other_columns, {columns, columns_});
+  }
+}
+
+/// A rotation has one strip, for its angle, instead of those of its numbers, and the first one has axes along the path.
+void Drawing::begin_scene(const Input& input, const CurveSpec& spec) {
+  scene_.time = input.time;
+  scene_.channels = input.channels;
+  if (!spec.lacks_metric || !job_.picture.axes.empty()) {
+    scene_.path = path_axes(input.channels, job_.picture.axes, spec.rules.metric);
+  }
+  rotations_ = spec.rules.rotations;
+  if (rotations_.empty()) return;
+  for (std::size_t i = 0; i < input.channels.size(); ++i) {
+    const auto has = [i](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
+    if (std::ranges::none_of(rotations_, has)) scene_.strips.push_back(i);
+  }
+  const auto place_in_space = [&](std::size_t channel) {
+    return static_cast<std::size_t>(std::ranges::find(scene_.strips, channel) - scene_.strips.begin());
+  };
+  if (scene_.path) {
+    const std::array axes{place_in_space((*scene_.path)[0]), place_in_space((*scene_.path)[1])};
+    if (std::max(axes[0], axes[1]) < std::min<std::size_t>(scene_.strips.size(), 3)) {
+      scene_.frame = {rotations_[0].channels, axes};
+    }
+  }
+  for (const GivenRotation& rotation : input.given_rotations) {
+    scene_.strips.push_back(scene_.channels.size());
+    scene_.channels.push_back(fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.columns, ", ")));
   }
 }
 
@@ -101,7 +129,9 @@ std::size_t Drawing::name_of(const std::vector<std::string>& group) {
 void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules) {
   if (curves_ > 0 && rules != rules_) rules = "several rules";
   rules_ = std::move(rules);
-  SceneCurve curve{0, stored.keys, with_rotations_as_cubics(stored.segments), stored.closed};
+  const std::vector<FirstRotation> firsts = first_rotations(stored.keys, rotations_);
+  SceneCurve curve{0, with_angles(stored.keys, firsts), with_rotations_as_cubics(stored.segments, firsts),
+                   stored.closed};
   const bool is_drawn = curves_++ < Scene::most_curves;
   while (stored.placed) {
     const std::optional<SampleBlock> block = stored.placed->blocks();
@@ -110,7 +140,7 @@ void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stor
     if (curve.rows > Scene::most_samples || !is_drawn) {
       curve.samples.clear();
     } else {
-      append_samples(curve.samples, *stored.placed, *block);
+      append_samples(curve.samples, *stored.placed, *block, firsts);
     }
   }
   rows_ += curve.rows;

@@ -33,6 +33,7 @@ class Drawing {
   void commit();
 
  private:
+  void begin_scene(const Input& input, const CurveSpec& spec);
   std::size_t name_of(const std::vector<std::string>& group);
   std::string title() const;
   std::string subtitle() const;
@@ -40,9 +41,11 @@ class Drawing {
   const Job& job_;
   Output output_;
   Scene scene_;
-  std::vector<std::string> files_;  ///< names without their folders
-  std::string rules_;               ///< of the curves, in words
-  std::size_t curves_ = 0;          ///< of all, also of those that are not drawn
+  std::vector<std::string> files_;    ///< names without their folders
+  std::vector<std::string> columns_;  ///< of all files: the time and the channels
+  std::vector<spline::RotationColumns> rotations_;
+  std::string rules_;       ///< of the curves, in words
+  std::size_t curves_ = 0;  ///< of all, also of those that are not drawn
   std::uint64_t rows_ = 0, keys_ = 0;
 };
 

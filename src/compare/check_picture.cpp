@@ -23,13 +23,6 @@ struct CheckedSample {
   std::vector<double> position;
 };
 
-KeyStore store_of(Keys keys) {
-  KeyBlock block;
-  block.lines.assign(keys.size(), 1);
-  block.keys = std::move(keys);
-  return KeyStore([block = std::optional(std::move(block))]() mutable { return std::exchange(block, std::nullopt); });
-}
-
 /// The cubics of some channels, and as many that are 0.
 SegmentBlock with_zeros(const SegmentBlock& block, const std::vector<std::size_t>& channels) {
   SegmentBlock result{
@@ -92,7 +85,7 @@ void CheckPicture::add_curve(const CheckedPair& pair) {
   const auto segments = [segments = with_rotations_as_cubics(stored.segments), channels = channels_] {
     return mapped(segments(), [channels](const SegmentBlock& block) { return with_zeros(block, channels); });
   };
-  scene_.curves.push_back({0, store_of(std::move(keys)), segments, stored.closed});
+  scene_.curves.push_back({0, KeyStore(keys), segments, stored.closed});
 }
 
 void CheckPicture::add_samples(const CheckedPair& pair) {
@@ -126,7 +119,7 @@ void CheckPicture::add_samples(const CheckedPair& pair) {
       scene_.worst = SceneMark{sample.t, sample.position, {i - size, i}};
     }
   }
-  const KeyStore store = store_of(std::move(keys));
+  const KeyStore store(keys);
   const auto segments = [store]() -> Source<SegmentBlock> {
     return [block = std::optional(polyline(store.all()))]() mutable { return std::exchange(block, std::nullopt); };
   };

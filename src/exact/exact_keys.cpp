@@ -153,7 +153,8 @@ ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& 
     for (std::size_t i = 0; i < keys_.channels; ++i) {
       curve.keys.velocities[i].in = keys_.velocities[size * keys_.channels + i].in;
     }
-    for (const spline::RotationColumns& rotation : rules.rotations) {  // a quaternion may be the negative of the first one
+    for (const spline::RotationColumns& rotation :
+         rules.rotations) {  // a quaternion may be the negative of the first one
       Rational dot = 0;
       for (const std::size_t i : rotation.channels) dot += keys_.position(0)[i] * keys_.position(size)[i];
       for (const std::size_t i : rotation.channels) {

@@ -20,6 +20,8 @@ class KeyStore {
  public:
   /// Reads the source to its end. Requires: at least one key.
   explicit KeyStore(const Source<KeyBlock>& blocks);
+  /// These keys, which have no lines.
+  explicit KeyStore(const Keys& keys) : columns_(std::make_shared<Columns>()) { columns_->append(keys); }
 
   std::size_t size() const { return columns_->times.size(); }
   /// A single key; the last one is number size() - 1.

@@ -38,6 +38,11 @@ std::vector<Legend::Entry> Legend::entries(const Marks& marks, bool samples_hidd
   if (marks.corners) all.push_back({Symbol::corner, "key at a corner", css});
   if (marks.handles) all.push_back({Symbol::tangent, "tangents", css});
   if (marks.samples) all.push_back({Symbol::sample, "sample", css});
+  if (scene_.frame) {
+    all.push_back({Symbol::axis_x, "x axis", css});
+    all.push_back({Symbol::axis_y, "y axis", css});
+    all.push_back({Symbol::axis_z, "z axis", css});
+  }
   if (marks.worst) all.push_back({Symbol::worst, "largest difference", css});
   if (samples_hidden) all.push_back({Symbol::none, "samples are too dense to be shown", css});
   Pixel at;
@@ -73,6 +78,9 @@ void Legend::draw_symbol(Svg& svg, Symbol symbol, const Pixel& at) {
     case Symbol::corner: return svg.add_circle(middle, key_radius, "q");
     case Symbol::tangent: return line(at, "h22", "h");
     case Symbol::worst: return svg.add_circle(middle, worst_radius, "w");
+    case Symbol::axis_x: return line(at, "h22", "ax");
+    case Symbol::axis_y: return line(at, "h22", "ay");
+    case Symbol::axis_z: return line(at, "h22", "az");
     case Symbol::sample: return line(middle - Pixel{0, half_tick}, "v8", "s");
   }
 }

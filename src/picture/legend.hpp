@@ -24,7 +24,7 @@ class Legend {
   void draw(Svg& svg, const Pixel& corner, const Marks& marks, bool samples_hidden) const;
 
  private:
-  enum class Symbol { none, curve, key, corner, tangent, sample, worst };
+  enum class Symbol { none, curve, key, corner, tangent, sample, worst, axis_x, axis_y, axis_z };
   struct Entry {
     Symbol symbol = Symbol::none;
     std::string text;

@@ -116,12 +116,15 @@ class Composer {
       drawings.emplace_back(views[i], marks, outline_of(views[i]));
     }
     const Source<SegmentBlock> blocks = curve.segments();
+    AxesDrawing axes(scene_, arrangement_.views[0], extent_.segments);
     while (const std::optional<SegmentBlock> block = blocks()) {
+      axes.add(block->segments);
       for (CurveDrawing& drawing : drawings) {
         for (std::size_t i = 0; i < block->segments.size(); ++i) drawing.add(block->segments, i);
       }
     }
     const Keys keys = any(&Marks::keys) ? curve.keys.all() : Keys();
+    axes.draw(svg_);
     svg_.begin_group(colour_of(curve.name));
     for (std::size_t i = 0; i < views.size(); ++i) {
       drawings[i].draw(svg_, curve, keys);

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/rotation.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb {
@@ -58,6 +60,23 @@ std::array<std::pair<double, double>, 4> numbers_of(const spline::RotationSegmen
   return {{{q.x, slope.x}, {q.y, slope.y}, {q.z, slope.z}, {q.w, slope.w}}};
 }
 
+using Ends = std::vector<std::pair<double, double>>;  // position and derivative of each channel
+
+/// The angle of a rotation from the first one in degrees, from 0 to 360, with its derivative: where that jumps, as from
+/// there on.
+template <class At>
+std::pair<double, double> angle_and_derivative(const FirstRotation& first, const At& at) {
+  const auto& [x, y, z, w] = first.channels;
+  const spline::Quaternion<double> q{at(x).first, at(y).first, at(z).first, at(w).first};
+  const spline::Quaternion<double> slope{at(x).second, at(y).second, at(z).second, at(w).second};
+  const spline::Quaternion<double> turn = spline::conjugate(first.rotation) * q;
+  const double sine = std::sqrt(turn.x * turn.x + (turn.y * turn.y + turn.z * turn.z));
+  const double size = std::sqrt(spline::dot(slope, slope));
+  constexpr double degrees = 2 * 57.29577951308232;  // of half the angle
+  const double rate = sine < 1e-6 ? std::copysign(size, turn.w) : -spline::dot(first.rotation, slope) / sine;
+  return {degrees * spline::angle_of(sine, turn.w), degrees * rate};
+}
+
 /// Gives the two halves of the cubics of angles the same turn.
 void join_angles(spline::Segments<double>& segments) {
   for (const spline::AngleChannel& angle : segments.angles) {
@@ -69,11 +88,10 @@ void join_angles(spline::Segments<double>& segments) {
 }
 
 /// Each segment as short ones without ease, whose cubics have the positions and velocities of the curve at their ends.
-SegmentBlock cubic_parts(const SegmentBlock& block) {
+SegmentBlock cubic_parts(const SegmentBlock& block, const std::vector<FirstRotation>& firsts) {
   constexpr int parts = 16;
   const spline::Segments<double>& whole = block.segments;
-  SegmentBlock result{{whole.channels, {}, {}, {}}, {}, block.last, block.closes};
-  using Ends = std::vector<std::pair<double, double>>;  // position and derivative by the number of the part
+  SegmentBlock result{{whole.channels + firsts.size(), {}, {}, {}}, {}, block.last, block.closes};
   const auto ends_at = [&](std::size_t i, int part) {
     const double u = static_cast<double>(part) / parts;
     const spline::Warp<double> warp = whole.warp(i);
@@ -84,6 +102,9 @@ SegmentBlock cubic_parts(const SegmentBlock& block) {
       const auto numbers = numbers_of(whole.rotations_of(i)[rotation], at);
       for (std::size_t k = 0; k < numbers.size(); ++k) ends[whole.rotation_columns[rotation].channels[k]] = numbers[k];
     }
+    for (const FirstRotation& first : firsts) {
+      ends.push_back(angle_and_derivative(first, [&](std::size_t channel) { return ends[channel]; }));
+    }
     for (auto& [position, derivative] : ends) derivative *= warp.first_derivative(u) / parts;
     return ends;
   };
@@ -91,13 +112,14 @@ SegmentBlock cubic_parts(const SegmentBlock& block) {
     Ends before = ends_at(i, 0);
     const Time duration = whole.times[i + 1] - whole.times[i];
     for (int part = 0; part < parts; ++part) {
-      const Ends after = ends_at(i, part + 1);
+      Ends after = ends_at(i, part + 1);
       result.segments.times.push_back(whole.times[i] + duration * (static_cast<double>(part) / parts));
       for (std::size_t k = 0; k < after.size(); ++k) {
-        result.segments.cubics.push_back(
-            spline::cubic<double>(before[k].first, after[k].first, before[k].second, after[k].second));
+        const bool jumps = k >= whole.channels && std::abs(after[k].first - 180) > 180 - 1e-4;
+        const double in = jumps ? -after[k].second : after[k].second;
+        result.segments.cubics.push_back(spline::cubic<double>(before[k].first, after[k].first, before[k].second, in));
       }
-      before = after;
+      before = std::move(after);
     }
   }
   result.segments.times.push_back(whole.times.back());
@@ -155,13 +177,48 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
   return axes.size() < 2 ? std::nullopt : std::optional(std::array{axes[0], axes[1]});
 }
 
-std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments) {
-  return [segments = std::move(segments)] {
-    return mapped(segments(), [](SegmentBlock block) {
+std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<spline::RotationColumns>& columns) {
+  std::vector<FirstRotation> firsts;
+  for (const spline::RotationColumns& rotation : columns) {
+    std::size_t key = 0;
+    while (std::isnan(keys.key(key).positions[rotation.channels[0]])) ++key;
+    firsts.push_back({rotation.channels, spline::rotation_of<double>(keys.key(key).position(0), rotation.channels)});
+  }
+  return firsts;
+}
+
+std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments,
+                                                               std::vector<FirstRotation> firsts) {
+  return [segments = std::move(segments), firsts = std::move(firsts)] {
+    return mapped(segments(), [firsts](SegmentBlock block) {
       join_angles(block.segments);
-      return block.segments.rotations.empty() ? std::move(block) : cubic_parts(block);
+      return block.segments.rotations.empty() ? std::move(block) : cubic_parts(block, firsts);
     });
   };
+}
+
+KeyStore with_angles(const KeyStore& keys, const std::vector<FirstRotation>& firsts) {
+  if (firsts.empty()) return keys;
+  const Keys all = keys.all();
+  Keys result{all.channels + firsts.size(), all.times, {}, {}, {}, {}};
+  for (std::size_t key = 0; key < all.size(); ++key) {
+    const auto position = all.position(key);
+    result.positions.insert(result.positions.end(), position.begin(), position.end());
+    for (const FirstRotation& first : firsts) {
+      const auto at = [&](std::size_t channel) { return std::pair(position[channel], 0.0); };
+      result.positions.push_back(angle_and_derivative(first, at).first);
+    }
+  }
+  return KeyStore(result);
+}
+
+void add_angles(SceneSample& sample, const std::vector<FirstRotation>& firsts) {
+  for (const FirstRotation& first : firsts) {
+    const auto at = [&](std::size_t channel) { return std::pair(sample.position[channel], sample.velocity[channel]); };
+    const auto [angle, velocity] = angle_and_derivative(first, at);
+    sample.position.push_back(angle);
+    sample.velocity.push_back(velocity);
+  }
 }
 
 SceneExtent extent_of(const Scene& scene) {

@@ -41,13 +41,21 @@ struct SceneMark {
   std::vector<std::size_t> channels;
 };
 
+/// Axes x, y and z that turn with a rotation, along the path.
+struct SceneFrame {
+  spline::RotationChannels rotation{};
+  std::array<std::size_t, 2> axes{};  ///< of space, those of the path: 0 is x
+};
+
 struct Scene {
   std::string title, subtitle;
   std::string time;                                ///< name of the time
   std::vector<std::string> channels;               ///< names of the channels
+  std::vector<std::size_t> strips;                 ///< the channels with a strip over time; empty: all
   std::vector<std::string> names;                  ///< of groups or files, each with its own colour
   std::optional<std::array<std::size_t, 2>> path;  ///< the channels of the path, to the right and up
-  std::vector<SceneCurve> curves;
+  std::optional<SceneFrame> frame = {};
+  std::vector<SceneCurve> curves = {};
   std::optional<SceneMark> worst = {};  ///< where given samples differ most from the curve
 
   /// The samples of a curve with more are not drawn.
@@ -72,8 +80,21 @@ struct PictureSize {
   int width = 0, height = 0;
 };
 
-/// The same segments with the numbers of rotations as cubics: of short parts, which are near enough for a picture.
-std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments);
+/// A rotation of a curve, from which angles are measured.
+struct FirstRotation {
+  spline::RotationChannels channels{};
+  spline::Quaternion<double> rotation;  ///< the first one that a key has
+};
+std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<spline::RotationColumns>& columns);
+
+/// The same segments with the numbers of rotations as cubics: of short parts, which are near enough for a picture. Each
+/// of `firsts` adds a channel: the angle from it in degrees.
+std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments,
+                                                               std::vector<FirstRotation> firsts = {});
+/// The same keys with the angles as further channels.
+KeyStore with_angles(const KeyStore& keys, const std::vector<FirstRotation>& firsts);
+/// Adds the angles, and their velocities.
+void add_angles(SceneSample& sample, const std::vector<FirstRotation>& firsts);
 
 /// The extent of the curves, their keys and their samples.
 struct SceneExtent {

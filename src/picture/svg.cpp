@@ -33,6 +33,10 @@ text{font:12px "DejaVu Sans",Verdana,"Segoe UI",Roboto,Helvetica,Arial,sans-seri
 .k{fill:currentColor;stroke:#fff}
 .q{fill:#fff;stroke:currentColor;stroke-width:2}
 .w{fill:none;stroke:#c0182b;stroke-width:2}
+.ax,.ay,.az{fill:none;stroke-width:1.4}
+.ax{stroke:#c0182b}
+.ay{stroke:#1a7f37}
+.az{stroke:#5b4bdb}
 .c0{color:#0072b2}
 .c1{color:#c24e00}
 .c2{color:#00795a}
@@ -49,7 +53,9 @@ text{fill:#f0f3f6}
 .g{stroke:#2d333b}
 .k{stroke:#15181c}
 .q{fill:#15181c}
-.w{stroke:#ff7b86}
+.w,.ax{stroke:#ff7b86}
+.ay{stroke:#3fb950}
+.az{stroke:#a99cff}
 .c0{color:#56b4e9}
 .c1{color:#f08a3c}
 .c2{color:#35c79a}

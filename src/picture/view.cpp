@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tcb/spline/detail/rotation_notation.hpp"
+
 namespace tcb {
 namespace {
 
@@ -126,6 +128,32 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
   svg.add_path(grid, "g");
   svg.add_box(box, "f");
   svg.add_text({box.left, box.top - above}, frame.heading, "n");
+}
+
+void AxesDrawing::add(const spline::Segments<double>& segments) {
+  if (!frame_) return;
+  constexpr double axis_length = 15;
+  for (; next_ < segments.size(); next_ += between_) {
+    const auto cubics = segments[next_];
+    const auto number = [&](std::size_t i) { return cubics[frame_->rotation[i]].p0; };
+    const auto matrix = spline::matrix_of(spline::Quaternion<double>{number(0), number(1), number(2), number(3)});
+    const Pixel origin = view_.segment(segments, next_).points[0];
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      axes_[axis] += 'M';
+      append_pixel(axes_[axis], origin);
+      axes_[axis] += 'l';
+      append_pixel(axes_[axis],
+                   axis_length * Pixel{matrix[3 * frame_->axes[0] + axis], -matrix[3 * frame_->axes[1] + axis]});
+    }
+  }
+  next_ -= segments.size();
+}
+
+void AxesDrawing::draw(Svg& svg) const {
+  constexpr std::array classes{"ax", "ay", "az"};
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    if (!axes_[axis].empty()) svg.add_path(axes_[axis], classes[axis]);
+  }
 }
 
 bool is_corner(const Pixel& incoming, const Pixel& outgoing) {

@@ -1,6 +1,7 @@
 // Views: two axes in a box of the picture, one for time or a channel to the right and one for a channel up.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -80,6 +81,25 @@ class CurveDrawing {
   std::vector<bool> corners_;      ///< of the keys so far
   std::optional<Pixel> incoming_;  ///< the direction at the end of the previous segment
   std::optional<Pixel> first_;     ///< the direction at the start of the first segment
+};
+
+/// Draws the axes of a rotation along the path of one curve, at equal numbers of segments.
+class AxesDrawing {
+ public:
+  /// `view`: of the path; `segments`: those of all curves.
+  AxesDrawing(const Scene& scene, const View& view, std::size_t segments)
+      : frame_(scene.frame), view_(view), between_((segments + most_places - 1) / most_places) {}
+
+  void add(const spline::Segments<double>& segments);
+  void draw(Svg& svg) const;
+
+ private:
+  static constexpr std::size_t most_places = 40;
+
+  const std::optional<SceneFrame>& frame_;
+  const View& view_;
+  std::size_t between_, next_ = 0;   ///< segments
+  std::array<std::string, 3> axes_;  ///< as data of paths
 };
 
 /// Whether the directions differ visibly.

@@ -58,5 +58,23 @@ TEST(Picture, a_single_key_is_a_dot) {
   EXPECT_EQ(count(picture(scene, {}), "<circle"), 4U + 1U);
 }
 
+TEST(Picture, a_rotation_has_axes_along_the_path) {
+  Scene scene = small_scene();
+  scene.channels = {"x", "y", "qx", "qy", "qz", "qw", "angle"};
+  scene.strips = {0, 1, 6};
+  scene.frame = {{2, 3, 4, 5}, {0, 1}};
+  // Two keys; axis x of the first one points up.
+  const double half = std::sqrt(0.5);
+  scene.curves = {scene_curve(keys_of({0, 1}, {0, 0, 0, 0, half, half, 0, 1, 1, 0, 0, 0, 1, 90}))};
+  const std::string svg = picture(scene, {});
+  const std::size_t x = svg.find("class=\"ax\"");
+  ASSERT_NE(x, std::string::npos);
+  const std::string path = svg.substr(svg.rfind('<', x), 200);
+  EXPECT_NE(path.find("l0 -15"), std::string::npos) << path;
+  EXPECT_NE(svg.find(">x axis<"), std::string::npos);
+  EXPECT_NE(svg.find(">angle<"), std::string::npos);
+  EXPECT_EQ(svg.find(">qx<"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tcb

@@ -12,10 +12,7 @@ namespace tcb {
 
 /// A curve through keys with the rules of the default preset.
 inline SceneCurve scene_curve(const Keys& keys, std::size_t name = 0) {
-  KeyBlock block;
-  block.keys = keys;
-  block.lines.assign(keys.size(), 1);
-  const KeyStore store([block = std::optional(block)]() mutable { return std::exchange(block, std::nullopt); });
+  const KeyStore store(keys);
   const auto segments = [store] { return segment_blocks({store.source(), {}}, make_spec({}).rules, false); };
   return {name, store, segments};
 }
