@@ -17,7 +17,8 @@ class RotationAt {
              const OutsideOf<S>* outside)
       : segment_(segment), index_(index), sample_(sample), u_(u), outside_(outside) {}
 
-  /// Beyond an end that is extended, it goes on turning as there. `offset` turns it by what the whole curve does.
+  /// Beyond an end that is extended, it goes on turning as there. `offset` turns it by what the whole curve does, and
+  /// `repeat` negates it where that keeps its sign from jumping.
   spline::Quaternion<S> value() const {
     const spline::Quaternion<S> q = segment_.rotations[index_].at(sample_.at);
     if (outside_ == nullptr) return q;
@@ -27,6 +28,7 @@ class RotationAt {
       const S half = beyond / S(2);
       return spline::normalized(spline::exponential<S>({rate[0] * half, rate[1] * half, rate[2] * half}) * q);
     }
+    if (outside_->odd && segment_.turns[index_].w < S(0)) return -q;
     return outside_->cycles == S(0) ? q : spline::normalized(cycles() * q);
   }
 

@@ -36,6 +36,7 @@ struct OutsideOf {
   spline::Time<S> beyond = spline::Time<S>(0);  ///< for linear: time after the last key, negative before the first
   bool holds = false;                           ///< all derivatives are 0
   bool backward = false;                        ///< time on the curve decreases
+  bool odd = false;                             ///< for repeat: the number of periods to t
 };
 using Outside = OutsideOf<double>;
 
@@ -89,7 +90,7 @@ OutsideOf<S> map_to_curve(Extrapolation kind, const spline::Time<S>& first, cons
   if (kind == Extrapolation::hold || first == last) return {end, S(0), T(0), true};
   if (kind == Extrapolation::linear) return {end, S(0), t - end};
   const auto [periods, odd, rest] = divide_by_period<S>(t, first, last - first);
-  if (kind == Extrapolation::repeat) return {first + rest};
+  if (kind == Extrapolation::repeat) return {first + rest, S(0), T(0), false, false, odd};
   if (kind == Extrapolation::offset) return {first + rest, periods};
   return {odd ? T(last - rest) : T(first + rest), S(0), T(0), false, odd};
 }

@@ -239,6 +239,8 @@ def check_laws(keys, options, reference):
         repeated = keys + [(t + float(options[place + 1]), [sign * x for x in q], *rest)]
         got = list(map(wxyz, rows(csv_of(repeated), *options[:place], *options[place + 2:], *at(times))))
         same(f"law of a repeated first key: {options}", got, base, mpf(0), csv_of(repeated))
+        check_rows(f"{options} repeated", rows(keys_text, *options, "--extrapolate", "repeat", "--from", text(first - 20),
+                                               "--to", text(last + 20), "--count", "400"), keys_text)
     if not reference.closed:
         back = [(-t, q, (a, b, -c), ease[::-1]) for t, q, (a, b, c), ease in reversed(keys)]
         mirrored = [",".join(reversed(x.split(","))) if y == "--ends" else x for y, x in zip([""] + options, options)]
