@@ -8,7 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "curve/build.hpp"
 #include "error.hpp"
 #include "fit/fit.hpp"
 #include "keys/angles.hpp"
@@ -60,79 +59,6 @@ std::vector<SlopeColumn> slope_columns(const FittedChannels& fitted, const FitOp
   if (options.corner) add("continuity", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].continuity; });
   add("bias", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].bias; });
   return columns;
-}
-
-/// The limit of a rotation with these channels of an input, of which some are fitted.
-FitGroup rotation_group(const std::vector<std::size_t>& fitted, const spline::RotationChannels& channels, double angle,
-                        FitKeys keys) {
-  const double room = keys == FitKeys::tcb ? 0.85 : 0.98;  // for what keys change of the cubics of the four numbers
-  constexpr double most = 1.5;
-  FitGroup group{{}, room * spline::sine_cosine(std::min(angle / 2, most)).sine, angle};
-  for (const std::size_t channel : channels) {
-    const auto found = std::ranges::find(fitted, channel);
-    group.channels.push_back(static_cast<std::size_t>(found - fitted.begin()));
-  }
-  return group;
-}
-
-/// The limits of channels that are no rotations: one for the distance over those without a limit of their own, and
-/// these.
-std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const FitOptions& options) {
-  std::vector<FitGroup> groups;
-  FitGroup others;
-  std::vector<bool> named(channels.size());
-  for (const Tolerance& tolerance : options.tolerances) {
-    if (tolerance.column.empty()) {
-      others.tolerance = tolerance.most;
-      continue;
-    }
-    const auto channel = find_channel(tolerance.column, channels);
-    if (!channel) throw Error(Exit::data, ErrorCode::unknown_name, {tolerance.column, channels}).about(Option::fit);
-    named[*channel] = true;
-    groups.push_back({{*channel}, tolerance.most});
-  }
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (!named[i]) others.channels.push_back(i);
-  }
-  if (others.channels.empty()) return groups;
-  if (others.tolerance == 0) {
-    throw Error(Exit::data, ErrorCode::fit_without_tolerance, {channels[others.channels[0]]});
-  }
-  groups.push_back(others);
-  return groups;
-}
-
-/// Throws: Error (data) for rotations that are no quaternions, for a limit of rotations where there are none, and as
-/// groups_of().
-FittedChannels fitted_channels(const Input& input, const FitOptions& options) {
-  FittedChannels fitted;
-  std::vector<std::size_t> plain;  // channels that are no rotations, in the result
-  std::vector<std::string> plain_names;
-  for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    const auto has = [&](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
-    const bool is_of_rotation = std::ranges::any_of(input.rotations, has);
-    if (is_of_rotation && !options.angle) continue;
-    if (!is_of_rotation) {
-      plain.push_back(fitted.numbers.size());
-      plain_names.push_back(input.channels[i]);
-    }
-    fitted.numbers.push_back(i);
-    fitted.names.push_back(input.channels[i]);
-  }
-  fitted.groups = groups_of(plain_names, options);
-  for (FitGroup& group : fitted.groups) {
-    for (std::size_t& channel : group.channels) channel = plain[channel];
-  }
-  if (!options.angle) return fitted;
-  if (input.rotations.empty()) throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::fit);
-  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const GivenRotation& given = input.given_rotations[i];
-    if (given.notation.form != spline::RotationForm::quaternion) {
-      throw Error(Exit::data, ErrorCode::fit_of_other_form, {given.columns[0]}).about(Option::fit);
-    }
-    fitted.groups.push_back(rotation_group(fitted.numbers, input.rotations[i].channels, *options.angle, options.keys));
-  }
-  return fitted;
 }
 
 /// Throws: Error (data) for a tolerance below the spacing of doubles at the size of the positions.
@@ -190,7 +116,7 @@ Input columns_of_fit(const Input& samples, const Job& job) {
   if (!samples.timed) throw Error(Exit::data, ErrorCode::fit_without_times).about(Option::fit);
   if (!samples.facts.roles.empty()) throw Error(Exit::data, ErrorCode::fit_of_keys, {samples.facts.roles[0]});
   Input result = samples;
-  const FittedChannels fitted = fitted_channels(samples, job.fit);
+  const FittedChannels fitted = fitted_channels(samples, job);
   if (fitted.names.empty()) throw Error(Exit::data, ErrorCode::only_rotations);
   result.channels = fitted.names;
   for (const SlopeColumn& column : slope_columns(fitted, job.fit)) result.channels.push_back(column.name);
@@ -205,7 +131,7 @@ Input columns_of_fit(const Input& samples, const Job& job) {
 Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
                          const Job& job) {
   Samples samples{curve.group, {}, {}, {}, {}, {}};
-  samples.fitted = fitted_channels(input, job.fit);
+  samples.fitted = fitted_channels(input, job);
   const auto& [channels, names, groups] = samples.fitted;
   Recording& recording = samples.recording;
   recording.channels = channels.size();

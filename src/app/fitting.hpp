@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/fitted_channels.hpp"
 #include "app/job.hpp"
 #include "app/progress.hpp"
 #include "curve/rows.hpp"
@@ -14,13 +15,6 @@
 #include "output/writer.hpp"
 
 namespace tcb {
-
-/// What is fitted of an input, and within which limits.
-struct FittedChannels {
-  std::vector<std::size_t> numbers;  ///< of the channels, in the input
-  std::vector<std::string> names;
-  std::vector<FitGroup> groups;  ///< of these channels: those of rotations come last
-};
 
 /// The samples of one recording.
 struct Samples {

@@ -71,9 +71,10 @@ bool has_sparse_channels(const Typed& typed) {
   return typed.job.input.missing == Missing::skip_cell && needs_all_channels(typed);
 }
 
-/// No length and no speed is requested.
+/// No length, speed or distance is requested.
 bool needs_no_metric(const Typed& typed) {
-  const bool by_metric = by_length(typed.job.sampling.mode) || typed.has(O::tolerance) || needs_all_channels(typed);
+  const bool by_metric =
+      by_length(typed.job.sampling.mode) || typed.has(O::tolerance) || typed.has(O::fit) || needs_all_channels(typed);
   return !is_comparison(typed) && !has_picture(typed) && !by_metric &&
          !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
 }
@@ -142,8 +143,8 @@ constexpr std::array conflict_rows{
     // fit
     Conflict{{O::fit_keys, O::keep_times, O::corner}, need, {O::fit}},
     Conflict{rule_options | OptionSet{O::fields, O::golden, O::exact_input, O::keys, O::from, O::to, O::end,
-                                      O::extrapolate, O::closed, O::period, O::parameter, O::metric, O::tcb,
-                                      O::tcb_scale, O::rotation_output, O::rotation_curve, O::rename},
+                                      O::extrapolate, O::closed, O::period, O::parameter, O::tcb, O::tcb_scale,
+                                      O::rotation_output, O::rotation_curve, O::rename},
              idle,
              {O::fit},
              ", which prints keys with the default rules"},

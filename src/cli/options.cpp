@@ -239,7 +239,7 @@ constexpr std::array<OptionRow, option_count> option_rows{{
      },
      names_in<form_table>},
     {Option::fit, "--fit", "D,...", sampling_group,
-     "Keys in place of samples: the fewest found whose curve is within D of every sample of the input, over the channels; "
+     "Keys in place of samples: the fewest found whose curve is within D of every sample of the input, over the metric channels; "
      "NAME=D for a channel alone, 0.5deg or 0.01rad for rotations", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::fit;

@@ -378,8 +378,10 @@ constexpr Words all_words[]{
           "time=NAME"},
     Words{ErrorCode::fit_of_keys,
           "the input has the role {0}, as keys do; expected samples; leave its column out with --columns ignore=NAME"},
-    Words{ErrorCode::fit_without_tolerance,
-          "--fit has no tolerance for channel \"{0}\"; expected one for each; add {0}=D, or D for all others"},
+    Words{
+        ErrorCode::fit_without_tolerance,
+        "--fit has no tolerance for channel \"{0}\"; expected one for each, where D is for those of --metric together; "
+        "add {0}=D"},
     Words{ErrorCode::fit_of_other_form,
           "{subject} takes rotations as quaternions, and column \"{0}\" gives one in another form; convert them first "
           "with --rotation-output quaternion"},
