@@ -76,7 +76,7 @@ TEST(Segments, channels_with_tension_of_their_own_are_as_if_alone) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
           const auto one = build(channel_of(keys, channel));
           for (std::size_t i = 0; i < all.segment_count(); ++i) {
-            const auto &a = all.segment(i).cubics[channel], &b = one.segment(i).cubics[0];
+            const auto a = all.segment(i).cubics[channel], b = one.segment(i).cubics[0];
             ASSERT_TRUE(a.out == b.out && a.in == b.in && a.c == b.c && a.d == b.d && a.p0 == b.p0) << preset.name;
           }
         }
