@@ -4,10 +4,8 @@
 # The output of every sample with each set of options below has the hash in golden_bytes.sha256; with an EMULATOR the
 # cases of golden/ run too. UPDATE=1 writes the hashes again. same_bytes.py compares two programs. For aarch64, on
 # Debian:
-#   dpkg --add-architecture arm64 && apt-get update
-#   apt-get install g++-aarch64-linux-gnu qemu-user libfmt-dev:arm64 nettle-dev:arm64
-#   cmake --preset aarch64 && cmake --build --preset aarch64
-#   tests/golden_bytes.sh build/aarch64/tcbsample qemu-aarch64 -L /usr/aarch64-linux-gnu
+#   .ci/setup aarch64 && cmake --workflow --preset aarch64
+#   tests/golden_bytes.sh build/aarch64/tcbsample qemu-aarch64-static
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
