@@ -113,7 +113,7 @@ double CurvePipeline::rows_on(const KnownPart& part, const SamplingRequest& requ
 
 PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
   blocks = prepared(with_signs(std::move(blocks), spec_.rules.angles), 2);
-  const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal);
+  const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal, converted_rotations(rotations_));
   if (golden_) blocks = recorded(std::move(blocks), exact);
   if (spec_.closed || needs_random_access() || may_miss_ || golden_ || needs_end(request_)) {
     KeyStore keys(blocks);

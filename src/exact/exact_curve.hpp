@@ -1,15 +1,19 @@
 // The curve of exact keys at any scalar.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "curve/keyed_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
+#include "tcb/spline/detail/rotation_notation.hpp"
 
 namespace tcb {
 
@@ -35,6 +39,36 @@ std::pair<std::vector<S>, std::optional<S>> exact_times(const ExactCurve& exact)
   return result;
 }
 
+/// Converts the quaternions of keys that give a rotation in another form, and their turns. Requires: `keys` has those
+/// of the rounded numbers, which decide the signs of the quaternions, and which keys have a turn.
+template <class S>
+void convert_rotation(const ExactRotation& exact, const std::vector<bool>& missing, spline::Keys<S>& keys) {
+  const auto& [columns, notation, relative, in_parent] = exact.rotation;
+  spline::Quaternion<S> before{S(0), S(0), S(0), S(1)};
+  for (std::size_t key = 0; key < exact.numbers.size(); ++key) {
+    std::array<S, 4> numbers;
+    std::ranges::transform(exact.numbers[key], numbers.begin(), scalar_of<S>);
+    spline::Quaternion<S> q = spline::quaternion_from(numbers, notation);
+    if (relative) {
+      const std::size_t own = key % keys.size();  // the turn to a key that repeats the first one is the first one's
+      if (key > 0 && columns.turn && numbers[3] != S(0)) {
+        spline::TurnVector<S>& turn = keys.turns[own * keys.turns_per_key() + *columns.turn];
+        const bool has_turn = turn != spline::TurnVector<S>{};
+        if (has_turn) turn = spline::turn_vector_from(numbers, notation.degrees, before, in_parent);
+      }
+      q = before = spline::after_turn(before, q, in_parent);
+    }
+    const std::size_t first = key * keys.channels;
+    if (key == keys.size() || (!missing.empty() && missing[first + columns.channels[0]])) continue;
+    std::array<S*, 4> rounded;
+    std::ranges::transform(columns.channels, rounded.begin(),
+                           [&](std::size_t i) { return &keys.positions[first + i]; });
+    const auto& [x, y, z, w] = rounded;
+    if (dot(q, {*x, *y, *z, *w}) < S(0)) q = -q;
+    std::tie(*x, *y, *z, *w) = std::tie(q.x, q.y, q.z, q.w);
+  }
+}
+
 /// The curve at a scalar. Requires: exact.is_rational(), or a scalar with roots.
 template <class S>
 std::unique_ptr<const KeyedCurve<S>> curve_at(const ExactCurve& exact) {
@@ -49,6 +83,9 @@ std::unique_ptr<const KeyedCurve<S>> curve_at(const ExactCurve& exact) {
   for (const auto& [in, out] : exact.keys.velocities) keys.velocities.push_back({scalar_of<S>(in), scalar_of<S>(out)});
   for (const auto& [x, y, z] : exact.keys.turns) {
     keys.turns.push_back({scalar_of<S>(x), scalar_of<S>(y), scalar_of<S>(z)});
+  }
+  if constexpr (spline::has_roots<S>) {
+    for (const ExactRotation& rotation : exact.converted) convert_rotation(rotation, exact.missing, keys);
   }
   const auto end_choice = [](const spline::EndChoice<Rational>& from) {
     spline::EndChoice<S> to{from.rule, {}};

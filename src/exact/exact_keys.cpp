@@ -102,6 +102,12 @@ void ExactKeys::add_velocities(const Keys& keys, std::size_t key, const Numbers&
   }
 }
 
+bool ExactKeys::is_converted(std::size_t channel) const {
+  return std::ranges::any_of(converted_, [&](const ExactRotation& exact) {
+    return std::ranges::count(exact.rotation.columns.channels, channel) > 0;
+  });
+}
+
 void ExactKeys::add(const KeyBlock& block) {
   const spline::Keys<double>& keys = block.keys;
   keys_.channels = keys.channels;
@@ -118,6 +124,14 @@ void ExactKeys::add(const KeyBlock& block) {
       keys_.eases.push_back({number(NumberOfKey::ease_in, ease.in), number(NumberOfKey::ease_out, ease.out)});
     }
     add_velocities(keys, key, number);
+    for (std::size_t i = 0; i < converted_.size(); ++i) {
+      const auto& given = block.given_rotations[key * converted_.size() + i];
+      std::array<Rational, 4>& exact = converted_[i].numbers.emplace_back();
+      for (std::size_t j = 0; j < converted_[i].rotation.notation.numbers(); ++j) {
+        const std::size_t index = NumberOfKey::position + converted_[i].rotation.columns.channels[j];
+        if (!std::isnan(given[j])) exact[j] = number(index, given[j]);
+      }
+    }
     const std::size_t turns = keys.turns_per_key();
     for (const auto& [x, y, z] : std::span(keys.turns).subspan(key * turns, turns)) {
       keys_.turns.push_back({exact_number(x, false), exact_number(y, false), exact_number(z, false)});
@@ -125,7 +139,13 @@ void ExactKeys::add(const KeyBlock& block) {
     for (std::size_t i = 0; i < keys.channels; ++i) {
       const double position = keys.position(key)[i];
       missing_.push_back(std::isnan(position));
-      keys_.positions.push_back(missing_.back() ? Rational(0) : number(NumberOfKey::position + i, position));
+      if (missing_.back()) {
+        keys_.positions.emplace_back(0);
+      } else if (is_converted(i)) {
+        keys_.positions.push_back(exact_number(position, false));
+      } else {
+        keys_.positions.push_back(number(NumberOfKey::position + i, position));
+      }
     }
   }
 }
@@ -148,6 +168,7 @@ ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& 
                             const std::optional<Rational>& end) const {
   ExactCurve curve;
   spline::append(curve.keys, keys_, 0, size);
+  curve.converted = converted_;
   if (std::ranges::count(missing_, true) > 0) curve.missing = missing_;
   if (size < keys_.size() && !keys_.velocities.empty()) {  // of the key that repeats the first one
     for (std::size_t i = 0; i < keys_.channels; ++i) {

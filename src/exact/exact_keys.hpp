@@ -1,12 +1,14 @@
 // Keys as exact numbers, and the curve that they make, without any rounding.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "input/input.hpp"
+#include "keys/rotations.hpp"
 #include "sampling/extrapolation.hpp"
 #include "tcb/spline/window.hpp"
 #include "text/decimal_time.hpp"
@@ -17,10 +19,17 @@ namespace tcb {
 /// The rules with exact numbers.
 spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules, bool decimal);
 
+/// A rotation whose quaternions are converted from exact numbers at each scalar.
+struct ExactRotation {
+  ConvertedRotation rotation;
+  std::vector<std::array<Rational, 4>> numbers;  ///< of each key, also of one that repeats the first one; missing: 0
+};
+
 /// A curve without any rounding.
 struct ExactCurve {
-  spline::Keys<Rational> keys;  ///< the times have no meaning where distances make them
-  std::vector<bool> missing;    ///< which positions are; empty: none
+  spline::Keys<Rational> keys;                ///< the times have no meaning where distances make them
+  std::vector<ExactRotation> converted = {};  ///< rotations whose positions and turns are converted and rounded
+  std::vector<bool> missing;                  ///< which positions are; empty: none
   spline::CurveRules<Rational> rules;
   std::optional<double> exponent;  ///< of the distances that make the times
   bool closed = false;
@@ -43,11 +52,13 @@ struct ChannelFacts {
 };
 ChannelFacts channel_facts(const ExactCurve& exact);
 
-/// Keys made exact as they go by.
+/// Collects the keys of a curve as exact numbers.
 class ExactKeys {
  public:
   /// `decimal`: a number is the decimal that it is written as, not the double nearest to it.
-  explicit ExactKeys(bool decimal) : decimal_(decimal) {}
+  explicit ExactKeys(bool decimal, const std::vector<ConvertedRotation>& converted = {}) : decimal_(decimal) {
+    for (const ConvertedRotation& rotation : converted) converted_.push_back({rotation, {}});
+  }
 
   /// Throws: Error (data) for a decimal with too many digits.
   void add(const KeyBlock& block);
@@ -70,7 +81,10 @@ class ExactKeys {
   template <class Numbers>
   void add_velocities(const Keys& keys, std::size_t key, const Numbers& number);
 
+  bool is_converted(std::size_t channel) const;
+
   bool decimal_;
+  std::vector<ExactRotation> converted_;
   spline::Keys<Rational> keys_;
   std::vector<bool> missing_;
   Rational time_;  ///< of the last key, where distances make it: exactly that of a float

@@ -61,24 +61,18 @@ void add_channel(KeyBlock& block) {
 /// One rotation of successive keys that give it in another form.
 class Conversion {
  public:
-  Conversion(const spline::RotationColumns& rotation, const GivenRotation& given, const RotationsOfKeys& all)
-      : channels_(rotation.channels),
+  /// `number`: among those that are converted.
+  Conversion(std::size_t number, const spline::RotationColumns& rotation, const GivenRotation& given,
+             const RotationsOfKeys& all)
+      : number_(number),
+        channels_(rotation.channels),
         turn_(rotation.turn),
         given_(given),
         in_parent_(all.in_parent),
         has_whole_turns_(all.curve == spline::RotationCurve::squad || all.curve == spline::RotationCurve::slerp) {}
 
   void convert(KeyBlock& block) {
-    std::vector<bool> changed(NumberOfKey::position + block.keys.channels);
-    for (const std::size_t channel : channels_) changed[NumberOfKey::position + channel] = true;
     for (std::size_t key = 0; key < block.size(); ++key) convert_key(block, key);
-    Texts decimals;  // those of the quaternions are the shortest
-    const std::size_t per_key = block.empty() ? 0 : block.decimals.size() / block.size();
-    for (std::size_t i = 0; i < block.decimals.size(); ++i) {
-      const std::size_t number = i % per_key;
-      decimals.add(number < changed.size() && changed[number] ? "" : block.decimals[i]);
-    }
-    block.decimals = std::move(decimals);
   }
 
  private:
@@ -88,6 +82,7 @@ class Conversion {
     const spline::RotationNotation& notation = given_.notation;
     Numbers numbers{};
     for (std::size_t i = 0; i < notation.numbers(); ++i) numbers[i] = positions[channels_[i]];
+    block.given_rotations[key * (block.given_rotations.size() / block.size()) + number_] = numbers;
     const auto lacking = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
     if (lacking == static_cast<std::ptrdiff_t>(notation.numbers())) {
       positions[channels_[3]] = std::numeric_limits<double>::quiet_NaN();
@@ -102,7 +97,7 @@ class Conversion {
       } else {
         set_turn(block, key, numbers, q);
       }
-      q = before_ = spline::normalized(in_parent_ ? q * before_ : before_ * q);
+      q = before_ = spline::after_turn(before_, q, in_parent_);
     }
     positions[channels_[0]] = q.x;
     positions[channels_[1]] = q.y;
@@ -112,17 +107,13 @@ class Conversion {
 
   /// Keeps the turn from the key before where the two keys do not tell it. `q`: the same turn.
   void set_turn(KeyBlock& block, std::size_t key, const Numbers& numbers, const spline::Quaternion<double>& q) const {
-    constexpr double pi = 3.141592653589793;
     const bool degrees = given_.notation.degrees;
     const double angle = numbers[3];
-    const bool is_whole = std::abs(angle) >= (degrees ? 360 : 2 * pi);
+    const bool is_whole = std::abs(angle) >= spline::whole_turn<double>(degrees).hi;
     if (!is_whole && std::abs(q.w) > half_turn_rounding) return;
     if (is_whole && !has_whole_turns_) refuse(ErrorCode::whole_turns, block.lines[key], {given_.columns[0], angle});
-    spline::Quaternion<double> axis =
-        spline::normalized(spline::Quaternion<double>{numbers[0], numbers[1], numbers[2], 0});
-    if (in_parent_) axis = spline::conjugate(before_) * axis * before_;
-    const double half = degrees ? angle / 360 * pi : angle / 2;
-    block.keys.turns[key * block.keys.turns_per_key() + *turn_] = {axis.x * half, axis.y * half, axis.z * half};
+    block.keys.turns[key * block.keys.turns_per_key() + *turn_] =
+        spline::turn_vector_from(numbers, degrees, before_, in_parent_);
   }
 
   void check(const Numbers& numbers, std::uint64_t line) const {
@@ -134,6 +125,7 @@ class Conversion {
     if (has_axis && is_zero && numbers[3] != 0) refuse(ErrorCode::axis_zero, line, {given_.columns[0], numbers[3]});
   }
 
+  std::size_t number_;
   spline::RotationChannels channels_;
   std::optional<std::size_t> turn_;
   GivenRotation given_;
@@ -165,7 +157,8 @@ class SignChain {
     if (velocities > 0 && !has_tangents_) throw Error(Exit::data, ErrorCode::velocity_with_slerp, {name_});
     std::vector<bool> negated(block.size());
     for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
-    if (!block.decimals.empty() && std::ranges::count(negated, true) > 0) negate_decimals(block, negated);
+    if (is_quaternion_ && !block.decimals.empty() && std::ranges::count(negated, true) > 0)
+      negate_decimals(block, negated);
   }
 
  private:
@@ -249,6 +242,16 @@ class SignChain {
 
 }  // namespace
 
+std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations) {
+  std::vector<ConvertedRotation> converted;
+  for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
+    const auto& [notation, relative, columns] = rotations.given[i];
+    if (notation.form == spline::RotationForm::quaternion) continue;
+    converted.push_back({rotations.columns[i], notation, relative, rotations.in_parent});
+  }
+  return converted;
+}
+
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations) {
   if (rotations.columns.empty()) return blocks;
   auto conversions = std::make_shared<std::vector<Conversion>>();
@@ -257,7 +260,7 @@ Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys
     const spline::RotationColumns& columns = rotations.columns[i];
     const GivenRotation& given = rotations.given[i];
     if (given.notation.form != spline::RotationForm::quaternion) {
-      conversions->emplace_back(columns, given, rotations);
+      conversions->emplace_back(conversions->size(), columns, given, rotations);
     }
     chains->emplace_back(columns, given, rotations);
   }
@@ -266,6 +269,7 @@ Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys
   return mapped(std::move(blocks), [conversions, chains, turns, channels = rotations.channels](KeyBlock block) {
     while (block.keys.channels < channels) add_channel(block);
     block.keys.turns.resize(turns * block.size());
+    block.given_rotations.resize(conversions->size() * block.size());
     for (Conversion& conversion : *conversions) conversion.convert(block);
     for (SignChain& chain : *chains) chain.add(block);
     return block;

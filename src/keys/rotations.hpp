@@ -20,6 +20,17 @@ struct RotationsOfKeys {
   bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
 };
 
+/// How keys give a rotation that is no quaternion.
+struct ConvertedRotation {
+  spline::RotationColumns columns;
+  spline::RotationNotation notation;
+  bool relative;  ///< to the rotation of the key before
+  bool in_parent;
+};
+
+/// Those of KeyBlock::given_rotations, in their order.
+std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations);
+
 /// The keys of a curve with the quaternions of their rotations, in blocks that have a channel for each of its numbers.
 /// They are negated where that makes the dot product with the one before positive, so that signs are continuous. A key
 /// may lack all numbers of a rotation.

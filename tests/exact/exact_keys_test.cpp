@@ -65,5 +65,25 @@ TEST(ExactKeys, the_curve_of_all_scalars_has_the_same_segments) {
   }
 }
 
+TEST(ExactKeys, rotations_in_other_forms_are_converted_at_each_scalar) {
+  KeyBlock keys_about_x;  // 60 degrees twice, each after the key before; the second quaternion has the other sign
+  const spline::RotationColumns columns{{0, 1, 2, 3}, {}};
+  const spline::RotationNotation notation{spline::RotationForm::axis_angle, {}, true, true};
+  keys_about_x.keys.channels = 4;
+  keys_about_x.keys.times = {0.0, 1.0};
+  keys_about_x.keys.positions = {0.5, 0, 0, 0.866, -0.866, 0, 0, -0.5};
+  keys_about_x.given_rotations = {{2, 0, 0, 60}, {2, 0, 0, 60}};
+  keys_about_x.lines = {1, 2};
+  ExactKeys keys(false, {{columns, notation, true, false}});
+  keys.add(keys_about_x);
+  const auto curve = curve_at<Float<40>>(keys.curve(2, {}, std::nullopt))->segments(0, 1);
+  const Float<40> half = Float<40>(1) / 2, root = sqrt(Float<40>(3)) / 2, error("1e-38");
+  EXPECT_LT(abs(curve[0][0].p0 - half), error);
+  EXPECT_LT(abs(curve[0][3].p0 - root), error);
+  EXPECT_LT(abs(curve[0][0].p1 + root), error);
+  EXPECT_LT(abs(curve[0][3].p1 + half), error);
+  EXPECT_EQ(curve[0][1].p1, 0);
+}
+
 }  // namespace
 }  // namespace tcb

@@ -352,6 +352,49 @@ def check_golden(keys, options, reference):
         compared["golden"] = compared.get("golden", 0) + 1
 
 
+def turn_of(form, numbers, unit):
+    """The rotation by the definition of its form; numbers and unit are exact."""
+    if form.startswith("axis-angle"):
+        axis, half = numbers[:3], numbers[3] * unit / 2
+        return [mpmath.cos(half), *q4.scaled(axis, mpmath.sin(half) / q4.norm(axis))]
+    q = [mpf(1), mpf(0), mpf(0), mpf(0)]
+    for letter, angle in zip(form, numbers):
+        turn = q4.exp([angle * unit / 2 if x == letter.upper() else mpf(0) for x in "XYZ"])
+        q = q4.product(q, turn) if letter.isupper() else q4.product(turn, q)
+    return q
+
+
+def check_forms():
+    """The golden rows of keys in other forms are those of the exact rotations."""
+    form = draw.choice(["axis-angle", "axis-angle,relative", "XYZ", "ZYX", "zxz", "yzx"])
+    degrees, decimal, preset = draw.random() < 0.5, draw.random() < 0.5, draw.choice(["gte", "nel", "splines"])
+    unit = mpmath.pi / 180 if degrees else mpf(1)
+    widest = 2.2 if form == "axis-angle,relative" else 1.1
+    is_axis = form.startswith("axis-angle")
+    columns = f"axis-angle=a:b:c:d{form[10:]}" if is_axis else f"euler=a:b:c,order={form}"
+    lines, keys, before = ["t,a,b,c,d" if is_axis else "t,a,b,c"], [], [mpf(1), mpf(0), mpf(0), mpf(0)]
+    for t in range(draw.randint(2, 6)):
+        angles = [draw.uniform(-widest, widest) / (1 if is_axis else 2) / float(unit) for _ in range(1 if is_axis else 3)]
+        written = [f"{x:.9f}" for x in ([draw.gauss(0, 1) for _ in range(3)] if is_axis else []) + angles]
+        numbers = [mpf(x) if decimal else mpf(float(x)) for x in written]
+        q = turn_of(form, numbers, unit)
+        if form.endswith("relative"):
+            q = before = q4.product(q, before) if preset == "nel" else q4.product(before, q)
+        lines.append(",".join([str(t), *written]))
+        keys.append((mpf(t), q, (mpf(0),) * 3, (mpf(0),) * 2))
+    options = ["--rotation", columns, "--preset", preset, "--rotation-output", "quaternion",
+               "--golden", *["--exact-input"] * decimal, *["--angles", "degrees"] * degrees]
+    rule, end, curve = presets[preset]
+    reference = q4.Rotations(keys, curve, rule, [end, end])
+    times = [k / 4 for k in range(4 * len(keys) - 3)]
+    for row in rows("\n".join(lines) + "\n", *options, *at(times)):
+        value = q4.nearest(reference.at(mpf(row[0]))[0], list(map(mpf, wxyz(row))))
+        want = [float(x) if abs(x) > mpf(10) ** -40 else 0.0 for x in value]
+        if want != wxyz(row):
+            report(f"golden of other forms: {options} at {row[0]}", wxyz(row), want, "\n".join(lines))
+        compared["golden of other forms"] = compared.get("golden of other forms", 0) + 1
+
+
 check_numbers()
 probe = subprocess.run([program, "-q", "--golden", "--count", "3"], input=csv_of(numbers_keys()), text=True,
                        capture_output=True)
@@ -369,7 +412,10 @@ for number in range(cases):
         check_positions(curve[0], curve[1])
     if number % 4 == 2 and probe.returncode == 0:
         check_golden(*curve)
+        check_forms()
 for kind, error in sorted(largest.items()):
     print(f"{kind}: {compared[kind]} compared, largest difference {mpmath.nstr(error, 3)}")
-print(f"golden: {compared.get('golden', 0)} rows compared; {failures} failures")
+for kind in ("golden", "golden of other forms"):
+    print(f"{kind}: {compared.get(kind, 0)} rows compared")
+print(f"{failures} failures")
 sys.exit(1 if failures else 0)

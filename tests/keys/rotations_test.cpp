@@ -134,7 +134,8 @@ TEST(Rotations, of_three_angles_get_a_channel_more) {
   expect_near(wider.keys.positions, {root, 0, 0, 7, root, 0, 0, 0, 8, 1});
   ASSERT_EQ(wider.decimals.size(), 24U);
   EXPECT_EQ(wider.decimals[10], "7");
-  EXPECT_EQ(wider.decimals[7], "");
+  EXPECT_EQ(wider.decimals[9], "90");
+  EXPECT_EQ(wider.given_rotations[0], (std::array<double, 4>{0, 0, 90, 0}));
   EXPECT_EQ(wider.decimals[12], "1");
 }
 

@@ -149,7 +149,7 @@ template <class S>
 S half_turns_of(const Vector3<S>& turn) {
   using std::sqrt;
   const S half = sqrt(turn[0] * turn[0] + (turn[1] * turn[1] + turn[2] * turn[2]));
-  return half == S(0) ? S(0) : S(S(2) * half / angle_of(S(0), S(-1)));
+  return half == S(0) ? S(0) : S(S(2) * half / pi<S>());
 }
 
 /// The rotation with a logarithm.

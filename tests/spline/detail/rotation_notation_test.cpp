@@ -80,7 +80,7 @@ TEST(RotationNotation, whole_quarters_in_degrees_are_exact) {
     const auto [sine, cosine] = sine_cosine_of_half(180.0 * quarter, true);
     EXPECT_EQ(std::abs(sine) + std::abs(cosine), 1) << quarter;
   }
-  EXPECT_EQ(sine_cosine_of_half(60, true).sine, 0.5);
+  EXPECT_EQ(sine_cosine_of_half(60.0, true).sine, 0.5);
 }
 
 TEST(RotationNotation, a_matrix_turns_column_vectors) {

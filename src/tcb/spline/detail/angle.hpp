@@ -149,6 +149,11 @@ inline double angle_of(double y, double x) {
   return x < 0 ? (half_turn - angle).hi : angle.hi;
 }
 
+template <class S>
+S pi() {
+  return angle_of(S(0), S(-1));
+}
+
 /// A whole turn in degrees or radians. Requires: degrees, or a scalar with roots.
 template <class S>
 working_t<S> whole_turn(bool degrees) {
@@ -156,7 +161,7 @@ working_t<S> whole_turn(bool degrees) {
   if constexpr (std::is_same_v<S, double>) {
     return {0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
   } else if constexpr (has_roots<S>) {
-    return S(2) * angle_of(S(0), S(-1));
+    return S(2) * pi<S>();
   } else {
     return {};
   }

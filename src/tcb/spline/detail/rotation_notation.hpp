@@ -23,27 +23,63 @@ inline SineCosine<double> sine_cosine_of_half(double angle, bool degrees) {
   return {half.sine(), half.cosine()};
 }
 
+/// The same at a scalar that has its own. In degrees, multiples of 180 are exact.
+template <class S>
+SineCosine<S> sine_cosine_of_half(const S& angle, bool degrees) {
+  if (!degrees) return sine_cosine(S(angle / S(2)));
+  const S quarters = whole_below(S(angle / S(180) + S(1) / S(2)));
+  const auto [sine, cosine] = sine_cosine(S((angle / S(180) - quarters) * pi<S>() / S(2)));
+  switch (static_cast<int>(quarters) & 3) {
+    case 0: return {sine, cosine};
+    case 1: return {cosine, -sine};
+    case 2: return {-sine, -cosine};
+    default: return {-cosine, sine};
+  }
+}
+
+/// The vector of numbers that are an axis, with the length 1. Requires: they are not all 0.
+template <class S>
+Quaternion<S> unit_axis(const S& x, const S& y, const S& z) {
+  using std::abs;
+  const S unit = power_of_two_below(std::max({S(abs(x)), S(abs(y)), S(abs(z))}));
+  return normalized(Quaternion<S>{S(x / unit), S(y / unit), S(z / unit), S(0)});
+}
+
 /// The rotation that numbers give. Requires: the form is that of axis and angle or of Euler angles; an axis is not zero
 /// unless its angle is. Promises: |q| = 1 within 2^-52.
-inline Quaternion<double> quaternion_from(std::span<const double> numbers, const RotationNotation& notation) {
+template <class Numbers, class S = std::ranges::range_value_t<Numbers>>
+Quaternion<S> quaternion_from(const Numbers& numbers, const RotationNotation& notation) {
   if (notation.form == RotationForm::axis_angle) {
+    if (numbers[0] == S(0) && numbers[1] == S(0) && numbers[2] == S(0)) return {S(0), S(0), S(0), S(1)};
     const auto [sine, cosine] = sine_cosine_of_half(numbers[3], notation.degrees);
-    const double largest = std::max({std::abs(numbers[0]), std::abs(numbers[1]), std::abs(numbers[2])});
-    if (largest == 0) return {0, 0, 0, 1};
-    const double unit = power_of_two_below(largest);
-    const Quaternion<double> axis =
-        normalized(Quaternion<double>{numbers[0] / unit, numbers[1] / unit, numbers[2] / unit, 0});
-    return normalized(Quaternion<double>{axis.x * sine, axis.y * sine, axis.z * sine, cosine});
+    const Quaternion<S> axis = unit_axis(numbers[0], numbers[1], numbers[2]);
+    return normalized(Quaternion<S>{S(axis.x * sine), S(axis.y * sine), S(axis.z * sine), cosine});
   }
-  Quaternion<double> q{0, 0, 0, 1};
+  Quaternion<S> q{S(0), S(0), S(0), S(1)};
   for (std::size_t i = 0; i < notation.axes.size(); ++i) {
     const auto [sine, cosine] = sine_cosine_of_half(numbers[i], notation.degrees);
-    std::array<double, 3> v{};
+    std::array<S, 3> v{};
     v[notation.axes[i]] = sine;
-    const Quaternion<double> turn{v[0], v[1], v[2], cosine};
+    const Quaternion<S> turn{v[0], v[1], v[2], cosine};
     q = notation.intrinsic ? q * turn : turn * q;
   }
   return normalized(q);
+}
+
+/// The rotation after a turn. `in_parent`: in the frame outside that of the rotation before, otherwise in that frame.
+template <class S>
+Quaternion<S> after_turn(const Quaternion<S>& before, const Quaternion<S>& turn, bool in_parent) {
+  return normalized(in_parent ? turn * before : before * turn);
+}
+
+/// The turn from a rotation to the next one, in the frame of the first, that the numbers of an axis and an angle give.
+template <class S>
+TurnVector<S> turn_vector_from(const std::array<S, 4>& numbers, bool degrees, const Quaternion<S>& before,
+                               bool in_parent) {
+  Quaternion<S> axis = unit_axis(numbers[0], numbers[1], numbers[2]);
+  if (in_parent) axis = conjugate(before) * axis * before;
+  const S half = degrees ? S(numbers[3] / S(360) * pi<S>()) : S(numbers[3] / S(2));
+  return {S(axis.x * half), S(axis.y * half), S(axis.z * half)};
 }
 
 /// The angle of the vector (x, y) in (-pi, pi].
@@ -61,7 +97,7 @@ S in_unit(const S& radians, bool degrees) {
     const auto product = two_product(radians, high);
     return product.value + (product.error + radians * low);
   } else {
-    return radians * S(180) / angle_of(S(0), S(-1));
+    return radians * S(180) / pi<S>();
   }
 }
 
@@ -79,7 +115,7 @@ std::array<S, 3> euler_angles(const Quaternion<S>& q, const RotationNotation& no
   const S third = S(parity) * v[k];
   const S a = is_proper ? q.w : S(q.w - v[j]), b = is_proper ? v[i] : S(v[i] + third);
   const S c = is_proper ? v[j] : S(v[j] + q.w), d = is_proper ? third : S(third - v[i]);
-  const S pi = angle_of(S(0), S(-1)), small = S(8) * std::numeric_limits<S>::epsilon();
+  const S pi = spline::pi<S>(), small = S(8) * std::numeric_limits<S>::epsilon();
   const S first = sqrt(a * a + b * b), second = sqrt(c * c + d * d);
   S middle = S(2) * angle_of(second, first);
   const bool is_zero = second < small, is_half_turn = first < small;
