@@ -59,16 +59,24 @@ void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed
 
 }  // namespace
 
-std::string short_rules(const RuleFacts& rules, const Wording& wording) {
-  const CurveSpec& spec = rules.spec;
-  const auto preset = std::ranges::find(spline::presets, spline::name_of(spec.preset), &spline::PresetRow::name);
-  const bool plain = spec.rules.tangents == preset->tangents && !spec.rules.equal_speed &&
-                     (spec.closed || (spec.rules.start.rule == preset->ends && spec.rules.end.rule == preset->ends));
-  if (plain) return fmt::format("preset {}{}", preset->name, spec.closed ? ", closed" : "");
+std::string short_rules(const RuleFacts& facts) {
+  const auto& [spec, timed] = facts;
+  const spline::CurveRules<double>& rules = spec.rules;
+  const auto preset = std::ranges::find(spline::presets, spec.preset, &spline::PresetRow::id);
+  const bool has_ends = spec.closed || (rules.start.rule == preset->ends && rules.end.rule == preset->ends);
   std::vector<std::string> words;
-  for (const auto& [name, value] : rules_in_words(rules, wording)) {
-    words.push_back(value == "yes" ? std::string(name) : fmt::format("{} {}", name, value));
+  if (rules.tangents == preset->tangents && has_ends) {
+    words.push_back(fmt::format("preset {}", preset->name));
+  } else {
+    words.push_back(fmt::format("tangents {}", name_of(rules.tangents)));
+    if (!spec.closed) words.push_back(fmt::format("ends {}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
   }
+  if (spec.closed) words.emplace_back("closed");
+  if (rules.equal_speed) words.emplace_back("equal speed");
+  if (!rules.rotations.empty() && rules.rotation_curve != preset->rotation_curve) {
+    words.push_back(fmt::format("rotation curve {}", name_of(rules.rotation_curve)));
+  }
+  if (!timed) words.push_back(fmt::format("parameter {}", spec.parameter_name.value_or("uniform")));
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
@@ -95,8 +103,7 @@ void Drawing::begin_scene(const Input& input, const CurveSpec& spec) {
   rotations_ = spec.rules.rotations;
   if (rotations_.empty()) return;
   for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    const auto has = [i](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
-    if (std::ranges::none_of(rotations_, has)) scene_.strips.push_back(i);
+    if (!spline::is_in_rotation(rotations_, i)) scene_.strips.push_back(i);
   }
   const auto place_in_space = [&](std::size_t channel) {
     return static_cast<std::size_t>(std::ranges::find(scene_.strips, channel) - scene_.strips.begin());

@@ -49,8 +49,8 @@ class Drawing {
   std::uint64_t rows_ = 0, keys_ = 0;
 };
 
-/// The rules of a curve in words: the preset, and what differs from it.
-std::string short_rules(const RuleFacts& rules, const Wording& wording);
+/// The rules of a curve in words: the preset, or its tangents and ends where they differ, and further rules.
+std::string short_rules(const RuleFacts& facts);
 
 /// One output: of rows, or a picture.
 struct Sink {

@@ -35,7 +35,8 @@ std::string in_words(const spline::RotationNotation& notation) {
     words += ' ';
     for (const std::size_t axis : notation.axes) words += (notation.intrinsic ? "XYZ" : "xyz")[axis];
   }
-  const bool has_angles = words != "quaternion" && words != "matrix";
+  using enum spline::RotationForm;
+  const bool has_angles = notation.form == axis_angle || notation.form == euler;
   return has_angles ? words + (notation.degrees ? " in degrees" : " in radians") : words;
 }
 
@@ -66,7 +67,7 @@ Facts input_facts(const Input& input) {
   list("position", positions);
   for (const std::string& role : input.facts.roles) add(role, "in a column");
   list("carry", input.carried);
-  list("left out", input.ignored);
+  list("ignored", input.ignored);
   return facts;
 }
 
@@ -74,7 +75,7 @@ Facts input_facts(const Input& input) {
 Facts intentions(const Job& job, const Input& input) {
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  add("missing", std::string(name_of(missing_names, &MissingName::way, job.input.missing)));
+  add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.missing)));
   const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates);
   if (input.timed) add("duplicates", std::string(duplicates));
   if (job.curves.sort) add("sort", "by time");
@@ -289,7 +290,7 @@ std::string explanation(const std::string& path, const Job& job, const Wording& 
   const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };
   append(input_facts(input));
   append(explainer.lines());
-  if (curves.skipped() > 0) lines.emplace_back("rows left out", fmt::format("{}", curves.skipped()));
+  if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
   if (is_json(job.output_format)) return as_object(lines);
   std::string out;
   for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);

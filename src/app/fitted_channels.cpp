@@ -13,9 +13,9 @@ namespace {
 /// The limit of a rotation with these channels of an input, of which some are fitted.
 FitGroup rotation_group(const std::vector<std::size_t>& fitted, const spline::RotationChannels& channels, double angle,
                         FitKeys keys) {
-  const double room = keys == FitKeys::tcb ? 0.85 : 0.98;  // for what keys change of the cubics of the four numbers
+  const double share = keys == FitKeys::tcb ? 0.85 : 0.98;  // the curve of the keys differs from the fitted cubics
   constexpr double most = 1.5;
-  FitGroup group{{}, room * spline::sine_cosine(std::min(angle / 2, most)).sine, angle};
+  FitGroup group{{}, share * spline::sine_cosine(std::min(angle / 2, most)).sine, angle};
   for (const std::size_t channel : channels) {
     const auto found = std::ranges::find(fitted, channel);
     group.channels.push_back(static_cast<std::size_t>(found - fitted.begin()));
@@ -73,8 +73,7 @@ FittedChannels fitted_channels(const Input& input, const Job& job) {
   FittedChannels fitted;
   std::vector<LimitKind> kinds;
   for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    const auto has = [&](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
-    const bool is_of_rotation = std::ranges::any_of(input.rotations, has);
+    const bool is_of_rotation = spline::is_in_rotation(input.rotations, i);
     if (is_of_rotation && !options.angle) continue;
     const bool is_metric = metric.empty() || std::ranges::count(metric, i) > 0;
     kinds.push_back(is_of_rotation ? LimitKind::rotation : is_metric ? LimitKind::distance : LimitKind::own);

@@ -69,7 +69,7 @@ struct PictureOptions {
 /// Keys for recordings, where the mode is Mode::fit.
 struct FitOptions {
   std::vector<Tolerance> tolerances;
-  std::optional<double> angle;  ///< of rotations from the samples, in radians; nothing: they are left out
+  std::optional<double> angle;  ///< of rotations from the samples, in radians; nothing: they are not fitted
   FitKeys keys = FitKeys::tcb;
   std::optional<double> corner;  ///< in degrees
 };

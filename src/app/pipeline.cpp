@@ -121,7 +121,7 @@ class FileRun {
   void draw(const CurveKeys& curve, Drawing& drawing) {
     StoredCurve stored = pipeline_->stored(curve.keys);  // segments, measure, place
     if (stored.placed) stored.placed->blocks = counted(*stored.placed);
-    drawing.add(curve.group, stored, short_rules(pipeline_->facts(), wording_));  // evaluate, draw
+    drawing.add(curve.group, stored, short_rules(pipeline_->facts()));  // evaluate, draw
     if (stored.placed) note_curve(*stored.placed);
   }
 
@@ -157,7 +157,7 @@ class FileRun {
       for (const GivenRotation& rotation : input.given_rotations) {
         names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
       }
-      report_.note(path_, {NoteCode::left_out_of_fit, {names}});
+      report_.note(path_, {NoteCode::rotations_not_fitted, {names}});
     }
     if (!input.timed && !job_.curve.parameter) report_.note(path_, {NoteCode::no_time_column});
     if (job_.sampling.is_rate && input.time_unit == TimeUnit::frames) {

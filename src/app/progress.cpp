@@ -47,10 +47,6 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-}  // namespace
-
-namespace {
-
 /// A part of the line. Where there is no room for all, those of the lowest importance are left out.
 struct LinePart {
   int importance;
@@ -112,11 +108,11 @@ std::string progress_text(const Progress& progress, std::size_t width) {
 Report::~Report() { clear(); }
 
 void Report::note(const std::string& path, const Note& note) {
-  constexpr std::array losses{NoteCode::ignored_columns, NoteCode::remainder,      NoteCode::range_remainder,
-                              NoteCode::more_remainders, NoteCode::rate_of_frames, NoteCode::fitted,
-                              NoteCode::left_out_of_fit};
-  const bool is_loss = std::ranges::count(losses, note.code) > 0;
-  if (is_loss ? !verbosity_.quiet : verbosity_.notes)
+  constexpr std::array important{NoteCode::ignored_columns,     NoteCode::remainder,      NoteCode::range_remainder,
+                                 NoteCode::more_remainders,     NoteCode::rate_of_frames, NoteCode::fitted,
+                                 NoteCode::rotations_not_fitted};
+  const bool is_important = std::ranges::count(important, note.code) > 0;
+  if (is_important ? !verbosity_.quiet : verbosity_.notes)
     print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + wording_.note(note));
 }
 

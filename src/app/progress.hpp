@@ -22,18 +22,18 @@ namespace tcb {
 enum class NoteCode {
   reads_terminal,
   no_time_column,
-  ignored_columns,   ///< names
-  unchosen_columns,  ///< the same, where the positions were chosen
-  remainder,         ///< distance of the end from the last row
-  range_remainder,   ///< the same, where the range does not end at a key
-  more_remainders,   ///< number of further curves with one
-  rate_of_frames,    ///< name of the time column
-  step,              ///< the step, as text
-  skipped_rows,      ///< number
-  made_times,        ///< the parameterization, as given
-  other_program,     ///< the program of the earlier output, this program
-  fitted,            ///< number of samples, of keys, their ratio, largest distance, its line, least number of keys
-  left_out_of_fit,   ///< names of the columns of rotations
+  ignored_columns,       ///< names
+  unchosen_columns,      ///< the same, where the positions were chosen
+  remainder,             ///< distance of the end from the last row
+  range_remainder,       ///< the same, where the range does not end at a key
+  more_remainders,       ///< number of further curves with one
+  rate_of_frames,        ///< name of the time column
+  step,                  ///< the step, as text
+  skipped_rows,          ///< number
+  made_times,            ///< the parameterization, as given
+  other_program,         ///< the program of the earlier output, this program
+  fitted,                ///< number of samples, of keys, their ratio, largest distance, its line, least number of keys
+  rotations_not_fitted,  ///< names of the columns of rotations
 };
 
 struct Note {
@@ -79,7 +79,7 @@ class Report {
   /// Removes the progress from the terminal.
   ~Report();
 
-  /// Notes of what the rows lack are always printed, unless it is quiet; others only on a terminal.
+  /// Important notes are printed unless it is quiet, the others only on a terminal.
   void note(const std::string& path, const Note& note);
   void warning(const std::string& path, const Note& note);
   void error(const Error& error);

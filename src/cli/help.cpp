@@ -75,11 +75,18 @@ std::string manual_options() {
   return out;
 }
 
+/// What a preset is named for, and its curve of rotations where that is not the first one.
+std::string product_and_rotations(const spline::PresetRow& row) {
+  const std::string_view curve = name_of(row.rotation_curve);
+  return std::string(row.product) +
+         (curve == spline::rotation_curves[0].name ? "" : fmt::format("; rotations: {}", curve));
+}
+
 std::string manual_presets() {
   std::string out;
   for (const auto& row : presets) {
     out += fmt::format(".TP\n.B {}\n{}, {}: {}.\n", escaped(row.name), escaped(name_of(row.tangents)),
-                       escaped(name_of(row.ends)), escaped(row.product));
+                       escaped(name_of(row.ends)), escaped(product_and_rotations(row)));
   }
   return out;
 }
@@ -173,14 +180,15 @@ std::string help_text() {
   for_each_group([&out](std::string_view group) { out += fmt::format("\n{}:\n", group); }, show);
   out +=
       "\nExit status: 0 done, 1 the data was rejected or differs, 2 wrong usage or a\n"
-      "file that cannot be opened or written.";
+      "file that cannot be opened or written, 130 interrupted.";
   return out;
 }
 
 std::string presets_text() {
   std::string out = fmt::format("{:<10}{:<18}{:<16}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
   for (const auto& row : presets) {
-    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends), row.product);
+    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends),
+                       product_and_rotations(row));
   }
   out +=
       "\nTANGENTS of a key between chords D0, D1 of durations h0, h1, for the segment:\n"
@@ -198,6 +206,10 @@ std::string presets_text() {
     out += fmt::format("{:<17}{}\n", row.name,
                        same ? std::string(row.outgoing) : fmt::format("{}, {}", row.outgoing, row.incoming));
     out += wrapped(row.used_by, 4);
+  }
+  out += "\nCURVES OF ROTATIONS between keys p and q, with tangents from the same rules:\n";
+  for (const auto& row : spline::rotation_curves) {
+    out += fmt::format("{:<12}{}\n", row.name, row.formula) + wrapped(row.used_by, 4);
   }
   return out.substr(0, out.size() - 1);
 }

@@ -80,7 +80,7 @@ constexpr std::array<OptionRow, option_count> option_rows{{
      "For a cell that is empty or a sign of a missing number, such as NA: error rejects it; skip-row skips the key; skip-cell interpolates "
      "that channel through its other keys; break begins a new curve after it",
      "error", name, recorded,
-     [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).way; },
+     [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).value; },
      names_in<missing_names>},
     {Option::na, "--na", "TEXT,...", input_group,
      "Further signs of a missing number, besides NA, N/A, nan, null, None, missing, - and the like", "", other, recorded,
@@ -281,7 +281,7 @@ constexpr std::array<OptionRow, option_count> option_rows{{
      [](Typed& to, Text text) { to.job.output_format = output_format(text); }, output_format_names},
     {Option::fields, "--fields", "FIELD,...", output_group,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
-     "curvature, torsion, segment, u, key, arc_error; with --emit, those added to its cubics: s, length",
+     "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error; with --emit, those added to its cubics: s, length",
      "time,position", names, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); }, field_names},
     {Option::side, "--side", "SIDE", output_group,
      "The segment whose values a row at a key has if they differ: right, the one after the key, or left, the one "

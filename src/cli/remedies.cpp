@@ -815,8 +815,7 @@ constexpr std::array note_words{
     NoteWords{NoteCode::fitted,
               "{0} samples, {1} keys, {2} times fewer; at most {3} from a sample, on line {4}; no fewer than {5} keys "
               "can do"},
-    NoteWords{NoteCode::left_out_of_fit,
-              "left out, as --fit has no angle for rotations: {0}; --fit D,0.5deg fits them"},
+    NoteWords{NoteCode::rotations_not_fitted, "rotations not fitted: {0}; --fit D,0.5deg fits them"},
     NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose last digits may differ"},
 };
 

@@ -149,10 +149,6 @@ namespace {
 void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vector<std::string>& channels) {
   const std::vector<spline::RotationColumns>& rotations = spec.rules.rotations;
   const std::vector<spline::AngleChannel>& angles = spec.rules.angles;
-  const auto is_rotation = [&](std::size_t channel) {
-    return std::ranges::any_of(rotations,
-                               [&](const auto& one) { return std::ranges::count(one.channels, channel) > 0; });
-  };
   const auto is_angle = [&](std::size_t channel) {
     return std::ranges::count(angles, channel, &spline::AngleChannel::channel) > 0;
   };
@@ -160,7 +156,7 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
   if (!settings.metric) {
     if (rotations.empty() && angles.empty()) return;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-      if (!is_rotation(i) && !is_angle(i)) metric.push_back(i);
+      if (!spline::is_in_rotation(rotations, i) && !is_angle(i)) metric.push_back(i);
     }
     spec.lacks_metric = metric.empty();
     return;
@@ -174,7 +170,8 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     const std::string name(part);
     const auto channel = find_channel(name, channels);
     if (!channel) refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
-    if (is_rotation(*channel)) refuse(Option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
+    if (spline::is_in_rotation(rotations, *channel))
+      refuse(Option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
     if (is_angle(*channel)) refuse(Option::metric, ErrorCode::angle_in_metric, {channels[*channel]});
     if (std::ranges::count(metric, *channel) > 0) refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
     metric.push_back(*channel);

@@ -159,8 +159,7 @@ std::string column_suffix(const Field& field, std::size_t column) {
 std::vector<std::string> moving_channels(const Input& input) {
   std::vector<std::string> channels;
   for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    const auto has = [&](const auto& rotation) { return std::ranges::count(rotation.channels, i) > 0; };
-    if (std::ranges::none_of(input.rotations, has)) channels.push_back(input.channels[i]);
+    if (!spline::is_in_rotation(input.rotations, i)) channels.push_back(input.channels[i]);
   }
   return channels;
 }

@@ -103,9 +103,8 @@ void ExactKeys::add_velocities(const Keys& keys, std::size_t key, const Numbers&
 }
 
 bool ExactKeys::is_converted(std::size_t channel) const {
-  return std::ranges::any_of(converted_, [&](const ExactRotation& exact) {
-    return std::ranges::count(exact.rotation.columns.channels, channel) > 0;
-  });
+  return std::ranges::any_of(converted_,
+                             [&](const ExactRotation& exact) { return exact.rotation.columns.has(channel); });
 }
 
 void ExactKeys::add(const KeyBlock& block) {

@@ -19,9 +19,9 @@ namespace {
 
 bool is_of_rotation(const FitGroup& group) { return group.angle.has_value(); }
 
-/// The samples of a recording from one to another one, with a part of the tolerances, which leaves room for the
+/// The samples of a recording from one to another one, with a share of the tolerances, which leaves room for the
 /// rounding of keys.
-Recording part_of(const Recording& recording, std::size_t first, std::size_t last, double room) {
+Recording part_of(const Recording& recording, std::size_t first, std::size_t last, double share) {
   const auto at = [](const std::vector<double>& numbers, std::size_t index) {
     return numbers.begin() + static_cast<std::ptrdiff_t>(index);
   };
@@ -32,7 +32,7 @@ Recording part_of(const Recording& recording, std::size_t first, std::size_t las
       recording.groups,
       first > 0,
       last + 1 < recording.size()};
-  for (FitGroup& group : part.groups) group.tolerance *= room;
+  for (FitGroup& group : part.groups) group.tolerance *= share;
   return part;
 }
 
@@ -110,13 +110,13 @@ class Verification {
 };
 
 /// The keys of the parts between corners, joined.
-std::vector<CornerKey> joined_keys(const Recording& recording, double room, const std::vector<std::size_t>& cubics,
+std::vector<CornerKey> joined_keys(const Recording& recording, double share, const std::vector<std::size_t>& cubics,
                                    const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed,
                                    const SamplesDone& done) {
   std::vector<CornerKey> keys;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const std::size_t first = corners[i - 1], last = corners[i];
-    const auto own = fitting_keys(part_of(recording, first, last, room), between(cubics, first, last),
+    const auto own = fitting_keys(part_of(recording, first, last, share), between(cubics, first, last),
                                   between(fixed, first, last), done);
     for (const FitKey& key : own) {
       const bool is_corner = !keys.empty() && key.sample == 0;
@@ -127,7 +127,7 @@ std::vector<CornerKey> joined_keys(const Recording& recording, double room, cons
   return keys;
 }
 
-/// In which directions the samples go. That of one channel is in its graph, whose targets have the same length.
+/// The directions of the samples; with a single channel, those in its graph, scaled to a square.
 class Directions {
  public:
   static constexpr std::size_t reach = 12;  ///< samples
@@ -138,7 +138,8 @@ class Directions {
     time_ = (most - least) / recording.times.back();
   }
 
-  /// The cosine of the angle by which the samples turn at one, seen from several tolerances away; 1: they are not.
+  /// The cosine of the turn at a sample, between the nearest samples at least four tolerances away; 1 if there are none
+  /// within reach.
   double cosine(std::size_t sample) const {
     constexpr double away = 4;
     std::size_t before = sample, after = sample;
@@ -176,7 +177,7 @@ class Directions {
   }
 
   const Recording& recording_;
-  double time_ = 0;  ///< how much of a position a unit of time is as long as
+  double time_ = 0;  ///< positions per unit of time in the graph; 0 with several channels
 };
 
 /// The number of keys that any curve within the tolerances of distances has.
@@ -220,11 +221,11 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   const bool has_rotations = std::ranges::any_of(recording.groups, &is_of_rotation);
   result.least_keys = has_rotations ? least_keys(recording) : cubics.size() + 1;
   const Verification verification(recording, times);
-  double room = 0.998;
+  double share = 0.998;  // each failed attempt takes a smaller one, and adds a key to each segment that failed
   for (int attempt = 0; attempt < 12; ++attempt) {
     std::ranges::sort(fixed);
     fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-    const auto keys = joined_keys(recording, room, cubics, corners, fixed, rules.done);
+    const auto keys = joined_keys(recording, share, cubics, corners, fixed, rules.done);
     result.keys = numbered_keys(keys, recording, times, rules);
     std::vector<std::size_t> samples;
     std::ranges::transform(keys, std::back_inserter(samples), &CornerKey::sample);
@@ -233,7 +234,7 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
     for (std::size_t i = 0; i < worst.size(); ++i) {
       if (!(worst[i] <= 1)) fixed.push_back((samples[i] + samples[i + 1]) / 2);
     }
-    room = std::max(room - 0.005, 0.9);
+    share = std::max(share - 0.005, 0.9);
   }
   return std::nullopt;
 }

@@ -26,7 +26,7 @@ inline constexpr std::size_t fit_passes = 6;
 /// How a recording is fitted.
 struct FitRules {
   FitKeys keys = FitKeys::tcb;
-  std::vector<std::size_t> fixed = {};  ///< samples that have keys, next tos the first and the last one
+  std::vector<std::size_t> fixed = {};  ///< samples that become keys, as do the first and the last one
   std::optional<double> corner = {};    ///< in degrees: where the samples turn by more, the curve may have a corner
   SamplesDone done = {};                ///< counts each sample about `fit_passes` times
 };

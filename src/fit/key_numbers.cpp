@@ -18,16 +18,14 @@ using Tcb = spline::Tcb<double>;
 double rounded(double number, double step) {
   constexpr double largest = 9007199254740992.0;  // 2^53
   if (!(step > 1e-22) || !(step < 1e22)) return number;
-  double power = 1;  // 10^n or its inverse, exact
-  while (power > step) power /= 10;
+  double power = 1;  // of ten, exact
   if (step >= 1) {
     while (power * 10 <= step) power *= 10;
     return std::nearbyint(number / power) * power + 0.0;  // no negative zero
   }
-  double inverse = 1;
-  while (1 / inverse > step) inverse *= 10;
-  const double scaled = number * inverse;
-  return std::abs(scaled) < largest ? std::nearbyint(scaled) / inverse + 0.0 : number;
+  while (1 / power > step) power *= 10;
+  const double scaled = number * power;
+  return std::abs(scaled) < largest ? std::nearbyint(scaled) / power + 0.0 : number;
 }
 
 /// Tension, continuity and bias of one slope between chords with these velocities, rounded so that the slope changes by

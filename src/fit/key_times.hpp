@@ -17,8 +17,4 @@ namespace tcb {
 std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
                                  const std::vector<std::size_t>& fixed, const SamplesDone& done = {});
 
-/// Divides segments and fits their keys again, until all are within the tolerances. `worst`: as fit_smoothly returns
-/// it.
-void divide_segments(const Recording& recording, std::vector<FitKey>& keys, std::vector<double> worst);
-
 }  // namespace tcb

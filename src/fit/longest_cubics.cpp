@@ -42,7 +42,7 @@ class CubicTest {
   CubicTest(const Recording& recording, const FitGroup& group)
       : recording_(recording), group_(group), cubic_(group.channels.size()) {}
 
-  /// Not where that is proved to be impossible.
+  /// False only if it is proved that no cubic is within the tolerance.
   bool may_fit(SampleRange range) {
     if (range.size() <= cubic_order) return true;
     begin(range);

@@ -26,8 +26,8 @@ class Banded {
   /// The number in a row and a column at or before it.
   double& at(std::size_t row, std::size_t column) { return rows_[row][row - column]; }
 
-  /// Gives a variable a value: it leaves the system. `target`: the right-hand vector.
-  void fix(std::size_t variable, double value, std::span<double> target) {
+  /// Subtracts a variable of known value from a right-hand vector. remove() follows after the last one.
+  void move_to_target(std::size_t variable, double value, std::span<double> target) {
     const std::size_t size = rows_.size();
     for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
          ++other) {
@@ -36,7 +36,8 @@ class Banded {
     }
     target[variable] = value;
   }
-  void clear(std::size_t variable) {
+  /// Removes a variable from the equations of the others.
+  void remove(std::size_t variable) {
     const std::size_t size = rows_.size();
     for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
          ++other) {
@@ -184,8 +185,8 @@ class GroupFit {
 
   void fix_ends(Banded& matrix, std::vector<std::vector<double>>& targets) {
     const auto fix = [&](std::size_t variable, const auto& value) {
-      for (std::size_t c = 0; c < targets.size(); ++c) matrix.fix(variable, value(channels_[c]), targets[c]);
-      matrix.clear(variable);
+      for (std::size_t c = 0; c < targets.size(); ++c) matrix.move_to_target(variable, value(channels_[c]), targets[c]);
+      matrix.remove(variable);
     };
     const auto fix_key = [&](std::size_t key, bool is_fixed, bool is_corner) {
       if (is_fixed) {

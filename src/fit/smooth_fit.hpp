@@ -27,7 +27,7 @@ struct FixedEnds {
 /// How hard a fit is tried.
 struct FitEffort {
   int most_weightings = 14;  ///< how often samples are weighted again
-  double stiffness = 1e-6;   ///< weight of plain slopes, as far as a sample has a weight
+  double stiffness = 1e-6;   ///< weight of the plain slope of a key, relative to the mean weight of a sample
 };
 
 /// Sets positions and slopes of the keys, which have samples that increase. Returns the largest distance of the samples

@@ -14,7 +14,7 @@ enum class Missing { error, skip_row, skip_cell, break_curve };
 /// The names of the treatments.
 struct MissingName {
   std::string_view name;
-  Missing way;
+  Missing value;
 };
 inline constexpr std::array missing_names{
     MissingName{"error", Missing::error}, MissingName{"skip-row", Missing::skip_row},

@@ -39,8 +39,7 @@ std::vector<std::string*> names_of(Input& input) {
   if (input.timed) names.push_back(&input.time);
   const auto is_shown = [&](std::size_t channel) {
     return std::ranges::none_of(input.rotations, [&](const spline::RotationColumns& rotation) {
-      return rotation.shown.form != spline::RotationForm::quaternion &&
-             std::ranges::count(rotation.channels, channel) > 0;
+      return rotation.shown.form != spline::RotationForm::quaternion && rotation.has(channel);
     });
   };
   for (std::size_t i = 0; i < input.channels.size(); ++i) {

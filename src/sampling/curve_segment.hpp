@@ -40,10 +40,7 @@ struct CurveSegmentOf {
     const auto found = std::ranges::find(angles, channel, &spline::AngleChannel::channel);
     return found == angles.end() ? nullptr : &*found;
   }
-  bool is_rotation(std::size_t channel) const {
-    return std::ranges::any_of(
-        rotation_columns, [&](const auto& rotation) { return std::ranges::count(rotation.channels, channel) > 0; });
-  }
+  bool is_rotation(std::size_t channel) const { return spline::is_in_rotation(rotation_columns, channel); }
 };
 using CurveSegment = CurveSegmentOf<double>;
 

@@ -15,17 +15,13 @@ enum class Extrapolation { error, hold, linear, repeat, offset, oscillate };
 struct NamedExtrapolation {
   std::string_view name;
   Extrapolation kind;
-  std::string_view meaning;
 };
 
 /// Every extrapolation by name; the first is the default.
 inline constexpr std::array extrapolations{
-    NamedExtrapolation{"error", Extrapolation::error, "times outside the curve are refused"},
-    NamedExtrapolation{"hold", Extrapolation::hold, "the curve rests at its end keys"},
-    NamedExtrapolation{"linear", Extrapolation::linear, "it goes on straight, with the velocity of its ends"},
-    NamedExtrapolation{"repeat", Extrapolation::repeat, "it starts again"},
-    NamedExtrapolation{"offset", Extrapolation::offset, "it starts again from where it ended"},
-    NamedExtrapolation{"oscillate", Extrapolation::oscillate, "it runs back and forth"},
+    NamedExtrapolation{"error", Extrapolation::error},   NamedExtrapolation{"hold", Extrapolation::hold},
+    NamedExtrapolation{"linear", Extrapolation::linear}, NamedExtrapolation{"repeat", Extrapolation::repeat},
+    NamedExtrapolation{"offset", Extrapolation::offset}, NamedExtrapolation{"oscillate", Extrapolation::oscillate},
 };
 
 /// The relation of a time outside the curve to one inside.

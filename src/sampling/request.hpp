@@ -20,16 +20,13 @@ enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
 struct NamedEndPolicy {
   std::string_view name;
   EndPolicy policy;
-  std::string_view meaning;
 };
 
 /// Every end policy by name; the first is the default.
 inline constexpr std::array end_policies{
-    NamedEndPolicy{"drop", EndPolicy::drop, "exact steps, the last one before the end"},
-    NamedEndPolicy{"keep", EndPolicy::keep, "exact steps, and the end after a shorter one"},
-    NamedEndPolicy{"fit", EndPolicy::fit, "the nearest whole number of equal steps"},
-    NamedEndPolicy{"fit-down", EndPolicy::fit_down, "equal steps, the largest that are not larger"},
-    NamedEndPolicy{"fit-up", EndPolicy::fit_up, "equal steps, the smallest that are not smaller"},
+    NamedEndPolicy{"drop", EndPolicy::drop},     NamedEndPolicy{"keep", EndPolicy::keep},
+    NamedEndPolicy{"fit", EndPolicy::fit},       NamedEndPolicy{"fit-down", EndPolicy::fit_down},
+    NamedEndPolicy{"fit-up", EndPolicy::fit_up},
 };
 
 /// How far the curve may be from its rows: from the polyline through them, and rotations from the arcs between them.

@@ -39,7 +39,7 @@ std::string drawn(Job job, const std::vector<std::string>& texts) {
       const bool first = !pipeline;
       if (first) pipeline.emplace(job.sampling, job.curve, job.fields, job.golden, input, *curve->curve_info);
       if (first) drawing.begin(file, input, pipeline->facts());
-      drawing.add(curve->group, pipeline->stored(curve->keys), short_rules(pipeline->facts(), {error_text, note_text}));
+      drawing.add(curve->group, pipeline->stored(curve->keys), short_rules(pipeline->facts()));
     }
   }
   drawing.commit();

@@ -1,6 +1,7 @@
 // Keys: times, positions, tension, continuity, bias and ease of successive keys.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -65,7 +66,14 @@ struct RotationColumns {
   RotationNotation shown = {};
   std::array<std::uint8_t, 9> cells{0, 1, 2, 3, 4, 5, 6, 7, 8};  ///< of each number, among those of the rotation
   std::optional<std::size_t> turn = {};                          ///< the number of its turns among those of a key
+
+  bool has(std::size_t channel) const { return std::ranges::count(channels, channel) > 0; }
 };
+
+/// Whether a channel is a number of one of these rotations.
+inline bool is_in_rotation(std::span<const RotationColumns> rotations, std::size_t channel) {
+  return std::ranges::any_of(rotations, [channel](const RotationColumns& rotation) { return rotation.has(channel); });
+}
 
 /// A channel whose numbers are angles: they turn the shorter way from key to key.
 struct AngleChannel {

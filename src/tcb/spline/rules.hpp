@@ -313,19 +313,20 @@ inline constexpr std::array end_rules{
 struct RotationCurveRow {
   RotationCurve id;
   std::string_view name;
-  std::string_view meaning;
+  std::string_view formula;
   std::string_view used_by;
 };
 
 /// Every curve of rotations; the first is the default.
 inline constexpr std::array rotation_curves{
-    RotationCurveRow{RotationCurve::squad, "squad", "slerp between two slerps, of the keys and of two control points",
+    RotationCurveRow{RotationCurve::squad, "squad", "slerp(slerp(p, q, u), slerp(a, b, u), 2u(1 - u))",
                      "Eberly's note on quaternion keyframes, the 3ds Max family"},
-    RotationCurveRow{RotationCurve::casteljau, "casteljau", "de Casteljau's algorithm for a cubic, with slerp",
+    RotationCurveRow{RotationCurve::casteljau, "casteljau", "De Casteljau's algorithm for a cubic, with slerp",
                      "the Python package splines, nerfstudio"},
     RotationCurveRow{RotationCurve::components, "components", "the cubics of the four numbers, normalized",
                      "CUBICSPLINE of glTF"},
-    RotationCurveRow{RotationCurve::slerp, "slerp", "the shortest turn, at a constant rate; without tangents", "many"},
+    RotationCurveRow{RotationCurve::slerp, "slerp", "slerp(p, q, u), without tangents",
+                     "LINEAR of glTF, SciPy's Slerp"},
 };
 
 /// A preset: the tangent rule, the end rule and the curve of rotations of a product, under one name.
