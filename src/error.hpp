@@ -328,7 +328,10 @@ enum class ErrorCode {
   fit_of_other_form,      ///< name of a column
   fit_of_missing,         ///< name of a channel
   fit_of_single_sample,
-  fit_below_doubles,         ///< tolerance, name of a channel, its largest size
+  fit_of_sequence,           ///< name of the output format
+  fit_of_setting,            ///< name of a member of JSON
+  fit_beyond_doubles,        ///< name of a channel
+  fit_below_doubles,         ///< tolerance, name of a channel, its largest size, the least tolerance
   kept_time_without_sample,  ///< the time
   fit_impossible,
   end_velocity_of_rotation,

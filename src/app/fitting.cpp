@@ -61,7 +61,8 @@ std::vector<SlopeColumn> slope_columns(const FittedChannels& fitted, const FitOp
   return columns;
 }
 
-/// Throws: Error (data) for a tolerance below the spacing of doubles at the size of the positions.
+/// Throws: Error (data) for a tolerance below the spacing of doubles at the size of the positions, and for numbers
+/// whose squares are not within the range of doubles.
 void require_resolution(const Recording& recording, const std::vector<std::string>& channels) {
   for (const FitGroup& group : recording.groups) {
     for (const std::size_t channel : group.channels) {
@@ -69,9 +70,13 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
       for (std::size_t i = 0; i < recording.size(); ++i) {
         largest = std::max(largest, std::abs(recording.position(i, channel)));
       }
-      if (group.tolerance < largest * 0x1p-46) {
+      constexpr double most = 1e150, spacing = 0x1p-46;
+      if (largest > most || group.tolerance < 1 / most) {
+        throw Error(Exit::data, ErrorCode::fit_beyond_doubles, {channels[channel]}).about(Option::fit);
+      }
+      if (group.tolerance < largest * spacing) {
         throw Error(Exit::data, ErrorCode::fit_below_doubles,
-                    {group.angle.value_or(group.tolerance), channels[channel], largest})
+                    {group.angle.value_or(group.tolerance), channels[channel], largest, largest * spacing})
             .about(Option::fit);
       }
     }
@@ -116,6 +121,7 @@ Input columns_of_fit(const Input& samples, const Job& job) {
   if (!samples.timed) throw Error(Exit::data, ErrorCode::fit_without_times).about(Option::fit);
   if (!samples.facts.roles.empty()) throw Error(Exit::data, ErrorCode::fit_of_keys, {samples.facts.roles[0]});
   Input result = samples;
+  result.named = true;  // names tell positions from tension and bias
   const FittedChannels fitted = fitted_channels(samples, job);
   if (fitted.names.empty()) throw Error(Exit::data, ErrorCode::only_rotations);
   result.channels = fitted.names;
@@ -130,6 +136,10 @@ Input columns_of_fit(const Input& samples, const Job& job) {
 
 Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
                          const Job& job) {
+  if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
+    const auto& [name, place] = curve.curve_info->places[0];
+    throw Error(Exit::data, ErrorCode::fit_of_setting, {name}).about(Option::fit).at(place);
+  }
   Samples samples{curve.group, {}, {}, {}, {}, {}};
   samples.fitted = fitted_channels(input, job);
   const auto& [channels, names, groups] = samples.fitted;
@@ -153,7 +163,10 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
     const auto found = std::ranges::find(channels, angle.channel);
     unwrap(recording, static_cast<std::size_t>(found - channels.begin()), angle.degrees);
   }
-  if (samples.times.size() < 2) throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit);
+  if (samples.times.size() < 2) {
+    const std::uint64_t line = samples.lines.empty() ? 0 : samples.lines[0];
+    throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit).at({"", line, 0});
+  }
   require_resolution(recording, names);
   samples.kept = kept_samples(samples.times, kept_times);
   return samples;

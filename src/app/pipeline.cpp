@@ -103,6 +103,10 @@ class FileRun {
     const Source<Samples> samples = [&, expected = 0.0]() mutable -> std::optional<Samples> {
       std::optional<CurveKeys> curve = curves.next();
       if (!curve) return std::nullopt;
+      const Format& format = format_of(job_.output_format);
+      if (expected > 0 && curve->group.empty() && format.has_header && format.delimiter != ' ') {
+        throw Error(Exit::data, ErrorCode::fit_of_sequence, {std::string(format.name)}).about(Option::fit);
+      }
       curve->keys = provenance.observe_keys(std::move(curve->keys));
       Samples read = recorded_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
       progress_->expect_rows(expected += static_cast<double>(read.times.size()));
@@ -152,6 +156,9 @@ class FileRun {
   }
 
   void note_input(const Input& input) {
+    if (job_.sampling.mode == Mode::fit && !input.carried.empty()) {
+      report_.note(path_, {NoteCode::labels_not_fitted, {input.carried}});
+    }
     if (job_.sampling.mode == Mode::fit && !job_.fit.angle && !input.rotations.empty()) {
       std::vector<std::string> names;
       for (const GivenRotation& rotation : input.given_rotations) {

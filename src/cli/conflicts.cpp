@@ -144,7 +144,7 @@ constexpr std::array conflict_rows{
     Conflict{{O::fit_keys, O::keep_times, O::corner}, need, {O::fit}},
     Conflict{rule_options | OptionSet{O::fields, O::golden, O::exact_input, O::keys, O::from, O::to, O::end,
                                       O::extrapolate, O::closed, O::period, O::parameter, O::tcb, O::tcb_scale,
-                                      O::rotation_output, O::rotation_curve, O::rename},
+                                      O::rotation_output, O::rotation_curve, O::rename, O::no_ease, O::max_rows},
              idle,
              {O::fit},
              ", which prints keys with the default rules"},

@@ -387,11 +387,21 @@ constexpr Words all_words[]{
           "with --rotation-output quaternion"},
     Words{ErrorCode::fit_of_missing,
           "the number in channel \"{0}\" is missing; expected one in every sample; give --missing skip-row"},
-    Words{ErrorCode::fit_of_single_sample, "{subject} takes two samples or more, and there are fewer; add some"},
-    Words{ErrorCode::fit_below_doubles,
-          "{subject}: {0} is near the spacing of doubles in channel \"{1}\", whose numbers reach {2}; expected more; "
-          "give a "
-          "larger tolerance"},
+    Words{ErrorCode::fit_of_single_sample,
+          "{subject} takes two samples or more of each curve, and there are fewer; add some"},
+    Words{ErrorCode::fit_of_sequence,
+          "{subject} has several curves in {0}, which nothing tells apart when it is read; expected a group or another "
+          "format; "
+          "give -f ssv, -f json, or --group"},
+    Words{ErrorCode::fit_of_setting,
+          "the member \"{0}\" is a setting of a curve of keys, and --fit prints keys of the default rules; remove it"},
+    Words{ErrorCode::fit_beyond_doubles,
+          "{subject} squares numbers and tolerances, and those of channel \"{0}\" are too large or too small for that; "
+          "expected numbers below 1e150 and tolerances above 1e-150; give --scale {0}=FACTOR"},
+    Words{
+        ErrorCode::fit_below_doubles,
+        "{subject}: {0} is near the spacing of doubles in channel \"{1}\", whose numbers reach {2}; expected at least "
+        "{3}; give a larger tolerance"},
     Words{ErrorCode::kept_time_without_sample, "{subject}: no sample is at the time {0}; expected times of samples"},
     Words{ErrorCode::fit_impossible,
           "no tension, continuity and bias were found that stay within {subject}; expected a tolerance that the digits "
@@ -816,6 +826,7 @@ constexpr std::array note_words{
               "{0} samples, {1} keys, {2} times fewer; at most {3} from a sample, on line {4}; no fewer than {5} keys "
               "can do"},
     NoteWords{NoteCode::rotations_not_fitted, "rotations not fitted: {0}; --fit D,0.5deg fits them"},
+    NoteWords{NoteCode::labels_not_fitted, "ignored: {0}; the keys of a fit have no labels"},
     NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose last digits may differ"},
 };
 

@@ -110,13 +110,14 @@ class Verification {
 };
 
 /// The keys of the parts between corners, joined.
-std::vector<CornerKey> joined_keys(const Recording& recording, double share, const std::vector<std::size_t>& cubics,
+std::vector<CornerKey> joined_keys(const Recording& recording, double share, const FirstTimes& times,
                                    const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed,
                                    const SamplesDone& done) {
   std::vector<CornerKey> keys;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const std::size_t first = corners[i - 1], last = corners[i];
-    const auto own = fitting_keys(part_of(recording, first, last, share), between(cubics, first, last),
+    const auto own = fitting_keys(part_of(recording, first, last, share),
+                                  {between(times.cubics, first, last), between(times.knots, first, last)},
                                   between(fixed, first, last), done);
     for (const FitKey& key : own) {
       const bool is_corner = !keys.empty() && key.sample == 0;
@@ -125,6 +126,20 @@ std::vector<CornerKey> joined_keys(const Recording& recording, double share, con
     }
   }
   return keys;
+}
+
+/// The largest distance between two samples, in tolerances.
+double distance(const Recording& recording, std::size_t a, std::size_t b) {
+  double largest = 0;
+  for (const FitGroup& group : recording.groups) {
+    double sum = 0;
+    for (const std::size_t channel : group.channels) {
+      const double gap = recording.position(a, channel) - recording.position(b, channel);
+      sum += gap * gap;
+    }
+    largest = std::max(largest, std::sqrt(sum) / group.tolerance);
+  }
+  return largest;
 }
 
 /// The directions of the samples; with a single channel, those in its graph, scaled to a square.
@@ -143,9 +158,10 @@ class Directions {
   double cosine(std::size_t sample) const {
     constexpr double away = 4;
     std::size_t before = sample, after = sample;
-    while (before > 0 && sample - before < reach && distance(before, sample) < away) --before;
-    while (after + 1 < recording_.size() && after - sample < reach && distance(after, sample) < away) ++after;
-    if (distance(before, sample) < away || distance(after, sample) < away) return 1;
+    while (before > 0 && sample - before < reach && distance(recording_, before, sample) < away) --before;
+    while (after + 1 < recording_.size() && after - sample < reach && distance(recording_, after, sample) < away)
+      ++after;
+    if (distance(recording_, before, sample) < away || distance(recording_, after, sample) < away) return 1;
     double in2 = 0, out2 = 0, both = 0;
     const auto add = [&](double in, double out) {
       in2 += in * in;
@@ -162,23 +178,22 @@ class Directions {
   }
 
  private:
-  /// In tolerances.
-  double distance(std::size_t a, std::size_t b) const {
-    double largest = 0;
-    for (const FitGroup& group : recording_.groups) {
-      double sum = 0;
-      for (const std::size_t channel : group.channels) {
-        const double gap = recording_.position(a, channel) - recording_.position(b, channel);
-        sum += gap * gap;
-      }
-      largest = std::max(largest, std::sqrt(sum) / group.tolerance);
-    }
-    return largest;
-  }
-
   const Recording& recording_;
   double time_ = 0;  ///< positions per unit of time in the graph; 0 with several channels
 };
+
+/// The share of the tolerances, at most a quarter, that the rounding of times to doubles may use up: samples are also
+/// within the tolerances where the times are taken as the decimals that they are written as.
+double share_for_times(const Recording& recording, const std::vector<Time>& times) {
+  if (std::ranges::any_of(times, [](const Time& time) { return time.lo != 0; })) return 0;  // these are exact
+  const double spacing = std::max(std::abs(times.front().hi), std::abs(times.back().hi)) * 0x1p-52;
+  double largest = 0;
+  for (std::size_t sample = 1; sample < recording.size(); ++sample) {
+    const double duration = recording.times[sample] - recording.times[sample - 1];
+    largest = std::max(largest, distance(recording, sample - 1, sample) / duration);
+  }
+  return std::min(2 * spacing * largest, 0.25);
+}
 
 /// The number of keys that any curve within the tolerances of distances has.
 std::size_t least_keys(Recording recording) {
@@ -216,25 +231,27 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   corners.push_back(last);
   fixed.insert(fixed.end(), corners.begin(), corners.end());
   FitResult result;
-  const std::vector<std::size_t> cubics = longest_cubics(recording);
+  FirstTimes first_times{longest_cubics(recording), {}};
+  first_times.knots = knots_of(recording, first_times.cubics.size());
   if (rules.done) rules.done(recording.size());
   const bool has_rotations = std::ranges::any_of(recording.groups, &is_of_rotation);
-  result.least_keys = has_rotations ? least_keys(recording) : cubics.size() + 1;
+  result.least_keys = has_rotations ? least_keys(recording) : first_times.cubics.size() + 1;
   const Verification verification(recording, times);
-  double share = 0.998;  // each failed attempt takes a smaller one, and adds a key to each segment that failed
+  const double limit = 1 - share_for_times(recording, times);
+  double share = 0.998 * limit;  // each failed attempt takes a smaller one, and adds a key to each segment that failed
   for (int attempt = 0; attempt < 12; ++attempt) {
     std::ranges::sort(fixed);
     fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-    const auto keys = joined_keys(recording, share, cubics, corners, fixed, rules.done);
+    const auto keys = joined_keys(recording, share, first_times, corners, fixed, rules.done);
     result.keys = numbered_keys(keys, recording, times, rules);
     std::vector<std::size_t> samples;
     std::ranges::transform(keys, std::back_inserter(samples), &CornerKey::sample);
     const std::vector<double> worst = verification.measure(samples, result);
-    if (result.largest <= 1) return result;
+    if (result.largest <= limit) return result;
     for (std::size_t i = 0; i < worst.size(); ++i) {
-      if (!(worst[i] <= 1)) fixed.push_back((samples[i] + samples[i + 1]) / 2);
+      if (!(worst[i] <= limit)) fixed.push_back((samples[i] + samples[i + 1]) / 2);
     }
-    share = std::max(share - 0.005, 0.9);
+    share = attempt < 4 ? share - 0.005 : 0.6 * share;
   }
   return std::nullopt;
 }

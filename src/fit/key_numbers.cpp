@@ -35,7 +35,8 @@ std::optional<Tcb> tcb_of_slope(double slope, double before, double after, doubl
   const auto size = [](double number) { return std::abs(number); };
   const Tcb tense{1 - 2 * slope / sum, 0, 0}, biased{0, 0, (2 * slope - sum) / difference};
   const bool can_tense = std::isfinite(tense.tension), can_bias = std::isfinite(biased.bias);
-  if (can_tense && (!can_bias || size(tense.tension) <= size(biased.bias))) {
+  constexpr double rounding = 1 + 1e-9;
+  if (can_tense && (!can_bias || size(tense.tension) <= size(biased.bias) * rounding)) {
     return Tcb{rounded(tense.tension, 2 * step / size(sum)), 0, 0};
   }
   if (can_bias) return Tcb{0, 0, rounded(biased.bias, 2 * step / size(difference))};

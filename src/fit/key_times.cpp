@@ -6,49 +6,15 @@
 #include <cmath>
 #include <iterator>
 #include <span>
+#include <utility>
+
+#include "fit/key_list.hpp"
 
 namespace tcb {
 namespace {
 
-/// Slopes do not swing while segments are divided, as the keys of each group of segments are fitted between others.
+/// While segments are divided: few iterations, and enough stiffness to keep slopes from oscillating.
 constexpr FitEffort of_division{6, 0.05};
-
-FitKey key_at(std::size_t sample, const Recording& recording) {
-  return {sample, std::vector<double>(recording.channels), std::vector<double>(recording.channels)};
-}
-
-std::vector<FitKey> keys_at(const std::vector<std::size_t>& samples, const Recording& recording) {
-  std::vector<FitKey> keys;
-  keys.reserve(samples.size());
-  for (const std::size_t sample : samples) keys.push_back(key_at(sample, recording));
-  return keys;
-}
-
-/// Samples from the first to the last of `marks` that divide it into `count` parts with about the same mass, where each
-/// step between two marks has a mass, spread evenly over its time.
-std::vector<std::size_t> divided(const Recording& recording, std::span<const std::size_t> marks,
-                                 std::span<const double> masses, std::size_t count) {
-  double total = 0;
-  for (const double mass : masses) total += mass;
-  std::vector<std::size_t> samples{marks.front()};
-  double before = 0;
-  std::size_t step = 0;
-  for (std::size_t i = 1; i < count; ++i) {
-    const double wanted = total * static_cast<double>(i) / static_cast<double>(count);
-    while (step + 1 < masses.size() && before + masses[step] < wanted) before += masses[step++];
-    const double from = recording.times[marks[step]], to = recording.times[marks[step + 1]];
-    const double time = from + (to - from) * (masses[step] > 0 ? (wanted - before) / masses[step] : 0.5);
-    const auto after = std::ranges::lower_bound(recording.times, time);
-    auto sample = static_cast<std::size_t>(after - recording.times.begin());
-    if (sample > 0 &&
-        (sample == recording.size() || recording.times[sample] - time > time - recording.times[sample - 1])) {
-      --sample;
-    }
-    if (sample > samples.back() && sample < marks.back()) samples.push_back(sample);
-  }
-  samples.push_back(marks.back());
-  return samples;
-}
 
 std::vector<std::size_t> samples_of(std::span<const FitKey> keys) {
   std::vector<std::size_t> samples;
@@ -63,12 +29,14 @@ std::vector<double> masses_of(std::span<const double> worst) {
   return masses;
 }
 
-/// Removes keys of segments where the others do.
+/// Removes keys that the tolerances do not need.
 class Thinning {
  public:
-  Thinning(const Recording& recording, std::vector<FitKey>& keys, const std::vector<std::size_t>& fixed,
+  Thinning(const Recording& recording, std::vector<FitKey> keys, const std::vector<std::size_t>& fixed,
            const SamplesDone& done)
-      : recording_(recording), keys_(keys), fixed_(fixed), done_(done) {}
+      : recording_(recording), keys_(std::move(keys)), fixed_(fixed), done_(done) {}
+
+  std::vector<FitKey> take() && { return std::move(keys_).take(); }
 
   /// Tries to remove each key, with its neighbours fitted again where they are.
   void remove_keys() {
@@ -109,27 +77,24 @@ class Thinning {
 
   /// The first key after this one that has to stay.
   std::size_t next_fixed(std::size_t key) const {
-    const auto sample = std::ranges::upper_bound(fixed_, keys_[key].sample);
-    const auto found = std::ranges::lower_bound(keys_, *sample, {}, &FitKey::sample);
-    return static_cast<std::size_t>(found - keys_.begin());
+    return keys_.at_sample(*std::ranges::upper_bound(fixed_, keys_[key].sample));
   }
 
   FixedEnds ends_of(std::size_t first, std::size_t last) const { return {first > 0, last + 1 < keys_.size()}; }
 
   /// Removes a key between two keys, if that is possible.
   bool remove(std::size_t first, std::size_t key, std::size_t last) {
-    const auto at = [this](std::size_t index) { return keys_.begin() + static_cast<std::ptrdiff_t>(index); };
-    std::vector<FitKey> keys(at(first), at(last + 1));
+    std::vector<FitKey> keys = keys_.range(first, last + 1);
     keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(key - first));
     const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
     if (*std::ranges::max_element(worst) > 1) return false;
-    replace(first, last, std::move(keys));
+    keys_.replace(first, last + 1, std::move(keys));
     return true;
   }
 
   /// Replaces the keys between two keys by one less, if that is possible.
   bool shorten(std::size_t first, std::size_t last) {
-    std::vector<std::size_t> marks = samples_of(std::span(keys_).subspan(first, last - first + 1));
+    std::vector<std::size_t> marks = samples_of(keys_.range(first, last + 1));
     std::vector<double> masses(last - first, 1.0);
     double before = 4;
     for (int move = 0; move < most_moves; ++move) {
@@ -140,7 +105,7 @@ class Thinning {
       const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
       const double largest = *std::ranges::max_element(worst);
       if (largest <= 1) {
-        replace(first, last, std::move(keys));
+        keys_.replace(first, last + 1, std::move(keys));
         return true;
       }
       if (largest > before * 0.9) break;
@@ -150,35 +115,71 @@ class Thinning {
     return false;
   }
 
-  void replace(std::size_t first, std::size_t last, std::vector<FitKey> keys) {
-    const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = std::ranges::move(keys, begin).out;
-    keys_.erase(end, keys_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-  }
-
   const Recording& recording_;
-  std::vector<FitKey>& keys_;
+  KeyList keys_;
   const std::vector<std::size_t>& fixed_;
   const SamplesDone& done_;
   std::size_t counted_ = 0;  ///< samples in this pass
 };
 
-/// The samples of keys between two fixed ones, half as many again as the longest cubics there.
-void append_first_samples(std::vector<std::size_t>& samples, const Recording& recording,
-                          const std::vector<std::size_t>& cubics, std::size_t first, std::size_t last) {
-  std::vector<std::size_t> marks{first};
-  for (const std::size_t cubic : cubics) {
-    if (cubic > first && cubic < last) marks.push_back(cubic);
+/// The samples of keys between fixed ones, half as many again as the longest cubics there, and evenly spread.
+std::vector<std::size_t> spread_samples(const Recording& recording, const FirstTimes& times,
+                                        const std::vector<std::size_t>& fixed) {
+  std::vector<std::size_t> samples{fixed.front()};
+  for (std::size_t i = 1; i < fixed.size(); ++i) {
+    const auto first = std::ranges::upper_bound(times.cubics, fixed[i - 1]);
+    const auto last = std::ranges::lower_bound(first, times.cubics.end(), fixed[i]);
+    std::vector<std::size_t> marks{fixed[i - 1]};
+    marks.insert(marks.end(), first, last);
+    marks.push_back(fixed[i]);
+    const std::vector<double> masses(marks.size() - 1, 1.0);
+    const auto divisions = divided(recording, marks, masses, masses.size() + masses.size() / 2);
+    samples.insert(samples.end(), divisions.begin() + 1, divisions.end());
   }
-  marks.push_back(last);
-  const std::vector<double> masses(marks.size() - 1, 1.0);
-  const auto divisions = divided(recording, marks, masses, masses.size() + masses.size() / 2);
-  samples.insert(samples.end(), divisions.begin() + (samples.empty() ? 0 : 1), divisions.end());
+  return samples;
 }
 
-}  // namespace
+std::vector<std::size_t> union_of(std::vector<std::size_t> samples, const std::vector<std::size_t>& others) {
+  samples.insert(samples.end(), others.begin(), others.end());
+  std::ranges::sort(samples);
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
+  return samples;
+}
 
-void divide_segments(const Recording& recording, std::vector<FitKey>& keys, std::vector<double> worst) {
+/// The samples of keys at knots, if they suffice; otherwise at both sides of each, and in the middle between two knots.
+std::vector<std::size_t> samples_at_knots(const Recording& recording, const FirstTimes& times,
+                                          const std::vector<std::size_t>& fixed) {
+  const std::vector<std::size_t> plain = union_of(fixed, times.knots);
+  std::vector<FitKey> keys = keys_at(plain, recording);
+  const std::vector<double> worst = fit_smoothly(recording, keys, {}, {2});
+  if (*std::ranges::max_element(worst) <= 1) return plain;
+  std::vector<std::size_t> after, samples;
+  for (const std::size_t knot : times.knots) after.push_back(std::min(knot + 1, recording.size() - 1));
+  for (const std::size_t end : union_of(plain, after)) {
+    if (!samples.empty() && end - samples.back() > 1) samples.push_back(samples.back() + (end - samples.back()) / 2);
+    samples.push_back(end);
+  }
+  return samples;
+}
+
+/// Fits keys with the stiffness of division, unless more segments are within the tolerances with less.
+std::vector<double> fit_for_division(const Recording& recording, std::vector<FitKey>& keys) {
+  const auto failures = [](const std::vector<double>& worst) {
+    return std::ranges::count_if(worst, [](double error) { return !(error <= 1); });
+  };
+  std::vector<FitKey> loose = keys;
+  std::vector<double> of_loose = fit_smoothly(recording, loose, {}, {2});
+  if (failures(of_loose) > 0) {
+    std::vector<double> worst = fit_smoothly(recording, keys, {}, of_division);
+    if (failures(worst) <= failures(of_loose)) return worst;
+  }
+  keys = std::move(loose);
+  return of_loose;
+}
+
+/// Divides segments and fits their keys again, until all are within the tolerances.
+void divide_segments(const Recording& recording, std::vector<FitKey>& keys) {
+  std::vector<double> worst = fit_for_division(recording, keys);
   while (*std::ranges::max_element(worst) > 1) {
     std::vector<std::size_t> samples{keys.front().sample};
     for (std::size_t i = 0; i < worst.size(); ++i) {
@@ -191,23 +192,42 @@ void divide_segments(const Recording& recording, std::vector<FitKey>& keys, std:
     }
     if (samples.size() == keys.size()) return;
     keys = keys_at(samples, recording);
-    worst = fit_smoothly(recording, keys, {}, of_division);
+    worst = fit_for_division(recording, keys);
   }
 }
 
-std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
-                                 const std::vector<std::size_t>& fixed, const SamplesDone& done) {
-  std::vector<std::size_t> samples;
-  for (std::size_t i = 1; i < fixed.size(); ++i) {
-    append_first_samples(samples, recording, cubics, fixed[i - 1], fixed[i]);
-  }
+/// Keys that begin at samples: some are added, then those that are not needed are removed.
+std::vector<FitKey> sufficient_keys(const Recording& recording, const std::vector<std::size_t>& samples,
+                                    const std::vector<std::size_t>& fixed, const SamplesDone& done) {
   std::vector<FitKey> keys = keys_at(samples, recording);
-  divide_segments(recording, keys, fit_smoothly(recording, keys, {}, of_division));
-  Thinning thinning(recording, keys, fixed, done);
+  divide_segments(recording, keys);
+  Thinning thinning(recording, std::move(keys), fixed, done);
   thinning.remove_keys();
+  return std::move(thinning).take();
+}
+
+/// Fewer keys at other times.
+std::vector<FitKey> moved_keys(const Recording& recording, std::vector<FitKey> keys,
+                               const std::vector<std::size_t>& fixed, const SamplesDone& done) {
+  Thinning thinning(recording, std::move(keys), fixed, done);
   for (const std::size_t segments : std::array<std::size_t, 3>{4, 8, 16}) thinning.sweep(segments);
   thinning.remove_keys();
-  return keys;
+  return std::move(thinning).take();
+}
+
+}  // namespace
+
+std::vector<FitKey> fitting_keys(const Recording& recording, const FirstTimes& times,
+                                 const std::vector<std::size_t>& fixed, const SamplesDone& done) {
+  constexpr std::size_t many_samples = 20;  // in a segment: then moving keys takes most of the time
+  std::vector<FitKey> keys = sufficient_keys(recording, spread_samples(recording, times, fixed), fixed, done);
+  std::vector<FitKey> others = sufficient_keys(recording, samples_at_knots(recording, times, fixed), fixed, done);
+  if (others.size() < keys.size()) std::swap(keys, others);
+  const bool has_long_segments = recording.size() > many_samples * keys.size();
+  keys = moved_keys(recording, std::move(keys), fixed, done);
+  if (has_long_segments) return keys;
+  others = moved_keys(recording, std::move(others), fixed, done);
+  return others.size() < keys.size() ? others : keys;
 }
 
 }  // namespace tcb

@@ -12,9 +12,15 @@
 
 namespace tcb {
 
-/// Keys of a curve that is within the tolerances at the samples. `cubics`: from longest_cubics(). `fixed`: samples that
-/// have keys, increasing, among them the first and the last one.
-std::vector<FitKey> fitting_keys(const Recording& recording, const std::vector<std::size_t>& cubics,
+/// Where keys are tried first: samples, increasing.
+struct FirstTimes {
+  std::vector<std::size_t> cubics;  ///< from longest_cubics()
+  std::vector<std::size_t> knots;   ///< from knots_of()
+};
+
+/// Keys of a curve that is within the tolerances at the samples: the fewer ones of two beginnings. `fixed`: samples
+/// that have keys, increasing, among them the first and the last one.
+std::vector<FitKey> fitting_keys(const Recording& recording, const FirstTimes& times,
                                  const std::vector<std::size_t>& fixed, const SamplesDone& done = {});
 
 }  // namespace tcb

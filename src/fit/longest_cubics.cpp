@@ -154,36 +154,83 @@ class CubicTest {
   std::vector<Basis> cubic_;  ///< of each channel, in Chebyshev polynomials
 };
 
+/// Tests samples with one cubic for each group.
+class CubicTests {
+ public:
+  /// `share`: of the tolerances.
+  CubicTests(const Recording& recording, double share) : groups_(recording.groups) {
+    for (FitGroup& group : groups_) {
+      group.tolerance *= share;
+      tests_.emplace_back(recording, group);
+    }
+  }
+
+  /// Whether samples [first, last) may be within the tolerances.
+  bool may_fit(std::size_t first, std::size_t last) {
+    return std::ranges::all_of(tests_, [&](CubicTest& test) { return test.may_fit({first, last}); });
+  }
+
+ private:
+  std::vector<FitGroup> groups_;
+  std::vector<CubicTest> tests_;
+};
+
+/// The largest size up to `most` for which a test holds, as for all below it; `good`: it holds for this one. Begins at
+/// a guess.
+template <class Test>
+std::size_t largest_size(std::size_t good, std::size_t most, std::size_t guess, const Test& test) {
+  std::size_t bad = most + 1;
+  for (std::size_t size = std::clamp(guess, good, most); good < most && bad > most;) {
+    if (test(size)) {
+      good = size;
+      size = std::min(2 * size, most);
+    } else {
+      bad = size;
+    }
+  }
+  while (good + 1 < bad) {
+    const std::size_t middle = good + (bad - good) / 2;
+    (test(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+/// The first `most` starts of the longest cubics.
+std::vector<std::size_t> starts_of(const Recording& recording, CubicTests& tests, std::size_t most) {
+  std::vector<std::size_t> starts;
+  std::size_t guess = cubic_order;
+  for (std::size_t first = 0; first < recording.size() && starts.size() < most; first += guess) {
+    starts.push_back(first);
+    const std::size_t rest = recording.size() - first;
+    guess = largest_size(std::min(cubic_order, rest), rest, guess,
+                         [&](std::size_t size) { return tests.may_fit(first, first + size); });
+  }
+  return starts;
+}
+
 }  // namespace
 
 std::vector<std::size_t> longest_cubics(const Recording& recording) {
-  std::vector<CubicTest> tests;
-  for (const FitGroup& group : recording.groups) tests.emplace_back(recording, group);
-  const auto may_fit = [&](std::size_t first, std::size_t last) {
-    return std::ranges::all_of(tests, [&](CubicTest& test) { return test.may_fit({first, last}); });
-  };
-  std::vector<std::size_t> starts;
-  std::size_t guess = cubic_order;
-  for (std::size_t first = 0; first < recording.size();) {
-    starts.push_back(first);
-    const std::size_t most = recording.size() - first;
-    std::size_t good = std::min(cubic_order, most), bad = most + 1;
-    for (std::size_t size = std::clamp(guess, good, most); good < most && bad > most;) {
-      if (may_fit(first, first + size)) {
-        good = size;
-        size = std::min(2 * size, most);
-      } else {
-        bad = size;
-      }
+  CubicTests tests(recording, 1);
+  return starts_of(recording, tests, recording.size());
+}
+
+std::vector<std::size_t> knots_of(const Recording& recording, std::size_t cubics) {
+  const std::size_t most = cubics + cubics / 4;
+  for (const double share : {0x1p-8, 0x1p-4, 1.0}) {
+    CubicTests tests(recording, share);
+    const std::vector<std::size_t> starts = starts_of(recording, tests, most + 1);
+    if (starts.size() > most) continue;
+    std::vector<std::size_t> knots;
+    for (std::size_t i = 1; i < starts.size(); ++i) {
+      const std::size_t start = starts[i], last = i + 1 < starts.size() ? starts[i + 1] : recording.size();
+      const std::size_t before = largest_size(0, start - starts[i - 1], 1,
+                                              [&](std::size_t size) { return tests.may_fit(start - size, last); });
+      knots.push_back(start - 1 - before / 2);
     }
-    while (good + 1 < bad) {
-      const std::size_t middle = good + (bad - good) / 2;
-      (may_fit(first, first + middle) ? good : bad) = middle;
-    }
-    first += good;
-    guess = good;
+    return knots;
   }
-  return starts;
+  return {};
 }
 
 }  // namespace tcb

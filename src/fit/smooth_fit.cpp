@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "fit/banded.hpp"
+
 namespace tcb {
 namespace {
 
@@ -15,65 +17,6 @@ Hermite hermite_at(double u, double duration) {
   const double left = 1 - u;
   return {left * left * (1 + 2 * u), u * left * left * duration, u * u * (3 - 2 * u), -u * u * left * duration};
 }
-
-/// A symmetric positive definite matrix whose numbers are at most 3 columns from the diagonal.
-class Banded {
- public:
-  static constexpr std::size_t band = 4;
-
-  explicit Banded(std::size_t size) : rows_(size) {}
-
-  /// The number in a row and a column at or before it.
-  double& at(std::size_t row, std::size_t column) { return rows_[row][row - column]; }
-
-  /// Subtracts a variable of known value from a right-hand vector. remove() follows after the last one.
-  void move_to_target(std::size_t variable, double value, std::span<double> target) {
-    const std::size_t size = rows_.size();
-    for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
-         ++other) {
-      if (other == variable) continue;
-      target[other] -= at(std::max(variable, other), std::min(variable, other)) * value;
-    }
-    target[variable] = value;
-  }
-  /// Removes a variable from the equations of the others.
-  void remove(std::size_t variable) {
-    const std::size_t size = rows_.size();
-    for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
-         ++other) {
-      at(std::max(variable, other), std::min(variable, other)) = other == variable ? 1 : 0;
-    }
-  }
-
-  /// Cholesky's factors, in place.
-  void factor() {
-    for (std::size_t row = 0; row < rows_.size(); ++row) {
-      const std::size_t first = row < band ? 0 : row - band + 1;
-      for (std::size_t column = first; column <= row; ++column) {
-        double sum = at(row, column);
-        const std::size_t begin = std::max(first, column < band ? 0 : column - band + 1);
-        for (std::size_t k = begin; k < column; ++k) sum -= at(row, k) * at(column, k);
-        at(row, column) = column < row ? sum / at(column, column) : std::sqrt(std::max(sum, 1e-300));
-      }
-    }
-  }
-
-  /// Solves for a right-hand vector, in place. Requires: factor().
-  void solve(std::span<double> target) {
-    const std::size_t size = rows_.size();
-    for (std::size_t row = 0; row < size; ++row) {
-      for (std::size_t k = row < band ? 0 : row - band + 1; k < row; ++k) target[row] -= at(row, k) * target[k];
-      target[row] /= at(row, row);
-    }
-    for (std::size_t row = size; row-- > 0;) {
-      for (std::size_t k = row + 1; k < std::min(row + band, size); ++k) target[row] -= at(k, row) * target[k];
-      target[row] /= at(row, row);
-    }
-  }
-
- private:
-  std::vector<std::array<double, band>> rows_;  ///< from the diagonal backward
-};
 
 /// The fit of the channels of one group.
 class GroupFit {
@@ -102,11 +45,20 @@ class GroupFit {
   }
 
   void run(const FitEffort& effort, std::span<double> result) {
+    // Where segments are long, few of their samples decide, and their weights need more steps.
+    const bool has_long_segments = is_window() && weights_.size() > 50 * worst_.size();
+    const int most = effort.most_weightings * (has_long_segments ? 3 : 1);
+    double before = 0;
     for (int i = 0;; ++i) {
-      solve(effort.stiffness);
+      solve(effort.stiffness, i > 0);
       measure();
       const double largest = *std::ranges::max_element(worst_);
-      if (largest <= 1 || i >= effort.most_weightings || (is_window() && is_impossible())) break;
+      if (largest <= 1 || i >= most || (is_window() && is_impossible())) break;
+      constexpr int interval = 3;
+      if (is_window() && i % interval == 0) {
+        if (i > 0 && !may_suffice(largest, before, (most - i) / interval)) break;
+        before = largest;
+      }
       weigh();
     }
     for (std::size_t i = 0; i < worst_.size(); ++i) result[i] = std::max(result[i], worst_[i]);
@@ -120,21 +72,27 @@ class GroupFit {
     return keys_[segment + 1].sample + (segment + 2 == keys_.size() ? 1 : 0);
   }
 
-  /// The variables are positions and slopes, these per mean duration of a segment.
-  void solve(double stiffness) {
+  /// The variables are positions and slopes, these per mean duration of a segment; or their `corrections`, which keep
+  /// the digits that the squares of the equations lose, and are pulled to 0 instead of to plain slopes.
+  void solve(double stiffness, bool corrections) {
     const std::size_t count = channels_.size();
     Banded matrix(2 * keys_.size());
     std::vector<std::vector<double>> targets(count, std::vector<double>(2 * keys_.size()));
-    std::vector<Hermite> target(count);
+    std::vector<Hermite> target(count), cubic(count);
+    std::vector<double> wanted(count);
     for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
       std::array<Hermite, 4> products{};
       std::ranges::fill(target, Hermite{});
+      for (std::size_t c = 0; c < count; ++c) cubic[c] = cubic_of(segment, channels_[c]);
       for (std::size_t i = keys_[segment].sample - first_; i < end_of(segment) - first_; ++i) {
         const Hermite& h = hermite_[i];
+        for (std::size_t c = 0; c < count; ++c) {
+          wanted[c] = values_[i * count + c] - (corrections ? position(cubic[c], h) : 0);
+        }
         for (std::size_t j = 0; j < h.size(); ++j) {
           const double part = weights_[i] * h[j];
           for (std::size_t k = 0; k < h.size(); ++k) products[j][k] += part * h[k];
-          for (std::size_t c = 0; c < count; ++c) target[c][j] += part * values_[i * count + c];
+          for (std::size_t c = 0; c < count; ++c) target[c][j] += part * wanted[c];
         }
       }
       for (std::size_t j = 0; j < products.size(); ++j) {
@@ -142,21 +100,32 @@ class GroupFit {
         for (std::size_t c = 0; c < count; ++c) targets[c][2 * segment + j] += target[c][j];
       }
     }
-    keep_regular(matrix, targets, stiffness);
-    fix_ends(matrix, targets);
+    keep_regular(matrix, targets, stiffness, corrections);
+    fix_ends(matrix, targets, corrections);
     matrix.factor();
     for (std::size_t c = 0; c < count; ++c) {
       matrix.solve(targets[c]);
       for (std::size_t key = 0; key < keys_.size(); ++key) {
-        keys_[key].position[channels_[c]] = targets[c][2 * key];
-        keys_[key].slope[channels_[c]] = targets[c][2 * key + 1] / unit_;
+        double &position = keys_[key].position[channels_[c]], &slope = keys_[key].slope[channels_[c]];
+        position = (corrections ? position : 0) + targets[c][2 * key];
+        slope = (corrections ? slope : 0) + targets[c][2 * key + 1] / unit_;
       }
     }
   }
 
+  /// The numbers of a segment in a channel that hermite_ weighs.
+  Hermite cubic_of(std::size_t segment, std::size_t channel) const {
+    const FitKey &from = keys_[segment], &to = keys_[segment + 1];
+    return {from.position[channel], from.slope[channel] * unit_, to.position[channel], to.slope[channel] * unit_};
+  }
+
+  static double position(const Hermite& cubic, const Hermite& h) {
+    return (h[0] * cubic[0] + h[1] * cubic[1]) + (h[2] * cubic[2] + h[3] * cubic[3]);
+  }
+
   /// Pulls each key a little to its sample, and to a slope between those to the samples next to it, so that no slopes
   /// swing where samples do not determine them.
-  void keep_regular(Banded& matrix, std::vector<std::vector<double>>& targets, double stiffness) {
+  void keep_regular(Banded& matrix, std::vector<std::vector<double>>& targets, double stiffness, bool corrections) {
     double total = 0;
     for (const double w : weights_) total += w;
     const double strength = stiffness * total / static_cast<double>(weights_.size());
@@ -164,7 +133,7 @@ class GroupFit {
       const std::size_t sample = keys_[key].sample;
       matrix.at(2 * key, 2 * key) += strength * 1e-3;
       matrix.at(2 * key + 1, 2 * key + 1) += strength;
-      for (std::size_t c = 0; c < targets.size(); ++c) {
+      for (std::size_t c = 0; c < targets.size() && !corrections; ++c) {
         targets[c][2 * key] += strength * 1e-3 * recording_.position(sample, channels_[c]);
         targets[c][2 * key + 1] += strength * plain_slope(sample, channels_[c]) * unit_;
       }
@@ -183,9 +152,11 @@ class GroupFit {
     return std::abs(before) < std::abs(after) ? before : after;
   }
 
-  void fix_ends(Banded& matrix, std::vector<std::vector<double>>& targets) {
+  void fix_ends(Banded& matrix, std::vector<std::vector<double>>& targets, bool corrections) {
     const auto fix = [&](std::size_t variable, const auto& value) {
-      for (std::size_t c = 0; c < targets.size(); ++c) matrix.move_to_target(variable, value(channels_[c]), targets[c]);
+      for (std::size_t c = 0; c < targets.size(); ++c) {
+        matrix.move_to_target(variable, corrections ? 0 : value(channels_[c]), targets[c]);
+      }
       matrix.remove(variable);
     };
     const auto fix_key = [&](std::size_t key, bool is_fixed, bool is_corner) {
@@ -204,19 +175,13 @@ class GroupFit {
     const std::size_t count = channels_.size();
     std::vector<Hermite> cubic(count);
     for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
-      const FitKey &from = keys_[segment], &to = keys_[segment + 1];
-      for (std::size_t c = 0; c < count; ++c) {
-        const std::size_t channel = channels_[c];
-        cubic[c] = {from.position[channel], from.slope[channel] * unit_, to.position[channel],
-                    to.slope[channel] * unit_};
-      }
+      for (std::size_t c = 0; c < count; ++c) cubic[c] = cubic_of(segment, channels_[c]);
       double largest = 0;
-      for (std::size_t i = from.sample - first_; i < end_of(segment) - first_; ++i) {
+      for (std::size_t i = keys_[segment].sample - first_; i < end_of(segment) - first_; ++i) {
         const Hermite& h = hermite_[i];
         double sum = 0;
         for (std::size_t c = 0; c < count; ++c) {
-          const Hermite& x = cubic[c];
-          const double gap = (h[0] * x[0] + h[1] * x[1]) + (h[2] * x[2] + h[3] * x[3]) - values_[i * count + c];
+          const double gap = position(cubic[c], h) - values_[i * count + c];
           sum += gap * gap;
         }
         errors_[i] = std::sqrt(sum) / tolerance_;
@@ -227,6 +192,15 @@ class GroupFit {
   }
 
   bool is_window() const { return fixed_.first || fixed_.last; }
+
+  /// Whether the largest error may come near 1 if it decreases as often again as from the one before to now.
+  static bool may_suffice(double now, double before, int times) {
+    constexpr double near = 0.1;
+    const double factor = (now - 1) / (before - 1);
+    double rest = now - 1;
+    for (int i = 0; i < times && rest > near && factor < 1; ++i) rest *= factor;
+    return rest <= near;
+  }
 
   /// No positions and slopes have a largest error of at most 1, as the weighted mean of squares is larger.
   bool is_impossible() const {

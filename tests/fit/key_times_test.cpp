@@ -15,7 +15,8 @@ namespace {
 std::vector<std::size_t> samples_of(const Recording& recording, std::vector<std::size_t> fixed = {}) {
   fixed.insert(fixed.begin(), 0);
   fixed.push_back(recording.size() - 1);
-  auto keys = fitting_keys(recording, longest_cubics(recording), fixed);
+  const std::vector<std::size_t> cubics = longest_cubics(recording);
+  auto keys = fitting_keys(recording, {cubics, knots_of(recording, cubics.size())}, fixed);
   std::vector<std::size_t> samples;
   for (const FitKey& key : keys) samples.push_back(key.sample);
   EXPECT_TRUE(std::ranges::is_sorted(samples));
@@ -42,6 +43,20 @@ TEST(KeyTimes, fixed_samples_have_keys) {
   const Recording recording = recording_of({[](double t) { return std::sin(t); }}, 1001, 0.01, 1e-2);
   const auto samples = samples_of(recording, {17, 18, 500});
   for (const std::size_t fixed : {17U, 18U, 500U}) EXPECT_EQ(std::ranges::count(samples, fixed), 1) << fixed;
+}
+
+TEST(KeyTimes, cubics_are_found_within_any_tolerance) {
+  const auto rest_and_ramp = [](double t) {  // speed 0, 1, 0 with ramps of a second between
+    const double phase = std::fmod(t, 4.0), whole = std::floor(t / 4) * 2;
+    if (phase < 1) return whole + phase * phase / 2;
+    if (phase < 2) return whole + phase - 0.5;
+    if (phase < 3) return whole + 2 - (3 - phase) * (3 - phase) / 2;
+    return whole + 2;
+  };
+  for (const double tolerance : {1e-2, 1e-4, 1e-8, 1e-11}) {
+    const auto samples = samples_of(recording_of({rest_and_ramp}, 2561, 1.0 / 128, tolerance));  // to t = 20
+    EXPECT_LE(samples.size(), 21U) << tolerance;  // fewer within 0.01
+  }
 }
 
 TEST(KeyTimes, every_sample_may_be_needed) {

@@ -3,9 +3,10 @@
 Random recordings: smooth, noisy, with steps, at uneven times, of one to ten channels, with one tolerance or several. The
 curve of the printed keys, computed here from the formulas of the manual, is within the tolerance of every sample; the
 reported bound holds; smooth recordings have at most 1.6 times as many keys as the bound and 2 more, noisy ones 2.5
-times. The samples of the printed keys agree with the recording by --at and by --check. Recordings of poses: the same
+times. Positions of piecewise cubics with smooth joints at samples have no more keys than pieces and one. The samples of the printed keys agree with the recording by --at and by --check. Recordings of poses: the same
 for angles, by the reference for curves of rotations. Exit 1: a law fails, and its command is printed.
 """
+import fractions
 import math
 import pathlib
 import random
@@ -58,17 +59,22 @@ def slopes_of(names, keys, channel):
     if channel + "_vin" in column:
         return column[channel + "_vin"], column[channel + "_vout"]
     only = sum(name.startswith("c") and name[1:].isdigit() for name in names) == 1
-    nothing = [0.0] * len(time)
+    nothing = [0] * len(time)
     T, C, B = (column.get(role if only else f"{role}_{channel}", nothing) for role in ("tension", "continuity", "bias"))
     chord = [(position[i + 1] - position[i]) / (time[i + 1] - time[i]) for i in range(len(time) - 1)]
     before, after = [], []
     for i in range(len(time)):
-        v0 = chord[i - 1] if i > 0 else 0.0
-        v1 = chord[i] if i + 1 < len(time) else 0.0
+        v0 = chord[i - 1] if i > 0 else 0
+        v1 = chord[i] if i + 1 < len(time) else 0
         loose = (1 - T[i]) / 2
         before.append(loose * ((1 - C[i]) * (1 + B[i]) * v0 + (1 + C[i]) * (1 - B[i]) * v1))
         after.append(loose * ((1 + C[i]) * (1 + B[i]) * v0 + (1 - C[i]) * (1 - B[i]) * v1))
     return before, after
+
+
+def exactly(path):
+    """The cells of a file as the decimals that they are."""
+    return [list(map(fractions.Fraction, line.split(","))) for line in pathlib.Path(path).read_text().splitlines()[1:]]
 
 
 def positions(names, keys, channel, times):
@@ -130,6 +136,43 @@ def check(kind):
     return len(keys) / least
 
 
+def check_pieces():
+    """Moves with ramps of speed, as robots make them: the joints are at samples."""
+    per_piece, pieces, tolerance = rng.randint(8, 60), rng.randint(2, 30), 10 ** rng.uniform(-9, -3)
+    step, rows = 1 / 64, [[0.0, 0.0]]
+    speeds = [[0.0, 0.0]] + [[rng.randint(-8, 8) / 8 for _ in range(2)] for _ in range(pieces)]
+    for before, after in zip(speeds, speeds[1:]):
+        start, length = rows[-1], per_piece * step
+        for i in range(1, per_piece + 1):
+            t = i * step
+            rows.append([x + v * t + (w - v) / length * t * t / 2 for x, v, w in zip(start, before, after)])
+    lines = ["t,c0,c1"] + [",".join(map(repr, [i * step, *row])) for i, row in enumerate(rows)]
+    pathlib.Path(recording_file).write_text("\n".join(lines) + "\n")
+    arguments = ["--fit", str(tolerance), "--fit-keys", "hermite", "-o", keys_file, recording_file]
+    result = run(arguments)
+    if result.returncode != 0 or len(read(keys_file)[1]) > pieces + 1:
+        fail(f"{result.stderr}{pieces} pieces", arguments)
+
+
+def check_decimal_times():
+    """Times that are no doubles: the curve is within the tolerance also where they are taken as decimals."""
+    tolerance, first = rng.choice([1e-2, 1e-3, 1e-4]), 1305031098 + rng.random()
+    times = [round(first + i * 0.01 + rng.uniform(0, 0.004), 4) for i in range(400)]
+    wave = [(rng.uniform(0.1, 1), rng.uniform(0.5, 3), rng.uniform(0, 7)) for _ in range(3)]
+    rows = [[round(sum(a * math.sin(w * (t - first) + p) for a, w, p in wave), 7)] for t in times]
+    lines = ["t,c0"] + [f"{t:.4f},{row[0]!r}" for t, row in zip(times, rows)]
+    pathlib.Path(recording_file).write_text("\n".join(lines) + "\n")
+    arguments = ["--fit", str(tolerance), "-o", keys_file, recording_file]
+    result = run(arguments)
+    if result.returncode != 0:
+        fail(result.stderr, arguments)
+    samples, keys = exactly(recording_file), exactly(keys_file)
+    computed = positions(read(keys_file)[0], keys, "c0", [row[0] for row in samples])
+    largest = max(abs(one - row[1]) for one, row in zip(computed, samples))
+    if largest > fractions.Fraction(str(tolerance)):
+        fail(f"{float(largest)} from a sample", arguments)
+
+
 def pose_at(t, waves):
     """x and a quaternion, w first, of either sign."""
     x, *turns = (sum(a * math.sin(w * t + p) for a, w, p in wave) for wave in waves)
@@ -168,6 +211,8 @@ def check_poses():
 
 for _ in range(count // 10 + 1):
     check_poses()
+    check_pieces()
+    check_decimal_times()
 ratios = {}
 for number in range(count):
     kind = ("smooth", "noisy", "uneven", "steps")[number % 4]

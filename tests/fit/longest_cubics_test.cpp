@@ -47,5 +47,15 @@ TEST(LongestCubics, of_few_samples) {
   EXPECT_EQ(longest_cubics(recording_of({zigzag}, 9, 1, 1e-6)).size(), 3U);
 }
 
+TEST(LongestCubics, knots_are_where_one_cubic_ends_and_another_begins) {
+  const auto kinks = [](double t) { return t < 1 ? 0 : t < 3 ? (t - 1) * (t - 1) : 4 * t - 8; };
+  for (const double tolerance : {1e-2, 1e-6}) {
+    const auto knots = knots_of(recording_of({kinks}, 501, 0.01, tolerance), 3);
+    ASSERT_EQ(knots.size(), 2U) << tolerance;
+    EXPECT_NEAR(static_cast<double>(knots[0]), 100, 1) << tolerance;
+    EXPECT_NEAR(static_cast<double>(knots[1]), 300, 1) << tolerance;
+  }
+}
+
 }  // namespace
 }  // namespace tcb
