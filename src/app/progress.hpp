@@ -34,6 +34,8 @@ enum class NoteCode {
   other_program,         ///< the program of the earlier output, this program
   fitted,                ///< number of samples, of keys, their ratio, largest distance, its line, least number of keys
   rotations_not_fitted,  ///< names of the columns of rotations
+  likely_quaternion,
+  likely_matrix,
 };
 
 struct Note {
