@@ -31,10 +31,10 @@ std::vector<T> selected(const std::vector<T>& entries, std::size_t channels, std
   return result;
 }
 
-/// The numbers of keys as written, of channels that have these sources.
-Texts selected_decimals(const KeyBlock& block, std::span<const std::size_t> sources) {
+/// The numbers of keys as written, of channels that have these sources, where there were so many channels.
+Texts selected_decimals(const KeyBlock& block, std::size_t channels, std::span<const std::size_t> sources) {
   Texts decimals;
-  const std::size_t per_key = block.decimals.size() / block.size(), channels = block.keys.channels;
+  const std::size_t per_key = block.decimals.size() / block.size();
   for (std::size_t key = 0; key < block.decimals.size(); key += per_key) {
     decimals.append(block.decimals, key, key + NumberOfKey::position);
     for (std::size_t first = NumberOfKey::position; first < per_key; first += channels) {
@@ -47,13 +47,13 @@ Texts selected_decimals(const KeyBlock& block, std::span<const std::size_t> sour
 /// Gives a block a channel for each of these sources.
 void select_channels(KeyBlock& block, std::span<const std::size_t> sources) {
   Keys& keys = block.keys;
-  const std::size_t channels = keys.channels;
-  if (keys.has_channel_tcbs()) keys.tcbs = selected(keys.tcbs, channels, sources);
+  const std::size_t channels = std::exchange(keys.channels, sources.size());
+  if (!keys.given.empty()) keys.given = selected(keys.given, channels, sources);
+  if (block.empty()) return;
+  if (keys.tcbs.size() > block.size()) keys.tcbs = selected(keys.tcbs, channels, sources);
   keys.positions = selected(keys.positions, channels, sources);
   keys.velocities = selected(keys.velocities, channels, sources);
-  keys.given = selected(keys.given, channels, sources);
-  if (!block.decimals.empty()) block.decimals = selected_decimals(block, sources);
-  keys.channels = sources.size();
+  if (!block.decimals.empty()) block.decimals = selected_decimals(block, channels, sources);
 }
 
 /// Keeps the numbers of rotations as keys give them. Throws: Error (data) for velocities of these.
@@ -239,7 +239,7 @@ Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const Rotatio
       rotations.columns, [](const spline::RotationColumns& columns) { return columns.turn.has_value(); }));
   const auto convert = [given, conversions, turns, sources = rotations.sources](KeyBlock block) {
     keep_given(block, given);
-    if (!sources.empty() && !block.empty()) select_channels(block, sources);
+    if (!sources.empty()) select_channels(block, sources);
     block.keys.turns.resize(turns * block.size());
     for (Conversion& conversion : *conversions) conversion.convert(block);
     return block;
