@@ -164,6 +164,7 @@ enum class ErrorCode {
   same_column_names,          ///< the name
   no_such_column,             ///< name or number, names of the columns
   no_such_column_number,      ///< name or number, number of columns
+  column_without_channel,     ///< number, numbers of those with one
   column_with_two_roles,      ///< name
   two_columns_for_role,       ///< role, name of the second column
   column_of_unknown_channel,  ///< name, name of the channel, names of the channels
@@ -274,6 +275,7 @@ enum class ErrorCode {
   equal_times,                 ///< time, the time before and its line
   equal_times_in_list,         ///< time, the time before, the positions of both keys in the list
   decreasing_times,            ///< as equal_times
+  decreasing_times_by_place,   ///< the same, where columns have no names
   decreasing_times_in_list,    ///< as equal_times_in_list
   curves_interleaved,          ///< time, the time before and its line, column of labels
   curves_interleaved_in_list,  ///< as equal_times_in_list, and column of labels
@@ -350,6 +352,8 @@ enum class ErrorCode {
   rotation_incomplete,        ///< name of a channel of it
   rotation_not_unit,          ///< name of a channel of it, norm
   rotation_zero,              ///< name of a channel of it
+  matrix_not_orthogonal,      ///< name of a channel of it, how far it is from orthogonal
+  matrix_no_rotation,         ///< name of a channel of it, determinant
   angle_over_turn,            ///< name of a channel of its rotation, angle in radians
   angle_too_large,            ///< name of a channel of its rotation, angle in degrees
   axis_zero,                  ///< name of a channel of its rotation, angle

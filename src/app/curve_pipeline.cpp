@@ -25,7 +25,7 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       threads_(input.threads),
       may_miss_(input.may_miss),
       channels_(input.channels),
-      rotations_{input.rotations, input.given_rotations,      input.channels.size(),
+      rotations_{input.rotations, input.given_rotations,      input.channel_sources,
                  input.normalize, spec_.rules.rotation_curve, spec_.preset == spline::Preset::nel} {
   request_.frame_rate = input.frame_rate;
   for (auto* const bound : {&request_.from, &request_.to}) {

@@ -85,7 +85,7 @@ Facts intentions(const Job& job, const Input& input) {
     add("angle", input.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
   }
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const auto& [notation, relative, columns] = input.given_rotations[i];
+    const auto& [notation, relative, columns, channels] = input.given_rotations[i];
     const auto& shown = input.rotations[i].shown;
     const std::string rows = shown == notation ? "" : ", in rows " + in_words(shown);
     add(i == 0 ? "rotation" : fmt::format("rotation {}", i + 1),

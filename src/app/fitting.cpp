@@ -87,7 +87,7 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
 Source<KeyBlock> checked_samples(Source<KeyBlock> blocks, const Input& input, const FitOptions& options) {
   if (options.angle) {
     blocks = with_quaternions(std::move(blocks),
-                              {input.rotations, input.given_rotations, input.channels.size(), input.normalize});
+                              {input.rotations, input.given_rotations, input.channel_sources, input.normalize});
   }
   return with_clear_angles(std::move(blocks), input.angles, input.channels);
 }

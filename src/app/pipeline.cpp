@@ -166,6 +166,11 @@ class FileRun {
       }
       report_.note(path_, {NoteCode::rotations_not_fitted, {names}});
     }
+    const bool takes_likely = !job_.input.rotation.none && job_.input.rotation.requests.empty();
+    if (takes_likely && input.likely_rotation) {
+      const bool is_matrix = input.likely_rotation == spline::RotationForm::matrix;
+      report_.note(path_, {is_matrix ? NoteCode::likely_matrix : NoteCode::likely_quaternion});
+    }
     if (!input.timed && !job_.curve.parameter) report_.note(path_, {NoteCode::no_time_column});
     if (job_.sampling.is_rate && input.time_unit == TimeUnit::frames) {
       report_.note(path_, {NoteCode::rate_of_frames, {input.time}});

@@ -108,9 +108,10 @@ std::string progress_text(const Progress& progress, std::size_t width) {
 Report::~Report() { clear(); }
 
 void Report::note(const std::string& path, const Note& note) {
-  constexpr std::array important{NoteCode::ignored_columns,      NoteCode::remainder,        NoteCode::range_remainder,
-                                 NoteCode::more_remainders,      NoteCode::rate_of_frames,   NoteCode::fitted,
-                                 NoteCode::rotations_not_fitted, NoteCode::labels_not_fitted};
+  constexpr std::array important{
+      NoteCode::ignored_columns,   NoteCode::remainder,    NoteCode::range_remainder,      NoteCode::more_remainders,
+      NoteCode::rate_of_frames,    NoteCode::fitted,       NoteCode::rotations_not_fitted, NoteCode::labels_not_fitted,
+      NoteCode::likely_quaternion, NoteCode::likely_matrix};
   const bool is_important = std::ranges::count(important, note.code) > 0;
   if (is_important ? !verbosity_.quiet : verbosity_.notes)
     print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + wording_.note(note));

@@ -35,6 +35,8 @@ enum class NoteCode {
   fitted,                ///< number of samples, of keys, their ratio, largest distance, its line, least number of keys
   rotations_not_fitted,  ///< names of the columns of rotations
   labels_not_fitted,     ///< names of their columns
+  likely_quaternion,
+  likely_matrix,
 };
 
 struct Note {

@@ -97,9 +97,9 @@ constexpr std::array<OptionRow, option_count> option_rows{{
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.scales = channel_scales(text); }},
     {Option::rotation, "--rotation", "FORM=COLUMN:...", input_group,
-     "Columns that together are a rotation: quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE[,relative] or "
-     "euler=A:B:C,order=XYZ; once for each rotation. none: all are plain channels. By default columns such as qx, qy, qz "
-     "and qw",
+     "Columns that together are a rotation: quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE[,relative], "
+     "euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33, by name or number; once for each rotation. none: "
+     "all are plain channels. By default columns such as qx, qy, qz and qw",
      "", other, recorded,
      [](Typed& to, Text text) {
        RotationOptions& options = to.job.input.rotation;
@@ -115,7 +115,7 @@ constexpr std::array<OptionRow, option_count> option_rows{{
      "Channels that are angles in degrees or radians: from key to key they turn less than half a turn; rows have them from "
      "0 to 360 degrees, or if a key is negative from -180 to 180",
      "", columns, recorded, [](Typed& to, Text text) { to.job.input.rotation.angles = angle_channels(text); }},
-    {Option::normalize, "--normalize", "", input_group, "Takes quaternions of any norm but 0, and divides them by it", "", flag, recorded,
+    {Option::normalize, "--normalize", "", input_group, "Takes quaternions of any norm but 0, and divides them by it; takes the rotation nearest to a matrix", "", flag, recorded,
      [](Typed& to, Text) { to.job.input.rotation.normalize = true; }},
     {Option::duplicates, "--duplicates", "POLICY", input_group,
      "For keys with equal times: error rejects them; first or last keeps that one; break begins a new curve with the "

@@ -63,6 +63,10 @@ constexpr Words all_words[]{
           "two columns are called \"{0}\"; expected different names; rename one, or choose by number with --columns"},
     Words{ErrorCode::no_such_column, "no column \"{0}\"; the columns are {1}; correct {subject}"},
     Words{ErrorCode::no_such_column_number, "no column {0}; there are {1}, without names; give numbers from 1 to {1}"},
+    Words{
+        ErrorCode::column_without_channel,
+        "{subject}: column {0} is the time or has another role; expected one of the columns {1}; name others, or give "
+        "--parameter uniform if the keys have no times"},
     Words{ErrorCode::column_with_two_roles, "column \"{0}\" has two roles; expected one; correct --columns"},
     Words{ErrorCode::two_columns_for_role,
           "two columns could be the {0} column, the second is \"{1}\"; expected one; choose with --columns"},
@@ -276,6 +280,9 @@ constexpr Words all_words[]{
     Words{ErrorCode::decreasing_times,
           "time {0} is less than the time {1} in line {2}; expected increasing times; sort the rows by time, or "
           "give --sort"},
+    Words{ErrorCode::decreasing_times_by_place,
+          "time {0} is less than the time {1} in line {2}; expected increasing times; sort the rows by time, give "
+          "--sort, or give --parameter uniform if the keys have no times"},
     Words{ErrorCode::decreasing_times_in_list,
           "{3}: time {0} is less than the time {1} of {2}; expected increasing times; sort the rows by time, or "
           "give --sort"},
@@ -453,13 +460,22 @@ constexpr Words all_words[]{
           "the outgoing velocity of channel \"{0}\" is missing; expected a number at every key but the last; fill "
           "it in, or remove the row"},
     Words{ErrorCode::rotation_incomplete,
-          "the rotation of \"{0}\" lacks a number; expected all four, or none; fill it in, or remove the row"},
+          "the rotation of \"{0}\" lacks a number; expected all of them, or none; fill it in, or remove the row"},
     Words{ErrorCode::rotation_not_unit,
           "the quaternion of \"{0}\" has the norm {1}; expected 1, within 0.001; check its columns and their order, "
           "or give --normalize to divide by the norm, or --rotation none for plain channels"},
     Words{ErrorCode::rotation_zero,
           "the quaternion of \"{0}\" is zero, which is no rotation; expected the norm 1; correct it, or give "
           "--rotation none for plain channels"},
+    Words{ErrorCode::matrix_not_orthogonal,
+          "the matrix of \"{0}\" is {1} from orthogonal; expected rows of the norm 1 and at right angles, within "
+          "0.001; "
+          "check its columns and their order, or give --normalize for the nearest rotation, or --rotation none for "
+          "plain channels"},
+    Words{ErrorCode::matrix_no_rotation,
+          "the matrix of \"{0}\" has the determinant {1}, so that it is no rotation; expected 1; check its columns "
+          "and "
+          "their order, or give --rotation none for plain channels"},
     Words{ErrorCode::angle_over_turn,
           "\"{0}\" has an angle of {1} radians; expected no more than a whole turn, 6.2832; give degrees as its unit, "
           "with --angles or --angle, or subtract whole turns"},
@@ -602,7 +618,8 @@ constexpr Words all_words[]{
           "pos_x=x,pos_y=y"},
     Words{ErrorCode::expected_rotation,
           "{subject} \"{0}\": expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, after which ,relative may follow, "
-          "euler=A:B:C,order=XYZ, each with names of columns, or none"},
+          "euler=A:B:C,order=XYZ, matrix= with nine columns, row after row, each with names or numbers of columns, or "
+          "none"},
     Words{ErrorCode::expected_euler_order,
           "{subject} \"{0}\": expected three letters of X, Y and Z, the second other than those next to it, as in "
           "order=ZYX for turns around the turned axes, or order=zyx around those at rest"},
@@ -827,6 +844,12 @@ constexpr std::array note_words{
               "can do"},
     NoteWords{NoteCode::rotations_not_fitted, "rotations not fitted: {0}; --fit D,0.5deg fits them"},
     NoteWords{NoteCode::labels_not_fitted, "ignored: {0}; the keys of a fit have no labels"},
+    NoteWords{NoteCode::likely_quaternion,
+              "columns 5 to 8 may be a quaternion; --rotation quaternion=5:6:7:8 resamples them as a rotation, "
+              "--rotation none leaves out this note"},
+    NoteWords{NoteCode::likely_matrix,
+              "the columns may be poses, matrices of 3 rows and 4 columns; --parameter uniform "
+              "--rotation matrix=1:2:3:5:6:7:9:10:11 resamples them as such, --rotation none leaves out this note"},
     NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose last digits may differ"},
 };
 

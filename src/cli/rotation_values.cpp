@@ -31,7 +31,7 @@ spline::RotationNotation euler_order(std::string_view letters, const std::string
 GivenRotation rotation_request(std::string_view part, const std::string& text) {
   const std::size_t equals = std::min(part.find('='), part.size());
   const auto form = std::ranges::find(rotation_forms, part.substr(0, equals), &RotationFormName::name);
-  if (equals == part.size() || form == rotation_forms.end() || form->form == spline::RotationForm::matrix) {
+  if (equals == part.size() || form == rotation_forms.end()) {
     refuse(ErrorCode::expected_rotation, text);
   }
   GivenRotation request{{form->form}};

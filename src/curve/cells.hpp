@@ -34,7 +34,7 @@ struct PositionCell {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::size_t channel = none;   ///< whose number it is, unless the rotation is shown in another form
   std::size_t rotation = none;  ///< whose number it is
-  std::size_t number = 0;       ///< among the cells of the rotation
+  std::size_t number = 0;       ///< among those of the rotation
 };
 
 /// The cells of a position in order.

@@ -14,24 +14,46 @@ void write_times(Cell* first, std::size_t width, const CurveSegment&, std::span<
   for (std::size_t i = 0; i < samples.size(); ++i) first[i * width] = samples[i].t;
 }
 
+namespace {
+
+bool is_quaternion(const spline::RotationColumns& rotation) {
+  return rotation.shown.form == spline::RotationForm::quaternion;
+}
+
+/// The cell of a channel that has one.
+PositionCell cell_of_channel(std::size_t channel, std::span<const spline::RotationColumns> rotations) {
+  PositionCell cell{channel};
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    const auto own = std::ranges::find(rotations[i].channels, channel);
+    if (own == rotations[i].channels.end()) continue;
+    cell.rotation = i;
+    cell.number = static_cast<std::size_t>(own - rotations[i].channels.begin());
+  }
+  return cell;
+}
+
+}  // namespace
+
 std::vector<PositionCell> position_cells(std::size_t channels, std::span<const spline::RotationColumns> rotations) {
-  std::vector<PositionCell> cells;
+  std::size_t count = channels;
+  for (const spline::RotationColumns& rotation : rotations) {
+    count += rotation.shown.numbers() - rotation.channels.size();
+  }
+  std::vector<PositionCell> cells(count);
+  std::vector<bool> taken(count);
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    for (std::size_t k = 0; !is_quaternion(rotations[i]) && k < rotations[i].shown.numbers(); ++k) {
+      cells[rotations[i].places[k]] = {PositionCell::none, i, k};
+      taken[rotations[i].places[k]] = true;
+    }
+  }
+  auto next = taken.begin();
   for (std::size_t channel = 0; channel < channels; ++channel) {
-    PositionCell cell{channel};
-    for (std::size_t i = 0; i < rotations.size(); ++i) {
-      const auto own = std::ranges::find(rotations[i].channels, channel);
-      if (own == rotations[i].channels.end()) continue;
-      cell.rotation = i;
-      cell.number = static_cast<std::size_t>(own - rotations[i].channels.begin());
-    }
-    const bool is_other_form =
-        cell.rotation != PositionCell::none && rotations[cell.rotation].shown.form != spline::RotationForm::quaternion;
-    if (!is_other_form) {
-      cells.push_back(cell);
-    } else if (channel == std::ranges::min(rotations[cell.rotation].channels)) {
-      const std::size_t count = rotations[cell.rotation].shown.numbers();
-      for (std::size_t i = 0; i < count; ++i) cells.push_back({PositionCell::none, cell.rotation, i});
-    }
+    const PositionCell cell = cell_of_channel(channel, rotations);
+    if (cell.rotation != PositionCell::none && !is_quaternion(rotations[cell.rotation])) continue;
+    next = std::find(next, taken.end(), false);
+    cells[static_cast<std::size_t>(next - taken.begin())] = cell;
+    ++next;
   }
   return cells;
 }
@@ -76,7 +98,6 @@ void write_rotation(Cell* row, std::size_t width, const spline::RotationSegment<
 
 void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
   const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
-  const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
   if (std::ranges::all_of(rotations, is_quaternion)) {
     for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
       if (!segment.is_rotation(i)) write_channel(first + i, width, segment, i, samples);
@@ -92,8 +113,7 @@ void write_positions(Cell* first, std::size_t width, const CurveSegment& segment
     if (cell.rotation == PositionCell::none) {
       write_channel(first + next, width, segment, cell.channel, samples);
     } else {
-      cells[cell.rotation][static_cast<std::size_t>(std::ranges::find(rotations[cell.rotation].cells, cell.number) -
-                                                    rotations[cell.rotation].cells.begin())] = next;
+      cells[cell.rotation][cell.number] = next;
     }
     ++next;
   }

@@ -48,11 +48,10 @@ template <class S>
 void write_position(Point<S>& point, CellWriter<S> out) {
   const CurveSegmentOf<S>& segment = point.segment();
   const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
-  std::vector<std::array<S, 9>> numbers(rotations.size());  // of each rotation, in the order of its cells
+  std::vector<spline::RotationNumbers<S>> numbers(rotations.size());
   if constexpr (spline::has_roots<S>) {
     for (std::size_t i = 0; i < rotations.size(); ++i) {
-      const auto shown = spline::numbers_of(point.rotation(i), rotations[i].shown);
-      for (std::size_t k = 0; k < shown.size(); ++k) numbers[i][rotations[i].cells[k]] = shown[k];
+      numbers[i] = spline::numbers_of(point.rotation(i), rotations[i].shown);
     }
   }
   for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {

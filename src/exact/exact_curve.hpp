@@ -46,7 +46,7 @@ void convert_rotation(const ExactRotation& exact, const std::vector<bool>& missi
   const auto& [columns, notation, relative, in_parent] = exact.rotation;
   spline::Quaternion<S> before{S(0), S(0), S(0), S(1)};
   for (std::size_t key = 0; key < exact.numbers.size(); ++key) {
-    std::array<S, 4> numbers;
+    spline::RotationNumbers<S> numbers;
     std::ranges::transform(exact.numbers[key], numbers.begin(), scalar_of<S>);
     spline::Quaternion<S> q = spline::quaternion_from(numbers, notation);
     if (relative) {

@@ -20,14 +20,24 @@ class Numbers {
 
   /// The number at this index among the key's decimals. Requires: not missing.
   Rational operator()(std::size_t index, const Time& nearest) const {
-    const std::string_view text = index < per_key_ ? block_.decimals[key_ * per_key_ + index] : std::string_view();
+    return of(index < per_key_ ? block_.decimals[key_ * per_key_ + index] : std::string_view(), nearest);
+  }
+
+  /// One of the numbers of its given rotations.
+  Rational of_rotation(std::size_t rotation, std::size_t number, double nearest) const {
+    const std::size_t given = block_.given_rotations.size() / block_.lines.size();
+    const std::size_t index = (key_ * given + rotation) * spline::RotationNumbers<double>().size() + number;
+    return of(block_.given_decimals.empty() ? std::string_view() : block_.given_decimals[index], nearest);
+  }
+
+ private:
+  Rational of(std::string_view text, const Time& nearest) const {
     if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
     if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
     if (const auto number = parse_rational(text)) return *number;
     throw Error(Exit::data, ErrorCode::decimal_too_long).at({"", block_.lines[key_], 0});
   }
 
- private:
   const KeyBlock& block_;
   std::size_t key_, per_key_;
   bool decimal_;
@@ -125,10 +135,9 @@ void ExactKeys::add(const KeyBlock& block) {
     add_velocities(keys, key, number);
     for (std::size_t i = 0; i < converted_.size(); ++i) {
       const auto& given = block.given_rotations[key * converted_.size() + i];
-      std::array<Rational, 4>& exact = converted_[i].numbers.emplace_back();
+      spline::RotationNumbers<Rational>& exact = converted_[i].numbers.emplace_back();
       for (std::size_t j = 0; j < converted_[i].rotation.notation.numbers(); ++j) {
-        const std::size_t index = NumberOfKey::position + converted_[i].rotation.columns.channels[j];
-        if (!std::isnan(given[j])) exact[j] = number(index, given[j]);
+        if (!std::isnan(given[j])) exact[j] = number.of_rotation(i, j, given[j]);
       }
     }
     const std::size_t turns = keys.turns_per_key();

@@ -22,7 +22,8 @@ spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules
 /// A rotation whose quaternions are converted from exact numbers at each scalar.
 struct ExactRotation {
   ConvertedRotation rotation;
-  std::vector<std::array<Rational, 4>> numbers;  ///< of each key, also of one that repeats the first one; missing: 0
+  /// Of each key, also of one that repeats the first one; missing: 0.
+  std::vector<spline::RotationNumbers<Rational>> numbers;
 };
 
 /// A curve without any rounding.

@@ -10,6 +10,7 @@
 
 #include "error.hpp"
 #include "input/time_notation.hpp"
+#include "tcb/spline/key.hpp"
 
 namespace tcb {
 
@@ -134,6 +135,7 @@ struct Columns {
   std::vector<std::string> ignored;   ///< names of the columns without a role
   std::vector<Mark> marks;            ///< the first of them
   bool may_be_timed = false;          ///< the first channel may be the time, by its place and its name
+  std::optional<spline::RotationForm> likely_rotation = {};  ///< that columns without names may be by their numbers
   bool are_segments = false;  ///< each record is a segment: start, duration, positions and velocities of its ends
 
   bool has(Role role) const;
@@ -185,6 +187,10 @@ struct SampleNames {
   std::vector<Renaming> maps = {};        ///< of columns of the samples
   std::optional<Option> times_only = {};  ///< nothing is read but the groups and `time`, which this option names
 };
+
+/// The rotation that numbers of a record may be, where columns have no names: in a record of 8 numbers, a quaternion of
+/// the norm 1 as the last four; in one of 12, a matrix of three rows, each followed by a number of the position.
+std::optional<spline::RotationForm> likely_rotation(std::span<const double> record);
 
 /// The columns of samples: the time, the groups, and every other column of numbers as a channel, whatever its name.
 /// Throws: Error (data) as find_columns.

@@ -77,8 +77,9 @@ inline constexpr std::array angle_units{AngleUnit{"radians", false}, AngleUnit{"
 /// How keys give a rotation.
 struct GivenRotation {
   spline::RotationNotation notation = {};
-  bool relative = false;                  ///< to the rotation of the key before
-  std::vector<std::string> columns = {};  ///< names of those of its numbers
+  bool relative = false;                   ///< to the rotation of the key before
+  std::vector<std::string> columns = {};   ///< names of those of its numbers
+  std::vector<std::size_t> channels = {};  ///< those of its numbers, in keys as they are read
 };
 
 /// A channel that is an angle.
@@ -166,6 +167,11 @@ struct Input {
   bool timed = false;                                         ///< it has a time column
   std::string time;                                           ///< name of the time column
   std::vector<std::string> channels;                          ///< names of the position channels
+  std::vector<std::string> read_channels = {};                ///< the same of keys as they are read
+  std::vector<std::size_t> read_columns = {};                 ///< the number of the column of each of these, from 1
+  std::size_t column_count = 0;                               ///< of a record
+  std::optional<spline::RotationForm> likely_rotation = {};   ///< that columns without names and roles may be
+  std::vector<std::size_t> channel_sources = {};              ///< of each channel, the one of keys as they are read
   std::vector<spline::RotationColumns> rotations = {};        ///< which of them make rotations
   std::vector<GivenRotation> given_rotations = {};            ///< how keys give each
   std::vector<std::vector<std::string>> rotation_names = {};  ///< of the cells of each, where they are not channels
@@ -202,9 +208,9 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
 void set_units_and_names(Input& input, const InputOptions& options);
 
 /// Sets which channels are angles, and which make rotations, as requested or else by their names: "q" and x, y, z and
-/// w, or w, x, y and z between the same texts of which the first has a "q". Rotations with three columns get a channel
-/// more, the last one. Throws: Error (data) for a column that is missing, or that is in two rotations, and for names
-/// that are taken.
+/// w, or w, x, y and z between the same texts of which the first has a "q". Columns are requested by name, or by number
+/// from 1. In place of the first column of a rotation in another form than a quaternion there are four channels.
+/// Throws: Error (data) for a column that is missing, or that is in two rotations, and for names that are taken.
 void set_rotations(Input& input, const RotationOptions& options);
 
 /// The largest number of faults of an input that are reported.

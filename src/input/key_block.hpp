@@ -137,9 +137,10 @@ struct KeyBlock {
   Texts texts = {};                         ///< of each key: those of its groups, then its labels
   Texts decimals = {};                      ///< of each key in the order of NumberOfKey: its numbers as written
 
-  /// Of each key: the numbers of each rotation that is given in another form than a quaternion. Its decimals are
-  /// theirs.
-  std::vector<std::array<double, 4>> given_rotations = {};
+  /// Of each key: the numbers of each rotation that is given in another form than a quaternion, and each of them as
+  /// written.
+  std::vector<spline::RotationNumbers<double>> given_rotations = {};
+  Texts given_decimals = {};
 
   std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of Input::marks
 

@@ -1,6 +1,7 @@
 // Reader: opens an input in its format; bytes up to a NUL; faults of an input gathered into one error.
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -149,12 +150,18 @@ void Input::set_columns(const Columns& columns) {
   named = columns.named;
   timed = columns.has(Role::time);
   time = columns.time;
-  channels = columns.channels;
+  channels = read_channels = columns.channels;
+  column_count = columns.cells.size();
+  read_columns.resize(channels.size());
+  for (std::size_t cell = 0; cell < column_count; ++cell) {
+    if (columns.cells[cell].role == Role::position) read_columns[columns.cells[cell].channel] = cell + 1;
+  }
   groups = columns.groups;
   carried = columns.carried;
   ignored = columns.ignored;
   marks = columns.marks;
   may_be_timed = columns.may_be_timed;
+  likely_rotation = columns.likely_rotation;
   has_segments = columns.are_segments;
   facts.roles = columns.shape_roles();
 }

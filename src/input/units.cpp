@@ -1,8 +1,6 @@
-// Units and names of an input: factors of its numbers, the unit of its times, its rotations, and new names for its
-// columns.
+// Units and names of an input: factors of its numbers, the unit of its times, and new names for its columns.
 #include <algorithm>
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -81,126 +79,6 @@ void rename(Input& input, const std::vector<Renaming>& renamings) {
   require_other_names(input, Option::rename);
 }
 
-/// The index of a channel by its name, in any case if none has it exactly.
-std::size_t requested_channel(const std::string& name, const std::vector<std::string>& channels,
-                              Option option = Option::rotation) {
-  const auto exact = std::ranges::find(channels, name);
-  const auto found = exact != channels.end() ? exact : std::ranges::find_if(channels, [&](const std::string& channel) {
-    return same_in_any_case(channel, name);
-  });
-  if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
-  throw Error(Exit::data, ErrorCode::no_such_column, {name, channels}).about(option);
-}
-
-/// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, after a "q".
-std::vector<spline::RotationColumns> rotations_by_name(const std::vector<std::string>& channels) {
-  constexpr std::string_view letters = "xyzw";
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::map<std::string, spline::RotationChannels> found;  // by the names without that letter
-  for (std::size_t channel = 0; channel < channels.size(); ++channel) {
-    const std::string name = in_lower_case(channels[channel]);
-    for (std::size_t at = name.find('q'); at != std::string::npos && ++at < name.size();) {
-      const std::size_t letter = letters.find(name[at]);
-      if (letter == std::string_view::npos) continue;
-      std::string others = name;
-      others[at] = '*';
-      auto& rotation = found.try_emplace(others, spline::RotationChannels{none, none, none, none}).first->second;
-      rotation[letter] = channel;
-    }
-  }
-  std::vector<spline::RotationColumns> rotations;
-  for (const auto& [name, rotation] : found) {
-    const auto missing = std::ranges::count(rotation, none);
-    if (missing == 0) rotations.push_back({rotation});
-    const bool is_quaternion = name[0] == 'q' && (name[1] == '*' || name[1] == '_' || name[1] == '.');
-    if (missing != 1 || !is_quaternion) continue;
-    std::vector<std::string> others;
-    for (const std::size_t channel : rotation) {
-      if (channel != none) others.push_back(channels[channel]);
-    }
-    std::string lacking = name;
-    lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
-    throw Error(Exit::data, ErrorCode::rotation_column_missing, {lacking, others}).about(Option::rotation);
-  }
-  std::ranges::sort(rotations, {},
-                    [](const spline::RotationColumns& rotation) { return std::ranges::min(rotation.channels); });
-  return rotations;
-}
-
-/// The names of the numbers of a rotation, where its columns give none; `number` follows where it is not empty.
-std::vector<std::string> names_in(const spline::RotationNotation& notation, const std::string& number) {
-  std::vector<std::string> names;
-  switch (notation.form) {
-    case spline::RotationForm::quaternion: names = {"qx", "qy", "qz", "qw"}; break;
-    case spline::RotationForm::axis_angle: names = {"ax", "ay", "az", "angle"}; break;
-    case spline::RotationForm::matrix: names = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}; break;
-    case spline::RotationForm::euler:
-      for (std::size_t i = 0; i < notation.axes.size(); ++i) {
-        const bool is_named = notation.axes[0] != notation.axes[2];
-        names.push_back(std::string("r") + (is_named ? "xyz"[notation.axes[i]] : "123"[i]));
-      }
-  }
-  for (std::string& name : names) name += number;
-  return names;
-}
-
-/// Adds a rotation with the requested columns. One with three columns gets a channel more.
-void add_rotation(Input& input, const GivenRotation& request) {
-  spline::RotationColumns rotation;
-  const std::size_t given = request.columns.size();
-  for (std::size_t i = 0; i < given; ++i) {
-    rotation.channels[i] = requested_channel(request.columns[i], input.channels);
-  }
-  if (given == 3) {
-    rotation.channels[3] = input.channels.size();
-    input.channels.push_back("rotation of " + input.channels[rotation.channels[0]]);
-  }
-  const auto relative =
-      static_cast<std::size_t>(std::ranges::count(input.given_rotations, true, &GivenRotation::relative));
-  if (request.relative) rotation.turn = relative;
-  input.rotations.push_back(rotation);
-  input.given_rotations.push_back(request);
-  for (std::size_t i = 0; i < given; ++i) {
-    input.given_rotations.back().columns[i] = input.channels[rotation.channels[i]];
-  }
-}
-
-/// Sets the form in which rows show a rotation, and the names of its cells, those of the columns in their order if the
-/// form is the given one.
-void show_rotation(Input& input, std::size_t index, const spline::RotationNotation& shown) {
-  spline::RotationColumns& rotation = input.rotations[index];
-  rotation.shown = shown;
-  const std::string number = input.rotations.size() == 1 ? "" : "_" + std::to_string(index + 1);
-  std::vector<std::string> names = names_in(shown, number);
-  if (shown == input.given_rotations[index].notation) {
-    std::vector<std::size_t> columns(rotation.channels.begin(), rotation.channels.begin() + names.size());
-    std::ranges::sort(columns);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      names[i] = input.channels[columns[i]];
-      const auto cell = std::ranges::find(columns, rotation.channels[i]) - columns.begin();
-      rotation.cells[i] = static_cast<std::uint8_t>(cell);
-    }
-  } else if (shown.form == spline::RotationForm::quaternion) {
-    for (std::size_t i = 0; i < names.size(); ++i) input.channels[rotation.channels[i]] = names[i];
-    return;
-  }
-  input.rotation_names[index] = std::move(names);
-}
-
-/// Throws: Error (data) where a column is in two rotations or angles.
-void require_own_columns(const Input& input) {
-  std::vector<bool> taken(input.channels.size());
-  const auto take = [&](std::size_t channel, Option option) {
-    if (taken[channel])
-      throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.channels[channel]}).about(option);
-    taken[channel] = true;
-  };
-  for (const spline::AngleChannel& angle : input.angles) take(angle.channel, Option::angle);
-  for (const spline::RotationColumns& rotation : input.rotations) {
-    for (const std::size_t channel : rotation.channels) take(channel, Option::rotation);
-  }
-}
-
 }  // namespace
 
 void set_units(KeyRules& rules, const InputOptions& options, const Columns& columns, std::string_view first_time) {
@@ -235,36 +113,8 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
   }
 }
 
-void set_rotations(Input& input, const RotationOptions& options) {
-  input.normalize = options.normalize;
-  for (const NamedAngle& angle : options.angles) {
-    input.angles.push_back({requested_channel(angle.channel, input.channels, Option::angle), angle.degrees});
-  }
-  if (options.requests.empty() && !options.none) {
-    input.rotations = rotations_by_name(input.channels);
-    for (const spline::RotationColumns& rotation : input.rotations) {
-      GivenRotation& given = input.given_rotations.emplace_back();
-      for (const std::size_t channel : rotation.channels) given.columns.push_back(input.channels[channel]);
-    }
-  }
-  for (GivenRotation request : options.requests) {
-    request.notation.degrees = options.degrees;
-    add_rotation(input, request);
-  }
-  require_own_columns(input);
-  input.rotation_names.resize(input.rotations.size());
-  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const spline::RotationNotation& given = input.given_rotations[i].notation;
-    spline::RotationNotation shown = options.shown.value_or(given);
-    shown.degrees = options.degrees;
-    if (shown.form != spline::RotationForm::quaternion || given.form != spline::RotationForm::quaternion) {
-      show_rotation(input, i, shown);
-    }
-  }
-  if (options.shown) require_other_names(input, Option::rotation_output);
-}
-
 void set_units_and_names(Input& input, const InputOptions& options) {
+  if (options.rotation.shown && !options.samples) require_other_names(input, Option::rotation_output);
   if (!input.timed) {
     if (options.input_rate || options.time_unit) {
       throw Error(Exit::data, ErrorCode::unit_without_times)

@@ -115,7 +115,9 @@ class Order {
     const ErrorCode interleaved = in_list ? ErrorCode::curves_interleaved_in_list : ErrorCode::curves_interleaved;
     const ErrorCode code = !column_.empty() ? interleaved
                            : equal          ? (in_list ? ErrorCode::equal_times_in_list : ErrorCode::equal_times)
-                                   : (in_list ? ErrorCode::decreasing_times_in_list : ErrorCode::decreasing_times);
+                           : in_list        ? ErrorCode::decreasing_times_in_list
+                           : labels_.channels.empty() ? ErrorCode::decreasing_times_by_place
+                                                      : ErrorCode::decreasing_times;
     return Error(Exit::data, code, std::move(values)).at(block.text_position(key));
   }
 
@@ -199,7 +201,7 @@ Source<KeyBlock> arranged(const Input& input, const CurveOptions& options, bool 
   }
   blocks = without_gaps(std::move(blocks));
   if (input.has_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
-  const CurveLabels labels{input.marks, input.named ? input.channels : std::vector<std::string>{}};
+  const CurveLabels labels{input.marks, input.named ? input.read_channels : std::vector<std::string>{}};
   if (input.timed) blocks = in_order(std::move(blocks), options.duplicates, labels);
   return without_faults(std::move(blocks), live);
 }

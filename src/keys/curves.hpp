@@ -46,7 +46,7 @@ Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
 /// The columns that may distinguish curves.
 struct CurveLabels {
   std::vector<Mark> marks = {};            ///< of keys
-  std::vector<std::string> channels = {};  ///< names of channels; only those of whole numbers count
+  std::vector<std::string> channels = {};  ///< names of channels, if they have any; only those of whole numbers count
 
   /// The column for each of whose values the times of a block's keys increase, where they do not as they are; empty:
   /// there is none. `texts`: only those of texts.

@@ -10,12 +10,15 @@
 
 namespace tcb {
 
+/// The rounding of the cosine of half the angle of a turn.
+inline constexpr double half_turn_rounding = 0x1p-50;
+
 /// What the keys of an input have for rotations.
 struct RotationsOfKeys {
   std::vector<spline::RotationColumns> columns;
-  std::vector<GivenRotation> given;  ///< how keys give each
-  std::size_t channels;              ///< with those that keys do not have yet
-  bool normalize = false;            ///< norms need not be 1 within 0.001
+  std::vector<GivenRotation> given;       ///< how keys give each
+  std::vector<std::size_t> sources = {};  ///< of each channel, the one of keys as they are given; empty: the same
+  bool normalize = false;                 ///< quaternions of any norm, and the rotations nearest to matrices
   spline::RotationCurve curve = spline::RotationCurve::squad;
   bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
 };
@@ -31,12 +34,16 @@ struct ConvertedRotation {
 /// Those of KeyBlock::given_rotations, in their order.
 std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations);
 
-/// The keys of a curve with the quaternions of their rotations, in blocks that have a channel for each of its numbers.
-/// They are negated where that makes the dot product with the one before positive, so that signs are continuous. A key
-/// may lack all numbers of a rotation.
-/// Throws: Error (data), at its line, for a quaternion that is zero, not whole or not of the norm 1, for an angle
-/// beyond what its unit allows, for an axis of zero, for half a turn between two, and for velocities of some numbers
-/// alone or with the curve slerp.
+/// The keys of a curve with the quaternions of rotations that keys give in another form, in blocks that have a channel
+/// for each of their numbers. A key may lack all numbers of a rotation.
+/// Throws: Error (data), at its line, for one that is not whole, for an angle beyond what its unit allows, for an axis
+/// of zero, for a matrix that is no rotation, and for velocities.
+Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
+
+/// The same, also with the quaternions that keys give. They are negated where that makes the dot product with the one
+/// before positive, so that signs are continuous.
+/// Throws: Error (data), at its line, also for a quaternion that is zero or not of the norm 1, for half a turn between
+/// two, and for velocities of some numbers alone or with the curve slerp.
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
 
 }  // namespace tcb

@@ -22,6 +22,9 @@ TEST(RotationValues, several_rotations_of_different_forms) {
   EXPECT_TRUE(all[1].relative);
   EXPECT_THAT(all[2].columns, ElementsAre("i", "j", "k"));
   EXPECT_THAT(all[2].notation.axes, ElementsAre(2, 1, 0));
+  const auto matrix = rotations("matrix=1:2:3:5:6:7:9:10:11", none);
+  EXPECT_EQ(matrix.at(0).notation.form, RotationForm::matrix);
+  EXPECT_THAT(matrix[0].columns, ElementsAre("1", "2", "3", "5", "6", "7", "9", "10", "11"));
 }
 
 TEST(RotationValues, small_letters_are_axes_at_rest) {

@@ -352,8 +352,28 @@ def check_golden(keys, options, reference):
         compared["golden"] = compared.get("golden", 0) + 1
 
 
+def quaternion_of(rows):
+    """The rotation nearest to a matrix: the orthogonal factor of its singular value decomposition, as axis and angle."""
+    u, _, v = mpmath.svd_r(mpmath.matrix(rows))
+    r = u * v
+    double_sine = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
+    half = mpmath.atan2(q4.norm(double_sine), r[0, 0] + r[1, 1] + r[2, 2] - 1) / 2
+    return [mpmath.cos(half), *q4.scaled(double_sine, mpmath.sin(half) / q4.norm(double_sine))]
+
+
+def matrix_text(q, digits):
+    """The matrix of a quaternion, rounded."""
+    w, x, y, z = q
+    rows = [[w * w + x * x - y * y - z * z, 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), w * w - x * x + y * y - z * z, 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z]]
+    return [f"{float(number):.{digits}f}" for row in rows for number in row]
+
+
 def turn_of(form, numbers, unit):
     """The rotation by the definition of its form; numbers and unit are exact."""
+    if form == "matrix":
+        return quaternion_of([numbers[:3], numbers[3:6], numbers[6:]])
     if form.startswith("axis-angle"):
         axis, half = numbers[:3], numbers[3] * unit / 2
         return [mpmath.cos(half), *q4.scaled(axis, mpmath.sin(half) / q4.norm(axis))]
@@ -366,16 +386,23 @@ def turn_of(form, numbers, unit):
 
 def check_forms():
     """The golden rows of keys in other forms are those of the exact rotations."""
-    form = draw.choice(["axis-angle", "axis-angle,relative", "XYZ", "ZYX", "zxz", "yzx"])
+    form = draw.choice(["axis-angle", "axis-angle,relative", "XYZ", "ZYX", "zxz", "yzx", "matrix"])
     degrees, decimal, preset = draw.random() < 0.5, draw.random() < 0.5, draw.choice(["gte", "nel", "splines"])
     unit = mpmath.pi / 180 if degrees else mpf(1)
     widest = 2.2 if form == "axis-angle,relative" else 1.1
     is_axis = form.startswith("axis-angle")
-    columns = f"axis-angle=a:b:c:d{form[10:]}" if is_axis else f"euler=a:b:c,order={form}"
-    lines, keys, before = ["t,a,b,c,d" if is_axis else "t,a,b,c"], [], [mpf(1), mpf(0), mpf(0), mpf(0)]
+    names = {"axis-angle": "abcd", "matrix": "abcdefghi"}.get(form.split(",")[0], "abc")
+    columns = ("axis-angle=" if is_axis else "matrix=" if form == "matrix" else "euler=") + ":".join(names)
+    columns += form[10:] if is_axis else "" if form == "matrix" else f",order={form}"
+    lines, keys, before = [",".join("t" + names)], [], [mpf(1), mpf(0), mpf(0), mpf(0)]
     for t in range(draw.randint(2, 6)):
         angles = [draw.uniform(-widest, widest) / (1 if is_axis else 2) / float(unit) for _ in range(1 if is_axis else 3)]
         written = [f"{x:.9f}" for x in ([draw.gauss(0, 1) for _ in range(3)] if is_axis else []) + angles]
+        if form == "matrix":
+            axis = [draw.gauss(0, 1) for _ in range(3)]
+            half = draw.uniform(.1, widest) / 2  # of less than half a turn from key to key
+            turn = [math.cos(half), *(math.sin(half) * x / math.hypot(*axis) for x in axis)]
+            written = matrix_text(turn, draw.choice([4, 7, 12]))
         numbers = [mpf(x) if decimal else mpf(float(x)) for x in written]
         q = turn_of(form, numbers, unit)
         if form.endswith("relative"):

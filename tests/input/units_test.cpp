@@ -83,35 +83,5 @@ TEST(Names, of_columns_are_replaced_at_once) {
   EXPECT_THAT(error_of([&] { opened("t,x,y\n0,1,2\n1,2,3\n", options); }), HasSubstr("\"y\""));
 }
 
-TEST(RotationsByName, four_names_that_differ_in_a_letter_after_a_q) {
-  using Four = spline::RotationChannels;
-  const auto rotations = [](const std::string& header, const RotationOptions& options = {}) {
-    InputOptions all;
-    all.rotation = options;
-    std::vector<Four> channels;
-    const Input input = opened(header + "\n0,1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1,1\n", all);
-    for (const spline::RotationColumns& rotation : input.rotations) channels.push_back(rotation.channels);
-    return channels;
-  };
-  EXPECT_THAT(rotations("t,x,y,z,qx,qy,qz,qw,b"), ElementsAre(Four{3, 4, 5, 6}));
-  EXPECT_THAT(rotations("t,a,b,c,QW,QX,QY,QZ,d"), ElementsAre(Four{4, 5, 6, 3}));
-  EXPECT_THAT(rotations("t,q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z [],quat.x,quat.y,quat.z,quat.w"),
-              ElementsAre(Four{1, 2, 3, 0}, Four{4, 5, 6, 7}));
-  EXPECT_THAT(rotations("t,rx,ry,rz,rw,seq_x,seq_y,seq_z,s"), ElementsAre());
-  EXPECT_THAT(error_of([&] { rotations("t,x,y,z,qx,qy,qz,u,v"); }), HasSubstr("\"qw\""));
-  EXPECT_THAT(rotations("t,x,y,z,qx,qy,qz,u,v", {.none = true}), ElementsAre());
-  EXPECT_THAT(rotations("t,a,b,c,d,qx,qy,qz,qw", {.requests = {{{}, false, {"B", "c", "d", "a"}}}}),
-              ElementsAre(Four{1, 2, 3, 0}));
-  EXPECT_THAT(error_of([&] {
-                rotations("t,a,b,c,d,e,f,g,h",
-                          {.requests = {{{}, false, {"a", "b", "c", "d"}}, {{}, false, {"d", "e", "f", "g"}}}});
-              }),
-              HasSubstr("\"d\" is in two rotations"));
-  EXPECT_THAT(error_of([&] {
-                rotations("t,a,b,c,d,e,f,g,h", {.requests = {{{}, false, {"a", "b", "c", "z"}}}});
-              }),
-              HasSubstr("no column \"z\""));
-}
-
 }  // namespace
 }  // namespace tcb

@@ -64,9 +64,12 @@ TEST(InOrder, the_last_of_equal_times_begins_the_curve_that_the_first_began) {
 
 TEST(InOrder, decreasing_times_are_refused_each_with_the_previous_key) {
   const std::string all = shown_keys(in_order(keys_of("0 1\n2 2\n1.5 3\n1 4\n3 5\n", 5), Duplicates::first));
-  const std::string remedy = "; expected increasing times; sort the rows by time, or give --sort]";
-  EXPECT_EQ(all, " 1:1 2:2 3:3 4:4 5:5 [f:3: error: time 1.5 is less than the time 2 in line 2" + remedy +
-                     " [f:4: error: time 1 is less than the time 1.5 in line 3" + remedy);
+  const std::string remedy = "; expected increasing times; sort the rows by time, ";
+  const std::string unnamed = remedy + "give --sort, or give --parameter uniform if the keys have no times]";
+  EXPECT_EQ(all, " 1:1 2:2 3:3 4:4 5:5 [f:3: error: time 1.5 is less than the time 2 in line 2" + unnamed +
+                     " [f:4: error: time 1 is less than the time 1.5 in line 3" + unnamed);
+  const std::string named = shown_keys(in_order(keys_of("2 2\n1 3\n", 5), Duplicates::first, {{}, {"x"}}));
+  EXPECT_EQ(named, " 1:2 2:3 [f:2: error: time 1 is less than the time 2 in line 1" + remedy + "or give --sort]");
 }
 
 TEST(InOrder, keys_of_json_are_named_by_their_path) {
@@ -143,7 +146,7 @@ TEST(Curves, faults_of_all_curves_are_one_error_in_the_order_of_their_lines) {
             "f:3: error: time 0 repeats the time 0 in line 1; expected increasing times; remove one of them, or "
             "give --duplicates first, last or break\n"
             "f:4: error: time 4 is less than the time 5 in line 2; expected increasing times; sort the rows by "
-            "time, or give --sort");
+            "time, give --sort, or give --parameter uniform if the keys have no times");
 }
 
 TEST(Curves, sorting_without_times_is_refused) {

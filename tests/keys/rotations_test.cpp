@@ -1,4 +1,4 @@
-// Rotations among keys: other forms, continuous signs, also of decimals, and what is refused.
+// Rotations among keys: continuous signs, also of decimals, and what is refused.
 #include "keys/rotations.hpp"
 
 #include <gtest/gtest.h>
@@ -30,13 +30,16 @@ KeyBlock block_of(const std::vector<Numbers>& quaternions) {
   return block;
 }
 
-KeyBlock checked(KeyBlock block, bool normalize = false) {
-  Source<KeyBlock> source = [block = std::move(block), done = false]() mutable -> std::optional<KeyBlock> {
+Source<KeyBlock> source_of(const KeyBlock& block) {
+  return [block, done = false]() mutable -> std::optional<KeyBlock> {
     if (std::exchange(done, true)) return std::nullopt;
     return block;
   };
+}
+
+KeyBlock checked(const KeyBlock& block, bool normalize = false) {
   const GivenRotation given{{}, false, {"qx", "qy", "qz", "qw"}};
-  return *with_quaternions(std::move(source), {{{{1, 2, 3, 4}, {}, {}, 0}}, {given}, 5, normalize})();
+  return *with_quaternions(source_of(block), {{{{1, 2, 3, 4}}}, {given}, {}, normalize})();
 }
 
 std::pair<ErrorCode, std::uint64_t> refusal(const std::vector<Numbers>& quaternions, bool normalize = false) {
@@ -84,59 +87,6 @@ TEST(Rotations, what_is_no_rotation_is_refused) {
   EXPECT_EQ(refusal({{0, 0, 0, 1}, {0, 0, 1, 0}}), std::pair(half_turn_between_keys, std::uint64_t{3}));
   EXPECT_EQ(checked(block_of({{0, 0, 0, 0.9995}, {0, 0, 0, 1.0005}})).size(), 2U);
   EXPECT_EQ(checked(block_of({{0, 0, 0, 3}, {0, 0, 0, -1e200}}), true).keys.positions[9], 1e200);
-}
-
-/// Keys with a position x, and axes and angles in degrees, as quaternions.
-Numbers quaternions_of(const std::vector<Numbers>& keys, bool relative, bool in_parent) {
-  const GivenRotation given{{spline::RotationForm::axis_angle, {}, true, true}, relative, {"ax", "ay", "az", "angle"}};
-  Source<KeyBlock> source = [block = block_of(keys), done = false]() mutable -> std::optional<KeyBlock> {
-    if (std::exchange(done, true)) return std::nullopt;
-    return block;
-  };
-  return with_quaternions(std::move(source),
-                          {{{{1, 2, 3, 4}, {}, {}, 0}}, {given}, 5, false, spline::RotationCurve::squad, in_parent})()
-      ->keys.positions;
-}
-
-void expect_near(const Numbers& numbers, const Numbers& expected) {
-  ASSERT_EQ(numbers.size(), expected.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_NEAR(numbers[i], expected[i], 1e-15) << i;
-}
-
-TEST(Rotations, of_an_axis_and_an_angle_become_quaternions) {
-  const double root = std::sqrt(0.5);
-  const std::vector<Numbers> keys{{0, 0, 2, 90}, {1, 0, 0, 90}};
-  expect_near(quaternions_of(keys, false, false), {7, 0, 0, root, root, 7, root, 0, 0, root});
-  expect_near(quaternions_of(keys, true, false), {7, 0, 0, root, root, 7, 0.5, 0.5, 0.5, 0.5});
-  expect_near(quaternions_of(keys, true, true), {7, 0, 0, root, root, 7, 0.5, -0.5, 0.5, 0.5});
-  EXPECT_THROW(quaternions_of({{0, 0, 0, 90}}, false, false), Error);
-  EXPECT_THROW(quaternions_of({{0, 0, 1, 3.7e6}}, false, false), Error);
-}
-
-TEST(Rotations, of_three_angles_get_a_channel_more) {
-  KeyBlock block;
-  block.keys.channels = 4;
-  block.keys.times = {0.0, 1.0};
-  block.keys.positions = {0, 0, 90, 7, 0, 0, 0, 8};
-  block.lines = {2, 3};
-  for (const char* const decimal :
-       {"0", "", "", "", "", "", "", "0", "0", "90", "7", "1", "", "", "", "", "", "", "0", "0", "0", "8"}) {
-    block.decimals.add(decimal);
-  }
-  const GivenRotation given{{spline::RotationForm::euler, {2, 1, 0}, true, true}, false, {"a", "b", "c"}};
-  Source<KeyBlock> source = [block, done = false]() mutable -> std::optional<KeyBlock> {
-    if (std::exchange(done, true)) return std::nullopt;
-    return block;
-  };
-  const KeyBlock wider = *with_quaternions(std::move(source), {{{{0, 1, 2, 4}}}, {given}, 5})();
-  EXPECT_EQ(wider.keys.channels, 5U);
-  const double root = std::sqrt(0.5);
-  expect_near(wider.keys.positions, {root, 0, 0, 7, root, 0, 0, 0, 8, 1});
-  ASSERT_EQ(wider.decimals.size(), 24U);
-  EXPECT_EQ(wider.decimals[10], "7");
-  EXPECT_EQ(wider.decimals[9], "90");
-  EXPECT_EQ(wider.given_rotations[0], (std::array<double, 4>{0, 0, 90, 0}));
-  EXPECT_EQ(wider.decimals[12], "1");
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // Header of delimited text: names and roles of the columns, from the first three records.
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "error.hpp"
@@ -184,6 +187,20 @@ void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
   throw Error(Exit::data, code).at({"", record.line, 1});
 }
 
+/// The rotation that both of the first two records may have.
+std::optional<spline::RotationForm> likely_rotation_of(const FirstRecords& first, char decimal) {
+  if (first.records.size() < 2) return std::nullopt;
+  std::array<std::optional<spline::RotationForm>, 2> found;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    std::vector<double> numbers;
+    for (const std::string& cell : first.records[i].cells) {
+      numbers.push_back(Decimals(decimal).number(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    found[i] = likely_rotation(numbers);
+  }
+  return found[0] == found[1] ? found[0] : std::nullopt;
+}
+
 /// The cell of the time, without quotes; empty where there is none.
 std::string first_time(const std::vector<std::string>& cells, const Columns& columns) {
   const auto time = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
@@ -229,6 +246,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (!options.samples) require_no_near_miss(names, head.columns, options.roles, options.timeless);
     set_units(head.rules, options, head.columns, first_time(row.cells, head.columns));
   });
+  if (names.empty() && options.roles.empty()) head.columns.likely_rotation = likely_rotation_of(first, head.decimal);
   const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
   if (!chosen && !options.samples) require_text(rest[0], head, numeric);
   return head;

@@ -59,13 +59,16 @@ struct RotationNotation {
   friend bool operator==(const RotationNotation&, const RotationNotation&) = default;
 };
 
-/// A rotation of keys, and how rows show it: as quaternion in its channels, otherwise in cells in place of the first of
-/// its channels.
+/// The numbers of a rotation in any notation; zeros follow.
+template <class S>
+using RotationNumbers = std::array<S, 9>;
+
+/// A rotation of keys, and how rows show it: as quaternion in the cells of its channels, otherwise at its places.
 struct RotationColumns {
   RotationChannels channels{};
   RotationNotation shown = {};
-  std::array<std::uint8_t, 9> cells{0, 1, 2, 3, 4, 5, 6, 7, 8};  ///< of each number, among those of the rotation
-  std::optional<std::size_t> turn = {};                          ///< the number of its turns among those of a key
+  std::array<std::size_t, 9> places{};   ///< of the cell of each number among those of a position
+  std::optional<std::size_t> turn = {};  ///< the number of its turns among those of a key
 
   bool has(std::size_t channel) const { return std::ranges::count(channels, channel) > 0; }
 };

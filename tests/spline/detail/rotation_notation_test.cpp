@@ -90,5 +90,24 @@ TEST(RotationNotation, a_matrix_turns_column_vectors) {
   for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_NEAR(numbers[i], expected[i], 3e-16) << i;
 }
 
+TEST(RotationNotation, a_matrix_gives_its_rotation_again) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> number;
+  const RotationNotation notation{RotationForm::matrix};
+  for (int i = 0; i < 1000; ++i) {
+    const auto q = normalized(Quaternion<double>{number(random), number(random), number(random), number(random) / (i + 1)});
+    EXPECT_LE(distance(q, quaternion_from(matrix_of(q), notation)), 1e-15);
+  }
+  const auto half = quaternion_from(std::array{0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, notation);
+  EXPECT_EQ((std::array<double, 4>{half.x, half.y, half.z, half.w}), (std::array<double, 4>{0.5, 0.5, 0.5, 0.5}));
+  EXPECT_EQ(quaternion_from(std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, notation).w, 1);
+}
+
+TEST(RotationNotation, a_matrix_that_is_no_rotation_gives_the_nearest_one) {
+  const auto q = quaternion_from(std::array{0.5, -2.0, 0.0, 2.0, 0.5, 0.0, 0.0, 0.0, 0.01}, {RotationForm::matrix});
+  const double angle = std::atan2(2, 0.5);  // the largest scalar product with turns around z
+  EXPECT_LE(distance(q, {0, 0, std::sin(angle / 2), std::cos(angle / 2)}), 1e-15);
+}
+
 }  // namespace
 }  // namespace tcb::spline

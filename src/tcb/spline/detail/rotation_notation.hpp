@@ -4,6 +4,7 @@
 // Source: E. Bernardes, S. Viollet, "Quaternion to Euler angles conversion", doi:10.1371/journal.pone.0276302.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -45,10 +46,88 @@ Quaternion<S> unit_axis(const S& x, const S& y, const S& z) {
   return normalized(Quaternion<S>{S(x / unit), S(y / unit), S(z / unit), S(0)});
 }
 
-/// The rotation that numbers give. Requires: the form is that of axis and angle or of Euler angles; an axis is not zero
-/// unless its angle is. Promises: |q| = 1 within 2^-52.
+/// A symmetric matrix of four rows, which turns quaternions into others.
+template <class S>
+using QuaternionMatrix = std::array<std::array<S, 4>, 4>;
+
+/// The square of a matrix, with the trace 1.
+template <class S>
+QuaternionMatrix<S> squared(const QuaternionMatrix<S>& a) {
+  QuaternionMatrix<S> square;
+  S trace(0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      square[i][j] = (a[i][0] * a[0][j] + a[i][1] * a[1][j]) + (a[i][2] * a[2][j] + a[i][3] * a[3][j]);
+    }
+    trace += square[i][i];
+  }
+  for (auto& row : square) {
+    for (S& number : row) number /= trace;
+  }
+  return square;
+}
+
+/// The eigenvector of the largest eigenvalue. Requires: the trace is 1; no other eigenvalue has its size.
+template <class S>
+Quaternion<S> eigenvector(const QuaternionMatrix<S>& a) {
+  using std::abs;
+  QuaternionMatrix<S> power = a;
+  constexpr int most = 32;
+  for (int i = 0; i < most; ++i) {
+    power = squared(power);
+    S purity(0);  // the sum of the squares of the eigenvalues, which are not negative and whose sum is 1
+    for (const auto& row : power) {
+      for (const S& number : row) purity += number * number;
+    }
+    if (abs(S(purity - S(1))) <= S(8) * std::numeric_limits<S>::epsilon()) break;
+  }
+  std::size_t largest = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (power[largest][largest] < power[i][i]) largest = i;
+  }
+  const auto& [x, y, z, w] = power[largest];
+  Quaternion<S> q = normalized(Quaternion<S>{x, y, z, w});
+  for (int refinement = 0; refinement < 2; ++refinement) {
+    const auto product = [&](std::size_t i) { return S(dot(q, {a[i][0], a[i][1], a[i][2], a[i][3]})); };
+    q = normalized(Quaternion<S>{product(0), product(1), product(2), product(3)});
+  }
+  return q;
+}
+
+/// The rotation nearest to a matrix by the sum of the squares of the differences, with w >= 0: the eigenvector of a
+/// matrix that for a rotation is the product of q and its transpose.
+/// Source: I. Y. Bar-Itzhack, "New Method for Extracting the Quaternion from a Rotation Matrix", doi:10.2514/2.4654.
+/// Requires: the determinant is positive. Promises: for a rotation, each number within 2^-51.
+template <class S>
+Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
+  using std::abs;
+  using std::sqrt;
+  S largest(0), squares(0);
+  for (const S& number : m) largest = std::max(largest, S(abs(number)));
+  const S unit = power_of_two_below(largest);
+  for (S& number : m) {
+    number /= unit;
+    squares += number * number;
+  }
+  const S size = sqrt(S(squares / S(3)));  // 1 / unit for a rotation
+  const auto part = [&](const S& sum) { return S(sum / (S(4) * size)); };
+  const S xy = part(m[1] + m[3]), xz = part(m[2] + m[6]), yz = part(m[5] + m[7]);
+  const S xw = part(m[7] - m[5]), yw = part(m[2] - m[6]), zw = part(m[3] - m[1]);
+  const S xx = part(size + m[0] - m[4] - m[8]), yy = part(size - m[0] + m[4] - m[8]);
+  const S zz = part(size - m[0] - m[4] + m[8]), ww = part(size + m[0] + m[4] + m[8]);
+  const Quaternion<S> q = eigenvector<S>({{{xx, xy, xz, xw}, {xy, yy, yz, yw}, {xz, yz, zz, zw}, {xw, yw, zw, ww}}});
+  return q.w < S(0) ? -q : q;
+}
+
+/// The rotation that numbers give. Requires: the form is not that of quaternions; an axis is not zero unless its angle
+/// is; the determinant of a matrix is positive. Promises: |q| = 1 within 2^-52.
 template <class Numbers, class S = std::ranges::range_value_t<Numbers>>
 Quaternion<S> quaternion_from(const Numbers& numbers, const RotationNotation& notation) {
+  if (notation.form == RotationForm::matrix) {
+    RotationNumbers<S> matrix;
+    std::ranges::copy(numbers, matrix.begin());
+    return nearest_rotation(matrix);
+  }
   if (notation.form == RotationForm::axis_angle) {
     if (numbers[0] == S(0) && numbers[1] == S(0) && numbers[2] == S(0)) return {S(0), S(0), S(0), S(1)};
     const auto [sine, cosine] = sine_cosine_of_half(numbers[3], notation.degrees);
@@ -74,7 +153,7 @@ Quaternion<S> after_turn(const Quaternion<S>& before, const Quaternion<S>& turn,
 
 /// The turn from a rotation to the next one, in the frame of the first, that the numbers of an axis and an angle give.
 template <class S>
-TurnVector<S> turn_vector_from(const std::array<S, 4>& numbers, bool degrees, const Quaternion<S>& before,
+TurnVector<S> turn_vector_from(const RotationNumbers<S>& numbers, bool degrees, const Quaternion<S>& before,
                                bool in_parent) {
   Quaternion<S> axis = unit_axis(numbers[0], numbers[1], numbers[2]);
   if (in_parent) axis = conjugate(before) * axis * before;
@@ -138,20 +217,24 @@ std::array<S, 3> euler_angles(const Quaternion<S>& q, const RotationNotation& no
   return notation.intrinsic ? std::array<S, 3>{after, middle, before} : std::array<S, 3>{before, middle, after};
 }
 
-/// The nine numbers of the matrix that turns column vectors, row after row.
+/// The nine numbers of the matrix that turns column vectors, row after row. The norm of q has no effect, so that its
+/// rounding has none.
 template <class S>
-std::array<S, 9> matrix_of(const Quaternion<S>& q) {
+RotationNumbers<S> matrix_of(const Quaternion<S>& q) {
   const auto& [x, y, z, w] = q;
-  const S one(1), two(2);
-  return {S(one - two * (y * y + z * z)), S(two * (x * y - z * w)),       S(two * (x * z + y * w)),
-          S(two * (x * y + z * w)),       S(one - two * (x * x + z * z)), S(two * (y * z - x * w)),
-          S(two * (x * z - y * w)),       S(two * (y * z + x * w)),       S(one - two * (x * x + y * y))};
+  const S xx = x * x, yy = y * y, zz = z * z, ww = w * w;
+  const S square = (xx + yy) + (zz + ww), two(2);
+  RotationNumbers<S> m{S((ww + xx) - (yy + zz)), S(two * (x * y - z * w)), S(two * (x * z + y * w)),
+                       S(two * (x * y + z * w)), S((ww + yy) - (xx + zz)), S(two * (y * z - x * w)),
+                       S(two * (x * z - y * w)), S(two * (y * z + x * w)), S((ww + zz) - (xx + yy))};
+  for (S& number : m) number /= square;
+  return m;
 }
 
-/// The numbers of a rotation in a notation; zeros follow. The angle around an axis is in [0, pi]; where it is 0, the
+/// The numbers of a rotation in a notation. The angle around an axis is in [0, pi]; where it is 0, the
 /// axis is x. Requires: |q| = 1.
 template <class S>
-std::array<S, 9> numbers_of(Quaternion<S> q, const RotationNotation& notation) {
+RotationNumbers<S> numbers_of(Quaternion<S> q, const RotationNotation& notation) {
   using std::sqrt;
   if (notation.form == RotationForm::matrix) return matrix_of(q);
   if (notation.form == RotationForm::quaternion) return {q.x, q.y, q.z, q.w};
