@@ -25,8 +25,12 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       threads_(input.threads),
       may_miss_(input.may_miss),
       channels_(input.channels),
-      rotations_{input.rotations, input.given_rotations,      input.channels.size(),
-                 input.normalize, spec_.rules.rotation_curve, spec_.preset == spline::Preset::nel} {
+      rotations_{input.rotations,
+                 input.given_rotations,
+                 input.channels.size(),
+                 input.normalize,
+                 spec_.rules.rotation_rules.curve,
+                 spec_.preset == spline::Preset::nel} {
   request_.frame_rate = input.frame_rate;
   for (auto* const bound : {&request_.from, &request_.to}) {
     // The printed time of a frame is the frame.
