@@ -28,7 +28,7 @@ WriterOptions writer_options(const Job& job) {
 InputOptions input_options(const Job& job, unsigned threads, bool live) {
   InputOptions options = job.input;
   options.threads = live && !job.jobs ? 1 : threads;  // with more, a row would wait for later keys
-  if (format_of(job.output_format).is_picture) options.rotation.shown.emplace();  // its curves are those of quaternions
+  if (format_of(job.output_format).is_picture) options.rotation.as_curves = true;
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "curve/fields.hpp"
 #include "error.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/parse_number.hpp"
@@ -172,7 +173,7 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     return;
   }
   if (settings.metric == "rotation" && !find_channel("rotation", channels)) {
-    if (rotations.empty()) refuse(Option::metric, ErrorCode::metric_without_rotation);
+    if (rotations.empty()) refuse(Option::metric, ErrorCode::no_rotation, {*settings.metric});
     metric = {spline::turn_metric};
     return;
   }
@@ -240,6 +241,22 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
     throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(Option::emit);
+  }
+}
+
+void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request) {
+  const bool has_rotations = !spec.rules.rotations.empty();
+  const auto of_rotations =
+      std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
+  if (!has_rotations && of_rotations != chosen.end()) {
+    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(fields()[*of_rotations].name)}).about(Option::fields);
+  }
+  if (!has_rotations && request.tolerance.limits_angle()) {
+    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::tolerance);
+  }
+  const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
+  if (has_rotations && spec.lacks_metric && is_near_path) {
+    throw Error(Exit::data, ErrorCode::tolerance_of_rotations).about(Option::tolerance);
   }
 }
 

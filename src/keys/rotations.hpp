@@ -18,6 +18,7 @@ struct RotationsOfKeys {
   bool normalize = false;            ///< norms need not be 1 within 0.001
   spline::RotationCurve curve = spline::RotationCurve::squad;
   bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
+  bool closed = false;     ///< the first key follows the last one
 };
 
 /// How keys give a rotation that is no quaternion.

@@ -148,10 +148,9 @@ std::array<S, 9> matrix_of(const Quaternion<S>& q) {
           S(two * (x * z - y * w)),       S(two * (y * z + x * w)),       S(one - two * (x * x + y * y))};
 }
 
-/// The numbers of a rotation in a notation; zeros follow. The angle around an axis is in [0, pi]; where it is 0, the
-/// axis is x. Requires: |q| = 1.
+/// The numbers of a rotation in a notation; zeros follow, and zeros may have a sign.
 template <class S>
-std::array<S, 9> numbers_of(Quaternion<S> q, const RotationNotation& notation) {
+std::array<S, 9> signed_numbers_of(Quaternion<S> q, const RotationNotation& notation) {
   using std::sqrt;
   if (notation.form == RotationForm::matrix) return matrix_of(q);
   if (notation.form == RotationForm::quaternion) return {q.x, q.y, q.z, q.w};
@@ -165,6 +164,17 @@ std::array<S, 9> numbers_of(Quaternion<S> q, const RotationNotation& notation) {
   if (sine == S(0)) return {S(1)};
   const S angle = S(2) * angle_of(sine, q.w);
   return {S(q.x / sine), S(q.y / sine), S(q.z / sine), in_unit(angle, notation.degrees)};
+}
+
+/// The numbers of a rotation in a notation; zeros follow. The angle around an axis is in [0, pi]; where it is 0, the
+/// axis is x. No zero is negative. Requires: |q| = 1.
+template <class S>
+std::array<S, 9> numbers_of(const Quaternion<S>& q, const RotationNotation& notation) {
+  std::array<S, 9> numbers = signed_numbers_of(q, notation);
+  for (S& number : numbers) {
+    if (number == S(0)) number = S(0);
+  }
+  return numbers;
 }
 
 }  // namespace tcb::spline
