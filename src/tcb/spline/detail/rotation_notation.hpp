@@ -171,8 +171,8 @@ std::array<S, 9> signed_numbers_of(Quaternion<S> q, const RotationNotation& nota
 template <class S>
 std::array<S, 9> numbers_of(const Quaternion<S>& q, const RotationNotation& notation) {
   std::array<S, 9> numbers = signed_numbers_of(q, notation);
-  for (S& number : numbers) {
-    if (number == S(0)) number = S(0);
+  for (std::size_t i = 0; i < notation.numbers(); ++i) {
+    if (numbers[i] == S(0)) numbers[i] = S(0);
   }
   return numbers;
 }
