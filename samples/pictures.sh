@@ -26,7 +26,7 @@ draw pictures/drive --angle heading=degrees --fit 0.1,heading=1 --title "14 keys
 
 # Keys for a recording of the camera path.
 tcbsample --rate 100 --columns position=x:y:z camera.csv |
-  draw pictures/fit --fit 0.01 --title "15 keys within 0.01 of a recording"
+  draw pictures/fit --fit 0.01 --title "11 keys within 0.01 of a recording"
 
 # One parameter of the middle key, from -1 to 1.
 family() { # NAME TITLE

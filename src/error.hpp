@@ -254,6 +254,8 @@ enum class ErrorCode {
   json_text_expected,           ///< PATH
   json_array_expected,          ///< PATH
   json_velocity_count,          ///< PATH, number of elements, expected number
+  json_rotation_size,           ///< path, count of numbers
+  json_rotation_members,        ///< path
   json_array_size,              ///< PATH, number of elements, expected number
   json_tcb_twice,               ///< PATH
   json_tcb_array_expected,      ///< PATH
@@ -319,11 +321,12 @@ enum class ErrorCode {
   unknown_metric_channel,
   repeated_metric_channel,
   rotation_in_metric,
-  metric_without_rotation,
+  no_rotation,  ///< what is of rotations
   angle_in_metric,
   path_of_rotations,
   only_rotations,
   tolerance_without_rotation,
+  tolerance_of_rotations,
   fit_without_times,
   fit_of_keys,            ///< name of a role
   fit_without_tolerance,  ///< name of a channel

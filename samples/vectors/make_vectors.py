@@ -14,7 +14,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 CURVES = ["even", "uneven", "corner", "inside", "beyond", "pair", "plane", "space", "closed"]
 TURNS = ["turns", "turn", "round"]
-PRESETS_OF_ROTATIONS = ["gte", "lib3ds1", "lib3ds2", "nel", "cryengine", "splines"]  # those whose product has them
+# Those whose product has rotations.
+PRESETS_OF_ROTATIONS = ["gte", "vtk", "3dsmax", "nel", "cryengine", "lib3ds1", "lib3ds2", "splines"]
 VELOCITIES = ["0.5", "-1", "0.25"]  # of the end rule velocity, one per channel
 PLACES = ["0.25", "0.625"]  # u of the positions: together with the keys they determine a cubic
 LENGTHS = "0.5,1.25,2.75"
@@ -144,7 +145,7 @@ def write(path, curves, **settings):
 
 def names_of_rules():
     """The names of presets, tangent rules and end rules, from the program's own lists: words that begin a line."""
-    parts = re.split(r"^(?=PRESET|TANGENTS|ENDS)", run("--list-presets"), flags=re.M)[1:]
+    parts = re.split(r"^(?=PRESET|TANGENTS|ENDS|CURVES)", run("--list-presets"), flags=re.M)[1:4]
     return [re.findall(r"^[a-z0-9-]+(?=\s)", part, flags=re.M) for part in parts]
 
 

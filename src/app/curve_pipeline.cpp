@@ -25,8 +25,13 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       threads_(input.threads),
       may_miss_(input.may_miss),
       channels_(input.channels),
-      rotations_{input.rotations, input.given_rotations,      input.channel_sources,
-                 input.normalize, spec_.rules.rotation_curve, spec_.preset == spline::Preset::nel} {
+      rotations_{input.rotations,
+                 input.given_rotations,
+                 input.channel_sources,
+                 input.normalize,
+                 spec_.rules.rotation_rules.curve,
+                 spec_.preset == spline::Preset::nel,
+                 spec_.closed} {
   request_.frame_rate = input.frame_rate;
   for (auto* const bound : {&request_.from, &request_.to}) {
     // The printed time of a frame is the frame.
@@ -38,10 +43,8 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
   if (timed_ && spec_.parameter) {
     throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);
   }
+  require_rotations(spec_, fields_, request_);
   require_fitting_rotations(spec_, metric_use(), request_.mode == Mode::emit);
-  if (request_.tolerance.limits_angle() && spec_.rules.rotations.empty()) {
-    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::tolerance);
-  }
 }
 
 bool CurvePipeline::is_single() const {
@@ -71,7 +74,7 @@ MetricUse CurvePipeline::metric_use() const {
 /// The keys with times, checked.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) const {
   blocks = with_quaternions(std::move(blocks), rotations_);
-  blocks = with_clear_angles(std::move(blocks), spec_.rules.angles, channels_);
+  blocks = with_clear_angles(std::move(blocks), spec_.rules.angles, channels_, spec_.closed);
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
   const auto other_scale = has_tcb_scale_ ? std::nullopt : scale_fault(spec_.preset);

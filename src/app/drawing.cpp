@@ -1,4 +1,4 @@
-// Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file.
+// Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file; rules in words.
 #include "app/drawing.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +57,42 @@ void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed
   }
 }
 
+/// The rules of rotations that differ from those of the preset.
+void append_rotation_rules(std::vector<std::string>& words, const RuleFacts& facts,
+                           const spline::RotationRules& of_preset) {
+  const spline::CurveRules<double>& rules = facts.spec.rules;
+  const auto& [curve, tangents, ends] = rules.rotation_rules;
+  if (curve != of_preset.curve) words.push_back(fmt::format("rotation curve {}", name_of(curve)));
+  if (tangents != of_preset.tangents) {
+    words.push_back(fmt::format("rotation tangents {}", name_of(tangents.value_or(rules.tangents))));
+  }
+  if (!facts.spec.closed && ends != of_preset.ends) {
+    words.push_back(fmt::format("rotation ends {}", name_of(ends.value_or(rules.start.rule))));
+  }
+}
+
 }  // namespace
+
+Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
+  const spline::CurveRules<double>& rules = facts.spec.rules;
+  Facts words{{"tangents", std::string(name_of(rules.tangents))}};
+  if (facts.spec.closed) {
+    words.emplace_back("closed", "yes");
+  } else {
+    words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
+  }
+  if (rules.equal_speed) words.emplace_back("equal speed", "yes");
+  if (!rules.rotations.empty()) {
+    const auto& [curve, tangents, ends] = rules.rotation_rules;
+    words.emplace_back("rotation curve", std::string(name_of(curve)));
+    if (tangents) words.emplace_back("rotation tangents", std::string(name_of(*tangents)));
+    if (ends && !facts.spec.closed) words.emplace_back("rotation ends", std::string(name_of(*ends)));
+  }
+  if (!facts.timed) {
+    words.emplace_back("times", wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
+  }
+  return words;
+}
 
 std::string short_rules(const RuleFacts& facts) {
   const auto& [spec, timed] = facts;
@@ -73,9 +108,7 @@ std::string short_rules(const RuleFacts& facts) {
   }
   if (spec.closed) words.emplace_back("closed");
   if (rules.equal_speed) words.emplace_back("equal speed");
-  if (!rules.rotations.empty() && rules.rotation_curve != preset->rotation_curve) {
-    words.push_back(fmt::format("rotation curve {}", name_of(rules.rotation_curve)));
-  }
+  if (!rules.rotations.empty()) append_rotation_rules(words, facts, preset->rotations);
   if (!timed) words.push_back(fmt::format("parameter {}", spec.parameter_name.value_or("uniform")));
   return fmt::format("{}", fmt::join(words, ", "));
 }

@@ -234,22 +234,6 @@ bool is_json(FormatId format) { return format == FormatId::json || format == For
 
 }  // namespace
 
-Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
-  const spline::CurveRules<double>& rules = facts.spec.rules;
-  Facts words{{"tangents", std::string(name_of(rules.tangents))}};
-  if (facts.spec.closed) {
-    words.emplace_back("closed", "yes");
-  } else {
-    words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
-  }
-  if (rules.equal_speed) words.emplace_back("equal speed", "yes");
-  if (!rules.rotations.empty()) words.emplace_back("rotation curve", std::string(name_of(rules.rotation_curve)));
-  if (!facts.timed) {
-    words.emplace_back("times", wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
-  }
-  return words;
-}
-
 std::string samples_in_words(const SamplingRequest& request) {
   const std::string_view of = by_length(request.mode) ? "arc length" : "time";
   switch (request.mode) {

@@ -226,6 +226,17 @@ void FitReport::add(const FitReport& other) {
   line = other.line;
 }
 
+std::vector<Note> notes_of_columns(const Input& input, const FitOptions& options) {
+  std::vector<Note> notes;
+  if (!input.carried.empty()) notes.push_back({NoteCode::labels_not_fitted, {input.carried}});
+  std::vector<std::string> names;
+  for (const GivenRotation& rotation : input.given_rotations) {
+    names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
+  }
+  if (!options.angle && !names.empty()) notes.push_back({NoteCode::rotations_not_fitted, {names}});
+  return notes;
+}
+
 Note note_of(const FitReport& report, const FitOptions& options) {
   const bool is_distance = options.tolerances.size() == 1 && options.tolerances[0].column.empty() && !options.angle;
   const std::string largest = is_distance ? fmt::format("{:.4g}", report.largest * options.tolerances[0].most)

@@ -37,6 +37,9 @@ struct FitReport {
   void add(const FitReport& other);
 };
 
+/// Notes of columns that a fit has no keys for.
+std::vector<Note> notes_of_columns(const Input& input, const FitOptions& options);
+
 /// The report in numbers of the input.
 Note note_of(const FitReport& report, const FitOptions& options);
 

@@ -28,7 +28,7 @@ WriterOptions writer_options(const Job& job) {
 InputOptions input_options(const Job& job, unsigned threads, bool live) {
   InputOptions options = job.input;
   options.threads = live && !job.jobs ? 1 : threads;  // with more, a row would wait for later keys
-  if (format_of(job.output_format).is_picture) options.rotation.shown.emplace();  // its curves are those of quaternions
+  if (format_of(job.output_format).is_picture) options.rotation.as_curves = true;
   return options;
 }
 
@@ -156,15 +156,8 @@ class FileRun {
   }
 
   void note_input(const Input& input) {
-    if (job_.sampling.mode == Mode::fit && !input.carried.empty()) {
-      report_.note(path_, {NoteCode::labels_not_fitted, {input.carried}});
-    }
-    if (job_.sampling.mode == Mode::fit && !job_.fit.angle && !input.rotations.empty()) {
-      std::vector<std::string> names;
-      for (const GivenRotation& rotation : input.given_rotations) {
-        names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
-      }
-      report_.note(path_, {NoteCode::rotations_not_fitted, {names}});
+    if (job_.sampling.mode == Mode::fit) {
+      for (const Note& note : notes_of_columns(input, job_.fit)) report_.note(path_, note);
     }
     const bool takes_likely = !job_.input.rotation.none && job_.input.rotation.requests.empty();
     if (takes_likely && input.likely_rotation) {

@@ -75,18 +75,22 @@ std::string manual_options() {
   return out;
 }
 
-/// What a preset is named for, and its curve of rotations where that is not the first one.
-std::string product_and_rotations(const spline::PresetRow& row) {
-  const std::string_view curve = name_of(row.rotation_curve);
-  return std::string(row.product) +
-         (curve == spline::rotation_curves[0].name ? "" : fmt::format("; rotations: {}", curve));
+/// The rules of a preset's rotations that are not those of its positions; empty: they have the first curve alone.
+std::string rotation_rules_text(const spline::RotationRules& rules) {
+  std::vector<std::string> words;
+  if (rules.tangents) words.push_back(fmt::format("tangents {}", name_of(*rules.tangents)));
+  if (rules.ends) words.push_back(fmt::format("ends {}", name_of(*rules.ends)));
+  if (rules.curve != spline::rotation_curves[0].id) words.push_back(fmt::format("curve {}", name_of(rules.curve)));
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string manual_presets() {
   std::string out;
   for (const auto& row : presets) {
-    out += fmt::format(".TP\n.B {}\n{}, {}: {}.\n", escaped(row.name), escaped(name_of(row.tangents)),
-                       escaped(name_of(row.ends)), escaped(product_and_rotations(row)));
+    const std::string rotations = rotation_rules_text(row.rotations);
+    out += fmt::format(".TP\n.B {}\n{}, {}: {}{}.\n", escaped(row.name), escaped(name_of(row.tangents)),
+                       escaped(name_of(row.ends)), escaped(row.product),
+                       rotations.empty() ? "" : escaped("; rotations: " + rotations));
   }
   return out;
 }
@@ -187,8 +191,7 @@ std::string help_text() {
 std::string presets_text() {
   std::string out = fmt::format("{:<10}{:<18}{:<16}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
   for (const auto& row : presets) {
-    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends),
-                       product_and_rotations(row));
+    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends), row.product);
   }
   out +=
       "\nTANGENTS of a key between chords D0, D1 of durations h0, h1, for the segment:\n"
@@ -210,6 +213,11 @@ std::string presets_text() {
   out += "\nCURVES OF ROTATIONS between keys p and q, with tangents from the same rules:\n";
   for (const auto& row : spline::rotation_curves) {
     out += fmt::format("{:<12}{}\n", row.name, row.formula) + wrapped(row.used_by, 4);
+  }
+  out += "\nROTATIONS have the rules of their preset and the first of these curves, except:\n";
+  for (const auto& row : presets) {
+    const std::string rules = rotation_rules_text(row.rotations);
+    if (!rules.empty()) out += fmt::format("{:<12}{}\n", row.name, rules);
   }
   return out.substr(0, out.size() - 1);
 }

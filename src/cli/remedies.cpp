@@ -249,6 +249,12 @@ constexpr Words all_words[]{
     Words{ErrorCode::json_text_expected, "{0}: expected a text or a number, as in the first key; correct it"},
     Words{ErrorCode::json_array_expected, "{0}: expected an array of numbers, as in the first key; correct it"},
     Words{ErrorCode::json_velocity_count, "{0}: an array of {1}; expected {2} numbers, as in \"position\"; correct it"},
+    Words{ErrorCode::json_rotation_size,
+          "{0}: an array of {1}; expected four numbers, x, y, z, w of a quaternion; correct it, or give --columns "
+          "position=NAME:NAME for the members to take"},
+    Words{ErrorCode::json_rotation_members,
+          "{0}: \"rotation\" has other members than x, y, z and w; expected the four numbers of a quaternion; correct "
+          "them, or give --columns position=NAME:NAME for the members to take"},
     Words{ErrorCode::json_array_size, "{0}: an array of {1}; expected {2} numbers, as in the first key; correct it"},
     Words{ErrorCode::json_tcb_twice, "{0}: also in \"tcb\"; expected one of them; remove one"},
     Words{ErrorCode::json_tcb_array_expected, "{0}: expected an array [T,C,B]; correct it"},
@@ -371,8 +377,8 @@ constexpr Words all_words[]{
         ErrorCode::angle_in_metric,
         "{subject}: channel \"{0}\" is an angle, which has no length; expected a position; leave it out, or leave out "
         "--angle"},
-    Words{ErrorCode::metric_without_rotation,
-          "{subject} rotation: there is no rotation; expected columns of one; name them with --rotation"},
+    Words{ErrorCode::no_rotation,
+          "{subject} {0}: there is no rotation; expected columns of one; name them with --rotation"},
     Words{
         ErrorCode::path_of_rotations,
         "{subject} rotation measures angles, so that there are no distances, speeds and shapes of a path; expected arc "
@@ -419,6 +425,9 @@ constexpr Words all_words[]{
         ErrorCode::tolerance_without_rotation,
         "{subject} has an angle, and there are no rotations; expected a distance alone; leave out the angle, or name a "
         "rotation with --rotation"},
+    Words{ErrorCode::tolerance_of_rotations,
+          "{subject} has a distance, and there are only rotations or angles, which have none; expected an angle alone; "
+          "give one, as in {subject} 0.5deg, or --rotation none to take their numbers as positions"},
     Words{ErrorCode::end_velocity_of_rotation,
           "{subject}: a velocity has a number per channel, and rotations have none; expected another end rule; give "
           "--rotation none for plain channels"},

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/ranking.hpp"
+#include "curve/cells.hpp"
 #include "text/parse_number.hpp"
 
 namespace tcb {
@@ -44,12 +45,14 @@ std::vector<double> numbers_of(const std::vector<GivenSamples>& samples, const S
   return numbers;
 }
 
-double largest_position(const KeptCurves& kept, std::size_t channel) {
+/// The largest size of the keys' numbers in a cell; of a rotation, at most that of a number of a quaternion.
+double largest_position(const KeptCurves& kept, const PositionCell& cell) {
+  if (cell.rotation != PositionCell::none) return cell.channel == PositionCell::none ? 0 : 1;
   double largest = 0;
   for (const KeptCurve& curve : kept.curves) {
     for (const KeyBlock& block : curve.blocks) {
       for (std::size_t key = 0; key < block.size(); ++key) {
-        const double position = std::abs(block.keys.positions[key * block.keys.channels + channel]);
+        const double position = std::abs(block.keys.positions[key * block.keys.channels + cell.channel]);
         if (position > largest) largest = position;
       }
     }
@@ -100,13 +103,14 @@ GivenSamples on_beginning(const GivenSamples& sample, const KeptCurve& beginning
   return before;
 }
 
-/// Keeps most_rows of `rows` rows, evenly spread.
-void thin_out(std::vector<GivenSamples>& samples, std::uint64_t rows, const ComparisonInputs& inputs) {
+/// Keeps `kept` of `rows` rows, evenly spread.
+void thin_out(std::vector<GivenSamples>& samples, std::uint64_t rows, std::uint64_t kept,
+              const ComparisonInputs& inputs) {
   std::uint64_t number = 0;
   for (GivenSamples& sample : samples) {
     GivenSamples thin{sample.curve, {}, {}, {}};
     for (std::size_t row = 0; row < sample.rows.size(); ++row, ++number) {
-      if (number * most_rows / rows != (number + 1) * most_rows / rows) append_row(thin, sample, row, inputs);
+      if (number * kept / rows != (number + 1) * kept / rows) append_row(thin, sample, row, inputs);
     }
     sample = std::move(thin);
   }
@@ -147,6 +151,8 @@ std::uint64_t count_rows(const std::vector<GivenSamples>& samples) {
 
 std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonInputs& inputs) {
   const std::size_t width = inputs.columns.compared.size();
+  const Input& keys = inputs.kept.input;
+  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), keys.rotations);
   std::vector<GivenSamples> samples;
   for (Pair& pair : pairs) {
     GivenSamples& sample = samples.emplace_back(GivenSamples{pair.curve, std::move(pair.rows), {}, {}});
@@ -156,7 +162,7 @@ std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonIn
   for (std::size_t i = 0; i < width; ++i) {
     const MatchedColumn& column = inputs.columns.compared[i];
     const auto allowed =
-        allowances(numbers_of(samples, inputs.table, column), largest_position(inputs.kept, column.computed));
+        allowances(numbers_of(samples, inputs.table, column), largest_position(inputs.kept, cells[column.computed]));
     std::size_t next = 0;
     for (GivenSamples& sample : samples) {
       for (std::size_t row = 0; row < sample.rows.size(); ++row) sample.allowances[row * width + i] = allowed[next++];
@@ -165,10 +171,10 @@ std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonIn
   return samples;
 }
 
-Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, bool open) {
+Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, const ComparedParts& parts) {
   Subset subset{samples, {}, true};
   const Input& keys = inputs.kept.input;
-  const bool cuttable = open && keys.timed && !keys.may_miss && !inputs.columns.by_length;
+  const bool cuttable = !parts.closed && keys.timed && !keys.may_miss && !inputs.columns.by_length;
   subset.curves.reserve(samples.size());
   for (GivenSamples& sample : subset.samples) {
     if (!cuttable || sample.curve->key_count() <= most_keys) continue;
@@ -178,8 +184,9 @@ Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInput
     subset.all = false;
   }
   const std::uint64_t rows = count_rows(subset.samples);
-  if (rows > most_rows) {
-    thin_out(subset.samples, rows, inputs);
+  const std::uint64_t most = most_rows / std::max<std::uint64_t>(parts.rotation_curves.size(), 1);
+  if (rows > most) {
+    thin_out(subset.samples, rows, most, inputs);
     subset.all = false;
   }
   return subset;

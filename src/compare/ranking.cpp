@@ -26,8 +26,9 @@ void set_order(KeyBlock& block, const TcbOrder& order) {
 /// Compares samples with conventions. Requires: the arguments of the constructor outlive it.
 class Comparer {
  public:
-  Comparer(const Job& job, const ComparisonInputs& inputs, const std::vector<TcbOrders>& orders, bool closed)
-      : job_(job), inputs_(inputs), orders_(orders), closed_(closed), request_(job.sampling) {
+  Comparer(const Job& job, const ComparisonInputs& inputs, const std::vector<TcbOrders>& orders,
+           const ComparedParts& parts)
+      : job_(job), inputs_(inputs), orders_(orders), parts_(parts), request_(job.sampling) {
     request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
   }
 
@@ -42,7 +43,7 @@ class Comparer {
   }
 
   IndexedCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
-    const CurveSettings settings = settings_of(convention, job_.curve, closed_);
+    const CurveSettings settings = settings_of(convention, job_.curve, parts_);
     CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.input,
                            *curve.curve_info);
     const TcbOrder& order = orders_[convention.order].order;
@@ -91,7 +92,7 @@ class Comparer {
   const Job& job_;
   const ComparisonInputs& inputs_;
   const std::vector<TcbOrders>& orders_;
-  bool closed_;
+  const ComparedParts& parts_;
   SamplingRequest request_;
 };
 
@@ -110,26 +111,26 @@ std::vector<bool> fitting(const std::vector<Candidate>& candidates, std::size_t 
 /// Keeps only the columns of positions among those that are compared.
 void compare_positions_only(ComparisonInputs& inputs) {
   MatchedColumns& columns = inputs.columns;
-  const auto& channels = inputs.kept.input.channels;
+  columns.fields = {field_of("position")};
+  const std::vector<OutputColumn> cells = output_columns(columns.fields, inputs.kept.input);
   std::vector<MatchedColumn> positions;
-  for (MatchedColumn column : columns.compared) {
-    const auto channel = std::ranges::find(channels, column.name);
-    if (channel == channels.end()) {
+  std::vector<std::size_t> places(columns.compared.size());  // of columns among those that are kept
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    MatchedColumn column = columns.compared[i];
+    const auto cell = std::ranges::find(cells, column.name, &OutputColumn::name);
+    if (cell == cells.end()) {
       columns.ignored.push_back(column.name);
       continue;
     }
-    column.computed = static_cast<std::size_t>(channel - channels.begin());
+    column.computed = static_cast<std::size_t>(cell - cells.begin());
+    places[i] = positions.size();
     positions.push_back(column);
   }
-  columns.fields = {field_of("position")};
+  for (auto& numbers : columns.rotations)
+    std::ranges::transform(numbers, numbers.begin(), [&](auto i) { return places[i]; });
+  for (auto& angle : columns.angles) angle.first = places[angle.first];
   columns.compared = std::move(positions);
-  if (columns.compared.empty()) throw Error(Exit::data, ErrorCode::no_position_column, {channels});
-}
-
-bool is_closed(const KeptCurves& kept, const Job& job) {
-  return std::ranges::any_of(kept.curves, [&](const KeptCurve& curve) {
-    return make_spec(merged(job.curve, curve.curve_info->settings)).closed;
-  });
+  if (columns.compared.empty()) throw Error(Exit::data, ErrorCode::no_position_column, {inputs.kept.input.channels});
 }
 
 /// Counts the rows on the curves; adds a problem for rows off them, which are off them with every convention.
@@ -181,8 +182,10 @@ std::vector<Convention> mixed(const Ranking& ranking) {
   for (const Candidate& candidate : ranking.candidates) {
     const auto same = [&](const Convention& other) {
       const Convention& one = candidate.convention;
-      return one.tangents == other.tangents && one.equal_speed == other.equal_speed && one.order == other.order;
+      return one.tangents == other.tangents && one.equal_speed == other.equal_speed && one.order == other.order &&
+             one.rotation_curve == other.rotation_curve;
     };
+    if (candidate.convention.rotation_preset) continue;
     if (tried.size() == most_mixed || std::ranges::any_of(tried, same)) continue;
     tried.push_back(candidate.convention);
     const auto more = with_mixed_ends(candidate.convention);
@@ -201,35 +204,35 @@ bool has_velocities(const KeptCurves& kept) {
 /// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
 void rank(Identification& result, const Job& job, const ComparisonInputs& inputs,
           const std::vector<GivenSamples>& samples) {
-  const Comparer comparer(job, inputs, result.orders, result.closed);
+  const Comparer comparer(job, inputs, result.orders, result.parts);
   find_rows(comparer, samples, result);
   if (result.rows == 0) throw no_samples(result).in(inputs.file);
-  const Subset subset = subset_of(samples, inputs, !result.closed);
+  const Subset subset = subset_of(samples, inputs, result.parts);
   const auto rank_by = [&](const std::vector<GivenSamples>& rows, const std::vector<Convention>& some) {
-    return ranked(compared(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows), result.closed);
+    return ranked(compared(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows), result.parts);
   };
   const auto rank_some = [&](const std::vector<Convention>& some) {
     Ranking ranking = rank_by(subset.samples, some);
     return subset.all ? ranking : rank_by(samples, selected(ranking));
   };
-  std::vector<Convention> all = conventions(result.orders.size(), result.closed);
+  std::vector<Convention> all = conventions(result.orders.size(), result.parts);
   if (has_velocities(inputs.kept)) std::erase_if(all, [](const Convention& one) { return one.equal_speed; });
   result.conventions = all.size();
   result.ranking = rank_some(all);
   if (!result.ranking.candidates.front().worst) {
     throw Error(Exit::data, ErrorCode::no_sample_numbers).in(inputs.file);
   }
-  if (result.fits() || result.closed) return;
+  if (result.fits() || result.parts.closed) return;
   const std::vector<Convention> more = mixed(result.ranking);
   result.conventions += more.size();
   std::vector<Candidate> both = std::move(result.ranking.candidates);
   std::ranges::move(rank_some(more).candidates, std::back_inserter(both));
-  result.ranking = ranked(std::move(both), count_rows(samples), result.closed);
+  result.ranking = ranked(std::move(both), count_rows(samples), result.parts);
 }
 
 }  // namespace
 
-Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool closed) {
+Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, const ComparedParts& parts) {
   Ranking result;
   std::vector<bool> fits(candidates.size());
   for (std::size_t p = 0; p < precisions && !result.precision; ++p) {
@@ -243,8 +246,8 @@ Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool close
     (fits[i] ? result.candidates : others).push_back(std::move(candidates[i]));
   }
   result.fitting = result.candidates.size();
-  std::ranges::stable_sort(result.candidates, {}, [closed](const Candidate& one) {
-    return std::tuple(one.convention.order, one.convention.equal_speed, presets_of(one.convention, closed).empty());
+  std::ranges::stable_sort(result.candidates, {}, [&parts](const Candidate& one) {
+    return std::tuple(one.convention.order, one.convention.equal_speed, presets_of(one.convention, parts).empty());
   });
   std::ranges::stable_sort(others, {}, [rows](const Candidate& one) {
     const bool nearly = one.rows_off <= std::max<std::uint64_t>(1, rows / 4);
@@ -267,7 +270,7 @@ Identification identify(const Job& job, ComparisonInputs inputs) {
   Pairs pairs = pair_up(inputs.kept, inputs.table);
   Identification result{summary(inputs, pairs)};
   in_file(inputs.keys, [&] {
-    result.closed = is_closed(inputs.kept, job);
+    result.parts = compared_parts(job, inputs);
     result.orders = distinct_orders(inputs.kept);
     rank(result, job, inputs, samples_of(std::move(pairs.pairs), inputs));
   });
@@ -278,7 +281,7 @@ Check check_best(const Job& job, const Identification& found, ComparisonInputs i
                  const std::function<void(const CheckedPair&)>& observe) {
   const Convention& best = found.ranking.candidates.front().convention;
   Job with_rules = job;
-  with_rules.curve = settings_of(best, job.curve, found.closed);
+  with_rules.curve = settings_of(best, job.curve, found.parts);
   for (KeptCurve& curve : inputs.kept.curves) {
     for (KeyBlock& block : curve.blocks) set_order(block, found.orders[best.order].order);
   }

@@ -45,23 +45,36 @@ struct Convention {
   spline::TangentRule tangents = spline::TangentRule::velocity;
   spline::EndRule start = spline::EndRule::half, end = spline::EndRule::half;
   bool equal_speed = false;
-  std::size_t order = 0;  ///< index into the distinct orders
+  std::size_t order = 0;                                     ///< index into the distinct orders
+  std::optional<spline::RotationCurve> rotation_curve = {};  ///< nothing: no rotations are compared
+  std::optional<spline::Preset> rotation_preset = {};        ///< whose rules rotations have, if not those of positions
 };
 
-/// All conventions with the same rule for both ends, the most usual first; closed curves have no ends.
-std::vector<Convention> conventions(std::size_t orders, bool closed);
+/// What is compared.
+struct ComparedParts {
+  bool closed = false;                                      ///< curves without ends
+  bool positions = true;                                    ///< numbers that are none of a rotation
+  std::vector<spline::RotationCurve> rotation_curves = {};  ///< those that are tried; none: no rotations are compared
+};
+
+/// What is compared of these inputs. Requires: columns of positions alone.
+ComparedParts compared_parts(const Job& job, const ComparisonInputs& inputs);
+
+/// All conventions with the same rule for both ends, the most usual first. With positions and rotations, rotations have
+/// the rules of positions, or those of a preset.
+std::vector<Convention> conventions(std::size_t orders, const ComparedParts& parts);
 
 /// The same convention with all pairs of different rules for the two ends.
 std::vector<Convention> with_mixed_ends(const Convention& convention);
 
 /// The settings of a convention. Requires: `others` have no rules.
-CurveSettings settings_of(const Convention& convention, CurveSettings others, bool closed);
+CurveSettings settings_of(const Convention& convention, CurveSettings others, const ComparedParts& parts);
 
 /// RULE or RULE,RULE.
 std::string ends_of(const Convention& convention);
 
-/// Names of the presets that are this convention.
-std::vector<std::string> presets_of(const Convention& convention, bool closed);
+/// Names of the presets that are this convention, in what is compared.
+std::vector<std::string> presets_of(const Convention& convention, const ComparedParts& parts);
 
 // precision.cpp
 
@@ -96,8 +109,9 @@ struct Subset {
   bool all = false;               ///< it has all rows
 };
 
-/// At most 1,000 rows, on 256 keys if the curve is open and has times, so that its beginning is also a curve.
-Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, bool open);
+/// At most 1,000 rows, fewer if several curves of rotations are tried, on 256 keys if the curve is open and has times,
+/// so that its beginning is also a curve.
+Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, const ComparedParts& parts);
 
 // ranking.cpp
 
@@ -117,10 +131,10 @@ struct Ranking {
   std::size_t fitting = 0;
   std::optional<Precision> precision;  ///< the finest with which any fits
 };
-Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, bool closed);
+Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, const ComparedParts& parts);
 
 struct Identification : ComparisonSummary {
-  bool closed = false;
+  ComparedParts parts = {};
   std::uint64_t rows = 0;              ///< number of rows compared
   std::vector<TcbOrders> orders = {};  ///< the orders that differ for these keys
   std::uint64_t conventions = 0;       ///< number of conventions compared

@@ -9,6 +9,7 @@
 #include "input/input.hpp"
 #include "keys/key_store.hpp"
 #include "sampling/extrapolation.hpp"
+#include "sampling/request.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/window.hpp"
@@ -60,6 +61,10 @@ enum class MetricUse { nothing, lengths, path };
 /// Throws: Error (data) for lengths where there are only rotations, for distances where lengths are angles, and for
 /// cubics of rotations that have none.
 void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits);
+
+/// Throws: Error (data) where a field or a tolerance is of rotations, and there are none, or of distances, and there
+/// are rotations alone.
+void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request);
 
 using Rules = spline::CurveRules<double>;
 

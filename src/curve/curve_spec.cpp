@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "curve/fields.hpp"
 #include "error.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/parse_number.hpp"
@@ -67,6 +68,19 @@ void set_ends(spline::CurveRules<double>& rules, const std::string& text) {
   rules.end = end_choice(ends.back());
 }
 
+/// Those of the preset, but for what is given for all channels or for rotations alone.
+void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetRow& preset,
+                        const CurveSettings& settings) {
+  spline::RotationRules& own = rules.rotation_rules;
+  own = preset.rotations;
+  if (settings.tangents) own.tangents.reset();
+  if (settings.ends) own.ends.reset();
+  if (settings.rotation_preset) own = spline::row_of(*settings.rotation_preset).rotations;
+  if (settings.rotation_curve) {
+    own.curve = named(Option::rotation_curve, spline::rotation_curves, *settings.rotation_curve).id;
+  }
+}
+
 double parse_exponent(const std::string& text) {
   struct Named {
     std::string_view name;
@@ -124,14 +138,11 @@ CurveSpec make_spec(const CurveSettings& settings) {
   if (settings.tangents) {
     spec.rules.tangents = named(Option::tangents, spline::tangent_rules<double>, *settings.tangents).id;
   }
+  set_rotation_rules(spec.rules, preset, settings);
   if (settings.period && !settings.closed.value_or(true)) refuse(Option::closed, ErrorCode::period_of_open_curve);
   spec.closed = settings.period || settings.closed.value_or(false);
   if (settings.ends && spec.closed) refuse(Option::ends, ErrorCode::ends_of_closed_curve);
   set_ends(spec.rules, settings.ends.value_or(std::string(name_of(preset.ends))));
-  spec.rules.rotation_curve = preset.rotation_curve;
-  if (settings.rotation_curve) {
-    spec.rules.rotation_curve = named(Option::rotation_curve, spline::rotation_curves, *settings.rotation_curve).id;
-  }
   spec.rules.equal_speed = settings.equal_speed;
   if (settings.period) spec.period = parse_period(*settings.period);
   if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
@@ -162,7 +173,7 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     return;
   }
   if (settings.metric == "rotation" && !find_channel("rotation", channels)) {
-    if (rotations.empty()) refuse(Option::metric, ErrorCode::metric_without_rotation);
+    if (rotations.empty()) refuse(Option::metric, ErrorCode::no_rotation, {*settings.metric});
     metric = {spline::turn_metric};
     return;
   }
@@ -221,7 +232,7 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
   if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
     refuse(Option::metric, ErrorCode::path_of_rotations);
   }
-  const spline::RotationCurve curve = spec.rules.rotation_curve;
+  const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
   if (emits && !spec.rules.angles.empty()) throw Error(Exit::data, ErrorCode::emit_of_angle).about(Option::emit);
   if (emits && curve == spline::RotationCurve::components &&
@@ -230,6 +241,22 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
     throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(Option::emit);
+  }
+}
+
+void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request) {
+  const bool has_rotations = !spec.rules.rotations.empty();
+  const auto of_rotations =
+      std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
+  if (!has_rotations && of_rotations != chosen.end()) {
+    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(fields()[*of_rotations].name)}).about(Option::fields);
+  }
+  if (!has_rotations && request.tolerance.limits_angle()) {
+    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::tolerance);
+  }
+  const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
+  if (has_rotations && spec.lacks_metric && is_near_path) {
+    throw Error(Exit::data, ErrorCode::tolerance_of_rotations).about(Option::tolerance);
   }
 }
 

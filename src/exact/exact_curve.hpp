@@ -94,7 +94,7 @@ std::unique_ptr<const KeyedCurve<S>> curve_at(const ExactCurve& exact) {
   };
   const spline::CurveRules<S> rules{
       exact.rules.tangents, end_choice(exact.rules.start), end_choice(exact.rules.end), exact.rules.equal_speed,
-      exact.rules.metric,   exact.rules.rotations,         exact.rules.rotation_curve,  exact.rules.angles};
+      exact.rules.metric,   exact.rules.rotations,         exact.rules.rotation_rules,  exact.rules.angles};
   return std::make_unique<const KeyedCurve<S>>(std::move(keys), exact.missing, rules, end);
 }
 

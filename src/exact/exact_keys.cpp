@@ -76,7 +76,7 @@ spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules
     return exact;
   };
   return {rules.tangents, end(rules.start), end(rules.end),       rules.equal_speed,
-          rules.metric,   rules.rotations,  rules.rotation_curve, rules.angles};
+          rules.metric,   rules.rotations,  rules.rotation_rules, rules.angles};
 }
 
 ChannelFacts channel_facts(const ExactCurve& exact) {

@@ -96,6 +96,7 @@ struct RotationOptions {
   std::vector<GivenRotation> requests = {};
   std::vector<NamedAngle> angles = {};
   std::optional<spline::RotationNotation> shown = {};  ///< nothing: as they are given
+  bool as_curves = false;                              ///< all as quaternions, whose curves are drawn
 };
 
 /// Options of the reading of an input.

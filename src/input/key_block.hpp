@@ -14,6 +14,7 @@
 
 #include "error.hpp"
 #include "tcb/spline/key.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 
@@ -75,6 +76,7 @@ struct CurveSettings {
   std::optional<std::string> extrapolate;
   std::optional<std::string> metric;  ///< names or numbers of channels, separated by commas
   std::optional<std::string> rotation_curve = {};
+  std::optional<spline::Preset> rotation_preset = {};  ///< whose rules of rotations replace tangents and ends for these
   bool equal_speed = false;
   bool no_ease = false;
 };

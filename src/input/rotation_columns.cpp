@@ -233,11 +233,15 @@ void set_rotations(Input& input, const RotationOptions& options) {
     add_rotation(input, std::move(request));
   }
   require_own_columns(input);
+  if (options.shown && input.rotations.empty()) {
+    const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
+    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(form->name)}).about(Option::rotation_output);
+  }
   set_channels(input);
   input.rotation_names.resize(input.rotations.size());
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
     const spline::RotationNotation& given = input.given_rotations[i].notation;
-    spline::RotationNotation shown = options.shown.value_or(given);
+    spline::RotationNotation shown = options.as_curves ? spline::RotationNotation{} : options.shown.value_or(given);
     shown.degrees = options.degrees;
     if (shown.form != spline::RotationForm::quaternion || given.form != spline::RotationForm::quaternion) {
       show_rotation(input, i, shown);

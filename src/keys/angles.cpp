@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "error.hpp"
@@ -22,24 +23,31 @@ class AngleChain {
       const std::uint64_t line = block.lines[key];
       if (std::isnan(value)) refuse(ErrorCode::angle_missing, line, {name_});
       require_angle(value, angle_.degrees, false, name_, line);
-      if (line_ != 0 && is_half_turn(value)) refuse(ErrorCode::half_turn_of_angle, line, {name_, line_});
-      before_ = value;
-      line_ = line;
+      if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);
+      require_turn(value, line, line_);
+      std::tie(before_, line_) = std::tie(value, line);
     }
   }
 
+  /// Checks the turn from the last key to the first one.
+  void close() const { require_turn(first_, line_, first_line_); }
+
  private:
-  bool is_half_turn(double value) const {
+  /// Throws: Error (data), at a line, for half a turn from the last key to another one.
+  void require_turn(double value, std::uint64_t line, std::uint64_t other) const {
+    if (line_ == 0) return;
     const double half = spline::whole_turn<double>(angle_.degrees).hi / 2;
     const spline::DoubleDouble chord = spline::exact_difference(value, before_);
     const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
-    return std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
+    const bool is_half_turn = std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
+    if (is_half_turn) refuse(ErrorCode::half_turn_of_angle, line, {name_, other});
   }
 
   spline::AngleChannel angle_;
   std::string name_;
-  double before_ = 0;
-  std::uint64_t line_ = 0;  ///< of the key before; 0: there is none
+  double before_ = 0, first_ = 0;  ///< of the last key, and of the first one
+  std::uint64_t line_ = 0;         ///< of the last one; 0: there is none
+  std::uint64_t first_line_ = 0;
 };
 
 }  // namespace
@@ -55,14 +63,15 @@ void require_angle(double angle, bool degrees, bool makes_turns, const std::stri
 }
 
 Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
-                                   const std::vector<std::string>& channels) {
+                                   const std::vector<std::string>& channels, bool closed) {
   if (angles.empty()) return blocks;
   auto chains = std::make_shared<std::vector<AngleChain>>();
   for (const spline::AngleChannel& angle : angles) chains->emplace_back(angle, channels[angle.channel]);
-  return mapped(std::move(blocks), [chains](KeyBlock block) {
+  blocks = mapped(std::move(blocks), [chains](KeyBlock block) {
     for (AngleChain& chain : *chains) chain.check(block);
     return block;
   });
+  return closed ? with_checked_seam(std::move(blocks), std::move(chains)) : blocks;
 }
 
 Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles) {

@@ -8,9 +8,12 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "error.hpp"
+#include "keys/angles.hpp"
+#include "tcb/spline/rotation.hpp"
 
 namespace tcb {
 namespace {
@@ -46,7 +49,19 @@ class SignChain {
       negate_decimals(block, negated);
   }
 
+  /// Checks the turn from the last key to the first one.
+  void close() const {
+    if (line_ != 0) (void)cosine_to(first_, line_, first_line_);
+  }
+
  private:
+  /// The cosine of half the turn from the last key to another one.
+  double cosine_to(const Numbers& q, std::uint64_t line, std::uint64_t other) const {
+    const double cosine = dot(before_, q);
+    if (std::abs(cosine) <= half_turn_rounding) refuse(ErrorCode::half_turn_between_keys, line, {name_, other});
+    return cosine;
+  }
+
   double checked_norm(const Numbers& q, std::uint64_t line) const {
     const double largest = std::abs(*std::ranges::max_element(q, {}, [](double number) { return std::abs(number); }));
     if (largest == 0) refuse(ErrorCode::rotation_zero, line, {name_});
@@ -70,10 +85,9 @@ class SignChain {
     const double norm = checked_norm(q, line);
     for (double& number : q) number /= norm;
     if (line_ != 0 && turn_) turn_before(block.keys.turns[key * block.keys.turns_per_key() + *turn_]);
-    const double cosine = line_ == 0 ? 1 : dot(before_, q);
-    if (std::abs(cosine) <= half_turn_rounding) refuse(ErrorCode::half_turn_between_keys, line, {name_, line_});
-    before_ = q;
-    line_ = line;
+    const double cosine = line_ == 0 ? 1 : cosine_to(q, line, line_);
+    if (line_ == 0) std::tie(first_, first_line_) = std::tie(q, line);
+    std::tie(before_, line_) = std::tie(q, line);
     if (cosine > 0) return false;
     for (const std::size_t channel : channels_) {
       positions[channel] = 0 - positions[channel];  // 0 stays without a sign
@@ -121,8 +135,9 @@ class SignChain {
   std::optional<std::size_t> turn_;
   std::string name_;
   bool is_quaternion_, normalize_, has_tangents_;
-  Numbers before_{};
-  std::uint64_t line_ = 0;  ///< of the last key with this rotation; 0: there is none
+  Numbers before_{}, first_{};  ///< of the last key with this rotation, and of the first one
+  std::uint64_t line_ = 0;      ///< of the last one; 0: there is none
+  std::uint64_t first_line_ = 0;
 };
 
 }  // namespace
@@ -133,10 +148,11 @@ Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys
   for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
     chains->emplace_back(rotations.columns[i], rotations.given[i], rotations);
   }
-  return mapped(with_converted_rotations(std::move(blocks), rotations), [chains](KeyBlock block) {
+  blocks = mapped(with_converted_rotations(std::move(blocks), rotations), [chains](KeyBlock block) {
     for (SignChain& chain : *chains) chain.add(block);
     return block;
   });
+  return rotations.closed ? with_checked_seam(std::move(blocks), std::move(chains)) : blocks;
 }
 
 }  // namespace tcb

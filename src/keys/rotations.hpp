@@ -21,6 +21,7 @@ struct RotationsOfKeys {
   bool normalize = false;                 ///< quaternions of any norm, and the rotations nearest to matrices
   spline::RotationCurve curve = spline::RotationCurve::squad;
   bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
+  bool closed = false;     ///< the first key follows the last one
 };
 
 /// How keys give a rotation that is no quaternion.

@@ -7,6 +7,8 @@ namespace tcb {
 namespace {
 
 using spline::EndRule;
+using spline::Preset;
+using spline::RotationCurve;
 using spline::TangentRule;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -46,34 +48,50 @@ TEST(TcbOrders, that_make_no_difference_count_once) {
 }
 
 TEST(Conventions, are_all_rules_but_a_given_velocity) {
-  EXPECT_EQ(conventions(48, false).size(), 48U * 2 * 7 * 9);
-  EXPECT_EQ(conventions(1, true).size(), 2U * 7) << "a closed curve has no ends";
+  EXPECT_EQ(conventions(48, {}).size(), 48U * 2 * 7 * 9);
+  EXPECT_EQ(conventions(1, {.closed = true}).size(), 2U * 7) << "a closed curve has no ends";
 }
 
 TEST(Conventions, the_most_usual_come_first) {
-  const auto all = conventions(2, false);
-  EXPECT_EQ(presets_of(all.front(), false).at(0), "gte");
+  const auto all = conventions(2, {});
+  EXPECT_EQ(presets_of(all.front(), {}).at(0), "gte");
   EXPECT_EQ(all.back().order, 1U);
   EXPECT_TRUE(all.back().equal_speed);
 }
 
 TEST(Conventions, have_settings_and_presets) {
   const Convention vtk{TangentRule::interval, EndRule::zero, EndRule::zero, false, 0};
-  EXPECT_THAT(presets_of(vtk, false), ElementsAre("vtk"));
+  EXPECT_THAT(presets_of(vtk, {}), ElementsAre("vtk"));
   Convention equal_speed = vtk;
   equal_speed.equal_speed = true;
-  EXPECT_THAT(presets_of(equal_speed, false), IsEmpty()) << "no preset makes speeds equal";
-  const CurveSettings settings = settings_of(vtk, {}, false);
+  EXPECT_THAT(presets_of(equal_speed, {}), IsEmpty()) << "no preset makes speeds equal";
+  const CurveSettings settings = settings_of(vtk, {}, {});
   EXPECT_EQ(settings.tangents, "interval");
   EXPECT_EQ(settings.ends, "zero");
-  EXPECT_FALSE(settings_of(vtk, {}, true).ends);
+  EXPECT_FALSE(settings_of(vtk, {}, {.closed = true}).ends);
+}
+
+TEST(Conventions, of_rotations_have_a_curve_and_the_rules_that_presets_give_them) {
+  using enum RotationCurve;
+  const ComparedParts both{false, true, {squad, casteljau}}, turns{false, false, {squad, slerp}};
+  EXPECT_EQ(conventions(1, both).size(), 2U * 7 * 9 * 2 + 3) << "vtk, 3dsmax as nel, cryengine";
+  EXPECT_EQ(conventions(2, turns).size(), 2U * 2 * 7 * 9 + 1) << "slerp has no tangents";
+  const Convention nel{
+      TangentRule::interval_c, EndRule::natural_tension, EndRule::natural_tension, false, 0, squad, Preset::nel};
+  EXPECT_THAT(presets_of(nel, both), ElementsAre("3dsmax", "nel"));
+  const CurveSettings settings = settings_of(nel, {}, both);
+  EXPECT_EQ(settings.rotation_curve, "squad");
+  EXPECT_EQ(settings.rotation_preset, Preset::nel);
+  const Convention mirror{TangentRule::interval_c, EndRule::mirror, EndRule::mirror, false, 0, squad};
+  EXPECT_THAT(presets_of(mirror, both), ElementsAre("lib3ds2"));
+  EXPECT_THAT(presets_of(mirror, turns), ElementsAre("3dsmax", "nel", "cryengine", "lib3ds2"));
 }
 
 TEST(Conventions, may_have_different_rules_at_the_ends) {
   const Convention mixed{TangentRule::interval, EndRule::zero, EndRule::half, false, 0};
   EXPECT_EQ(ends_of(mixed), "zero,half");
-  EXPECT_THAT(presets_of(mixed, false), IsEmpty());
-  EXPECT_THAT(presets_of(mixed, true), testing::Contains("vtk")) << "a closed curve has no ends";
+  EXPECT_THAT(presets_of(mixed, {}), IsEmpty());
+  EXPECT_THAT(presets_of(mixed, {.closed = true}), testing::Contains("vtk")) << "a closed curve has no ends";
   EXPECT_EQ(with_mixed_ends(mixed).size(), 9U * 8);
 }
 

@@ -71,14 +71,14 @@ TEST(Samples, have_an_allowance_for_each_number) {
 
 TEST(Subset, of_few_rows_is_all_of_them) {
   const Many few(100);
-  const Subset subset = subset_of(few.samples, few.inputs, true);
+  const Subset subset = subset_of(few.samples, few.inputs, {});
   EXPECT_TRUE(subset.all);
   EXPECT_EQ(count_rows(subset.samples), 199U);
 }
 
 TEST(Subset, of_an_open_curve_is_on_its_first_keys) {
   const Many many(1000);
-  const Subset subset = subset_of(many.samples, many.inputs, true);
+  const Subset subset = subset_of(many.samples, many.inputs, {});
   EXPECT_FALSE(subset.all);
   ASSERT_EQ(subset.curves.size(), 1U);
   EXPECT_EQ(subset.curves[0].key_count(), 256U);
@@ -89,7 +89,7 @@ TEST(Subset, of_an_open_curve_is_on_its_first_keys) {
 
 TEST(Subset, of_a_closed_curve_is_spread_over_all_rows) {
   const Many many(1000);
-  const Subset subset = subset_of(many.samples, many.inputs, false);
+  const Subset subset = subset_of(many.samples, many.inputs, {.closed = true});
   EXPECT_FALSE(subset.all);
   EXPECT_EQ(subset.samples[0].curve, many.samples[0].curve);
   const GivenSamples& rows = subset.samples[0];

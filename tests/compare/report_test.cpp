@@ -112,7 +112,7 @@ TEST(Report, of_conventions_in_json_has_a_row_for_each) {
                                 R"("order":"T,C,B","presets":["vtk"],"largest":0.5,"rows_off":3},)"));
   EXPECT_THAT(report, HasSubstr(R"({"fits":false,"tangents":"interval","ends":"chord",)"));
   Identification closed = identification(0);
-  closed.closed = true;
+  closed.parts.closed = true;
   EXPECT_THAT(json(closed, first_names), HasSubstr(R"("within":null)"));
   EXPECT_THAT(json(closed, first_names), HasSubstr(R"("ends":null)"));
 }

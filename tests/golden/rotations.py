@@ -27,9 +27,11 @@ header = "t,qx,qy,qz,qw,tension,continuity,bias,ease_in,ease_out"
 tangent_rules = ["velocity", "uniform", "interval", "interval-c", "finite-difference", "kb1984", "synfig"]
 end_rules = ["half", "one-sided", "mirror", "chord", "zero", "natural", "natural-tension", "cry", "lightwave"]
 curves = ["squad", "casteljau", "components", "slerp"]
+# The rules that presets give to rotations, by the products' sources.
 presets = {"gte": ("velocity", "half", "squad"), "lib3ds1": ("interval-c", "chord", "squad"),
-           "lib3ds2": ("interval-c", "mirror", "squad"), "nel": ("interval-c", "natural-tension", "squad"),
-           "cryengine": ("interval-c", "cry", "squad"), "splines": ("finite-difference", "natural", "casteljau")}
+           "lib3ds2": ("interval-c", "mirror", "squad"), "nel": ("interval-c", "mirror", "squad"),
+           "cryengine": ("interval-c", "mirror", "squad"), "3dsmax": ("interval-c", "mirror", "squad"),
+           "vtk": ("uniform", "chord", "squad"), "splines": ("finite-difference", "natural", "casteljau")}
 
 # rule, curve, ends, time, (w, x, y, z): the keys of numbers_keys() through running programs, or by their sources.
 NUMBERS = [

@@ -51,7 +51,7 @@ CurveRules<S> rules_with(TangentRule tangents, RotationCurve curve, EndRule ends
   rules.tangents = tangents;
   rules.start.rule = rules.end.rule = ends;
   rules.rotations = {{0, 1, 2, 3}};
-  rules.rotation_curve = curve;
+  rules.rotation_rules.curve = curve;
   return rules;
 }
 
@@ -174,6 +174,20 @@ TEST(Rotation, turns_around_one_axis_are_the_curve_of_the_angle) {
   }
 }
 
+TEST(Rotation, the_rules_of_a_preset_for_rotations_replace_those_of_positions) {
+  CurveRules<double> nel = rules_of<double>(Preset::nel);
+  nel.rotations = {{0, 1, 2, 3}};
+  const auto curve = segments(example_keys<double>(), nel);
+  const auto mirrored = segments(example_keys<double>(),
+                                 rules_with<double>(TangentRule::interval_c, RotationCurve::squad, EndRule::mirror));
+  for (const std::size_t segment : {0U, 3U}) {
+    const auto p = curve.rotations_of(segment)[0].at(place<double>(0.5));
+    const auto q = mirrored.rotations_of(segment)[0].at(place<double>(0.5));
+    EXPECT_EQ(p.x, q.x);
+    EXPECT_EQ(p.w, q.w);
+  }
+}
+
 TEST(Rotation, the_sign_of_a_key_does_not_change_the_rotation) {
   const auto rules = rules_with<double>(TangentRule::velocity, RotationCurve::squad, EndRule::half);
   Window<double> negated = example_keys<double>();
@@ -227,7 +241,7 @@ TEST(Rotation, whole_turns_run_along_a_great_circle) {
   expect_at(0, .5, {-root / 3, -root * 2 / 3, -root * 2 / 3, -root});
   expect_at(0, .95, {.31749309676401, .62325559810495, .62032294924918, .35489439495834});
   expect_at(1, .5, {.1816192270224, .64493766010493, .71536246161996, -.19830889909228});
-  rules.rotation_curve = RotationCurve::slerp;
+  rules.rotation_rules.curve = RotationCurve::slerp;
   const auto at_one_rate = rotation_segments(window, rules)[0];
   for (const double u : {0.0, .25, .7, .99}) {
     const auto rate = at_one_rate.rate(place<double>(u));

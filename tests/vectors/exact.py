@@ -23,8 +23,12 @@ RULES = {  # of the presets, by the products
     "splines": ("finite-difference", "natural"), "synfig": ("synfig", "chord"), "kb1984": ("kb1984", "half"),
     "wikipedia": ("uniform", "half"), "ogre": ("uniform", "half"),
 }
-CURVES_OF_ROTATIONS = {preset: "squad" for preset in ("gte", "lib3ds1", "lib3ds2", "nel", "cryengine")}
-CURVES_OF_ROTATIONS["splines"] = "casteljau"
+RULES_OF_ROTATIONS = {
+    "gte": ("velocity", "half", "squad"), "lib3ds1": ("interval-c", "chord", "squad"),
+    "lib3ds2": ("interval-c", "mirror", "squad"), "nel": ("interval-c", "mirror", "squad"),
+    "cryengine": ("interval-c", "mirror", "squad"), "3dsmax": ("interval-c", "mirror", "squad"),
+    "vtk": ("uniform", "chord", "squad"), "splines": ("finite-difference", "natural", "casteljau"),
+}
 QUANTITIES = ["outgoing", "position", "rotation", "angular_velocity", "incoming", "length", "arc_time", "arc_position"]
 problems = []
 
@@ -67,8 +71,9 @@ def curve_of(given):
 
 def rotations_of(given):
     """The curve of rotations of an object of JSON."""
-    rule, end = RULES[given["preset"]] if "preset" in given else (given["tangents"], given.get("ends", "half"))
-    name = given.get("rotation_curve") or CURVES_OF_ROTATIONS[given["preset"]]
+    rule, end, name = RULES_OF_ROTATIONS[given["preset"]] if "preset" in given else (
+        given["tangents"], given.get("ends", "half"), None)
+    name = given.get("rotation_curve", name)
     keys = []
     for key in given["keys"]:
         x, y, z, w = map(number, key["rotation"])

@@ -1,6 +1,9 @@
 // First key of JSON: its members, and those of the next keys if it has texts.
 #include "input/json/first_key.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 
@@ -138,7 +141,42 @@ void find_missing_numbers(std::vector<FoundMember>& members, const Chunk& chunk,
   }
 }
 
+constexpr std::array quaternion_members{std::pair{"rotation.x", "qx"}, std::pair{"rotation.y", "qy"},
+                                        std::pair{"rotation.z", "qz"}, std::pair{"rotation.w", "qw"}};
+
 }  // namespace
+
+bool has_quaternion(const std::vector<FoundMember>& members) {
+  const auto is_array = [](const FoundMember& member) {
+    return member.name == "rotation" && member.array && !member.nested && member.numbers == quaternion_members.size();
+  };
+  const auto is_number = [&](const auto& number) {
+    return std::ranges::any_of(members, [&](const FoundMember& member) {
+      return member.name == number.first && !member.array && !member.nested && member.numbers == 1;
+    });
+  };
+  return std::ranges::any_of(members, is_array) ||
+         (std::ranges::all_of(quaternion_members, is_number) &&
+          std::ranges::count_if(members, is_of_rotation) == std::ssize(quaternion_members));
+}
+
+void require_quaternion(const std::vector<FoundMember>& members) {
+  const auto first = std::ranges::find_if(members, is_of_rotation);
+  if (first == members.end() || has_quaternion(members)) return;
+  const bool is_array = first->array && !first->nested;
+  if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
+  throw Error(Exit::data, is_array ? ErrorCode::json_rotation_size : ErrorCode::json_rotation_members,
+              {first->path, std::uint64_t{first->numbers}})
+      .at(first->position);
+}
+
+std::vector<std::string> quaternion_columns(const FoundMember& member) {
+  std::vector<std::string> names;
+  for (const auto& [name, column] : quaternion_members) {
+    if (member.array || member.name == name) names.emplace_back(column);
+  }
+  return names;
+}
 
 FirstKey read_first_key(const Chunk& chunk, const InputOptions& options) {
   std::vector<std::string> texts;

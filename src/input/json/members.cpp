@@ -23,11 +23,9 @@ struct Arrays {
   std::vector<std::string> members;
   std::vector<std::string> channels;
 
-  bool rotation = false;  ///< and that of the numbers of a quaternion: x, y, z, w
+  bool rotation = false;  ///< and the members of a quaternion
 
-  bool is_rotation(const Found& member) const {
-    return rotation && member.array && !member.nested && member.name == "rotation" && member.numbers == 4;
-  }
+  bool is_rotation(const Found& member) const { return rotation && is_of_rotation(member); }
   bool has(const Found& member) const {
     const bool is_one = member.array && !member.nested && std::ranges::count(members, member.name) > 0;
     return is_one || is_rotation(member);
@@ -47,14 +45,14 @@ Arrays arrays_of(const std::vector<Found>& members, const InputOptions& options,
   }
   if (arrays.members.empty()) {
     arrays.members = {"position"};
-    arrays.rotation = !options.rotation.none;
+    arrays.rotation = !options.rotation.none && has_quaternion(members);
   }
   return arrays;
 }
 
 /// The names of the numbers in an array, which are those of other members in front of none.
 std::vector<std::string> names_in(const Found& array, const Arrays& arrays, const std::vector<Found>& members) {
-  if (arrays.is_rotation(array)) return {"qx", "qy", "qz", "qw"};
+  if (arrays.is_rotation(array)) return quaternion_columns(array);
   const bool is_alone = arrays.members.size() == 1;
   if (is_alone && !arrays.channels.empty()) return arrays.channels;
   std::vector<std::string> names = default_channel_names(array.numbers);
@@ -217,11 +215,14 @@ bool is_of_channel_in(const std::string& name, const std::vector<std::string>& h
 
 /// For each cell, whether it holds a number that may have a role or be a position.
 std::vector<bool> numeric_cells(const std::vector<Found>& found, const std::vector<Member>& members,
-                                const std::vector<std::string>& header, bool has_array) {
+                                const std::vector<std::string>& header, const Arrays& arrays) {
+  const bool has_array =
+      std::ranges::any_of(found, [&](const auto& member) { return arrays.has(member) && !arrays.is_rotation(member); });
   std::vector<bool> numeric;
   for (std::size_t i = 0; i < found.size(); ++i) {
     // Where there is an array of positions, no other number is a position.
-    const bool is_other = has_array && !found[i].array && role_of_name(found[i].name) == Role::position;
+    const bool is_single = !found[i].array && !arrays.has(found[i]);
+    const bool is_other = has_array && is_single && role_of_name(found[i].name) == Role::position;
     const bool is_number = !found[i].text && (!is_other || is_of_channel_in(found[i].name, header));
     numeric.resize(members[i].cell + members[i].cells, is_number);
   }
@@ -242,7 +243,9 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
     header.insert(header.end(), names.begin(), names.end());
     if (names.empty() && !found.empty) unused.push_back(found.name);
   }
-  const auto numeric = numeric_cells(members, result.members, header, has_array);
+  const auto numeric = numeric_cells(members, result.members, header, arrays);
+  const bool is_chosen = std::ranges::count(options.roles, Role::position, &RoleRequest::role) > 0;
+  if (!options.samples && !options.rotation.none && !is_chosen) require_quaternion(members);
   if (!options.samples) require_no_lost_arrays(members, arrays, options);
   result.columns = options.samples
                        ? find_sample_columns(header, numeric, *options.samples, options.timeless)

@@ -162,7 +162,7 @@ bool JsonObjectReader::open(bool object) {
   if (in_array()) {
     more = on_nested();
     ++element_;
-  } else if (object && depth_ == key_depth_ + 1 && member_ == "tcb") {
+  } else if (object && depth_ == key_depth_ + 1 && (member_ == "tcb" || member_ == "rotation")) {
     outer_ = member_ + ".";
     outer_depth_ = 2;
     on_members();

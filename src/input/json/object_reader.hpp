@@ -17,7 +17,7 @@ namespace tcb {
 
 /// Receives events about key objects, or any other objects on the same level. Returning false ends the parsing.
 /// A value is a member's own, or an element of the array that the member is; deeper values are ignored. The members of
-/// an object "tcb" are members of the key, as "tcb.x".
+/// an object "tcb" or "rotation" are members of the key, as "tcb.x".
 class JsonObjectReader {
  public:
   explicit JsonObjectReader(const Chunk& chunk)

@@ -329,17 +329,29 @@ inline constexpr std::array rotation_curves{
                      "LINEAR of glTF, SciPy's Slerp"},
 };
 
-/// A preset: the tangent rule, the end rule and the curve of rotations of a product, under one name.
+/// The rules of rotations: their curve, and the tangents and ends that differ from those of positions.
+struct RotationRules {
+  RotationCurve curve = RotationCurve::squad;
+  std::optional<TangentRule> tangents = {};
+  std::optional<EndRule> ends = {};  ///< at both ends
+
+  bool operator==(const RotationRules&) const = default;
+};
+
+/// A preset: the tangent rule, the end rule and the rules of rotations of a product, under one name.
 struct PresetRow {
   Preset id;
   std::string_view name;
   TangentRule tangents;
   EndRule ends;
   std::string_view product;
-  RotationCurve rotation_curve = RotationCurve::squad;
+  RotationRules rotations = {};
 };
 
 /// Every preset; the first is the default.
+/// Source: of the rules of rotations, the sources of NeL (quaternion keys), CryEngine (TCBAngAxisKey), lib3ds, the
+///   Python package splines and VTK (vtkQuaternionInterpolator, which has no T, C, B); of 3ds Max, those of NeL and
+///   CryEngine, which read its keys.
 inline constexpr std::array presets{
     PresetRow{Preset::gte, "gte", TangentRule::velocity, EndRule::half, "Geometric Tools Engine since 2022-08"},
     PresetRow{Preset::fbx, "fbx", TangentRule::velocity, EndRule::one_sided, "FBX, MotionBuilder"},
@@ -348,17 +360,40 @@ inline constexpr std::array presets{
     PresetRow{Preset::wildmagic, "wildmagic", TangentRule::interval, EndRule::one_sided, "Wild Magic"},
     PresetRow{Preset::lightwave, "lightwave", TangentRule::interval, EndRule::lightwave,
               "LightWave 3D; times in seconds"},
-    PresetRow{Preset::vtk, "vtk", TangentRule::interval, EndRule::zero, "VTK with its default ends"},
+    PresetRow{Preset::vtk,
+              "vtk",
+              TangentRule::interval,
+              EndRule::zero,
+              "VTK with its default ends",
+              {.tangents = TangentRule::uniform, .ends = EndRule::chord}},
     PresetRow{Preset::gamebryo, "gamebryo", TangentRule::interval, EndRule::mirror, "Gamebryo, NetImmerse (NIF files)"},
     PresetRow{Preset::idtech4, "idtech4", TangentRule::interval, EndRule::mirror, "id Tech 4"},
-    PresetRow{Preset::max3ds, "3dsmax", TangentRule::interval_c, EndRule::natural_tension,
-              "3ds Max; with ease columns"},
-    PresetRow{Preset::nel, "nel", TangentRule::interval_c, EndRule::natural_tension, "NeL; with ease columns"},
-    PresetRow{Preset::cryengine, "cryengine", TangentRule::interval_c, EndRule::cry, "CryEngine; with ease columns"},
+    PresetRow{Preset::max3ds,
+              "3dsmax",
+              TangentRule::interval_c,
+              EndRule::natural_tension,
+              "3ds Max; with ease columns",
+              {.ends = EndRule::mirror}},
+    PresetRow{Preset::nel,
+              "nel",
+              TangentRule::interval_c,
+              EndRule::natural_tension,
+              "NeL; with ease columns",
+              {.ends = EndRule::mirror}},
+    PresetRow{Preset::cryengine,
+              "cryengine",
+              TangentRule::interval_c,
+              EndRule::cry,
+              "CryEngine; with ease columns",
+              {.ends = EndRule::mirror}},
     PresetRow{Preset::lib3ds1, "lib3ds1", TangentRule::interval_c, EndRule::chord, "lib3ds 1"},
     PresetRow{Preset::lib3ds2, "lib3ds2", TangentRule::interval_c, EndRule::mirror, "lib3ds 2"},
-    PresetRow{Preset::splines, "splines", TangentRule::finite_difference, EndRule::natural,
-              "the Python package splines", RotationCurve::casteljau},
+    PresetRow{Preset::splines,
+              "splines",
+              TangentRule::finite_difference,
+              EndRule::natural,
+              "the Python package splines",
+              {.curve = RotationCurve::casteljau}},
     PresetRow{Preset::synfig, "synfig", TangentRule::synfig, EndRule::chord, "Synfig"},
     PresetRow{Preset::kb1984, "kb1984", TangentRule::kb1984, EndRule::half, "the paper of 1984 as printed"},
     PresetRow{Preset::wikipedia, "wikipedia", TangentRule::uniform, EndRule::half, "Wikipedia"},

@@ -20,9 +20,9 @@ class RotationOfWindow {
   /// Requires: at least two keys.
   RotationOfWindow(const Window<S>& window, const CurveRules<S>& rules, const RotationColumns& rotation)
       : window_(window),
-        rules_(rules),
+        rules_(rules_of_rotations(rules)),
         rotation_(rotation),
-        is_linear_(rules.rotation_curve == RotationCurve::components) {
+        is_linear_(rules.rotation_rules.curve == RotationCurve::components) {
     const Keys<S>& keys = window.keys;
     for (std::size_t key = 0; key < keys.size(); ++key) {
       keys_.push_back(rotation_of<S>(keys.position(key), rotation.channels));
@@ -48,9 +48,7 @@ class RotationOfWindow {
       for (std::size_t key = 0; key < keys_.size(); ++key)
         turns.keys.tcbs.push_back(window_.keys.tcb(key, rotation_.channels[0]));
     }
-    CurveRules<S> rules = rules_;
-    rules.metric.clear();
-    const Tangents tangents(turns, rules, [&](std::size_t key, std::size_t i) { return W(chords_[key][i]); });
+    const Tangents tangents(turns, rules_, [&](std::size_t key, std::size_t i) { return W(chords_[key][i]); });
     std::vector<RotationSegment<S>> result;
     for (std::size_t key = window_.first_key(); key < window_.last_key(); ++key) {
       result.push_back(segment(key, rounded(tangents.outgoing(key)), rounded(tangents.incoming(key + 1))));
@@ -124,8 +122,9 @@ class RotationOfWindow {
     const Quaternion<S>&from = keys_[key], &to = keys_[key + 1];
     const S half(0.5), third = S(1) / S(3);
     const Vector3<S> whole_turns = turn(key);
-    if (rules_.rotation_curve == RotationCurve::slerp) return {RotationCurve::slerp, {from, from, to, to}, whole_turns};
-    if (rules_.rotation_curve == RotationCurve::squad) {
+    const RotationCurve curve = rules_.rotation_rules.curve;
+    if (curve == RotationCurve::slerp) return {RotationCurve::slerp, {from, from, to, to}, whole_turns};
+    if (curve == RotationCurve::squad) {
       return {RotationCurve::squad,
               {from, moved(from, half, out, S(-half), chords_[key]), moved(to, half, chords_[key], S(-half), in), to},
               whole_turns};
@@ -138,11 +137,11 @@ class RotationOfWindow {
       if (window_.ends && key + 2 == keys_.size() && is_natural(rules_.end))
         last = moved(to, S(-half), whole, S(0), whole);
     }
-    return {rules_.rotation_curve, {from, second, last, to}};
+    return {curve, {from, second, last, to}};
   }
 
   const Window<S>& window_;
-  const CurveRules<S>& rules_;
+  CurveRules<S> rules_;  ///< of rotations
   const RotationColumns& rotation_;
   bool is_linear_;
   std::vector<Quaternion<S>> keys_;

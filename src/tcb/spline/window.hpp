@@ -78,7 +78,7 @@ struct CurveRules {
   bool equal_speed = false;                     ///< both tangents of a key get the same speed
   std::vector<std::size_t> metric;              ///< the channels of speeds and lengths; empty: all; or turn_metric
   std::vector<RotationColumns> rotations = {};  ///< not in the metric
-  RotationCurve rotation_curve = RotationCurve::squad;
+  RotationRules rotation_rules = {};
   std::vector<AngleChannel> angles = {};
 };
 
@@ -102,7 +102,17 @@ struct PositionChord {
 template <class S>
 CurveRules<S> rules_of(Preset preset) {
   const PresetRow& row = row_of(preset);
-  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotation_curve};
+  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotations};
+}
+
+/// The rules that give the tangents of rotations, over all their numbers.
+template <class S>
+CurveRules<S> rules_of_rotations(CurveRules<S> rules) {
+  const RotationRules& own = rules.rotation_rules;
+  rules.metric.clear();
+  if (own.tangents) rules.tangents = *own.tangents;
+  if (own.ends) rules.start = rules.end = {*own.ends, {}};
+  return rules;
 }
 
 /// Successive segments. Shapes: one more time than segments; `channels` cubics per segment; one warp per

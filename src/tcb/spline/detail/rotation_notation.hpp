@@ -231,10 +231,9 @@ RotationNumbers<S> matrix_of(const Quaternion<S>& q) {
   return m;
 }
 
-/// The numbers of a rotation in a notation. The angle around an axis is in [0, pi]; where it is 0, the
-/// axis is x. Requires: |q| = 1.
+/// The numbers of a rotation in a notation, where zeros may have a sign.
 template <class S>
-RotationNumbers<S> numbers_of(Quaternion<S> q, const RotationNotation& notation) {
+RotationNumbers<S> signed_numbers_of(Quaternion<S> q, const RotationNotation& notation) {
   using std::sqrt;
   if (notation.form == RotationForm::matrix) return matrix_of(q);
   if (notation.form == RotationForm::quaternion) return {q.x, q.y, q.z, q.w};
@@ -248,6 +247,17 @@ RotationNumbers<S> numbers_of(Quaternion<S> q, const RotationNotation& notation)
   if (sine == S(0)) return {S(1)};
   const S angle = S(2) * angle_of(sine, q.w);
   return {S(q.x / sine), S(q.y / sine), S(q.z / sine), in_unit(angle, notation.degrees)};
+}
+
+/// The numbers of a rotation in a notation. The angle around an axis is in [0, pi]; where it is 0, the axis is x. No
+/// zero is negative. Requires: |q| = 1.
+template <class S>
+RotationNumbers<S> numbers_of(const Quaternion<S>& q, const RotationNotation& notation) {
+  RotationNumbers<S> numbers = signed_numbers_of(q, notation);
+  for (std::size_t i = 0; i < notation.numbers(); ++i) {
+    if (numbers[i] == S(0)) numbers[i] = S(0);
+  }
+  return numbers;
 }
 
 }  // namespace tcb::spline
