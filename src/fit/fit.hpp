@@ -21,7 +21,7 @@ struct FitKeysName {
 inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
 
 /// How often each sample is counted as done, unless a fit is tried again.
-inline constexpr std::size_t fit_passes = 11;
+inline constexpr std::size_t fit_passes = 6;
 
 /// How a recording is fitted.
 struct FitRules {

@@ -196,20 +196,11 @@ void divide_segments(const Recording& recording, std::vector<FitKey>& keys) {
   }
 }
 
-/// Keys that begin at samples: some are added, then those that are not needed are removed.
-std::vector<FitKey> sufficient_keys(const Recording& recording, const std::vector<std::size_t>& samples,
-                                    const std::vector<std::size_t>& fixed, const SamplesDone& done) {
-  std::vector<FitKey> keys = keys_at(samples, recording);
-  divide_segments(recording, keys);
+/// Removes keys, and moves the others, until no more are found that the tolerances do not need.
+std::vector<FitKey> thinned(const Recording& recording, std::vector<FitKey> keys, const std::vector<std::size_t>& fixed,
+                            const SamplesDone& done) {
   Thinning thinning(recording, std::move(keys), fixed, done);
   thinning.remove_keys();
-  return std::move(thinning).take();
-}
-
-/// Fewer keys at other times.
-std::vector<FitKey> moved_keys(const Recording& recording, std::vector<FitKey> keys,
-                               const std::vector<std::size_t>& fixed, const SamplesDone& done) {
-  Thinning thinning(recording, std::move(keys), fixed, done);
   for (const std::size_t segments : std::array<std::size_t, 3>{4, 8, 16}) thinning.sweep(segments);
   thinning.remove_keys();
   return std::move(thinning).take();
@@ -219,14 +210,15 @@ std::vector<FitKey> moved_keys(const Recording& recording, std::vector<FitKey> k
 
 std::vector<FitKey> fitting_keys(const Recording& recording, const FirstTimes& times,
                                  const std::vector<std::size_t>& fixed, const SamplesDone& done) {
-  constexpr std::size_t many_samples = 20;  // in a segment: then moving keys takes most of the time
-  std::vector<FitKey> keys = sufficient_keys(recording, spread_samples(recording, times, fixed), fixed, done);
-  std::vector<FitKey> others = sufficient_keys(recording, samples_at_knots(recording, times, fixed), fixed, done);
+  constexpr std::size_t many_samples = 20000;  // for two tries in less than a second
+  std::vector<FitKey> keys = keys_at(spread_samples(recording, times, fixed), recording);
+  std::vector<FitKey> others = keys_at(samples_at_knots(recording, times, fixed), recording);
+  divide_segments(recording, keys);
+  divide_segments(recording, others);
   if (others.size() < keys.size()) std::swap(keys, others);
-  const bool has_long_segments = recording.size() > many_samples * keys.size();
-  keys = moved_keys(recording, std::move(keys), fixed, done);
-  if (has_long_segments) return keys;
-  others = moved_keys(recording, std::move(others), fixed, done);
+  keys = thinned(recording, std::move(keys), fixed, done);
+  if (recording.size() > many_samples) return keys;
+  others = thinned(recording, std::move(others), fixed, {});
   return others.size() < keys.size() ? others : keys;
 }
 

@@ -47,7 +47,7 @@ class GroupFit {
   void run(const FitEffort& effort, std::span<double> result) {
     // Where segments are long, few of their samples decide, and their weights need more steps.
     const bool has_long_segments = is_window() && weights_.size() > 50 * worst_.size();
-    const int most = effort.most_weightings * (has_long_segments ? 3 : 1);
+    const int most = effort.most_weightings * (has_long_segments ? 2 : 1);
     double before = 0;
     for (int i = 0;; ++i) {
       solve(effort.stiffness, i > 0);
