@@ -55,7 +55,7 @@ TEST(KeyTimes, cubics_are_found_within_any_tolerance) {
   };
   for (const double tolerance : {1e-2, 1e-4, 1e-8, 1e-11}) {
     const auto samples = samples_of(recording_of({rest_and_ramp}, 2561, 1.0 / 128, tolerance));  // to t = 20
-    EXPECT_LE(samples.size(), 21U) << tolerance;  // fewer within 0.01
+    EXPECT_LE(samples.size(), 21U) << tolerance;                                                 // fewer within 0.01
   }
 }
 

@@ -95,7 +95,8 @@ TEST(RotationNotation, a_matrix_gives_its_rotation_again) {
   std::normal_distribution<double> number;
   const RotationNotation notation{RotationForm::matrix};
   for (int i = 0; i < 1000; ++i) {
-    const auto q = normalized(Quaternion<double>{number(random), number(random), number(random), number(random) / (i + 1)});
+    const auto q =
+        normalized(Quaternion<double>{number(random), number(random), number(random), number(random) / (i + 1)});
     EXPECT_LE(distance(q, quaternion_from(matrix_of(q), notation)), 1e-15);
   }
   const auto half = quaternion_from(std::array{0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, notation);
