@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 namespace tcb {
 
@@ -46,9 +45,16 @@ std::vector<FitKey> KeyList::range(std::size_t first, std::size_t last) const {
 }
 
 std::size_t KeyList::at_sample(std::size_t sample) const {
-  const auto found = std::ranges::lower_bound(std::views::iota(std::size_t{0}, size()), sample, {},
-                                              [this](std::size_t i) { return (*this)[i].sample; });
-  return *found;
+  std::size_t first = 0, last = size();
+  while (first < last) {
+    const std::size_t middle = first + (last - first) / 2;
+    if ((*this)[middle].sample < sample) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
+  }
+  return first;
 }
 
 void KeyList::replace(std::size_t first, std::size_t last, std::vector<FitKey> keys) {
