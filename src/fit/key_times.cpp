@@ -149,7 +149,7 @@ std::vector<std::size_t> union_of(std::vector<std::size_t> samples, const std::v
 /// The samples of keys at knots, if they suffice; otherwise at both sides of each, and in the middle between two knots.
 std::vector<std::size_t> samples_at_knots(const Recording& recording, const FirstTimes& times,
                                           const std::vector<std::size_t>& fixed) {
-  const std::vector<std::size_t> plain = union_of(fixed, times.knots);
+  std::vector<std::size_t> plain = union_of(fixed, times.knots);
   std::vector<FitKey> keys = keys_at(plain, recording);
   const std::vector<double> worst = fit_smoothly(recording, keys, {}, {2});
   if (*std::ranges::max_element(worst) <= 1) return plain;
