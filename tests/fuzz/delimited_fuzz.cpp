@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.header = choices.PickValueInArray<std::optional<bool>>({std::nullopt, std::nullopt, true, false});
   options.comment = choices.PickValueInArray({"#", "#", "", "//", ">"});
   options.decimal = choices.PickValueInArray({'.', '.', ','});
-  options.missing = choices.PickValueInArray(missing_names).way;
+  options.missing = choices.PickValueInArray(missing_names).value;
   options.timeless = choices.ConsumeBool();
   const char* const columns = choices.PickValueInArray({"", "", "", "time=1", "group=1,time=2", "carry=3", "carry=x"});
   if (*columns != '\0') options.roles = parse_roles(columns);
