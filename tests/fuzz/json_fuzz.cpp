@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzedDataProvider choices(data, size);
   InputOptions options;
   options.format = find_format(choices.PickValueInArray({"json", "jsonl"}));
-  options.missing = choices.PickValueInArray(missing_names).way;
+  options.missing = choices.PickValueInArray(missing_names).value;
   options.timeless = choices.ConsumeBool();
   const char* const columns = choices.PickValueInArray({"", "", "carry=label", "group=id", "position=x:y,time=t"});
   if (*columns != '\0') options.roles = parse_roles(columns);
