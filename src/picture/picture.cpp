@@ -54,9 +54,9 @@ class Composer {
   Marks marks_of(const View& view) const {
     const std::uint64_t rows = scene_.rows();
     const std::size_t views = arrangement_.views.size();
-    const auto fits = [&](std::uint64_t count, double between) {
+    const auto fits = [&](std::uint64_t count, double spacing) {
       const double room = view.is_graph() ? view.box.width : 3 * view.box.width;
-      return static_cast<double>(count) * between <= room && count * (view.is_graph() ? views : 1) <= most_dots;
+      return static_cast<double>(count) * spacing <= room && count * (view.is_graph() ? views : 1) <= most_dots;
     };
     Marks marks;
     marks.keys = fits(scene_.keys(), between_keys);

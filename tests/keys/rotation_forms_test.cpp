@@ -9,32 +9,11 @@
 #include <vector>
 
 #include "error.hpp"
+#include "keys/rotation_keys.hpp"
 #include "keys/rotations.hpp"
 
 namespace tcb {
 namespace {
-
-using Numbers = std::vector<double>;
-
-/// Keys with a position x and four numbers of a rotation, on lines from 2.
-KeyBlock block_of(const std::vector<Numbers>& rotations) {
-  KeyBlock block;
-  block.keys.channels = 5;
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    block.keys.times.emplace_back(static_cast<double>(i));
-    block.keys.positions.push_back(7);
-    block.keys.positions.insert(block.keys.positions.end(), rotations[i].begin(), rotations[i].end());
-    block.lines.push_back(i + 2);
-  }
-  return block;
-}
-
-Source<KeyBlock> source_of(const KeyBlock& block) {
-  return [block, done = false]() mutable -> std::optional<KeyBlock> {
-    if (std::exchange(done, true)) return std::nullopt;
-    return block;
-  };
-}
 
 /// Keys with a position x, and axes and angles in degrees, as quaternions.
 Numbers quaternions_of(const std::vector<Numbers>& keys, bool relative, bool in_parent) {

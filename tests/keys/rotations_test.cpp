@@ -11,31 +11,10 @@
 #include <vector>
 
 #include "error.hpp"
+#include "keys/rotation_keys.hpp"
 
 namespace tcb {
 namespace {
-
-using Numbers = std::vector<double>;
-
-/// Keys with a position x and a quaternion in the order x, y, z, w, on lines from 2.
-KeyBlock block_of(const std::vector<Numbers>& quaternions) {
-  KeyBlock block;
-  block.keys.channels = 5;
-  for (std::size_t i = 0; i < quaternions.size(); ++i) {
-    block.keys.times.emplace_back(static_cast<double>(i));
-    block.keys.positions.push_back(7);
-    block.keys.positions.insert(block.keys.positions.end(), quaternions[i].begin(), quaternions[i].end());
-    block.lines.push_back(i + 2);
-  }
-  return block;
-}
-
-Source<KeyBlock> source_of(const KeyBlock& block) {
-  return [block, done = false]() mutable -> std::optional<KeyBlock> {
-    if (std::exchange(done, true)) return std::nullopt;
-    return block;
-  };
-}
 
 KeyBlock checked(const KeyBlock& block, bool normalize = false) {
   const GivenRotation given{{}, false, {"qx", "qy", "qz", "qw"}};
