@@ -3,15 +3,15 @@
 #include <exception>
 #include <new>
 
-#include "app/pipeline.hpp"
+#include "check/report.hpp"
 #include "cli/options.hpp"
 #include "cli/remedies.hpp"
-#include "compare/fit_picture.hpp"
-#include "compare/report.hpp"
 #include "error.hpp"
+#include "fit/fit_picture.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "io/terminal.hpp"
+#include "run/pipeline.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "cli/remedies.hpp"
 #include "error.hpp"
-#include "input/input.hpp"
+#include "schema/input.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

@@ -10,9 +10,9 @@
 
 #include "cli/completion_scripts.hpp"
 #include "cli/options.hpp"
-#include "input/columns.hpp"
-#include "input/input.hpp"
 #include "io/input_file.hpp"
+#include "schema/columns.hpp"
+#include "schema/input.hpp"
 
 namespace tcb {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "curve/build.hpp"
-#include "curve/fields.hpp"
-#include "io/formats.hpp"
-#include "text/print_number.hpp"
+#include "numbers/print_number.hpp"
+#include "sample/build.hpp"
+#include "sample/fields.hpp"
+#include "schema/formats.hpp"
 
 namespace tcb {
 namespace {

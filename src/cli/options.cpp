@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "sampling/extrapolation.hpp"
-#include "sampling/request.hpp"
+#include "sample/extrapolation.hpp"
+#include "sample/request.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/job.hpp"
 #include "error.hpp"
 #include "io/terminal.hpp"
+#include "run/job.hpp"
 
 namespace tcb {
 

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "cli/options.hpp"
-#include "input/input.hpp"
 #include "io/input_file.hpp"
-#include "text/decimal_time.hpp"
-#include "text/print_number.hpp"
+#include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
+#include "schema/input.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

@@ -9,10 +9,10 @@
 #include <algorithm>
 
 #include "cli/options.hpp"
-#include "curve/build.hpp"
-#include "curve/fields.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
+#include "sample/build.hpp"
+#include "sample/fields.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

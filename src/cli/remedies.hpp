@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/progress.hpp"
 #include "error.hpp"
+#include "run/progress.hpp"
 
 namespace tcb {
 

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "curve/fields.hpp"
-#include "io/formats.hpp"
-#include "text/parse_number.hpp"
-#include "text/print_number.hpp"
+#include "numbers/parse_number.hpp"
+#include "numbers/print_number.hpp"
+#include "sample/fields.hpp"
+#include "schema/formats.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "curve/keyed_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
+#include "sample/keyed_curve.hpp"
 #include "tcb/spline/detail/rotation_notation.hpp"
 
 namespace tcb {

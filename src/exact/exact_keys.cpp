@@ -7,7 +7,7 @@
 
 #include "error.hpp"
 #include "exact/rounding.hpp"
-#include "text/decimal_time.hpp"
+#include "numbers/decimal_time.hpp"
 
 namespace tcb {
 namespace {

@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "input/input.hpp"
 #include "keys/rotations.hpp"
-#include "sampling/extrapolation.hpp"
+#include "numbers/decimal_time.hpp"
+#include "numbers/rational.hpp"
+#include "sample/extrapolation.hpp"
+#include "schema/input.hpp"
 #include "tcb/spline/window.hpp"
-#include "text/decimal_time.hpp"
-#include "text/rational.hpp"
 
 namespace tcb {
 

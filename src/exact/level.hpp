@@ -9,13 +9,13 @@
 #include <span>
 #include <vector>
 
-#include "curve/fields.hpp"
-#include "curve/index.hpp"
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
-#include "sampling/sampler.hpp"
-#include "sampling/segment_length.hpp"
+#include "sample/fields.hpp"
+#include "sample/index.hpp"
+#include "sample/sampler.hpp"
+#include "sample/segment_length.hpp"
 
 namespace tcb {
 

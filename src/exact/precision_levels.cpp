@@ -9,7 +9,7 @@
 
 #include "error.hpp"
 #include "exact/level.hpp"
-#include "text/print_number.hpp"
+#include "numbers/print_number.hpp"
 
 namespace tcb {
 

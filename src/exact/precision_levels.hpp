@@ -10,9 +10,9 @@
 #include <memory>
 #include <span>
 
-#include "curve/rows.hpp"
 #include "exact/exact_keys.hpp"
-#include "text/print_number.hpp"
+#include "numbers/print_number.hpp"
+#include "sample/rows.hpp"
 
 namespace tcb {
 

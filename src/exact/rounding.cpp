@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "text/large_rational.hpp"
-#include "text/print_number.hpp"
+#include "numbers/large_rational.hpp"
+#include "numbers/print_number.hpp"
 
 namespace tcb {
 namespace {

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "curve/fields.hpp"
 #include "keys/parameterize.hpp"
-#include "text/decimal_time.hpp"
-#include "text/large_rational.hpp"
-#include "text/print_number.hpp"
-#include "text/rational.hpp"
+#include "numbers/decimal_time.hpp"
+#include "numbers/large_rational.hpp"
+#include "numbers/print_number.hpp"
+#include "numbers/rational.hpp"
+#include "sample/fields.hpp"
 
 namespace tcb {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fit/recording.hpp"
-#include "input/key_block.hpp"
+#include "schema/key_block.hpp"
 
 namespace tcb {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "io/formats.hpp"
+#include "schema/formats.hpp"
 
 namespace tcb {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "error.hpp"
-#include "io/formats.hpp"
 #include "io/input_file.hpp"
+#include "schema/formats.hpp"
 
 namespace tcb {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/input.hpp"
+#include "schema/input.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

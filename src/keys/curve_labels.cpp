@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "keys/curves.hpp"
-#include "text/decimal_time.hpp"
+#include "numbers/decimal_time.hpp"
 
 namespace tcb {
 namespace {

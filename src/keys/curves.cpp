@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "error.hpp"
-#include "input/input.hpp"
-#include "input/key_block.hpp"
 #include "keys/velocities.hpp"
-#include "text/decimal_time.hpp"
-#include "text/print_number.hpp"
+#include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
+#include "schema/input.hpp"
+#include "schema/key_block.hpp"
 
 namespace tcb {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "input/input.hpp"
-#include "input/key_block.hpp"
+#include "schema/input.hpp"
+#include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

@@ -14,7 +14,7 @@
 
 #include "error.hpp"
 #include "keys/curves.hpp"
-#include "text/decimal_time.hpp"
+#include "numbers/decimal_time.hpp"
 
 namespace tcb {
 namespace {

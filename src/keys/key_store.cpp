@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "text/decimal_time.hpp"
+#include "numbers/decimal_time.hpp"
 
 namespace tcb {
 

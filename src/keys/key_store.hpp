@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "input/key_block.hpp"
+#include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

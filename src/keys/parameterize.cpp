@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "input/columns.hpp"
+#include "schema/columns.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {

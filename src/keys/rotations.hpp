@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "input/input.hpp"
+#include "schema/input.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/rules.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "text/print_number.hpp"
+#include "numbers/print_number.hpp"
 
 namespace tcb {
 namespace {

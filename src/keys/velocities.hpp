@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "input/key_block.hpp"
+#include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

@@ -16,7 +16,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "text/print_number.hpp"
+#include "numbers/print_number.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "text/parse_number.hpp"
-#include "text/print_number.hpp"
+#include "numbers/parse_number.hpp"
+#include "numbers/print_number.hpp"
 
 namespace {
 

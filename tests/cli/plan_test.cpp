@@ -2,8 +2,8 @@
 #include "cli/plan.hpp"
 
 #include "cli/command_line.hpp"
-#include "curve/fields.hpp"
-#include "input/columns.hpp"
+#include "sample/fields.hpp"
+#include "schema/columns.hpp"
 
 namespace tcb {
 

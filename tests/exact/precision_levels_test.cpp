@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "curve/build.hpp"
+#include "sample/build.hpp"
 
 namespace tcb {
 namespace {

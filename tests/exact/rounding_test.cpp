@@ -10,7 +10,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "curve/fields.hpp"
+#include "sample/fields.hpp"
 
 namespace tcb {
 namespace {

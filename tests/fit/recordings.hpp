@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/recording.hpp"
-#include "input/key_block.hpp"
+#include "schema/key_block.hpp"
 
 namespace tcb {
 

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "invariant.hpp"
-#include "text/parse_number.hpp"
-#include "text/print_number.hpp"
+#include "numbers/parse_number.hpp"
+#include "numbers/print_number.hpp"
 
 namespace tcb::fuzz {
 namespace {

@@ -14,14 +14,14 @@
 #include <string_view>
 #include <vector>
 
-#include "app/pipeline.hpp"
 #include "cli/options.hpp"
 #include "cli/remedies.hpp"
-#include "curve/fields.hpp"
 #include "error.hpp"
-#include "input/input.hpp"
 #include "invariant.hpp"
-#include "text/parse_number.hpp"
+#include "numbers/parse_number.hpp"
+#include "run/pipeline.hpp"
+#include "sample/fields.hpp"
+#include "schema/input.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 

@@ -12,8 +12,8 @@
 
 #include "cli/remedies.hpp"
 #include "error.hpp"
-#include "input/input.hpp"
 #include "invariant.hpp"
+#include "schema/input.hpp"
 
 namespace tcb::fuzz {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/key_block.hpp"
+#include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

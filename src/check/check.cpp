@@ -1,0 +1,285 @@
+// Check: rows paired with curves, their distances from the computed numbers, and the limits for these.
+#include "check/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "error.hpp"
+#include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
+#include "sample/index.hpp"
+#include "sample/rows.hpp"
+#include "schema/key_block.hpp"
+#include "stream/ordered_map.hpp"
+
+namespace tcb {
+
+namespace {
+
+bool has_content(const std::vector<std::string>& group) {
+  return std::ranges::any_of(group, [](const std::string& text) { return !text.empty(); });
+}
+
+/// All rows as those of one curve.
+SampleRows concatenated(const std::vector<SampleRows>& parts) {
+  SampleRows all;
+  for (const SampleRows& part : parts) {
+    all.times.insert(all.times.end(), part.times.begin(), part.times.end());
+    all.numbers.insert(all.numbers.end(), part.numbers.begin(), part.numbers.end());
+    all.lines.insert(all.lines.end(), part.lines.begin(), part.lines.end());
+  }
+  return all;
+}
+
+Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
+  const std::vector<std::string>& names = kept.input.groups;
+  Pairs result;
+  std::vector<bool> taken(table.curves.size());
+  for (const KeptCurve& curve : kept.curves) {
+    const auto wanted = contents(curve.group);
+    SampleRows rows;
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      if (taken[i] || contents(table.curves[i].group) != wanted) continue;
+      taken[i] = true;
+      rows = std::move(table.curves[i]);
+      break;
+    }
+    if (rows.size() == 0)
+      result.problems.push_back({Exit::data, ErrorCode::curve_without_rows, {group_title(names, curve.group)}});
+    else
+      result.pairs.push_back({&curve, std::move(rows)});
+  }
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (taken[i]) continue;
+    const SampleRows& rows = table.curves[i];
+    result.problems.push_back(
+        {Exit::data, ErrorCode::rows_without_keys, {group_title(names, rows.group), rows.lines.at(0)}});
+  }
+  return result;
+}
+
+}  // namespace
+
+Pairs pair_up(const KeptCurves& kept, SampleTable& table) {
+  if (!kept.curves.empty() && has_content(kept.curves[0].group) && !table.curves.empty() &&
+      has_content(table.curves[0].group)) {
+    return pairs_by_group(kept, table);
+  }
+  Pairs result;
+  if (kept.curves.size() == 1) {
+    result.pairs.push_back({&kept.curves[0], concatenated(table.curves)});
+    return result;
+  }
+  const std::size_t both = std::min(kept.curves.size(), table.curves.size());
+  for (std::size_t i = 0; i < both; ++i) result.pairs.push_back({&kept.curves[i], std::move(table.curves[i])});
+  if (kept.curves.size() != table.curves.size()) {
+    result.problems.push_back({Exit::data, ErrorCode::curve_counts, {table.curves.size(), kept.curves.size(), both}});
+  }
+  return result;
+}
+
+ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs) {
+  const MatchedColumns& columns = inputs.columns;
+  ComparisonSummary result{inputs.file, inputs.keys, columns.by_length, columns.ignored, columns.problems};
+  result.problems.insert(result.problems.end(), pairs.problems.begin(), pairs.problems.end());
+  return result;
+}
+
+Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
+                 const IndexedCurve& curve, const Limits& limits) {
+  const Time first = columns.by_length ? Time(0.0) : curve.extent.first;
+  const Time last = columns.by_length ? Time(curve.curve->length()) : *curve.extent.last;
+  const bool anywhere = !columns.by_length && curve.extrapolation != Extrapolation::error;
+  Places result;
+  std::uint64_t off_curve = 0;
+  std::pair<std::size_t, Time> first_off;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    Time place = columns.place               ? Time(rows.numbers[row * table.columns.size() + *columns.place])
+                 : curve.extent.decimals > 0 ? with_all_digits(rows.times[row])
+                                             : as_double(rows.times[row]);
+    const bool on_curve = place >= first && place <= last;
+    const Time end = place < first ? first : last;
+    if (place == place && !on_curve && !anywhere && limits.admit(distance(place.hi, end.hi))) place = end;
+    if ((place >= first && place <= last) || (anywhere && place == place)) {
+      result.rows.push_back(row);
+      result.places.push_back(place);
+      continue;
+    }
+    if (off_curve++ == 0) first_off = {row, place};
+  }
+  if (off_curve > 0) {
+    const auto& [row, place] = first_off;
+    const bool missing = !(place == place);
+    result.off_curve = Error(Exit::data,
+                             missing             ? ErrorCode::rows_without_place
+                             : columns.by_length ? ErrorCode::lengths_off_curve
+                                                 : ErrorCode::times_off_curve,
+                             {off_curve, rows.lines[row], time_text(place), time_text(place < first ? first : last)});
+  }
+  return result;
+}
+
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
+                  const IndexedCurve& curve, bool from_left, unsigned threads,
+                  const std::function<void(std::size_t, std::span<const Cell>)>& use) {
+  const auto place = [&places](std::uint64_t row) { return places.places[row]; };
+  const auto evaluate_all = [&](const auto& locator) {
+    const auto cells_of = [&columns, locator](const SampleBlock& block) {
+      return evaluate(block, *locator, columns.fields);
+    };
+    return ordered_map(look_up(curve.curve, locator, from_left), cells_of, threads);
+  };
+  const std::uint64_t rows = places.places.size();
+  const auto cells = columns.by_length
+                         ? evaluate_all(std::make_shared<const AnywhereInLength>(place, rows, curve.curve->length()))
+                         : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolation,
+                                                                               curve.extent.first, *curve.extent.last));
+  std::size_t next = 0;
+  while (std::optional<std::vector<Cell>> block = cells()) {
+    const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
+    for (std::size_t at = 0; at < block->size(); at += width) {
+      const std::span row = std::span(*block).subspan(at, width);
+      columns.align(row, given.row(places.rows[next]));
+      use(places.rows[next++], row);
+    }
+  }
+}
+
+namespace {
+
+/// An index of the doubles in increasing order; both zeros have index 0.
+std::int64_t index_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(std::abs(value));
+  return value < 0 ? -static_cast<std::int64_t>(bits) : static_cast<std::int64_t>(bits);
+}
+
+std::optional<double> limit(const std::vector<Tolerance>& tolerances, const std::string& column) {
+  std::optional<double> all, own;
+  for (const Tolerance& tolerance : tolerances) {
+    if (tolerance.column.empty()) all = tolerance.most;
+    if (tolerance.column == column) own = tolerance.most;
+  }
+  return own ? own : all;
+}
+
+/// Compares the rows of one curve after another.
+class Checker {
+ public:
+  Checker(const ComparisonInputs& inputs, const Comparison& comparison, Check& result)
+      : inputs_(inputs), result_(result) {
+    for (const MatchedColumn& column : inputs.columns.compared) {
+      limits_.push_back(limits_of(comparison, column.name));
+      result.columns.push_back({column.name, 0, {}});
+    }
+  }
+
+  void compare_row(const SampleRows& rows, std::size_t row, std::span<const Cell> cells) {
+    constexpr std::uint64_t at_once = 1024;
+    if (++result_.rows % at_once == 0 && inputs_.progress != nullptr) inputs_.progress->add_rows(at_once);
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      const MatchedColumn& column = inputs_.columns.compared[i];
+      const Cell& cell = cells[column.computed];
+      const double computed = is_empty(cell) ? std::numeric_limits<double>::quiet_NaN() : cell.hi;
+      const double given = rows.numbers[row * inputs_.table.columns.size() + column.given];
+      ++result_.values;
+      const Distance found = distance(given, computed);
+      if (!std::isnan(given) && !std::isnan(computed)) widen(result_.columns[i].largest, found);
+      if (limits_[i].admit(found)) continue;
+      ++result_.mismatches;
+      ++result_.columns[i].mismatches;
+      add({row + 1, rows.lines[row], column.name, given, computed, found});
+    }
+  }
+
+ private:
+  static void widen(Distance& largest, const Distance& found) {
+    largest.abs = std::max(largest.abs, found.abs);
+    largest.rel = std::max(largest.rel, found.rel);
+    largest.ulp = std::max(largest.ulp, found.ulp);
+  }
+
+  void add(Difference difference) {
+    if (!result_.first || difference.line < result_.first->line) result_.first = difference;
+    if (!result_.worst || difference.distance.abs > result_.worst->distance.abs) result_.worst = std::move(difference);
+  }
+
+  const ComparisonInputs& inputs_;
+  Check& result_;
+  std::vector<Limits> limits_;
+};
+
+/// Throws: Error (usage) for a tolerance of a column that is not compared.
+void require_columns(const Comparison& comparison, const ComparisonInputs& inputs) {
+  std::vector<std::string> known{inputs.place_name()};
+  for (const MatchedColumn& column : inputs.columns.compared) known.push_back(column.name);
+  for (const auto& [option, tolerances] :
+       {std::pair{Option::abs, &comparison.abs}, std::pair{Option::rel, &comparison.rel},
+        std::pair{Option::ulp, &comparison.ulp}}) {
+    for (const Tolerance& tolerance : *tolerances) {
+      if (tolerance.column.empty() || std::ranges::count(known, tolerance.column) > 0) continue;
+      throw Error(Exit::usage, ErrorCode::tolerance_of_other_column, {tolerance.column, known}).about(option);
+    }
+  }
+}
+
+/// Compares the rows of one curve.
+void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs, Checker& checker, Check& result,
+                const std::function<void(const CheckedPair&)>& observe) {
+  const MatchedColumns& columns = inputs.columns;
+  SamplingRequest request = job.sampling;
+  request.mode = columns.by_length ? Mode::arc_at : Mode::at;
+  CurvePipeline pipeline(request, job.curve, columns.fields, std::nullopt, inputs.kept.input, *pair.curve->curve_info);
+  const IndexedCurve curve = pipeline.whole(pair.curve->keys());
+  const Places places =
+      places_of(pair.rows, inputs.table, columns, curve, limits_of(*job.comparison, inputs.place_name()));
+  if (places.off_curve) result.problems.emplace_back(*places.off_curve);
+  for_each_row(pair.rows, places, columns, curve, request.from_left, inputs.threads,
+               [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
+  if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, request.from_left});
+}
+
+}  // namespace
+
+Distance distance(double given, double computed) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (std::isnan(given) && std::isnan(computed)) return {};
+  if (std::isnan(given) || std::isnan(computed)) return {infinity, infinity, std::numeric_limits<std::uint64_t>::max()};
+  const double abs = std::abs(given - computed);
+  const std::int64_t a = index_of(given), b = index_of(computed);
+  const auto ulp = static_cast<std::uint64_t>(a > b ? a : b) - static_cast<std::uint64_t>(a > b ? b : a);
+  return {abs, abs == 0 ? 0 : abs / std::abs(computed), ulp};
+}
+
+bool Limits::admit(const Distance& distance) const {
+  if (distance.ulp == 0) return true;
+  return (abs && distance.abs <= *abs) || (rel && distance.rel <= *rel) ||
+         (ulp && static_cast<double>(distance.ulp) <= *ulp);
+}
+
+Limits limits_of(const Comparison& comparison, const std::string& column) {
+  return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
+}
+
+Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe, FileProgress* progress) {
+  return check(job, read_inputs(job, job.fields, progress), observe);
+}
+
+Check check(const Job& job, ComparisonInputs inputs, const std::function<void(const CheckedPair&)>& observe) {
+  require_columns(*job.comparison, inputs);
+  const Pairs pairs = pair_up(inputs.kept, inputs.table);
+  Check result{summary(inputs, pairs)};
+  Checker checker(inputs, *job.comparison, result);
+  std::uint64_t rows = 0;
+  for (const Pair& pair : pairs.pairs) rows += pair.rows.size();
+  if (inputs.progress != nullptr) inputs.progress->expect_rows(static_cast<double>(rows));
+  for (const Pair& pair : pairs.pairs) {
+    in_file(inputs.keys, [&] { check_pair(pair, job, inputs, checker, result, observe); });
+  }
+  return result;
+}
+
+}  // namespace tcb

@@ -1,0 +1,121 @@
+// Check: rows paired with curves, their distances from the computed numbers, and the limits for these.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "check/inputs.hpp"
+#include "run/curve_pipeline.hpp"
+#include "run/job.hpp"
+#include "write/layout.hpp"
+
+namespace tcb {
+
+/// The distance of a given number from the computed one; a missing number is NaN.
+struct Distance {
+  double abs = 0;         ///< |given - computed|; infinite beyond the range of doubles, or if one of them is missing
+  double rel = 0;         ///< abs / |computed|; infinite if only the computed number is 0
+  std::uint64_t ulp = 0;  ///< number of steps between neighbouring doubles; 0 and -0 are equal
+};
+
+/// Two missing numbers are equal.
+Distance distance(double given, double computed);
+
+/// Limits of a column: a number is accepted if it is within any of those given.
+struct Limits {
+  std::optional<double> abs, rel, ulp;
+
+  bool admit(const Distance& distance) const;
+};
+
+/// For each measure the column's own tolerance, else the one for all columns. Without any, only equal numbers are
+/// accepted.
+Limits limits_of(const Comparison& comparison, const std::string& column);
+
+/// A given number that differs from the computed one.
+struct Difference {
+  std::uint64_t row = 0, line = 0;  ///< among the rows of the curve, from 1; in the file
+  std::string column;
+  double given = 0, computed = 0;  ///< NaN if missing
+  Distance distance;
+};
+
+/// The parts of a result that all comparisons have.
+struct ComparisonSummary {
+  std::string file, keys;            ///< names of the files of samples and of keys
+  bool by_length = false;            ///< the samples are at arc lengths
+  std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
+  std::vector<Error> problems;       ///< of columns, curves and rows, besides the numbers
+};
+
+/// The result of a check for one column.
+struct ColumnCheck {
+  std::string name;
+  std::uint64_t mismatches = 0;
+  Distance largest;  ///< in each measure, over all rows where neither number is missing
+};
+
+struct Check : ComparisonSummary {
+  std::uint64_t rows = 0, values = 0, mismatches = 0;
+  std::vector<ColumnCheck> columns = {};
+  std::optional<Difference> first = {}, worst = {};  ///< the worst: the largest absolute distance
+
+  bool passed() const { return mismatches == 0 && problems.empty(); }
+};
+
+/// A curve and its given rows.
+struct Pair {
+  const KeptCurve* curve;
+  SampleRows rows;
+};
+
+struct Pairs {
+  std::vector<Pair> pairs;
+  std::vector<Error> problems;  ///< curves without rows, rows without a curve
+};
+
+/// Pairs curves and rows by their groups if both have them, else by their order; a single curve takes all rows.
+Pairs pair_up(const KeptCurves& kept, SampleTable& table);
+
+/// The parts of a result that all comparisons have.
+ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs);
+
+/// The places of rows on a curve.
+struct Places {
+  std::vector<std::size_t> rows;
+  std::vector<Time> places;        ///< of these rows
+  std::optional<Error> off_curve;  ///< if other rows are not on the curve: how many, and the first of them
+};
+
+/// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.
+Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
+                 const IndexedCurve& curve, const Limits& limits);
+
+/// Calls `use` for each of the rows, in order, with its cells. They are aligned with the given row. Throws: Error
+/// (data) for a number beyond the range.
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
+                  const IndexedCurve& curve, bool from_left, unsigned threads,
+                  const std::function<void(std::size_t row, std::span<const Cell> cells)>& use);
+
+/// A curve with the places of its samples, as it is compared.
+struct CheckedPair {
+  const ComparisonInputs& inputs;
+  const CurvePipeline& pipeline;
+  const KeptCurve& curve;
+  const SampleRows& rows;
+  const IndexedCurve& indexed;
+  const Places& places;
+  bool from_left;
+};
+
+/// Compares every number of the samples with the curve. `observe` sees each curve with its samples, if it is given.
+/// Throws: Error if the keys make no curve, or there is nothing to compare.
+Check check(const Job& job, const std::function<void(const CheckedPair& pair)>& observe = {},
+            FileProgress* progress = nullptr);
+Check check(const Job& job, ComparisonInputs inputs, const std::function<void(const CheckedPair& pair)>& observe = {});
+
+}  // namespace tcb

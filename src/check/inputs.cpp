@@ -1,0 +1,280 @@
+// Inputs of a comparison: keys read into memory, the file of samples, and which of its columns are compared.
+#include "check/inputs.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "error.hpp"
+#include "io/compression.hpp"
+#include "io/input_file.hpp"
+#include "keys/curves.hpp"
+#include "sample/fields.hpp"
+#include "schema/input.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether the mark occurs between two digits.
+bool has_between_digits(std::string_view text, char mark) {
+  for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark, at + 1)) {
+    if (at > 0 && at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1])) return true;
+  }
+  return false;
+}
+
+char decimal_mark_of(std::string_view beginning) {
+  const bool delimited = beginning.find_first_of(";\t") != std::string_view::npos;
+  const bool commas = delimited && !has_between_digits(beginning, '.') && has_between_digits(beginning, ',');
+  return commas ? ',' : '.';
+}
+
+void append(SampleRows& rows, const KeyBlock& block) {
+  rows.times.insert(rows.times.end(), block.keys.times.begin(), block.keys.times.end());
+  rows.numbers.insert(rows.numbers.end(), block.keys.positions.begin(), block.keys.positions.end());
+  rows.lines.insert(rows.lines.end(), block.lines.begin(), block.lines.end());
+}
+
+}  // namespace
+
+Source<KeyBlock> KeptCurve::keys() const {
+  return [this, next = std::size_t{0}]() mutable {
+    return next < blocks.size() ? std::optional(blocks[next++]) : std::nullopt;
+  };
+}
+
+std::size_t KeptCurve::key_count() const {
+  std::size_t count = 0;
+  for (const KeyBlock& block : blocks) count += block.size();
+  return count;
+}
+
+namespace {
+
+/// The bytes of a file, counted as read, and decompressed.
+Source<std::string> observed(const std::string& path, FileProgress* progress) {
+  return decompressed(progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path)));
+}
+
+}  // namespace
+
+KeptCurves keep(const Job& job, FileProgress* progress) {
+  const std::string& path = job.files[0];
+  InputOptions options = job.input;
+  options.threads = job.threads();
+  KeptCurves kept{open_input(path, observed(path, progress), options), {}};
+  Curves curves(kept.input, job.curves, false);
+  while (const std::optional<CurveKeys> curve = curves.next()) {
+    KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
+    while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
+  }
+  return kept;
+}
+
+SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place,
+                         FileProgress* progress) {
+  const std::string& path = job.comparison->file;
+  Source<std::string> bytes = observed(path, progress);
+  std::string beginning = bytes().value_or("");
+  InputOptions options;
+  options.samples = SampleNames{keys.time, keys.groups, keys.carried, time_place.value_or(0), job.comparison->maps};
+  options.missing = Missing::skip_cell;
+  options.timeless = !time_place;
+  options.threads = job.threads();
+  options.input_rate = job.input.input_rate;
+  options.decimal = decimal_mark_of(beginning);
+  Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
+  SampleTable table{input.named, input.timed, input.time, input.channels, input.ignored, {}};
+  input.timed = false;  // rows may come in any order
+  Curves curves(input, {}, false);
+  while (const std::optional<CurveKeys> curve = curves.next()) {
+    SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
+    while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
+  }
+  return table;
+}
+
+namespace {
+
+using Names = std::vector<std::string>;
+using Fields = std::vector<std::size_t>;
+
+Names names_of(const Fields& chosen, const Input& keys) {
+  Names names;
+  for (const auto& column : output_columns(chosen, keys)) names.push_back(column.name);
+  return names;
+}
+
+std::optional<std::size_t> find(const Names& names, const std::string& name) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// How many columns the fields have before the time; nothing: the time is not among them.
+std::optional<std::size_t> place_of_time(const Fields& chosen, const Input& keys) {
+  const auto time = std::ranges::find(chosen, field_of("time"));
+  if (chosen.empty()) return 0;
+  if (time == chosen.end()) return std::nullopt;
+  return names_of({chosen.begin(), time}, keys).size();
+}
+
+bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(chosen, field) > 0; }
+
+/// Matches columns by name.
+class Matcher {
+ public:
+  Matcher(const SampleTable& table, const Input& keys, const Fields& given)
+      : table_(table), keys_(keys), given_(given) {}
+
+  MatchedColumns match() {
+    require_distinct_names();
+    find_places();
+    Fields candidates = given_;
+    if (given_.empty()) {
+      candidates.resize(sample_fields<double>.size());
+      std::iota(candidates.begin(), candidates.end(), std::size_t{0});
+    }
+    for (const std::size_t field : candidates) {
+      if (field != field_of("time") && !(result_.by_length && field == field_of("s"))) match_field(field);
+    }
+    if (result_.compared.empty()) {
+      throw Error(Exit::data, ErrorCode::nothing_to_compare, {table_.columns, names_of(candidates, keys_)});
+    }
+    classify_other_columns();
+    return std::move(result_);
+  }
+
+ private:
+  void require_distinct_names() const {
+    for (const std::string& name : table_.columns) {
+      if (std::ranges::count(table_.columns, name) > 1) throw Error(Exit::data, ErrorCode::repeated_column, {name});
+    }
+  }
+
+  /// Times, or arc lengths if there are no times or no time is among the given fields.
+  void find_places() {
+    const auto s = find(keys_.channels, "s") ? std::nullopt : find(table_.columns, "s");
+    const bool wants_s = has(given_, field_of("s")) && !has(given_, field_of("time"));
+    result_.by_length = s && (wants_s || !table_.timed);
+    if (result_.by_length) result_.place = s;
+    if (table_.timed || result_.by_length) return;
+    throw Error(Exit::data, ErrorCode::samples_without_places, {table_.columns, keys_.time});
+  }
+
+  bool is_compared(std::size_t column) const {
+    return std::ranges::count(result_.compared, column, &MatchedColumn::given) > 0;
+  }
+
+  void match_field(std::size_t field) {
+    const Names names = names_of({field}, keys_);
+    const std::size_t first = names_of(result_.fields, keys_).size();
+    const std::size_t before = result_.compared.size();
+    Names missing;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto given = find(table_.columns, names[i]);
+      if (given && !is_compared(*given))
+        result_.compared.push_back({names[i], *given, first + i});
+      else
+        missing.push_back(names[i]);
+    }
+    const bool found = result_.compared.size() > before;
+    if (found) result_.fields.push_back(field);
+    if (missing.empty() || (given_.empty() && !found)) return;
+    result_.problems.push_back({Exit::data, ErrorCode::missing_columns, {missing}});
+  }
+
+  /// The columns of the samples that match none of the curve are ignored if fields are given.
+  void classify_other_columns() {
+    Names unknown;
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      if (i != result_.place && !is_compared(i)) unknown.push_back(table_.columns[i]);
+    }
+    result_.ignored = table_.ignored;
+    if (!given_.empty())
+      result_.ignored.insert(result_.ignored.end(), unknown.begin(), unknown.end());
+    else if (!unknown.empty())
+      result_.problems.push_back({Exit::data, ErrorCode::unknown_columns, {unknown}});
+  }
+
+  const SampleTable& table_;
+  const Input& keys_;
+  const Fields& given_;
+  MatchedColumns result_;
+};
+
+/// Matches columns by their order.
+MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const Fields& given) {
+  const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
+  const Names names = names_of(chosen, keys);
+  MatchedColumns result;
+  result.fields = chosen;
+  const std::size_t columns = table.columns.size() + (table.timed ? 1 : 0);
+  if (names.size() != columns)
+    throw Error(Exit::data, ErrorCode::unnamed_sample_columns, {columns, names.size(), names});
+  const auto time = place_of_time(chosen, keys);
+  const auto length = time ? std::nullopt : find(names, "s");
+  if (!time && !length) throw Error(Exit::usage, ErrorCode::fields_without_places).about(Option::fields);
+  result.place = length;
+  result.by_length = length.has_value();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i != (time ? time : length)) result.compared.push_back({names[i], i - (time && i > *time ? 1 : 0), i});
+  }
+  return result;
+}
+
+}  // namespace
+
+void MatchedColumns::align(std::span<Cell> computed, std::span<const double> given_row) const {
+  for (const auto& [i, degrees] : angles) {
+    double& angle = computed[compared[i].computed].hi;
+    const spline::DoubleDouble excess = spline::exact_difference(angle, given_row[compared[i].given]);
+    angle -= spline::nearest_turns<double>(excess, degrees).hi;
+  }
+  for (const auto& numbers : rotations) {
+    double cosine = 0;
+    for (const std::size_t i : numbers) cosine += computed[compared[i].computed].hi * given_row[compared[i].given];
+    if (!(cosine < 0)) continue;
+    for (const std::size_t i : numbers) computed[compared[i].computed].hi *= -1;
+  }
+}
+
+MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
+  MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
+  for (const spline::AngleChannel& angle : keys.angles) {
+    const auto found = std::ranges::find(columns.compared, keys.channels[angle.channel], &MatchedColumn::name);
+    if (found == columns.compared.end()) continue;
+    columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
+  }
+  for (const spline::RotationColumns& rotation : keys.rotations) {
+    if (rotation.shown.form != spline::RotationForm::quaternion) continue;
+    std::array<std::size_t, 4> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto found = std::ranges::find(columns.compared, keys.channels[rotation.channels[i]], &MatchedColumn::name);
+      numbers[i] = static_cast<std::size_t>(found - columns.compared.begin());
+    }
+    if (std::ranges::max(numbers) < columns.compared.size()) columns.rotations.push_back(numbers);
+  }
+  return columns;
+}
+
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress) {
+  ComparisonInputs inputs;
+  inputs.progress = progress;
+  inputs.keys = shown_name(job.files[0]);
+  inputs.file = shown_name(job.comparison->file);
+  inputs.threads = job.threads();
+  inputs.kept = in_file(inputs.keys, [&] { return keep(job, progress); });
+  in_file(inputs.file, [&] {
+    const auto time_place = place_of_time(chosen, inputs.kept.input);
+    inputs.table = read_samples(job, inputs.kept.input, time_place, progress);
+    inputs.columns = match_columns(inputs.table, inputs.kept.input, chosen);
+  });
+  return inputs;
+}
+
+}  // namespace tcb

@@ -1,0 +1,114 @@
+// Inputs of a comparison: curves with their keys in memory, given samples, and the columns that match fields.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "error.hpp"
+#include "run/job.hpp"
+#include "run/progress.hpp"
+#include "schema/input.hpp"
+
+namespace tcb {
+
+/// A curve whose keys can be read more than once.
+struct KeptCurve {
+  std::vector<std::string> group;
+  std::shared_ptr<const CurveInfo> curve_info;
+  std::vector<KeyBlock> blocks;
+
+  /// The curve must outlive the source.
+  Source<KeyBlock> keys() const;
+  std::size_t key_count() const;
+};
+
+struct KeptCurves {
+  Input input;
+  std::vector<KeptCurve> curves;
+};
+
+/// The curves of the one input of a job. Here and below, `progress` may be null. Throws: Error.
+KeptCurves keep(const Job& job, FileProgress* progress = nullptr);
+
+/// Given rows of one curve. Shapes: numbers has a number per column, row after row; a missing one is NaN.
+struct SampleRows {
+  std::vector<std::string> group;  ///< texts as in texts.hpp
+  std::vector<spline::Time<double>> times;
+  std::vector<double> numbers;
+  std::vector<std::uint64_t> lines;
+
+  std::size_t size() const { return lines.size(); }
+  std::span<const double> row(std::size_t i) const {
+    const std::size_t width = numbers.size() / size();
+    return std::span(numbers).subspan(i * width, width);
+  }
+};
+
+/// A file of samples.
+struct SampleTable {
+  bool named = false;                ///< its columns have names
+  bool timed = false;                ///< it has times
+  std::string time;                  ///< name of their column
+  std::vector<std::string> columns;  ///< names of all other columns of numbers
+  std::vector<std::string> ignored;  ///< names of the columns of text
+  std::vector<SampleRows> curves;
+};
+
+/// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;
+/// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `time_place`: in
+/// a file without names, how many columns are before the time, without groups; nothing: none is the time. Throws:
+/// Error.
+SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place,
+                         FileProgress* progress = nullptr);
+
+/// A column of the samples that is also one of the curve's rows.
+struct MatchedColumn {
+  std::string name;
+  std::size_t given;     ///< index into SampleTable::columns
+  std::size_t computed;  ///< index into the cells of a row with the chosen fields
+};
+
+struct MatchedColumns {
+  std::vector<std::size_t> fields;  ///< indices into fields(), whose cells make a row of the curve
+  std::vector<MatchedColumn> compared;
+  std::vector<std::array<std::size_t, 4>> rotations = {};  ///< indices into compared, of the numbers of each
+  std::vector<std::pair<std::size_t, bool>> angles = {};   ///< index into compared, and whether it is in degrees
+  std::optional<std::size_t> place;  ///< index into SampleTable::columns: the places of the samples, if not the times
+  bool by_length = false;            ///< the places are arc lengths
+  std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
+  std::vector<Error> problems;       ///< of columns that are missing or unknown
+
+  /// Negates computed quaternions and turns computed angles by whole turns where that is nearer to the given row, as
+  /// these are the same.
+  void align(std::span<Cell> computed, std::span<const double> given_row) const;
+};
+
+/// Matches columns with the given fields, or if none are given, with all fields whose columns the table names. A
+/// table without names has the columns of the given fields, or else the time and the positions.
+/// Throws: Error (data) if nothing can be compared.
+MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given);
+
+/// Both files of a comparison.
+struct ComparisonInputs {
+  KeptCurves kept;
+  SampleTable table;
+  MatchedColumns columns;
+  std::string keys, file;  ///< names of the files of keys and of samples for messages
+  unsigned threads = 1;
+  FileProgress* progress = nullptr;  ///< of both files, if it is shown
+
+  /// The column that holds the places of the samples.
+  std::string place_name() const { return columns.by_length ? "s" : kept.input.time; }
+};
+
+/// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.
+ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress = nullptr);
+
+}  // namespace tcb

@@ -1,0 +1,291 @@
+// Ranking: comparing samples with all conventions, which of these fit, and in which order they are listed.
+#include "check/ranking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "error.hpp"
+#include "sample/build.hpp"
+#include "stream/ordered_map.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t most_selected = 64, most_mixed = 16;
+
+void set_order(KeyBlock& block, const TcbOrder& order) {
+  block.keys.common_tcb = order.of(block.keys.common_tcb);
+  for (auto& tcb : block.keys.tcbs) tcb = order.of(tcb);
+}
+
+/// Compares samples with conventions. Requires: the arguments of the constructor outlive it.
+class Comparer {
+ public:
+  Comparer(const Job& job, const ComparisonInputs& inputs, const std::vector<TcbOrders>& orders,
+           const ComparedParts& parts)
+      : job_(job), inputs_(inputs), orders_(orders), parts_(parts), request_(job.sampling) {
+    request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
+  }
+
+  Candidate compare(const Convention& convention, const std::vector<GivenSamples>& samples) const {
+    Candidate candidate{convention, 0, {}, 0, {}, {}};
+    for (const GivenSamples& sample : samples) {
+      const IndexedCurve curve = curve_of(*sample.curve, convention);
+      for_each_row(sample.rows, places(sample, curve), inputs_.columns, curve, true, 1,
+                   [&](std::size_t row, auto cells) { compare_row(candidate, sample, row, cells); });
+    }
+    return candidate;
+  }
+
+  IndexedCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
+    const CurveSettings settings = settings_of(convention, job_.curve, parts_);
+    CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.input,
+                           *curve.curve_info);
+    const TcbOrder& order = orders_[convention.order].order;
+    if (order.is_plain()) return pipeline.whole(curve.keys());
+    return pipeline.whole(mapped(curve.keys(), [&order](KeyBlock block) {
+      set_order(block, order);
+      return block;
+    }));
+  }
+
+  /// Where samples lie on a curve; an arc length beyond its end counts as the end.
+  Places places(const GivenSamples& sample, const IndexedCurve& curve) const {
+    Limits limits;
+    if (inputs_.columns.by_length) limits.abs = std::numeric_limits<double>::infinity();
+    return places_of(sample.rows, inputs_.table, inputs_.columns, curve, limits);
+  }
+
+ private:
+  void compare_row(Candidate& candidate, const GivenSamples& sample, std::size_t row,
+                   std::span<const Cell> cells) const {
+    const auto& columns = inputs_.columns.compared;
+    bool off = false;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double given = sample.rows.numbers[row * inputs_.table.columns.size() + columns[i].given];
+      if (std::isnan(given)) continue;
+      const double computed = cells[columns[i].computed].hi;
+      const Distance found = distance(given, computed);
+      const Allowance& allowed = sample.allowances[row * columns.size() + i];
+      for (std::size_t p = 0; p < allowed.size(); ++p) {
+        if (found.abs == 0) continue;
+        candidate.excess[p] = std::max(candidate.excess[p], found.abs / allowed[p]);
+      }
+      const bool beyond = found.abs > *std::ranges::max_element(allowed);
+      const std::uint64_t line = sample.rows.lines[row];
+      const auto difference = [&] {
+        return Difference{sample.numbers[row], line, columns[i].name, given, computed, found};
+      };
+      if (beyond && (!candidate.first || line < candidate.first->line)) candidate.first = difference();
+      if (!candidate.worst || found.abs > candidate.largest) candidate.worst = difference();
+      candidate.largest = std::max(candidate.largest, found.abs);
+      off = off || beyond;
+    }
+    if (off) ++candidate.rows_off;
+  }
+
+  const Job& job_;
+  const ComparisonInputs& inputs_;
+  const std::vector<TcbOrders>& orders_;
+  const ComparedParts& parts_;
+  SamplingRequest request_;
+};
+
+/// Which candidates fit with a precision; with coarse numbers only those nearly as good as the best.
+std::vector<bool> fitting(const std::vector<Candidate>& candidates, std::size_t precision) {
+  const auto excess = [precision](const Candidate& candidate) { return candidate.excess[precision]; };
+  const double best = excess(*std::ranges::min_element(candidates, {}, excess));
+  std::vector<bool> fits;
+  for (const Candidate& candidate : candidates) {
+    const bool as_good = candidate.excess[0] <= 1 || excess(candidate) <= 1.5 * best;
+    fits.push_back(excess(candidate) <= 1 && as_good);
+  }
+  return fits;
+}
+
+/// Keeps only the columns of positions among those that are compared.
+void compare_positions_only(ComparisonInputs& inputs) {
+  MatchedColumns& columns = inputs.columns;
+  columns.fields = {field_of("position")};
+  const std::vector<OutputColumn> cells = output_columns(columns.fields, inputs.kept.input);
+  std::vector<MatchedColumn> positions;
+  std::vector<std::size_t> places(columns.compared.size());  // of columns among those that are kept
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    MatchedColumn column = columns.compared[i];
+    const auto cell = std::ranges::find(cells, column.name, &OutputColumn::name);
+    if (cell == cells.end()) {
+      columns.ignored.push_back(column.name);
+      continue;
+    }
+    column.computed = static_cast<std::size_t>(cell - cells.begin());
+    places[i] = positions.size();
+    positions.push_back(column);
+  }
+  for (auto& numbers : columns.rotations)
+    std::ranges::transform(numbers, numbers.begin(), [&](auto i) { return places[i]; });
+  for (auto& angle : columns.angles) angle.first = places[angle.first];
+  columns.compared = std::move(positions);
+  if (columns.compared.empty()) throw Error(Exit::data, ErrorCode::no_position_column, {inputs.kept.input.channels});
+}
+
+/// Counts the rows on the curves; adds a problem for rows off them, which are off them with every convention.
+void find_rows(const Comparer& comparer, const std::vector<GivenSamples>& samples, Identification& result) {
+  for (const GivenSamples& sample : samples) {
+    const Places places = comparer.places(sample, comparer.curve_of(*sample.curve, {}));
+    result.rows += places.rows.size();
+    if (places.off_curve) result.problems.emplace_back(*places.off_curve);
+  }
+}
+
+/// The error that no row is on a curve, with all problems as reasons.
+Error no_samples(const Identification& result) {
+  Error error(Exit::data, ErrorCode::no_samples_on_curve);
+  for (const Error& problem : result.problems) error.add(problem);
+  return error;
+}
+
+/// Compares all conventions with samples, on all threads.
+std::vector<Candidate> compared(const Comparer& comparer, const std::vector<Convention>& conventions,
+                                const std::vector<GivenSamples>& samples, unsigned threads, FileProgress* progress) {
+  Source<Convention> source = [&conventions, next = std::size_t{0}]() mutable {
+    return next < conventions.size() ? std::optional(conventions[next++]) : std::nullopt;
+  };
+  const std::uint64_t rows = count_rows(samples);
+  const auto compare = [&](const Convention& convention) {
+    Candidate candidate = comparer.compare(convention, samples);
+    if (progress != nullptr) progress->add_rows(rows);
+    return candidate;
+  };
+  const auto answers = ordered_map(std::move(source), compare, threads);
+  std::vector<Candidate> candidates;
+  while (std::optional<Candidate> candidate = answers()) candidates.push_back(std::move(*candidate));
+  return candidates;
+}
+
+/// The conventions that a subset of the rows selects.
+std::vector<Convention> selected(const Ranking& ranking) {
+  std::vector<Convention> best;
+  for (std::size_t i = 0; i < ranking.candidates.size() && i < std::max(most_selected, ranking.fitting); ++i) {
+    best.push_back(ranking.candidates[i].convention);
+  }
+  return best;
+}
+
+/// The best conventions with different rules at their ends.
+std::vector<Convention> mixed(const Ranking& ranking) {
+  std::vector<Convention> tried, all;
+  for (const Candidate& candidate : ranking.candidates) {
+    const auto same = [&](const Convention& other) {
+      const Convention& one = candidate.convention;
+      return one.tangents == other.tangents && one.equal_speed == other.equal_speed && one.order == other.order &&
+             one.rotation_curve == other.rotation_curve;
+    };
+    if (candidate.convention.rotation_preset) continue;
+    if (tried.size() == most_mixed || std::ranges::any_of(tried, same)) continue;
+    tried.push_back(candidate.convention);
+    const auto more = with_mixed_ends(candidate.convention);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+/// Whether keys have given velocities, which equal speed would change.
+bool has_velocities(const KeptCurves& kept) {
+  return std::ranges::any_of(kept.curves, [](const KeptCurve& curve) {
+    return std::ranges::any_of(curve.blocks, [](const KeyBlock& block) { return !block.keys.velocities.empty(); });
+  });
+}
+
+/// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
+void rank(Identification& result, const Job& job, const ComparisonInputs& inputs,
+          const std::vector<GivenSamples>& samples) {
+  const Comparer comparer(job, inputs, result.orders, result.parts);
+  find_rows(comparer, samples, result);
+  if (result.rows == 0) throw no_samples(result).in(inputs.file);
+  const Subset subset = subset_of(samples, inputs, result.parts);
+  const auto rank_by = [&](const std::vector<GivenSamples>& rows, const std::vector<Convention>& some) {
+    return ranked(compared(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows), result.parts);
+  };
+  const auto rank_some = [&](const std::vector<Convention>& some) {
+    Ranking ranking = rank_by(subset.samples, some);
+    return subset.all ? ranking : rank_by(samples, selected(ranking));
+  };
+  std::vector<Convention> all = conventions(result.orders.size(), result.parts);
+  if (has_velocities(inputs.kept)) std::erase_if(all, [](const Convention& one) { return one.equal_speed; });
+  result.conventions = all.size();
+  result.ranking = rank_some(all);
+  if (!result.ranking.candidates.front().worst) {
+    throw Error(Exit::data, ErrorCode::no_sample_numbers).in(inputs.file);
+  }
+  if (result.fits() || result.parts.closed) return;
+  const std::vector<Convention> more = mixed(result.ranking);
+  result.conventions += more.size();
+  std::vector<Candidate> both = std::move(result.ranking.candidates);
+  std::ranges::move(rank_some(more).candidates, std::back_inserter(both));
+  result.ranking = ranked(std::move(both), count_rows(samples), result.parts);
+}
+
+}  // namespace
+
+Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, const ComparedParts& parts) {
+  Ranking result;
+  std::vector<bool> fits(candidates.size());
+  for (std::size_t p = 0; p < precisions && !result.precision; ++p) {
+    if (std::ranges::any_of(candidates, [p](const Candidate& one) { return one.excess[p] <= 1; })) {
+      result.precision = static_cast<Precision>(p);
+      fits = fitting(candidates, p);
+    }
+  }
+  std::vector<Candidate> others;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    (fits[i] ? result.candidates : others).push_back(std::move(candidates[i]));
+  }
+  result.fitting = result.candidates.size();
+  std::ranges::stable_sort(result.candidates, {}, [&parts](const Candidate& one) {
+    return std::tuple(one.convention.order, one.convention.equal_speed, presets_of(one.convention, parts).empty());
+  });
+  std::ranges::stable_sort(others, {}, [rows](const Candidate& one) {
+    const bool nearly = one.rows_off <= std::max<std::uint64_t>(1, rows / 4);
+    return std::tuple(!nearly, nearly ? one.rows_off : 0, one.largest);
+  });
+  std::ranges::move(others, std::back_inserter(result.candidates));
+  return result;
+}
+
+ComparisonInputs read_positions(const Job& job, FileProgress* progress) {
+  ComparisonInputs inputs =
+      read_inputs(job, job.fields.empty() ? std::vector{field_of("time"), field_of("position")} : job.fields, progress);
+  in_file(inputs.file, [&] { compare_positions_only(inputs); });
+  return inputs;
+}
+
+Identification identify(const Job& job) { return identify(job, read_positions(job)); }
+
+Identification identify(const Job& job, ComparisonInputs inputs) {
+  Pairs pairs = pair_up(inputs.kept, inputs.table);
+  Identification result{summary(inputs, pairs)};
+  in_file(inputs.keys, [&] {
+    result.parts = compared_parts(job, inputs);
+    result.orders = distinct_orders(inputs.kept);
+    rank(result, job, inputs, samples_of(std::move(pairs.pairs), inputs));
+  });
+  return result;
+}
+
+Check check_best(const Job& job, const Identification& found, ComparisonInputs inputs,
+                 const std::function<void(const CheckedPair&)>& observe) {
+  const Convention& best = found.ranking.candidates.front().convention;
+  Job with_rules = job;
+  with_rules.curve = settings_of(best, job.curve, found.parts);
+  for (KeptCurve& curve : inputs.kept.curves) {
+    for (KeyBlock& block : curve.blocks) set_order(block, found.orders[best.order].order);
+  }
+  return check(with_rules, std::move(inputs), observe);
+}
+
+}  // namespace tcb

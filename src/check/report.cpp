@@ -1,0 +1,258 @@
+// Reports of comparisons as text and as JSON, and the comparison of two files from reading to report.
+#include "check/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "check/check_picture.hpp"
+#include "io/atomic_output.hpp"
+#include "numbers/print_number.hpp"
+#include "stream/ordered_map.hpp"
+#include "write/layout.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t most_listed = 30, most_ranked = 10;
+
+/// Names of each Precision.
+constexpr std::array<std::string_view, precisions> precision_names{"rounding", "the printed digits",
+                                                                   "single precision"};
+
+std::string_view name_of(Precision precision) { return precision_names[static_cast<std::size_t>(precision)]; }
+
+/// The shortest text that reads back as the same double; "nothing" for NaN, "-" for an infinite number.
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nothing";
+  if (std::isinf(value)) return "-";
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+/// The same for JSON, with null for both.
+std::string number_json(double value) { return std::isfinite(value) ? number_text(value) : "null"; }
+
+std::string list_json(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + json_text(text);
+  return "[" + list + "]";
+}
+
+std::vector<std::string> texts(const std::vector<Error>& problems, ErrorWords words) {
+  std::vector<std::string> all;
+  all.reserve(problems.size());
+  for (const Error& problem : problems) all.push_back(words(problem));
+  return all;
+}
+
+/// The last lines that all reports have.
+std::string remarks(const ComparisonSummary& summary, ErrorWords words) {
+  std::string out;
+  for (const std::string& problem : texts(summary.problems, words)) out += fmt::format("problem: {}\n", problem);
+  if (!summary.ignored.empty()) out += fmt::format("not compared: {}\n", fmt::join(summary.ignored, ", "));
+  return out;
+}
+
+std::string text(const Distance& distance) {
+  return fmt::format("abs {}, rel {}, ulp {}", number_text(distance.abs), number_text(distance.rel), distance.ulp);
+}
+
+std::string text(const Difference& difference, const std::string& file) {
+  const bool both = !std::isnan(difference.given) && !std::isnan(difference.computed);
+  return fmt::format("{}:{}: row {}, {}: {} instead of {}{}", file, difference.line, difference.row, difference.column,
+                     number_text(difference.given), number_text(difference.computed),
+                     both ? "; " + text(difference.distance) : "");
+}
+
+std::string json(const Distance& distance) {
+  return fmt::format("\"abs\":{},\"rel\":{},\"ulp\":{}", number_json(distance.abs), number_json(distance.rel),
+                     std::isfinite(distance.abs) ? fmt::format("{}", distance.ulp) : "null");
+}
+
+std::string json(const std::optional<Difference>& difference) {
+  if (!difference) return "null";
+  return fmt::format("{{\"row\":{},\"line\":{},\"column\":{},\"theirs\":{},\"ours\":{},{}}}", difference->row,
+                     difference->line, json_text(difference->column), number_json(difference->given),
+                     number_json(difference->computed), json(difference->distance));
+}
+
+std::string_view samples_at(bool by_length) { return by_length ? "arc lengths" : "times"; }
+
+const TcbOrders& order_of(const Identification& found, const Candidate& candidate) {
+  return found.orders[candidate.convention.order];
+}
+
+/// A convention in words, such as "tangents velocity, ends half".
+std::string title(const Identification& found, const Candidate& candidate) {
+  const Convention& convention = candidate.convention;
+  const TcbOrder& order = order_of(found, candidate).order;
+  std::string text = fmt::format("tangents {}", name_of(convention.tangents));
+  if (!found.parts.closed) text += ", ends " + ends_of(convention);
+  if (convention.equal_speed) text += ", equal speed";
+  if (convention.rotation_curve) text += fmt::format(", rotation curve {}", name_of(*convention.rotation_curve));
+  if (convention.rotation_preset) text += fmt::format(", rotations as in {}", name_of(*convention.rotation_preset));
+  return text + (order.is_plain() ? "" : ", T,C,B from " + order.name());
+}
+
+/// The same, with the names of its presets.
+std::string full_title(const Identification& found, const Candidate& candidate) {
+  const auto found_presets = presets_of(candidate.convention, found.parts);
+  return title(found, candidate) + (found_presets.empty() ? "" : fmt::format(" ({})", fmt::join(found_presets, ", ")));
+}
+
+/// The conventions that fit, or the nearest one with its differences.
+std::string verdict(const Identification& found) {
+  const Candidate& best = found.ranking.candidates.front();
+  if (!found.fits()) {
+    return fmt::format("identify: none fits; the nearest is {}\n", full_title(found, best)) +
+           (best.first ? fmt::format("departs first: {}\n", text(*best.first, found.file)) : "") +
+           (best.worst ? fmt::format("departs most: {}\n", text(*best.worst, found.file)) : "");
+  }
+  std::string out =
+      fmt::format("identify: {}\nfits: within {}\n", full_title(found, best), name_of(*found.ranking.precision));
+  for (std::size_t i = 1; i < std::min(found.ranking.fitting, most_listed); ++i) {
+    out += fmt::format("the same here: {}\n", full_title(found, found.ranking.candidates[i]));
+  }
+  if (found.ranking.fitting > most_listed)
+    out += fmt::format("the same here: {} more\n", found.ranking.fitting - most_listed);
+  return out;
+}
+
+/// The orders of tension, continuity and bias that are equivalent here.
+std::string same_orders(const Identification& found) {
+  const auto& same = order_of(found, found.ranking.candidates.front()).same;
+  if (same.empty()) return "";
+  return same.size() + 1 == all_tcb_orders ? "the same here: every order and sign of T, C, B\n"
+                                           : fmt::format("the same here: T,C,B from {}\n", fmt::join(same, " or "));
+}
+
+std::string row_json(const Identification& found, const Candidate& candidate, bool fits) {
+  const Convention& convention = candidate.convention;
+  const auto& [curve, preset] = std::pair(convention.rotation_curve, convention.rotation_preset);
+  std::string rotations = curve ? fmt::format("\"rotation_curve\":{},", json_text(name_of(*curve))) : "";
+  if (preset) rotations += fmt::format("\"rotations_as\":{},", json_text(name_of(*preset)));
+  return fmt::format(
+      "{{\"fits\":{},\"tangents\":{},\"ends\":{},\"equal_speed\":{},{}\"order\":{},\"presets\":{},\"largest\":{},"
+      "\"rows_off\":{}}}",
+      fits, json_text(name_of(convention.tangents)), found.parts.closed ? "null" : json_text(ends_of(convention)),
+      convention.equal_speed, rotations, json_text(order_of(found, candidate).order.name()),
+      list_json(presets_of(convention, found.parts)), number_json(candidate.largest), candidate.rows_off);
+}
+
+}  // namespace
+
+std::string text(const Check& check, ErrorWords words) {
+  std::string out =
+      fmt::format("check: {}\nfile: {}\nkeys: {}\nsamples: at its {}\n", check.passed() ? "passed" : "failed",
+                  check.file, check.keys, samples_at(check.by_length));
+  out += fmt::format("rows: {}\nvalues: {}\nmismatches: {}\n", check.rows, check.values, check.mismatches);
+  if (check.first) out += fmt::format("first: {}\n", text(*check.first, check.file));
+  if (check.worst) out += fmt::format("worst: {}\n", text(*check.worst, check.file));
+  for (const ColumnCheck& column : check.columns) {
+    out += fmt::format("column {}: mismatches {}, largest {}\n", column.name, column.mismatches, text(column.largest));
+  }
+  return out + remarks(check, words);
+}
+
+std::string json(const Check& check, ErrorWords words) {
+  std::string columns;
+  for (const ColumnCheck& column : check.columns) {
+    columns += fmt::format("{}\n{{\"name\":{},\"mismatches\":{},{}}}", columns.empty() ? "" : ",",
+                           json_text(column.name), column.mismatches, json(column.largest));
+  }
+  return fmt::format(
+      "{{\"passed\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n\"rows\":{},\"values\":{},\"mismatches\":{},\n"
+      "\"first\":{},\n\"worst\":{},\n\"columns\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
+      check.passed(), json_text(check.file), json_text(check.keys), samples_at(check.by_length), check.rows,
+      check.values, check.mismatches, json(check.first), json(check.worst), columns,
+      list_json(texts(check.problems, words)), list_json(check.ignored));
+}
+
+std::string text(const Identification& found, ErrorWords words) {
+  std::string out = verdict(found) + same_orders(found);
+  out += fmt::format("file: {}\nkeys: {}\nsamples: at its {}\nrows: {}\nconventions: {}\n", found.file, found.keys,
+                     samples_at(found.by_length), found.rows, found.conventions);
+  out += remarks(found, words);
+  out += "rank  largest error           rows off  convention\n";
+  for (std::size_t i = 0; i < std::min(found.ranking.candidates.size(), most_ranked); ++i) {
+    const Candidate& candidate = found.ranking.candidates[i];
+    out += fmt::format("{:<4}  {:<22}  {:<8}  {}\n", i + 1, number_text(candidate.largest), candidate.rows_off,
+                       title(found, candidate));
+  }
+  return out;
+}
+
+std::string json(const Identification& found, ErrorWords words) {
+  const Ranking& ranking = found.ranking;
+  std::string rows;
+  for (std::size_t i = 0; i < std::min(ranking.candidates.size(), std::max(ranking.fitting, most_ranked)); ++i) {
+    rows += fmt::format("{}\n{}", i == 0 ? "" : ",", row_json(found, ranking.candidates[i], i < ranking.fitting));
+  }
+  const Candidate& best = ranking.candidates.front();
+  return fmt::format(
+      "{{\"fits\":{},\"within\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n\"rows\":{},\"conventions\":{},"
+      "\"same_orders\":{},\n\"first\":{},\n\"worst\":{},\n\"ranking\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
+      found.fits(), ranking.precision ? json_text(name_of(*ranking.precision)) : "null", json_text(found.file),
+      json_text(found.keys), samples_at(found.by_length), found.rows, found.conventions,
+      list_json(order_of(found, best).same), json(best.first), json(best.worst), rows,
+      list_json(texts(found.problems, words)), list_json(found.ignored));
+}
+
+namespace {
+
+Exit write(const Job& job, const std::string& report, bool agrees) {
+  Output output(job.output);
+  output.write(report);
+  output.commit();
+  return agrees ? Exit::done : Exit::data;
+}
+
+/// The subtitles of pictures.
+std::string in_short(const Check& check) {
+  return fmt::format("check {} · {} rows · {} values · {} mismatches", check.passed() ? "passed" : "failed", check.rows,
+                     check.values, check.mismatches);
+}
+
+std::string in_short(const Identification& found) {
+  const std::string_view precision = found.fits() ? name_of(*found.ranking.precision) : "";
+  return fmt::format("{} · {} · {} rows", title(found, found.ranking.candidates.front()),
+                     found.fits() ? fmt::format("fits within {}", precision) : "the nearest, but it does not fit",
+                     found.rows);
+}
+
+Exit draw(const Job& job, FileProgress* progress) {
+  CheckPicture picture(job);
+  const auto observe = [&picture](const CheckedPair& pair) { picture.add(pair); };
+  if (!job.comparison->identify) {
+    const Check result = check(job, observe, progress);
+    return write(job, picture.svg(result, in_short(result)), result.passed());
+  }
+  const ComparisonInputs inputs = read_positions(job, progress);
+  const Identification result = identify(job, inputs);
+  (void)check_best(job, result, inputs, observe);
+  return write(job, picture.svg(result, in_short(result)), result.fits());
+}
+
+}  // namespace
+
+Exit compare(const Job& job, ErrorWords words) {
+  const ThreadPool pool(job.threads());
+  Report report(job.verbosity, {words, nullptr});
+  report.expect(1, 0);
+  const auto progress = report.begin_file(job.files[0], 0);
+  const bool as_json = job.output_format == FormatId::json;
+  if (format_of(job.output_format).is_picture) return draw(job, progress.get());
+  if (job.comparison->identify) {
+    const Identification result = identify(job, read_positions(job, progress.get()));
+    return write(job, as_json ? json(result, words) : text(result, words), result.fits());
+  }
+  const Check result = check(job, {}, progress.get());
+  return write(job, as_json ? json(result, words) : text(result, words), result.passed());
+}
+
+}  // namespace tcb

@@ -1,0 +1,14 @@
+// Pictures of fits: the recording over the curve of its keys, and their differences over time.
+#pragma once
+
+#include "error.hpp"
+#include "run/job.hpp"
+#include "run/progress.hpp"
+
+namespace tcb {
+
+/// Fits the recordings of the one input of a job, and writes the picture.
+/// Throws: Error, naming the file.
+Exit draw_fit(const Job& job, const Wording& wording);
+
+}  // namespace tcb

@@ -1,0 +1,249 @@
+// Fitting: the keys of a recording as rows, in place of the samples of a curve.
+#include "fit/fitting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "error.hpp"
+#include "fit/fit.hpp"
+#include "keys/angles.hpp"
+#include "keys/rotations.hpp"
+#include "numbers/print_number.hpp"
+#include "stream/ordered_map.hpp"
+#include "tcb/spline/detail/angle.hpp"
+
+namespace tcb {
+namespace {
+
+/// A column of what keys carry besides positions.
+struct SlopeColumn {
+  std::string name;
+  std::size_t channel;
+  double (*number)(const Keys&, std::size_t);  ///< by the number of a key's channel, counted through all keys
+};
+
+/// Those of an output.
+std::vector<SlopeColumn> slope_columns(const FittedChannels& fitted, const FitOptions& options) {
+  std::vector<SlopeColumn> columns;
+  const std::vector<std::string>& names = fitted.names;
+  if (options.keys == FitKeys::hermite) {
+    const auto add = [&](std::string_view role, auto number) {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        columns.push_back({fmt::format("{}_{}", names[i], role), i, number});
+    };
+    add(options.corner ? "vin" : "v", [](const Keys& keys, std::size_t i) { return keys.velocities[i].in; });
+    if (options.corner) add("vout", [](const Keys& keys, std::size_t i) { return keys.velocities[i].out; });
+    return columns;
+  }
+  std::vector<std::size_t> plain(names.size()), turning;  // channels; of a rotation the first one
+  std::iota(plain.begin(), plain.end(), std::size_t{0});
+  for (const FitGroup& group : fitted.groups) {
+    if (!group.angle) continue;
+    turning.push_back(group.channels[0]);
+    std::erase_if(plain, [&](std::size_t i) { return std::ranges::count(group.channels, i) > 0; });
+  }
+  const auto add = [&](std::string_view role, auto number) {
+    const auto add_of = [&](const std::vector<std::size_t>& channels, bool is_single) {
+      for (const std::size_t i : channels) {
+        columns.push_back({is_single ? std::string(role) : fmt::format("{}_{}", role, names[i]), i, number});
+      }
+    };
+    add_of(plain, turning.empty() && plain.size() == 1);
+    add_of(turning, turning.size() == 1);
+  };
+  add("tension", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].tension; });
+  if (options.corner) add("continuity", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].continuity; });
+  add("bias", [](const Keys& keys, std::size_t i) { return keys.tcbs[i].bias; });
+  return columns;
+}
+
+/// Throws: Error (data) for a tolerance below the spacing of doubles at the size of the positions, and for numbers
+/// whose squares are not within the range of doubles.
+void require_resolution(const Recording& recording, const std::vector<std::string>& channels) {
+  for (const FitGroup& group : recording.groups) {
+    for (const std::size_t channel : group.channels) {
+      double largest = 0;
+      for (std::size_t i = 0; i < recording.size(); ++i) {
+        largest = std::max(largest, std::abs(recording.position(i, channel)));
+      }
+      constexpr double most = 1e150, spacing = 0x1p-46;
+      if (largest > most || group.tolerance < 1 / most) {
+        throw Error(Exit::data, ErrorCode::fit_beyond_doubles, {channels[channel]}).about(Option::fit);
+      }
+      if (group.tolerance < largest * spacing) {
+        throw Error(Exit::data, ErrorCode::fit_below_doubles,
+                    {group.angle.value_or(group.tolerance), channels[channel], largest, largest * spacing})
+            .about(Option::fit);
+      }
+    }
+  }
+}
+
+/// The samples of a curve, whose rotations and angles are checked.
+Source<KeyBlock> checked_samples(Source<KeyBlock> blocks, const Input& input, const FitOptions& options) {
+  if (options.angle) {
+    blocks = with_quaternions(std::move(blocks),
+                              {input.rotations, input.given_rotations, input.channel_sources, input.normalize});
+  }
+  return with_clear_angles(std::move(blocks), input.angles, input.channels);
+}
+
+/// Makes an angle go the shorter way from sample to sample.
+void unwrap(Recording& recording, std::size_t channel, bool degrees) {
+  for (std::size_t i = channel + recording.channels; i < recording.positions.size(); i += recording.channels) {
+    double& angle = recording.positions[i];
+    const auto step = spline::exact_difference(angle, recording.positions[i - recording.channels]);
+    angle -= spline::nearest_turns<double>(step, degrees).hi;
+  }
+}
+
+/// The samples at the times that are to have keys.
+std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const std::vector<Rational>& places) {
+  std::vector<std::size_t> kept;
+  for (const Rational& place : places) {
+    const Time time = nearest_time(place);
+    const auto found = std::ranges::lower_bound(samples, time);
+    if (found == samples.end() || *found != time) {
+      throw Error(Exit::data, ErrorCode::kept_time_without_sample, {time_text(time)}).about(Option::keep_times);
+    }
+    kept.push_back(static_cast<std::size_t>(found - samples.begin()));
+  }
+  return kept;
+}
+
+}  // namespace
+
+Input columns_of_fit(const Input& samples, const Job& job) {
+  if (!samples.timed) throw Error(Exit::data, ErrorCode::fit_without_times).about(Option::fit);
+  if (!samples.facts.roles.empty()) throw Error(Exit::data, ErrorCode::fit_of_keys, {samples.facts.roles[0]});
+  Input result = samples;
+  result.named = true;  // names tell positions from tension and bias
+  const FittedChannels fitted = fitted_channels(samples, job);
+  if (fitted.names.empty()) throw Error(Exit::data, ErrorCode::only_rotations);
+  result.channels = fitted.names;
+  for (const SlopeColumn& column : slope_columns(fitted, job.fit)) result.channels.push_back(column.name);
+  result.rotations.clear();
+  result.given_rotations.clear();
+  result.rotation_names.clear();
+  result.angles.clear();
+  result.carried.clear();
+  return result;
+}
+
+Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+                         const Job& job) {
+  if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
+    const auto& [name, place] = curve.curve_info->places[0];
+    throw Error(Exit::data, ErrorCode::fit_of_setting, {name}).about(Option::fit).at(place);
+  }
+  Samples samples{curve.group, {}, {}, {}, {}, {}};
+  samples.fitted = fitted_channels(input, job);
+  const auto& [channels, names, groups] = samples.fitted;
+  Recording& recording = samples.recording;
+  recording.channels = channels.size();
+  recording.groups = groups;
+  const Source<KeyBlock> blocks = checked_samples(curve.keys, input, job.fit);
+  while (const std::optional<KeyBlock> block = blocks()) {
+    for (std::size_t key = 0; key < block->size(); ++key) {
+      samples.times.push_back(block->keys.times[key]);
+      samples.lines.push_back(block->lines[key]);
+      recording.times.push_back((samples.times.back() - samples.times.front()).hi);
+      for (const std::size_t channel : channels) {
+        recording.positions.push_back(block->keys.position(key)[channel]);
+        if (!std::isnan(recording.positions.back())) continue;
+        throw Error(Exit::data, ErrorCode::fit_of_missing, {input.channels[channel]}).at({"", block->lines[key], 0});
+      }
+    }
+  }
+  for (const spline::AngleChannel& angle : input.angles) {
+    const auto found = std::ranges::find(channels, angle.channel);
+    unwrap(recording, static_cast<std::size_t>(found - channels.begin()), angle.degrees);
+  }
+  if (samples.times.size() < 2) {
+    const std::uint64_t line = samples.lines.empty() ? 0 : samples.lines[0];
+    throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit).at({"", line, 0});
+  }
+  require_resolution(recording, names);
+  samples.kept = kept_samples(samples.times, kept_times);
+  return samples;
+}
+
+FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done) {
+  const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done});
+  if (!result) throw Error(Exit::data, ErrorCode::fit_impossible).about(Option::fit);
+  return *result;
+}
+
+FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options) {
+  FittedRows rows{samples.group, {}, {}};
+  rows.report = {samples.times.size(), result.keys.size(), result.least_keys, result.largest,
+                 samples.lines[result.sample]};
+  const std::vector<SlopeColumn> columns = slope_columns(samples.fitted, options);
+  for (std::size_t key = 0; key < result.keys.size(); ++key) {
+    rows.table.cells.push_back(result.keys.times[key]);
+    for (const double position : result.keys.position(key)) rows.table.cells.emplace_back(position);
+    for (const auto& [name, channel, number] : columns) {
+      rows.table.cells.emplace_back(number(result.keys, key * result.keys.channels + channel));
+    }
+  }
+  return rows;
+}
+
+FitReport write_fits(const Source<Samples>& samples, const FitOptions& options, Writer& writer, FileProgress& progress,
+                     unsigned threads) {
+  const auto keys_of = [&](const Samples& one) {
+    std::size_t counted = 0;
+    const auto done = [&](std::size_t number) {
+      progress.add_rows((counted + number) / fit_passes - counted / fit_passes);
+      counted += number;
+    };
+    return rows_of(one, fitted(one, options, done), options);
+  };
+  FitReport report;
+  const Source<FittedRows> keys = ordered_map(samples, keys_of, threads);
+  while (const std::optional<FittedRows> rows = keys()) {
+    writer.begin_curve(rows->group);
+    writer.write([&, done = false]() mutable -> std::optional<std::string> {
+      if (std::exchange(done, true)) return std::nullopt;
+      return writer.print(rows->table, true);
+    });
+    writer.recorder().count_rows(rows->report.keys);
+    report.add(rows->report);
+  }
+  return report;
+}
+
+void FitReport::add(const FitReport& other) {
+  samples += other.samples;
+  keys += other.keys;
+  least_keys += other.least_keys;
+  if (line != 0 && largest >= other.largest) return;
+  largest = other.largest;
+  line = other.line;
+}
+
+std::vector<Note> notes_of_columns(const Input& input, const FitOptions& options) {
+  std::vector<Note> notes;
+  if (!input.carried.empty()) notes.push_back({NoteCode::labels_not_fitted, {input.carried}});
+  std::vector<std::string> names;
+  for (const GivenRotation& rotation : input.given_rotations) {
+    names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
+  }
+  if (!options.angle && !names.empty()) notes.push_back({NoteCode::rotations_not_fitted, {names}});
+  return notes;
+}
+
+Note note_of(const FitReport& report, const FitOptions& options) {
+  const bool is_distance = options.tolerances.size() == 1 && options.tolerances[0].column.empty() && !options.angle;
+  const std::string largest = is_distance ? fmt::format("{:.4g}", report.largest * options.tolerances[0].most)
+                                          : fmt::format("{:.4g} of the tolerance", report.largest);
+  const double ratio = static_cast<double>(report.samples) / static_cast<double>(report.keys);
+  return {NoteCode::fitted,
+          {report.samples, report.keys, fmt::format("{:.3g}", ratio), largest, report.line, report.least_keys}};
+}
+
+}  // namespace tcb

@@ -1,0 +1,72 @@
+// Fitting: the keys of a recording as rows, in place of the samples of a curve.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/fitted_channels.hpp"
+#include "keys/curves.hpp"
+#include "run/job.hpp"
+#include "run/progress.hpp"
+#include "sample/rows.hpp"
+#include "schema/input.hpp"
+#include "write/writer.hpp"
+
+namespace tcb {
+
+/// The samples of one recording.
+struct Samples {
+  std::vector<std::string> group;
+  Recording recording;
+  std::vector<Time> times;
+  std::vector<std::uint64_t> lines;
+  std::vector<std::size_t> kept;  ///< that become keys in any case
+  FittedChannels fitted;
+};
+
+/// How recordings were fitted.
+struct FitReport {
+  std::uint64_t samples = 0, keys = 0;
+  std::uint64_t least_keys = 0;  ///< fewer cannot be within the tolerances
+  double largest = 0;            ///< distance of a sample from the curve, in tolerances
+  std::uint64_t line = 0;        ///< of that sample; 0: there are no samples
+
+  /// Adds that of another recording.
+  void add(const FitReport& other);
+};
+
+/// Notes of columns that a fit has no keys for.
+std::vector<Note> notes_of_columns(const Input& input, const FitOptions& options);
+
+/// The report in numbers of the input.
+Note note_of(const FitReport& report, const FitOptions& options);
+
+/// The keys of one recording.
+struct FittedRows {
+  std::vector<std::string> group;
+  Table table;
+  FitReport report;
+};
+
+/// The columns of the keys that fit samples, as those of an input. Throws: Error (data) for an input that has no times
+/// or is one of keys, and for a tolerance of a channel that it does not have.
+Input columns_of_fit(const Input& samples, const Job& job);
+
+/// The samples of a curve. Throws: Error (data) for missing numbers, fewer than two samples, a tolerance near the
+/// spacing of doubles, and a time to keep that no sample has.
+Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+                         const Job& job);
+
+/// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.
+FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done = {});
+
+/// The keys of samples as rows.
+FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options);
+
+/// Writes the keys of recordings, each fitted on a thread of its own.
+FitReport write_fits(const Source<Samples>& samples, const FitOptions& options, Writer& writer, FileProgress& progress,
+                     unsigned threads);
+
+}  // namespace tcb

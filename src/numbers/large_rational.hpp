@@ -1,0 +1,32 @@
+// Integers and rationals of any size, by Boost.Multiprecision: what Rational falls back to.
+//
+// Only text/rational.cpp and the files of exact/ include this: Boost's headers take seconds to compile.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "numbers/rational.hpp"
+
+namespace tcb {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+struct Rational::Large {
+  using Number =
+      boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
+                                    boost::multiprecision::et_off>;
+  Number number;
+};
+
+/// A whole number as an integer, and back. Requires: whole.
+inline Integer integer(const Rational& whole) {
+  return whole.is_small() ? Integer(whole.small_numerator()) : Integer(numerator(whole.large().number));
+}
+inline Rational rational(const Integer& whole) { return Rational(Rational::Large{Rational::Large::Number(whole)}); }
+
+/// above / below. Requires: below != 0.
+inline Rational ratio(const Integer& above, const Integer& below) {
+  return Rational(Rational::Large{Rational::Large::Number(above, below)});
+}
+
+}  // namespace tcb

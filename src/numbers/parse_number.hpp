@@ -1,0 +1,57 @@
+// Reading numbers: decimal and hexadecimal, whole times, missing cells, and the decimal comma.
+//
+// Decimals are read by fast_float, hexadecimal numbers by std::from_chars; neither depends on a locale.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "numbers/rational.hpp"
+
+namespace tcb {
+
+/// The double nearest to a decimal number, which must be the whole text: digits with an optional sign, point and
+/// exponent; or a hexadecimal number as printf's %a writes it. Nothing for any other text, nor for a number too large
+/// for a double.
+std::optional<double> parse_number(std::string_view text);
+
+/// A time: as parse_number, but a decimal of 16 digits or more keeps 31 of them, and a whole number below 2^63 all.
+std::optional<Time> parse_time(std::string_view text);
+
+/// A whole number as a time, exactly.
+Time whole_time(std::int64_t value);
+Time whole_time(std::uint64_t value);
+
+/// The cell is a missing number: empty, NA, nan or null, in upper or lower case.
+bool is_missing(std::string_view cell);
+
+/// The text belongs in a column of numbers: a number, a missing one, or an infinity (which is refused
+/// later, as a number, rather than taken for a name here).
+bool looks_numeric(std::string_view text);
+
+/// The same for numbers with another character as the decimal point.
+class Decimals {
+ public:
+  explicit Decimals(char mark) : mark_(mark) {}
+
+  std::optional<double> number(std::string_view text) { return parse_number(with_point(text)); }
+  std::optional<Time> time(std::string_view text) { return parse_time(with_point(text)); }
+  std::string text(std::string_view text) { return std::string(with_point(text)); }
+  bool looks_numeric(std::string_view text) { return tcb::looks_numeric(with_point(text)); }
+
+ private:
+  /// The text with a point for the mark, and the mark for a point, which makes it no number.
+  std::string_view with_point(std::string_view text) {
+    if (mark_ == '.') return text;
+    changed_ = text;
+    for (char& c : changed_) c = c == mark_ ? '.' : c == '.' ? mark_ : c;
+    return changed_;
+  }
+
+  char mark_;
+  std::string changed_;
+};
+
+}  // namespace tcb

@@ -1,0 +1,80 @@
+// Units and notations of times: seconds, frames, hours:minutes:seconds, SMPTE timecode, and dates of ISO 8601.
+//
+// Dates are in the Gregorian calendar, in UTC or with an offset from it; their seconds count from 1970. There are no
+// other time zones and no leap seconds.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "numbers/rational.hpp"
+
+namespace tcb {
+
+enum class TimeUnit { s, ms, us, ns, minutes, hours, days, frames };
+
+/// A second has units / seconds of a unit. A frame has no duration of its own.
+struct TimeUnitRow {
+  std::string_view name;
+  TimeUnit unit;
+  std::int64_t units, seconds = 1;
+};
+
+/// The units by their names for options, in the order of TimeUnit.
+inline constexpr std::array time_units{
+    TimeUnitRow{"s", TimeUnit::s, 1},
+    TimeUnitRow{"ms", TimeUnit::ms, 1'000},
+    TimeUnitRow{"us", TimeUnit::us, 1'000'000},
+    TimeUnitRow{"ns", TimeUnit::ns, 1'000'000'000},
+    TimeUnitRow{"min", TimeUnit::minutes, 1, 60},
+    TimeUnitRow{"h", TimeUnit::hours, 1, 3'600},
+    TimeUnitRow{"d", TimeUnit::days, 1, 86'400},
+    TimeUnitRow{"frames", TimeUnit::frames, 1},
+};
+
+inline const TimeUnitRow& row_of(TimeUnit unit) { return time_units[static_cast<std::size_t>(unit)]; }
+
+/// How many units a second has. Requires: not frames.
+inline Rational units_per_second(TimeUnit unit) { return Rational(row_of(unit).units) / row_of(unit).seconds; }
+
+enum class TimeNotation {
+  seconds,     ///< a number
+  frames,      ///< a number of frames
+  clock,       ///< hh:mm:ss.fff
+  smpte,       ///< hh:mm:ss:ff
+  drop_frame,  ///< hh:mm:ss;ff, without the first frame numbers of most minutes
+  iso,         ///< YYYY-MM-DDThh:mm:ss.fffZ
+};
+
+struct TimeNotationName {
+  std::string_view name;
+  TimeNotation notation;
+};
+
+/// Those that can be requested; SMPTE timecode drops frames where that of the input does.
+inline constexpr std::array time_notations{
+    TimeNotationName{"seconds", TimeNotation::seconds}, TimeNotationName{"frames", TimeNotation::frames},
+    TimeNotationName{"clock", TimeNotation::clock}, TimeNotationName{"smpte", TimeNotation::smpte},
+    TimeNotationName{"iso", TimeNotation::iso}};
+
+/// Whether a notation counts frames, and so needs their rate.
+constexpr bool counts_frames(TimeNotation notation) {
+  return notation == TimeNotation::frames || notation == TimeNotation::smpte || notation == TimeNotation::drop_frame;
+}
+
+/// The notation of a text that is not a number, by its form; nothing if it has none of these forms.
+std::optional<TimeNotation> find_notation(std::string_view text);
+
+/// The seconds of a time in words, which may be no time, such as a minute 60, or a frame number that is dropped or not
+/// below the rate. `rate`: frames per second. Source of dropped numbers: SMPTE ST 12-1.
+std::optional<Rational> read_time(std::string_view text, TimeNotation notation, const Rational& rate);
+
+/// The text of a time in seconds, with `decimals` decimals or as many as it has; nothing where it has none: between two
+/// frames, before 0 in timecode, or beyond the years 0 to 9999.
+std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation notation, const Rational& rate,
+                                         std::optional<int> decimals);
+
+}  // namespace tcb

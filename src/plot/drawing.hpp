@@ -1,0 +1,67 @@
+// Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/atomic_output.hpp"
+#include "plot/scene.hpp"
+#include "run/curve_pipeline.hpp"
+#include "run/job.hpp"
+#include "run/progress.hpp"
+#include "schema/input.hpp"
+#include "write/writer.hpp"
+
+namespace tcb {
+
+/// One picture of the curves of one file or of several.
+class Drawing {
+ public:
+  Drawing(const Job& job, std::string path) : job_(job), output_(std::move(path)) {}
+
+  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) if they have other
+  /// columns than the previous curves, or lack the requested axes.
+  void begin(const std::string& path, const Input& input, const RuleFacts& rules);
+
+  /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
+  void add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules);
+
+  /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.
+  void commit();
+
+ private:
+  void begin_scene(const Input& input, const CurveSpec& spec);
+  std::size_t name_of(const std::vector<std::string>& group);
+  std::string title() const;
+  std::string subtitle() const;
+
+  const Job& job_;
+  Output output_;
+  Scene scene_;
+  std::vector<std::string> files_;    ///< names without their folders
+  std::vector<std::string> columns_;  ///< of all files: the time and the channels
+  std::vector<spline::RotationColumns> rotations_;
+  std::string rules_;       ///< of the curves, in words
+  std::size_t curves_ = 0;  ///< of all, also of those that are not drawn
+  std::uint64_t rows_ = 0, keys_ = 0;
+};
+
+/// The rules of a curve in words: the preset, or its tangents and ends where they differ, and further rules.
+std::string short_rules(const RuleFacts& facts);
+
+/// One output: of rows, or a picture.
+struct Sink {
+  std::optional<Writer> writer;
+  std::optional<Drawing> drawing;
+
+  /// The options outlive the sink.
+  Sink(const Job& job, const WriterOptions& options, const std::string& path);
+  /// Begins the curves of the next file; `rules` are those of its first curve.
+  void begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording);
+  void commit();
+};
+
+}  // namespace tcb

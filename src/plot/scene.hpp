@@ -1,0 +1,114 @@
+// Scene: the curves of a picture with their samples and names, and the extent of each channel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "keys/key_store.hpp"
+#include "plot/axis.hpp"
+#include "sample/build.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// A sample as it is drawn.
+struct SceneSample {
+  Time t;
+  std::vector<double> position, velocity;
+};
+
+/// A curve, which can be read more than once.
+struct SceneCurve {
+  std::size_t name = 0;  ///< index into Scene::names
+  KeyStore keys;
+  std::function<Source<SegmentBlock>()> segments;
+  bool closed = false;
+  std::uint64_t rows = 0;
+  std::vector<SceneSample> samples = {};  ///< all of them, or none if there are more than Scene::most_samples
+  bool is_polyline = false;               ///< through samples of another program, which are its keys
+  std::size_t dotted = 0;                 ///< of a polyline: in so many channels its dots are enough, if they have room
+};
+
+/// A place that is marked in the views of some channels.
+struct SceneMark {
+  Time t;
+  std::vector<double> position;
+  std::vector<std::size_t> channels;
+};
+
+/// Axes x, y and z that turn with a rotation, along the path.
+struct SceneFrame {
+  spline::RotationChannels rotation{};
+  std::array<std::size_t, 2> axes{};  ///< of space, those of the path: 0 is x
+};
+
+struct Scene {
+  std::string title, subtitle;
+  std::string time;                                ///< name of the time
+  std::vector<std::string> channels;               ///< names of the channels
+  std::vector<std::size_t> strips;                 ///< the channels with a strip over time; empty: all
+  std::vector<std::string> names;                  ///< of groups or files, each with its own colour
+  std::optional<std::array<std::size_t, 2>> path;  ///< the channels of the path, to the right and up
+  std::optional<SceneFrame> frame = {};
+  std::vector<SceneCurve> curves = {};
+  std::optional<SceneMark> worst = {};  ///< where given samples differ most from the curve
+
+  /// The samples of a curve with more are not drawn.
+  static constexpr std::uint64_t most_samples = 400;
+  /// Further curves are counted, not drawn.
+  static constexpr std::size_t most_curves = 400;
+
+  std::uint64_t keys() const;  ///< without those of polylines
+  std::uint64_t dots() const;  ///< of polylines
+  std::uint64_t rows() const;
+  /// Whether every curve has its samples.
+  bool has_samples() const;
+};
+
+/// The channels of the path: those requested by name or number, or else the first two of some. Throws: Error (usage).
+std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
+                                                    const std::vector<std::string>& requested,
+                                                    const std::vector<std::size_t>& metric = {});
+
+/// The size of a picture; 0: as required by the contents.
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
+/// A rotation of a curve, from which angles are measured.
+struct FirstRotation {
+  spline::RotationChannels channels{};
+  spline::Quaternion<double> rotation;  ///< the first one that a key has
+};
+std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<spline::RotationColumns>& columns);
+
+/// The same segments with the numbers of rotations as cubics: of short parts, which are near enough for a picture. Each
+/// of `firsts` adds a channel: the angle from it in degrees.
+std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments,
+                                                               std::vector<FirstRotation> firsts = {});
+/// The same keys with the angles as further channels.
+KeyStore with_angles(const KeyStore& keys, const std::vector<FirstRotation>& firsts);
+/// Adds the angles, and their velocities.
+void add_angles(SceneSample& sample, const std::vector<FirstRotation>& firsts);
+
+/// The extent of the curves, their keys and their samples.
+struct SceneExtent {
+  Interval time;
+  std::vector<Interval> channels;
+  std::array<Interval, 2> path;  ///< with the tangents at the keys
+  std::size_t segments = 0;      ///< of all curves
+};
+
+/// Reads all curves. Throws: Error (data) if the difference of two numbers is beyond the range of doubles.
+SceneExtent extent_of(const Scene& scene);
+
+/// The picture as SVG: at most 300 kB, and the same bytes everywhere.
+/// Throws: Error (data) as extent_of(), Error (usage) if the channels need a larger picture.
+std::string picture(const Scene& scene, const PictureSize& size);
+
+}  // namespace tcb

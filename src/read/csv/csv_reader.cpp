@@ -1,0 +1,228 @@
+// Reader of delimited text: from records to keys.
+#include <algorithm>
+#include <memory>
+
+#include "error.hpp"
+#include "numbers/parse_number.hpp"
+#include "read/csv/delimited_text.hpp"
+#include "read/key_builder.hpp"
+#include "stream/ordered_map.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
+
+namespace tcb {
+namespace {
+
+/// A cell as a text of a key: a whole number as a number, everything else as a string.
+std::string text_of(std::string_view cell) {
+  const std::string_view digits = cell.substr(cell.starts_with('-') ? 1 : 0);
+  const bool is_digits = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool whole = is_digits && (digits == "0" ? digits.size() == cell.size() : digits[0] != '0');
+  return (whole ? "" : "\"") + unquoted(cell);
+}
+
+/// The characters of a number, which may be in quotes.
+std::string_view bare(std::string_view cell) {
+  return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+/// The text with a point where it has a comma.
+std::string with_point(std::string_view text) {
+  std::string changed(text);
+  std::ranges::replace(changed, ',', '.');
+  return changed;
+}
+
+/// Reads the records of a chunk as keys.
+class RecordReader {
+ public:
+  RecordReader(const Chunk& chunk, const DelimitedHead& head)
+      : head_(head), tokenizer_(chunk, head.dialect), decimals_(head.decimal), keys_(head.columns, head.rules) {
+    const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
+    time_cell_ = static_cast<std::size_t>(time - head.columns.cells.begin());
+  }
+
+  KeyBlock read() {
+    while (!keys_.is_full() && next_record()) {
+    }
+    return keys_.finish();
+  }
+
+ private:
+  bool next_record() {
+    bool more = true, well_formed = true;
+    try {
+      more = tokenizer_.next(cells_);
+    } catch (const Error& error) {
+      keys_.add_fault(error);
+      well_formed = false;
+    }
+    if (tokenizer_.broken()) keys_.break_curve();
+    if (more && well_formed) add_key();
+    return more;
+  }
+
+  void add_key() {
+    const std::size_t expected = head_.columns.cells.size();
+    if (cells_.size() != expected) {
+      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1], ErrorCode::wrong_number_of_cells,
+                {std::uint64_t{cells_.size()}, std::uint64_t{expected}});
+      return;
+    }
+    keys_.begin_key();
+    for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], head_.columns.cells[i]);
+    if (!keys_.end_key()) return;
+    const bool timed = time_cell_ < expected;
+    keys_.set_position(tokenizer_.line(), timed ? tokenizer_.position(cells_[time_cell_]).column : 1);
+  }
+
+  void read_cell(std::string_view cell, const Columns::Column& column) {
+    switch (column.role) {
+      case Role::ignored:
+        if (column.is_text && tokenizer_.line() <= last_line_of_roles) require_text(cell);
+        keys_.set_mark(column, cell);
+        break;
+      case Role::group:
+      case Role::carry: read_text(cell, column); break;
+      case Role::time:
+        if (const auto time = decimals_.time(bare(cell));
+            time && !is_given_sign(cell) && keys_.has_times_as_numbers()) {
+          keys_.set_time(*time);
+          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+          if (keys_.scales()) scale(cell, column);
+        } else if (!keys_.set_time_in_words(column, unquoted(cell))) {
+          read_no_number(cell, column);
+        }
+        break;
+      default:
+        if (const auto number = decimals_.number(bare(cell)); number && !is_given_sign(cell)) {
+          keys_.number(column) = *number;
+          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+          if (keys_.scales()) scale(cell, column);
+        } else {
+          read_no_number(cell, column);
+        }
+    }
+  }
+
+  void scale(std::string_view cell, const Columns::Column& column) {
+    if (keys_.scale(column, decimals_.text(bare(cell)))) return;
+    add_fault(cell, ErrorCode::number_too_large, {head_.columns.name_of(column), unquoted(cell)});
+  }
+
+  /// A number such as -999 may be a sign of a missing one.
+  bool is_given_sign(std::string_view cell) const {
+    const auto& signs = head_.rules.signs;
+    return !signs.empty() && std::ranges::count(signs, bare(cell)) > 0;
+  }
+
+  /// A number in a column of text is a fault: that is a column of numbers with other texts in it.
+  void require_text(std::string_view cell) {
+    if (!decimals_.number(bare(cell))) return;
+    const auto i =
+        static_cast<std::size_t>(std::ranges::find(cells_, cell.data(), &std::string_view::data) - cells_.begin());
+    add_fault(cell, ErrorCode::number_in_text_column, {std::uint64_t{i + 1}, unquoted(cell)});
+  }
+
+  void read_no_number(std::string_view cell, const Columns::Column& column) {
+    if (is_missing_sign(bare(cell), head_.rules.signs) && keys_.miss(column)) return;
+    const std::string text = unquoted(cell);
+    ErrorCode why = why_not_number(text, head_.decimal, head_.rules.signs);
+    const bool is_wrong_notation = column.role == Role::time && why != ErrorCode::number_empty &&
+                                   why != ErrorCode::number_missing &&
+                                   (!keys_.has_times_as_numbers() || find_notation(text));
+    if (is_wrong_notation)
+      why = head_.rules.notation == find_notation(text) ? ErrorCode::no_such_time : ErrorCode::time_in_other_notation;
+    if (column.role == Role::time && why == ErrorCode::number_empty) why = ErrorCode::time_empty;
+    if (column.role == Role::time && why == ErrorCode::number_missing) why = ErrorCode::time_missing;
+    add_fault(cell, why, {head_.columns.name_of(column), text});
+  }
+
+  void read_text(std::string_view cell, const Columns::Column& column) {
+    std::string text = text_of(cell);
+    const std::size_t invalid = find_invalid_utf8(text);
+    if (invalid != std::string::npos) {
+      add_fault(cell, ErrorCode::cell_not_utf8, {unquoted(cell), hexadecimal(text[invalid])});
+    }
+    if (content(text).empty() && !keys_.miss(column)) {
+      add_fault(cell, ErrorCode::empty_group, {head_.columns.name_of(column)});
+    }
+    keys_.set_text(column, std::move(text));
+  }
+
+  void add_fault(std::string_view cell, ErrorCode code, std::vector<ErrorValue> values) {
+    if (!keys_.is_full()) keys_.add_fault(Error(Exit::data, code, std::move(values)).at(tokenizer_.position(cell)));
+  }
+
+  const DelimitedHead& head_;
+  Tokenizer tokenizer_;
+  Decimals decimals_;
+  KeyBuilder keys_;
+  std::vector<std::string_view> cells_;
+  std::size_t time_cell_ = 0;
+};
+
+}  // namespace
+
+std::string hexadecimal(char byte) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  const auto code = static_cast<unsigned char>(byte);
+  return {digits[code / 16], digits[code % 16]};
+}
+
+bool has_thousands_separators(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  const auto groups = split(text.substr(0, text.find('.')), ',');
+  const bool is_fraction = text.starts_with('0');  // as in 0,125
+  if (groups.size() < 2 || groups[0].empty() || groups[0].size() > 3 || is_fraction) return false;
+  if (std::any_of(groups.begin() + 1, groups.end(), [](std::string_view group) { return group.size() != 3; }))
+    return false;
+  std::string digits(text);
+  std::erase(digits, ',');
+  return digits.find_first_not_of(".0123456789") == std::string::npos && parse_number(digits);
+}
+
+ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<std::string>& signs) {
+  if (is_missing_sign(cell, signs)) return cell.empty() ? ErrorCode::number_empty : ErrorCode::number_missing;
+  if (looks_numeric(cell) || (decimal != '.' && looks_numeric(with_point(cell)))) {
+    const bool has_point = decimal != '.' && cell.find('.') != std::string_view::npos;
+    return has_point ? ErrorCode::number_with_point : ErrorCode::number_too_large;
+  }
+  const bool has_comma = decimal == '.' && cell.find(',') != std::string_view::npos;
+  if (has_comma && has_thousands_separators(cell)) return ErrorCode::number_with_thousands;
+  if (has_comma && parse_number(with_point(cell))) return ErrorCode::number_with_comma;
+  const std::size_t blank = cell.find_first_of(" \t");
+  const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
+  return several ? ErrorCode::several_numbers : ErrorCode::not_a_number;
+}
+
+KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
+
+Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
+  const std::optional<char> named = take_named_delimiter(bytes);
+  const std::optional<char> delimiter = options.delimiter ? options.delimiter : named;
+  Beginning beginning;
+  if (delimiter) beginning.delimiter = *delimiter;
+  if (!delimiter) beginning = find_delimiter(bytes, options);
+  if (named) ++beginning.line;
+  const Dialect dialect{beginning.delimiter, options.comment, options.samples.has_value()};
+  if (dialect.delimiter == options.decimal) throw Error(Exit::data, ErrorCode::decimal_comma_is_delimiter);
+  Source<Chunk> chunks =
+      split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
+  std::vector<Chunk> rest;
+  const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
+  for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
+  const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
+  Input input;
+  input.set_columns(head->columns);
+  input.keys = ordered_map(std::move(chunks), parse, options.threads);
+  input.time_notation = head->rules.notation;
+  input.facts.delimiter = dialect.delimiter;
+  input.facts.comment = dialect.comment;
+  input.facts.decimal = options.decimal;
+  input.may_miss = options.missing == Missing::skip_cell;
+  input.may_break = dialect.delimiter == ' ' || dialect.divided || options.missing == Missing::break_curve;
+  return input;
+}
+
+}  // namespace tcb

@@ -1,0 +1,131 @@
+// Key builder: cells become keys, for delimited text and for JSON alike.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "error.hpp"
+#include "numbers/rational.hpp"
+#include "schema/input.hpp"
+
+namespace tcb {
+
+/// Builds a block of keys. A record is begin_key(), its cells in any order, and end_key(). Without its cell, a key has
+/// no position, the common tension, no ease, no text.
+class KeyBuilder {
+ public:
+  /// Requires: `columns` outlives it.
+  KeyBuilder(const Columns& columns, const KeyRules& rules);
+
+  /// Begins a key; a key that was not ended is dropped.
+  void begin_key();
+
+  /// The number of a cell in the key. Requires: its role is position, one from tension to ease_out, or one in a
+  /// channel.
+  double& number(const Columns::Column& column) {
+    switch (column.role) {
+      case Role::tension: return tcb_.tension;
+      case Role::continuity: return tcb_.continuity;
+      case Role::bias: return tcb_.bias;
+      case Role::ease_in: return ease_.in;
+      case Role::ease_out: return ease_.out;
+      default:
+        if (column.role != Role::position) return number_of_channel(column);
+        return block_.keys.positions[position_ + column.channel];
+    }
+  }
+  /// The number of a cell may have to be scaled, from its decimal.
+  bool scales() const { return rules_.tcb_scale == TcbScale::max3ds || !rules_.factors.empty(); }
+  /// Scales the number of a cell, where that is requested; false for a result beyond the doubles.
+  /// Requires: the number is set.
+  bool scale(const Columns::Column& column, std::string_view decimal);
+  void set_time(const Time& time) { time_ = time; }
+  /// The times are numbers, of seconds or another unit.
+  bool has_times_as_numbers() const { return rules_.notation == TimeNotation::seconds; }
+  /// Sets the time from a text in the notation of the input; false for another text, and for a time that does not
+  /// exist.
+  bool set_time_in_words(const Columns::Column& column, std::string_view text);
+  /// A text as in texts.hpp.
+  void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
+
+  /// A cell of a column without a role.
+  void set_mark(const Columns::Column& column, std::string_view text) {
+    if (column.channel < marks_.size()) marks_[column.channel] = std::hash<std::string_view>()(text);
+  }
+
+  bool keeps_decimals() const { return !decimals_.empty(); }
+  /// Keeps a number as written. Requires: keeps_decimals(); the column holds numbers.
+  void keep_decimal(const Columns::Column& column, std::string decimal);
+
+  /// The cell has no value. Returns whether that is allowed; if so, the row may be skipped or be a gap.
+  bool miss(const Columns::Column& column);
+
+  /// Adds a fault; the current key is not kept.
+  void add_fault(Error fault) {
+    if (!is_full()) block_.faults.push_back(std::move(fault));
+  }
+  /// No more faults are needed.
+  bool is_full() const { return block_.faults.size() >= most_faults; }
+  /// Nothing after the last fault can be read.
+  void set_unreadable() { block_.unreadable = true; }
+
+  /// Ends the key; a record that is a segment has two keys, its ends. Returns whether it is kept; if so, set_position()
+  /// must follow.
+  bool end_key();
+  /// The text position of the record that was kept last.
+  void set_position(std::uint64_t line, std::uint64_t column) {
+    for (std::size_t i = 0; i < keys_per_record(); ++i) {
+      block_.lines.push_back(line);
+      block_.columns.push_back(static_cast<std::uint32_t>(column));
+    }
+  }
+  /// Its number in its list.
+  void set_number(std::uint64_t number) { block_.numbers.insert(block_.numbers.end(), keys_per_record(), number); }
+
+  /// Adds a break before the next key that is kept.
+  void break_curve() { breaks_ = true; }
+
+  /// The block, with the path of the list that the keys are in.
+  KeyBlock finish(std::string path = {});
+
+ private:
+  double& number_of_channel(const Columns::Column& column);
+  void complete_channels();
+  void complete_velocities();
+  void add_key();
+  void add_segment_end();
+  std::size_t keys_per_record() const { return ends_.empty() ? 1 : 2; }
+
+  /// The end of a segment in one channel.
+  struct SegmentEnd {
+    double position, velocity;
+  };
+
+  const KeyRules rules_;
+  const bool is_timed_, has_tcb_, has_ease_, has_channel_roles_;
+  const std::vector<std::size_t> both_sides_;  ///< channels with one velocity for both sides
+  KeyBlock block_;
+  bool breaks_ = false;  ///< there is a break before the next key
+  // Of the current key:
+  bool is_missing_ = false;   ///< a value is missing that a key needs
+  std::size_t position_ = 0;  ///< the index of its first position
+  std::size_t faults_ = 0;    ///< the number of faults before it
+  Time time_;
+  spline::Tcb<double> tcb_;
+  spline::Ease<double> ease_;
+  std::vector<spline::Tcb<double>> channel_tcbs_;     ///< NaN where a channel has none; empty where no channel has any
+  std::vector<spline::Velocity<double>> velocities_;  ///< NaN where one is missing; empty where no channel has any
+  double duration_ = 0;                               ///< of a segment
+  std::vector<SegmentEnd> ends_;                      ///< of its channels; empty where records are keys
+  std::vector<std::size_t> marks_;                    ///< as in KeyBlock
+  std::vector<std::string> texts_;
+  std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty if they are not kept
+};
+
+}  // namespace tcb

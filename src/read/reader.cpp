@@ -1,0 +1,216 @@
+// Reader: opens an input in its format; bytes up to a NUL; faults of an input gathered into one error.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "io/compression.hpp"
+#include "read/csv/delimited_text.hpp"
+#include "read/json/json_input.hpp"
+#include "schema/input.hpp"
+
+namespace tcb {
+namespace {
+
+Error at_first_byte(ErrorCode code, std::vector<ErrorValue> values = {}) {
+  return Error(Exit::data, code, std::move(values)).at({"", 1, 1});
+}
+
+using namespace std::string_view_literals;
+
+/// Compressed files that are not read, by their first bytes, and the commands that decompress them.
+struct OtherCompression {
+  std::string_view bytes, name, command;
+};
+constexpr std::array compressions{
+    OtherCompression{"BZh"sv, "bzip2", "bzcat"},
+    OtherCompression{"\xFD\x37zXZ\0"sv, "xz", "xzcat"},
+    OtherCompression{"\x04\x22\x4D\x18"sv, "LZ4", "lz4cat"},
+};
+
+/// Formats that hold keys, or are taken for such, by their first bytes.
+struct OtherFormat {
+  std::string_view bytes, name;
+};
+constexpr std::array other_formats{
+    OtherFormat{"PK\x03\x04"sv, "a ZIP archive, such as an Excel workbook (.xlsx), an .ods or a .usdz file"},
+    OtherFormat{"\xD0\xCF\x11\xE0"sv, "an Excel workbook (.xls)"},
+    OtherFormat{"HIERARCHY"sv, "a BVH motion capture file"},
+    OtherFormat{"#usda"sv, "a USD scene (.usda)"},
+    OtherFormat{"PXR-USDC"sv, "a USD scene (.usdc)"},
+    OtherFormat{"glTF"sv, "a glTF scene (.glb)"},
+    OtherFormat{"Kaydara FBX"sv, "an FBX scene"},
+    OtherFormat{"; FBX"sv, "an FBX scene"},
+    OtherFormat{"//Maya ASCII"sv, "a Maya scene"},
+    OtherFormat{"BLENDER"sv, "a Blender file"},
+    OtherFormat{"Ogawa"sv, "an Alembic scene"},
+    OtherFormat{"\x89HDF"sv, "an HDF5 file"},
+    OtherFormat{"PAR1"sv, "a Parquet table"},
+    OtherFormat{"ARROW1"sv, "an Arrow table"},
+    OtherFormat{"SQLite format 3"sv, "an SQLite database"},
+    OtherFormat{"MATLAB 5.0"sv, "a MATLAB file"},
+    OtherFormat{"#ROSBAG"sv, "a ROS bag"},
+    OtherFormat{"%PDF"sv, "a PDF document"},
+    OtherFormat{"\x89PNG"sv, "a PNG picture"},
+    OtherFormat{"%YAML"sv, "a YAML document"},
+    OtherFormat{"<"sv, "XML or HTML"},
+};
+
+/// Throws: Error (data) for a format that is not read.
+void require_known_format(std::string_view beginning) {
+  const auto begins = [&](const auto& row) { return beginning.starts_with(row.bytes); };
+  const auto compressed = std::ranges::find_if(compressions, begins);
+  if (compressed != compressions.end()) {
+    throw at_first_byte(ErrorCode::compressed_input, {std::string(compressed->name), std::string(compressed->command)});
+  }
+  const std::size_t text = std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size());
+  const bool is_gltf = beginning.substr(text).starts_with('{') && beginning.find("\"asset\"") != std::string::npos &&
+                       beginning.find("\"accessors\"") != std::string::npos;
+  if (is_gltf) throw at_first_byte(ErrorCode::input_of_other_format, {"a glTF scene"});
+  beginning.remove_prefix(text);
+  const auto other = std::ranges::find_if(other_formats, begins);
+  if (other != other_formats.end()) {
+    throw at_first_byte(ErrorCode::input_of_other_format, {std::string(other->name)});
+  }
+}
+
+/// Whether further bytes may complete the beginning of another format.
+bool may_begin_other_format(std::string_view beginning) {
+  beginning.remove_prefix(std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size()));
+  return std::ranges::any_of(other_formats, [&](const auto& row) {
+    return row.bytes.size() > beginning.size() && row.bytes.starts_with(beginning);
+  });
+}
+
+/// Throws: Error (data) for a text in two or four bytes a character, and for what is not text.
+void require_bytes(std::string_view beginning) {
+  if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(ErrorCode::npy_as_input);
+  require_known_format(beginning);
+  const bool four = beginning.starts_with("\xFF\xFE\0\0"sv) || beginning.starts_with("\0\0\xFE\xFF"sv);
+  if (!four && !beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
+  throw at_first_byte(ErrorCode::not_in_utf8, {four ? "UTF-32" : "UTF-16"});
+}
+
+/// Drops a UTF-8 byte order mark. Throws: Error (data) for two.
+Source<std::string> without_mark(Source<std::string> bytes) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  std::string beginning;
+  constexpr std::size_t enough = 6;  // for require_bytes()
+  while (beginning.size() < enough || may_begin_other_format(beginning)) {
+    auto more = bytes();
+    if (!more) break;
+    beginning += *more;
+  }
+  require_bytes(beginning);
+  if (beginning.starts_with(mark)) beginning.erase(0, mark.size());
+  if (beginning.starts_with(mark)) throw at_first_byte(ErrorCode::two_byte_order_marks);
+  return preceded_by(std::move(beginning), std::move(bytes));
+}
+
+/// The format by the file's ending, or by the first byte that is not blank.
+FormatId detect(const std::string& path, const std::string& beginning) {
+  if (const auto format = find_input_format(path)) return *format;
+  const std::size_t at = beginning.find_first_not_of(" \t\r\n");
+  const bool json = at != std::string::npos && (beginning[at] == '[' || beginning[at] == '{');
+  return json ? FormatId::json : FormatId::csv;
+}
+
+Input open_as(FormatId format, Source<std::string> bytes, InputOptions options) {
+  const char delimiter = format_of(format).delimiter;
+  if (delimiter == '\0') return open_json(std::move(bytes), options);
+  if (!options.delimiter && format != FormatId::csv) options.delimiter = delimiter;  // csv: any, to be found
+  return open_delimited(std::move(bytes), options);
+}
+
+/// Takes the faults of a block, in the order of their positions.
+void gather(std::vector<Error>& faults, KeyBlock& block) {
+  std::ranges::stable_sort(
+      block.faults, {}, [](const Error& fault) { return std::pair(fault.position().line, fault.position().column); });
+  std::ranges::move(block.faults, std::back_inserter(faults));
+}
+
+}  // namespace
+
+bool TextBytes::append_to(std::string& text, LinePosition position) {
+  if (at_nul_) {
+    const LinePosition nul = position_after(text, position);
+    throw Error(Exit::data, ErrorCode::nul_byte).at({"", nul.line, nul.column});
+  }
+  const std::optional<std::string> more = bytes_();
+  if (!more) return false;
+  const std::size_t nul = more->find('\0');
+  at_nul_ = nul != std::string::npos;
+  text.append(*more, 0, nul);
+  return true;
+}
+
+void Input::set_columns(const Columns& columns) {
+  named = columns.named;
+  timed = columns.has(Role::time);
+  time = columns.time;
+  channels = read_channels = columns.channels;
+  column_count = columns.cells.size();
+  read_columns.resize(channels.size());
+  for (std::size_t cell = 0; cell < column_count; ++cell) {
+    if (columns.cells[cell].role == Role::position) read_columns[columns.cells[cell].channel] = cell + 1;
+  }
+  groups = columns.groups;
+  carried = columns.carried;
+  ignored = columns.ignored;
+  marks = columns.marks;
+  may_be_timed = columns.may_be_timed;
+  likely_rotation = columns.likely_rotation;
+  has_segments = columns.are_segments;
+  facts.roles = columns.shape_roles();
+}
+
+Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options) {
+  bytes = without_mark(decompressed(std::move(bytes)));
+  std::string beginning;
+  for (bool blank = true; blank;) {
+    auto more = bytes();
+    if (!more) break;
+    blank = more->find_first_not_of(" \t\r\n") == std::string::npos;
+    beginning += *more;
+    if (beginning.size() > longest_record) refuse_long_record(1);
+  }
+  const FormatId format = options.format ? *options.format : detect(path, beginning);
+  Input input = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
+  input.threads = options.threads;
+  input.facts.format = format;
+  input.has_tcb_scale = options.tcb_scale != TcbScale::unknown;
+  if (!options.samples) set_rotations(input, options.rotation);
+  set_units_and_names(input, options);
+  return input;
+}
+
+void refuse(std::vector<Error> faults) {
+  if (faults.size() > most_faults) faults.erase(faults.begin() + most_faults, faults.end());
+  Error first = faults[0];
+  for (std::size_t i = 1; i < faults.size(); ++i) first.add(std::move(faults[i]));
+  throw first;
+}
+
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
+  return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block || block->faults.empty()) return block;
+    std::vector<Error> faults;
+    for (bool more = true; more;) {
+      gather(faults, *block);
+      more = faults.size() < most_faults && !block->unreadable && !live;
+      try {
+        if (more) block = blocks();
+      } catch (const Error& error) {
+        faults.push_back(error);
+        more = false;
+      }
+      more = more && block;
+    }
+    refuse(std::move(faults));
+  };
+}
+
+}  // namespace tcb

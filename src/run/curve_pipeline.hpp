@@ -1,0 +1,125 @@
+// The pipeline of one curve: which stages its keys go through to become placed samples, and in which order.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "keys/angles.hpp"
+#include "keys/key_store.hpp"
+#include "keys/rotations.hpp"
+#include "run/job.hpp"
+#include "sample/build.hpp"
+#include "sample/grid.hpp"
+#include "sample/index.hpp"
+#include "sample/request.hpp"
+#include "sample/rows.hpp"
+#include "sample/sampler.hpp"
+#include "schema/input.hpp"
+
+namespace tcb {
+
+class ExactKeys;
+
+/// How a curve is built.
+struct RuleFacts {
+  CurveSpec spec;
+  bool timed = false;  ///< the keys have times; otherwise the parameter makes them
+};
+
+/// The extent of a curve and its samples, as far as they are known before the first row.
+struct PlacementFacts {
+  std::optional<Time> first, last;  ///< times of the first and the last key
+  std::optional<double> length;
+  std::optional<Time> step;  ///< of time or of arc length
+};
+
+/// The samples of a curve in blocks, and how they are located and evaluated.
+struct PlacedCurve {
+  Source<SampleBlock> blocks;
+  std::shared_ptr<const Locator> locator;  ///< of the rows
+  std::shared_ptr<const Sampler> sampler;  ///< the same, where the samples are placed segment after segment
+  PlacementFacts facts;
+  Evaluate evaluate = {};
+  std::function<double()> expected_rows = {};  ///< about the number of rows, by the segments that were made so far
+
+  /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
+  std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
+};
+
+/// A curve whose segments can be made more than once, and its samples.
+struct StoredCurve {
+  KeyStore keys;
+  std::function<Source<SegmentBlock>()> segments;
+  bool closed = false;
+  std::optional<PlacedCurve> placed;  ///< nothing if a single key has no samples, or none are wanted
+};
+
+/// A curve with random access.
+struct IndexedCurve {
+  std::shared_ptr<const CurveIndex> curve;
+  Extent extent;
+  Extrapolation extrapolation;
+};
+
+class CurvePipeline {
+ public:
+  /// Throws: Error if the settings of the job and of the input contradict each other,
+  /// or do not fit the input.
+  CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, std::vector<std::size_t> fields,
+                const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
+
+  /// Throws: Error (data) for keys that make no curve.
+  PlacedCurve place(Source<KeyBlock> blocks);
+
+  /// The curve with random access. Throws: Error (data) for keys that make no curve.
+  IndexedCurve whole(Source<KeyBlock> blocks);
+
+  /// The curve as it is drawn; it may have a single key. Throws: Error (data) for keys that make no curve.
+  StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true);
+
+  RuleFacts facts() const { return {spec_, timed_}; }
+
+  /// The request, with its step in the unit of the times.
+  const SamplingRequest& request() const { return request_; }
+
+ private:
+  struct KnownPart;
+
+  bool is_single() const;
+  bool needs_random_access() const;
+  bool needs_lengths() const;
+  MetricUse metric_use() const;
+  /// The exponent of the distances that make the times; 0: none do.
+  double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
+
+  Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least) const;
+  Source<KeyBlock> recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const;
+  Extent extent(KeyStore& keys) const;
+  Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
+  PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent, std::uint64_t count,
+                             std::shared_ptr<KnownPart> known = {}) const;
+  static double rows_on(const KnownPart& part, const SamplingRequest& request, const std::optional<Spacing>& spacing);
+  PlacedCurve place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const;
+  PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
+  PlacedCurve place_anywhere(const Source<SegmentBlock>& segments, const Extent& extent) const;
+  std::vector<Time> grid_times(const Extent& extent) const;
+  std::vector<Time> places(const CurveIndex& curve, const Extent& extent) const;
+  Evaluate exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
+                      const std::shared_ptr<const Locator>& locator) const;
+
+  SamplingRequest request_;
+  CurveSpec spec_;
+  std::vector<std::size_t> fields_;
+  std::optional<GoldenOptions> golden_;
+  bool timed_, may_be_timed_, has_tcb_scale_;
+  unsigned threads_;
+  bool may_miss_;
+  std::vector<std::string> channels_;
+  RotationsOfKeys rotations_;
+};
+
+}  // namespace tcb

@@ -1,0 +1,284 @@
+// Explanation: what was detected in a file and will be done with it, one fact per line.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "io/input_file.hpp"
+#include "numbers/print_number.hpp"
+#include "run/curve_pipeline.hpp"
+#include "run/pipeline.hpp"
+#include "sample/fields.hpp"
+#include "schema/input.hpp"
+#include "schema/key_block.hpp"
+#include "write/layout.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::size_t most_curves = 100;  ///< with a line of their own
+
+std::string shown(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
+
+/// The name of a value in a table of names.
+template <class Row, std::size_t size, class Value>
+std::string_view name_of(const std::array<Row, size>& names, Value Row::*member, Value value) {
+  return std::ranges::find(names, value, member)->name;
+}
+
+std::string in_words(const spline::RotationNotation& notation) {
+  std::string words(name_of(rotation_forms, &RotationFormName::form, notation.form));
+  if (notation.form == spline::RotationForm::euler) {
+    words += ' ';
+    for (const std::size_t axis : notation.axes) words += (notation.intrinsic ? "XYZ" : "xyz")[axis];
+  }
+  using enum spline::RotationForm;
+  const bool has_angles = notation.form == axis_angle || notation.form == euler;
+  return has_angles ? words + (notation.degrees ? " in degrees" : " in radians") : words;
+}
+
+/// What was detected at the beginning of an input.
+Facts input_facts(const Input& input) {
+  constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "one key per line"};
+  const Format& format = format_of(input.facts.format);
+  Facts facts{{"format", std::string(format.name)}};
+  const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
+  const auto list = [&](std::string_view name, const std::vector<std::string>& values) {
+    if (!values.empty()) add(name, fmt::format("{}", fmt::join(values, ", ")));
+  };
+  if (format.has_header) {
+    const char delimiter = input.facts.delimiter;
+    add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
+    add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
+    add("decimal", std::string(1, input.facts.decimal));
+    add("header", input.named ? "yes" : "no");
+  } else {
+    add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
+  }
+  if (!input.own_curves) list("group", input.groups);
+  if (input.timed) add("time", input.time);
+  std::vector<std::string> positions;
+  for (const OutputColumn& column : output_columns(std::array{field_of("position")}, input)) {
+    positions.push_back(column.name);
+  }
+  list("position", positions);
+  for (const std::string& role : input.facts.roles) add(role, "in a column");
+  list("carry", input.carried);
+  list("ignored", input.ignored);
+  return facts;
+}
+
+/// What will be done with every curve of an input.
+Facts intentions(const Job& job, const Input& input) {
+  Facts facts;
+  const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
+  add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.missing)));
+  const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates);
+  if (input.timed) add("duplicates", std::string(duplicates));
+  if (job.curves.sort) add("sort", "by time");
+  const spline::Tcb<double>& tcb = job.input.tcb;
+  add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
+  for (const spline::AngleChannel& angle : input.angles) {
+    add("angle", input.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
+  }
+  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
+    const auto& [notation, relative, columns, channels] = input.given_rotations[i];
+    const auto& shown = input.rotations[i].shown;
+    const std::string rows = shown == notation ? "" : ", in rows " + in_words(shown);
+    add(i == 0 ? "rotation" : fmt::format("rotation {}", i + 1),
+        fmt::format("{}{} {}{}", relative ? "relative " : "", in_words(notation), fmt::join(columns, " "), rows));
+  }
+  const std::string_view others = input.rotations.empty() && input.angles.empty() ? "" : "other ";
+  add("metric", job.curve.metric.value_or(fmt::format("all {}channels", others)));
+  add("samples", samples_in_words(job.sampling));
+  if (job.sampling.from) add("from", shown(*job.sampling.from));
+  if (job.sampling.to) add("to", shown(*job.sampling.to));
+  std::vector<std::string_view> names;
+  for (const std::size_t field : job.fields) names.push_back(fields()[field].name);
+  add("fields", fmt::format("{}", fmt::join(names, ", ")));
+  const Format& output = format_of(job.output_format);
+  const std::string_view header = job.output_header.value_or(input.named) ? " with a header" : " without a header";
+  add("output", fmt::format("{}{}", output.name, output.has_header ? header : ""));
+  return facts;
+}
+
+/// The group of a curve, as in "curve id=a", or its number.
+std::string title(const Input& input, const CurveKeys& curve, std::size_t number) {
+  if (input.groups.empty()) return fmt::format("curve {}", number);
+  return fmt::format("curve {}", fmt::join(group_title(input.groups, curve.group), " "));
+}
+
+/// Counts and facts of one curve.
+struct CurveOutcome {
+  std::size_t keys = 0;
+  std::uint64_t rows = 0;
+  std::optional<Time> first, last;  ///< times of the keys, where they are known
+  PlacementFacts facts;
+  std::optional<Rational> remainder;
+  bool ends_at_key = true;  ///< the end of the range is the last key
+
+  void add(const KeyBlock& block) {
+    keys += block.size();
+    if (block.keys.times.empty()) return;
+    if (!first) first = block.keys.times.front();
+    last = block.keys.times.back();
+  }
+};
+
+/// Places the samples of a curve, and reads its keys to the end.
+CurveOutcome outcome_of(CurvePipeline& pipeline, const CurveKeys& curve) {
+  CurveOutcome outcome;
+  const Source<KeyBlock> observed = mapped(curve.keys, [&outcome](KeyBlock block) {
+    outcome.add(block);
+    return block;
+  });
+  const PlacedCurve placed = pipeline.place(observed);
+  while (const auto block = placed.blocks()) outcome.rows += block->rows();
+  while (observed()) {
+  }
+  outcome.facts = placed.facts;
+  outcome.remainder = placed.remainder();
+  if (placed.facts.first) outcome.first = placed.facts.first;
+  if (placed.facts.last) outcome.last = placed.facts.last;
+  return outcome;
+}
+
+std::string range_text(const CurveOutcome& outcome) {
+  return fmt::format("from {} to {}", time_text(*outcome.first), time_text(*outcome.last));
+}
+
+/// A single curve, in several lines.
+Facts lines_of(const CurveOutcome& outcome, const Wording& wording) {
+  Facts lines{{"keys", fmt::format("{}", outcome.keys)}};
+  if (outcome.first) lines.emplace_back("curve", range_text(outcome));
+  if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
+  if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
+  lines.emplace_back("rows", fmt::format("{}", outcome.rows));
+  if (outcome.remainder)
+    lines.emplace_back("note", wording.note(remainder_note(*outcome.remainder, outcome.ends_at_key)));
+  return lines;
+}
+
+std::string counted(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// One of several curves, in one line.
+std::string line_of(const CurveOutcome& outcome) {
+  std::string text = counted(outcome.keys, "key");
+  if (outcome.first) text += ", " + range_text(outcome);
+  if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
+  if (outcome.facts.step) text += ", step " + time_text(*outcome.facts.step);
+  return text + ", " + counted(outcome.rows, "row");
+}
+
+/// Counts of all curves of an input, and a line for each of the first ones.
+class Explainer {
+ public:
+  Explainer(const Input& input, const Job& job, const Wording& wording) : input_(input), job_(job), wording_(wording) {}
+
+  void add(const CurveKeys& curve) {
+    CurvePipeline pipeline(sampling_of(curve, input_, job_), job_.curve, job_.fields, job_.golden, input_,
+                           *curve.curve_info);
+    if (count_ == 0) {
+      append(intended_, rules_in_words(pipeline.facts(), wording_));
+      append(intended_, intentions(job_, input_));
+    }
+    last_ = outcome_of(pipeline, curve);
+    last_.ends_at_key = !job_.sampling.to && !pipeline.facts().spec.closed;
+    keys_ += last_.keys;
+    rows_ += last_.rows;
+    if (count_ < most_curves) curves_.emplace_back(title(input_, curve, count_), line_of(last_));
+    ++count_;
+  }
+
+  Facts lines() const {
+    Facts lines = intended_;
+    if (count_ == 1 && input_.groups.empty()) {
+      append(lines, lines_of(last_, wording_));
+      return lines;
+    }
+    lines.emplace_back("curves", fmt::format("{}", count_));
+    append(lines, curves_);
+    if (count_ > most_curves) lines.emplace_back("curves not shown", fmt::format("{}", count_ - most_curves));
+    lines.emplace_back("keys", fmt::format("{}", keys_));
+    lines.emplace_back("rows", fmt::format("{}", rows_));
+    return lines;
+  }
+
+ private:
+  static void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+  const Input& input_;
+  const Job& job_;
+  const Wording wording_;
+  Facts intended_, curves_;
+  CurveOutcome last_;
+  std::size_t count_ = 0, keys_ = 0;
+  std::uint64_t rows_ = 0;
+};
+
+/// The explanation as an object in a line, whose members are texts.
+std::string as_object(const Facts& lines) {
+  std::string out = "{";
+  for (const auto& [name, value] : lines) {
+    out += (out.size() > 1 ? "," : "") + json_text(name) + ":" + json_text(value);
+  }
+  return out + "}\n";
+}
+
+bool is_json(FormatId format) { return format == FormatId::json || format == FormatId::jsonl; }
+
+}  // namespace
+
+std::string samples_in_words(const SamplingRequest& request) {
+  const std::string_view of = by_length(request.mode) ? "arc length" : "time";
+  switch (request.mode) {
+    case Mode::step:
+      if (request.is_rate) return fmt::format("{} per unit of time", shown(Rational(1) / request.step));
+      [[fallthrough]];
+    case Mode::arc_step: return fmt::format("every {} of {}", shown(request.step), of);
+    case Mode::arc_count:
+    case Mode::count: return fmt::format("{}, equally spaced in {}", request.count, of);
+    case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
+    case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
+    case Mode::at:
+    case Mode::arc_at:
+      return request.places.empty() ? fmt::format("at places in {} for each group", of)
+                                    : fmt::format("at {} places in {}", request.places.size(), of);
+    case Mode::emit: return "the cubic of each segment";
+    case Mode::fit: return "keys near the samples";
+    case Mode::tolerance: {
+      const auto& [distance, angle] = request.tolerance;
+      if (!request.tolerance.limits_angle()) return fmt::format("within {} of the curve", distance);
+      if (!request.tolerance.limits_distance()) return fmt::format("rotations within {} radians", angle);
+      return fmt::format("within {} of the curve, rotations within {} radians", distance, angle);
+    }
+  }
+  return "";
+}
+
+Note remainder_note(const Rational& remainder, bool at_key) {
+  return {at_key ? NoteCode::remainder : NoteCode::range_remainder, {nearest_time(remainder).hi}};
+}
+
+std::string explanation(const std::string& path, const Job& job, const Wording& wording) {
+  const Input input = open_input(path, read_file(path), job.input);
+  Curves curves(input, job.curves, is_live(path));
+  Explainer explainer(input, job, wording);
+  while (const std::optional<CurveKeys> curve = curves.next()) explainer.add(*curve);
+  Facts lines{{"file", shown_name(path)}};
+  const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };
+  append(input_facts(input));
+  append(explainer.lines());
+  if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
+  if (is_json(job.output_format)) return as_object(lines);
+  std::string out;
+  for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);
+  return out;
+}
+
+}  // namespace tcb

@@ -1,0 +1,119 @@
+// From settings to a curve specification, and from keys to segments with their lengths.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "keys/key_store.hpp"
+#include "numbers/rational.hpp"
+#include "sample/extrapolation.hpp"
+#include "sample/request.hpp"
+#include "schema/input.hpp"
+#include "stream/source.hpp"
+#include "tcb/spline/arc_length.hpp"
+#include "tcb/spline/window.hpp"
+
+namespace tcb {
+
+/// Which curve the keys make.
+struct CurveSpec {
+  spline::Preset preset = spline::Preset::gte;
+  spline::CurveRules<double> rules;
+  bool closed = false;
+  std::optional<Rational> period;                  ///< of a closed curve, if given
+  std::optional<double> parameter;                 ///< exponent of the distances that make times
+  std::optional<std::string> parameter_name = {};  ///< as given
+  Extrapolation extrapolation = Extrapolation::error;
+  bool ease = true;  ///< ease columns are used, if there are any
+
+  /// There are rotations alone, which have no lengths.
+  bool lacks_metric = false;
+};
+
+/// The settings of the command line, completed by those of the input. A preset of the command
+/// line replaces all rules of the input.
+CurveSettings merged(CurveSettings settings, const CurveSettings& of_input);
+
+/// The index of a channel by its name, or by its number from 1.
+std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels);
+
+/// Throws: Error (usage), about its option, for an unknown name, or for settings that contradict each other.
+CurveSpec make_spec(const CurveSettings& settings);
+
+/// The same for keys with these channels: with the metric, to which rotations and angles do not belong. Throws: Error
+/// (usage), about its option, also for a metric channel that does not exist or belongs to a rotation, or a velocity
+/// with another number of channels.
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
+                    const std::vector<spline::RotationColumns>& rotations = {},
+                    const std::vector<spline::AngleChannel>& angles = {});
+
+/// The settings of an input, checked. Throws: Error (data) about a member, at its text position.
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input);
+
+/// What tension, continuity and bias beyond 5 are, where the preset's product shows another scale than the formulas.
+std::optional<ErrorCode> scale_fault(spline::Preset preset);
+
+/// What is used of the metric: lengths along the curve, or also distances and speeds.
+enum class MetricUse { nothing, lengths, path };
+
+/// Throws: Error (data) for lengths where there are only rotations, for distances where lengths are angles, and for
+/// cubics of rotations that have none.
+void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits);
+
+/// Throws: Error (data) where a field or a tolerance is of rotations, and there are none, or of distances, and there
+/// are rotations alone.
+void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request);
+
+using Rules = spline::CurveRules<double>;
+
+/// Successive segments with their lengths.
+struct SegmentBlock {
+  spline::Segments<double> segments;
+  std::vector<spline::Length<double>> lengths;  ///< one per segment, or none if the curve is not measured
+  bool last = false;                            ///< the curve ends here
+  bool closes = false;                          ///< and has returned to its first key
+};
+
+/// Keys in the order in which they are linked to segments.
+struct LinkedKeys {
+  Source<Keys> keys;
+  std::optional<Keys> context;  ///< of a closed curve: the key before the first
+};
+
+/// The time at which a closed curve returns to its first key. A last key that repeats the first one's position is
+/// dropped: it only gives that time. `timed`: the input has times.
+/// Throws: Error (data) if nothing gives that time, if the repeated key has another tension, continuity or bias,
+/// or if there are fewer than two distinct keys.
+Time close(KeyStore& keys, const CurveSpec& spec, bool timed);
+
+/// Throws: Error (data) for a channel with given velocities, where one at the seam of a closed curve is missing.
+void require_seam_velocities(const KeyStore& keys, const std::vector<std::string>& channels);
+
+/// The keys of a closed curve, followed by the first two one period later, with the last one a period earlier as
+/// context.
+LinkedKeys periodic_extension(const KeyStore& keys, const Time& end);
+
+/// The segments between the keys, each as soon as the key after its end is known.
+Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
+
+/// The segments of a curve whose keys lack positions: each channel runs through the keys that have a position in it.
+/// `end`: of a closed curve. `expanded`: cubics are expanded parts of those between a channel's own keys.
+/// Throws: Error (data) for a channel without any position.
+Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
+                                           bool measured, const std::vector<std::string>& channels,
+                                           bool expanded = false);
+
+/// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.
+void require_length(const spline::DoubleDouble& length, const Time& end);
+
+/// The lengths of all segments in order.
+using Lengths = std::deque<spline::Length<double>>;  // which grows without a copy
+Lengths all_lengths(const Source<SegmentBlock>& measured);
+double total_length(const Lengths& lengths);
+
+/// Segments that were not measured, with their lengths, which are known.
+Source<SegmentBlock> with_lengths(Source<SegmentBlock> segments, Lengths lengths);
+
+}  // namespace tcb

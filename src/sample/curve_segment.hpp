@@ -1,0 +1,88 @@
+// Segments with their place on the curve, and samples on them, at any scalar.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <type_traits>
+
+#include "numbers/decimal_time.hpp"
+#include "sample/extrapolation.hpp"
+#include "tcb/spline/ease.hpp"
+#include "tcb/spline/rotation.hpp"
+
+namespace tcb {
+
+/// A segment of a curve. Lengths are 0 if the curve is not measured. The spans belong to the curve.
+template <class S>
+struct CurveSegmentOf {
+  spline::Time<S> start, end;                ///< times of its two keys
+  spline::working_t<S> s_start, s_end;       ///< arc lengths of its two keys, from the curve's first
+  std::span<const spline::Cubic<S>> cubics;  ///< one per channel
+  std::span<const std::size_t> metric;       ///< the channels of lengths and speeds; empty: all
+  bool last = false;                         ///< the curve ends here
+  spline::Warp<S> warp = {};                 ///< of its local parameter
+  std::span<const S> cycle = {};             ///< last key - first key, one per channel; empty if it is not needed
+  std::uint64_t number = 0;                  ///< of the segment, from 0
+  double s_error = 0;                        ///< bound on the error of s_end
+  std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 if a closed curve has returned
+  int decimals = 0;                          ///< of the times on it, if they have more digits than doubles; else 0
+  std::span<const spline::RotationSegment<S>> rotations = {};
+  std::span<const spline::RotationColumns> rotation_columns = {};  ///< those of each
+  std::span<const spline::AngleChannel> angles = {};
+  std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
+
+  /// Null where the channel is no angle.
+  const spline::AngleChannel* angle(std::size_t channel) const {
+    const auto found = std::ranges::find(angles, channel, &spline::AngleChannel::channel);
+    return found == angles.end() ? nullptr : &*found;
+  }
+  bool is_rotation(std::size_t channel) const { return spline::is_in_rotation(rotation_columns, channel); }
+};
+using CurveSegment = CurveSegmentOf<double>;
+
+/// A sample: its time, its local parameter, and its arc length in the arc modes.
+template <class S>
+struct SampleOf {
+  spline::Time<S> t;
+  spline::LocalParameter<S> at;
+  std::optional<S> s = std::nullopt;
+};
+using Sample = SampleOf<double>;
+
+/// The sample at one end of a segment.
+template <class S>
+SampleOf<S> sample_at_key(const CurveSegmentOf<S>& segment, bool end) {
+  if (end) return {segment.end, {S(1), S(0)}};
+  return {segment.start, {S(0), S(-1)}};
+}
+
+/// A time that was computed from a place on a segment, rounded once: to a double, beyond 2^53 to a whole number, or to
+/// the segment's decimals.
+inline Time rounded_time(const Time& t, int decimals) {
+  if (decimals > 0) return rounded_to(Rational(t.hi) + Rational(t.lo), decimals);
+  constexpr double whole_from = 9007199254740992.0;  // 2^53
+  if (std::abs(t.hi) < whole_from) return {t.hi};
+  constexpr double round_to_whole = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
+  return spline::DoubleDouble::normalized(t.hi, (t.lo + round_to_whole) - round_to_whole);
+}
+
+/// The time at a place on a segment that is `duration` long. Doubles are rounded once; other scalars have more digits.
+template <class S>
+spline::Time<S> time_at(const CurveSegmentOf<S>& segment, const spline::Time<S>& duration,
+                        const spline::LocalParameter<S>& at) {
+  const auto rounded = [&](const spline::Time<S>& t) {
+    if constexpr (std::is_same_v<S, double>) {
+      return rounded_time(t, segment.decimals);
+    } else {
+      return t;
+    }
+  };
+  if (!segment.warp.is_identity()) return rounded(segment.start + segment.warp.inverse(at) * duration);
+  return rounded(at.near_start() ? segment.start + duration * at.u : segment.end + duration * at.w);
+}
+
+}  // namespace tcb

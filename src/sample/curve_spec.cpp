@@ -1,0 +1,263 @@
+// The meaning of curve settings: rules by index, texts as numbers.
+#include "sample/build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "error.hpp"
+#include "numbers/parse_number.hpp"
+#include "sample/fields.hpp"
+#include "tcb/spline/rules.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+using spline::EndChoice;
+
+[[noreturn]] void refuse(Option option, ErrorCode code, std::vector<ErrorValue> values = {}) {
+  throw Error(Exit::usage, code, std::move(values)).about(option);
+}
+
+/// The row with this name.
+template <class Table>
+const typename Table::value_type& named(Option option, const Table& table, std::string_view name) {
+  const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
+  if (found != table.end()) return *found;
+  std::vector<std::string_view> known;
+  std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
+  refuse(option, ErrorCode::unknown_rule, {std::string(name), std::vector<std::string>(known.begin(), known.end())});
+}
+
+/// One rule: a name, or name=V:V:… for one that takes a velocity.
+EndChoice<double> end_choice(std::string_view text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const auto& row = named(Option::ends, spline::end_rules<double>, text.substr(0, equals));
+  EndChoice<double> choice{row.id, {}};
+  const bool takes_velocity = row.takes_velocity;
+  if (takes_velocity != (equals < text.size())) {
+    refuse(Option::ends, takes_velocity ? ErrorCode::velocity_missing : ErrorCode::unexpected_rule_value,
+           {std::string(text)});
+  }
+  if (!takes_velocity) return choice;
+  for (const std::string_view part : split(text.substr(equals + 1), ':')) {
+    const auto value = parse_number(part);
+    if (!value) refuse(Option::ends, ErrorCode::velocity_not_a_number, {std::string(text), std::string(part)});
+    choice.velocity.push_back(*value);
+  }
+  return choice;
+}
+
+/// RULE or RULE,RULE. A comma before a number separates channels, like a colon.
+void set_ends(spline::CurveRules<double>& rules, const std::string& text) {
+  std::vector<std::string> ends;
+  for (const std::string_view part : split(text, ',')) {
+    if (!ends.empty() && parse_number(part)) {
+      ends.back() += ':';
+      ends.back() += part;
+    } else {
+      ends.emplace_back(part);
+    }
+  }
+  if (ends.size() > 2) refuse(Option::ends, ErrorCode::too_many_end_rules, {text, std::uint64_t{ends.size()}});
+  rules.start = end_choice(ends.front());
+  rules.end = end_choice(ends.back());
+}
+
+/// Those of the preset, but for what is given for all channels or for rotations alone.
+void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetRow& preset,
+                        const CurveSettings& settings) {
+  spline::RotationRules& own = rules.rotation_rules;
+  own = preset.rotations;
+  if (settings.tangents) own.tangents.reset();
+  if (settings.ends) own.ends.reset();
+  if (settings.rotation_preset) own = spline::row_of(*settings.rotation_preset).rotations;
+  if (settings.rotation_curve) {
+    own.curve = named(Option::rotation_curve, spline::rotation_curves, *settings.rotation_curve).id;
+  }
+}
+
+double parse_exponent(const std::string& text) {
+  struct Named {
+    std::string_view name;
+    double exponent;
+  };
+  constexpr std::array exponents{Named{"uniform", 0}, Named{"chordal", 1}, Named{"centripetal", 0.5}};
+  if (const auto value = parse_number(text); value && *value >= 0 && *value <= 16) return *value;
+  const bool is_number = !text.empty() && (text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
+  if (is_number) refuse(Option::parameter, ErrorCode::exponent_out_of_range, {text});
+  return named(Option::parameter, exponents, text).exponent;
+}
+
+Rational parse_period(const std::string& text) {
+  const auto period = parse_rational(text);
+  if (!period || *period <= 0) refuse(Option::period, ErrorCode::period_not_positive, {text});
+  if (!within_doubles(*period)) refuse(Option::period, ErrorCode::period_beyond_doubles, {text});
+  return *period;
+}
+
+}  // namespace
+
+std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels) {
+  const auto found = std::ranges::find(channels, name);
+  if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool is_number = error == std::errc() && end == name.data() + name.size();
+  return is_number && number >= 1 && number <= channels.size() ? std::optional(number - 1) : std::nullopt;
+}
+
+CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
+  const auto fill = [](auto& wanted, const auto& other) {
+    if (!wanted) wanted = other;
+  };
+  const bool closed_given = settings.closed.has_value() || settings.period.has_value();
+  if (!settings.preset) {
+    settings.preset = of_input.preset;
+    fill(settings.tangents, of_input.tangents);
+    fill(settings.ends, of_input.ends);
+  }
+  if (!closed_given) {
+    settings.closed = of_input.closed;
+    settings.period = of_input.period;
+  } else if (settings.closed.value_or(true)) {
+    fill(settings.period, of_input.period);
+  }
+  return settings;
+}
+
+CurveSpec make_spec(const CurveSettings& settings) {
+  CurveSpec spec;
+  const auto& preset = named(Option::preset, spline::presets, settings.preset.value_or("gte"));
+  spec.preset = preset.id;
+  spec.rules.tangents = preset.tangents;
+  if (settings.tangents) {
+    spec.rules.tangents = named(Option::tangents, spline::tangent_rules<double>, *settings.tangents).id;
+  }
+  set_rotation_rules(spec.rules, preset, settings);
+  if (settings.period && !settings.closed.value_or(true)) refuse(Option::closed, ErrorCode::period_of_open_curve);
+  spec.closed = settings.period || settings.closed.value_or(false);
+  if (settings.ends && spec.closed) refuse(Option::ends, ErrorCode::ends_of_closed_curve);
+  set_ends(spec.rules, settings.ends.value_or(std::string(name_of(preset.ends))));
+  spec.rules.equal_speed = settings.equal_speed;
+  if (settings.period) spec.period = parse_period(*settings.period);
+  if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
+  spec.parameter_name = settings.parameter;
+  if (settings.extrapolate) {
+    spec.extrapolation = named(Option::extrapolate, extrapolations, *settings.extrapolate).kind;
+  }
+  spec.ease = !settings.no_ease;
+  return spec;
+}
+
+namespace {
+
+/// Sets the metric: the named channels, or all that are no angles and no numbers of a rotation.
+void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vector<std::string>& channels) {
+  const std::vector<spline::RotationColumns>& rotations = spec.rules.rotations;
+  const std::vector<spline::AngleChannel>& angles = spec.rules.angles;
+  const auto is_angle = [&](std::size_t channel) {
+    return std::ranges::count(angles, channel, &spline::AngleChannel::channel) > 0;
+  };
+  std::vector<std::size_t>& metric = spec.rules.metric;
+  if (!settings.metric) {
+    if (rotations.empty() && angles.empty()) return;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      if (!spline::is_in_rotation(rotations, i) && !is_angle(i)) metric.push_back(i);
+    }
+    spec.lacks_metric = metric.empty();
+    return;
+  }
+  if (settings.metric == "rotation" && !find_channel("rotation", channels)) {
+    if (rotations.empty()) refuse(Option::metric, ErrorCode::no_rotation, {*settings.metric});
+    metric = {spline::turn_metric};
+    return;
+  }
+  for (const std::string_view part : split(*settings.metric, ',')) {
+    const std::string name(part);
+    const auto channel = find_channel(name, channels);
+    if (!channel) refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
+    if (spline::is_in_rotation(rotations, *channel))
+      refuse(Option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
+    if (is_angle(*channel)) refuse(Option::metric, ErrorCode::angle_in_metric, {channels[*channel]});
+    if (std::ranges::count(metric, *channel) > 0) refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
+    metric.push_back(*channel);
+  }
+}
+
+}  // namespace
+
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
+                    const std::vector<spline::RotationColumns>& rotations,
+                    const std::vector<spline::AngleChannel>& angles) {
+  CurveSpec spec = make_spec(settings);
+  spec.rules.rotations = rotations;
+  spec.rules.angles = angles;
+  set_metric(spec, settings, channels);
+  for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
+    if (end->velocity.empty()) continue;
+    if (!rotations.empty()) refuse(Option::ends, ErrorCode::end_velocity_of_rotation);
+    if (end->velocity.size() == channels.size()) continue;
+    refuse(Option::ends, ErrorCode::velocity_of_other_size,
+           {std::uint64_t{end->velocity.size()}, std::uint64_t{channels.size()}, channels});
+  }
+  return spec;
+}
+
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input) {
+  try {
+    (void)make_spec(curve_info.settings, input.channels, input.rotations, input.angles);
+    return curve_info.settings;
+  } catch (const Error& error) {
+    const std::string member(setting_member(error.option()));
+    const Error in_data = error.about_member(Exit::data, member);
+    const auto place = std::ranges::find(curve_info.places, member, [](const auto& one) { return one.first; });
+    throw place == curve_info.places.end() ? in_data : in_data.at(place->second);
+  }
+}
+
+std::optional<ErrorCode> scale_fault(spline::Preset preset) {
+  using enum spline::Preset;
+  constexpr std::array with_0_to_50{max3ds, nel, gamebryo, lib3ds1, lib3ds2};
+  if (std::ranges::count(with_0_to_50, preset) > 0) return ErrorCode::tcb_from_0_to_50;
+  return preset == lightwave ? std::optional(ErrorCode::tcb_in_percent) : std::nullopt;
+}
+
+void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {
+  if (spec.lacks_metric && use != MetricUse::nothing) throw Error(Exit::data, ErrorCode::only_rotations);
+  if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
+    refuse(Option::metric, ErrorCode::path_of_rotations);
+  }
+  const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
+  const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
+  if (emits && !spec.rules.angles.empty()) throw Error(Exit::data, ErrorCode::emit_of_angle).about(Option::emit);
+  if (emits && curve == spline::RotationCurve::components &&
+      !std::ranges::all_of(spec.rules.rotations, is_quaternion)) {
+    throw Error(Exit::data, ErrorCode::emit_of_angles).about(Option::emit);
+  }
+  if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
+    throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(Option::emit);
+  }
+}
+
+void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request) {
+  const bool has_rotations = !spec.rules.rotations.empty();
+  const auto of_rotations =
+      std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
+  if (!has_rotations && of_rotations != chosen.end()) {
+    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(fields()[*of_rotations].name)}).about(Option::fields);
+  }
+  if (!has_rotations && request.tolerance.limits_angle()) {
+    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::tolerance);
+  }
+  const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
+  if (has_rotations && spec.lacks_metric && is_near_path) {
+    throw Error(Exit::data, ErrorCode::tolerance_of_rotations).about(Option::tolerance);
+  }
+}
+
+}  // namespace tcb

@@ -1,0 +1,227 @@
+// Fields: rows of doubles, by columns where that saves time.
+#include "sample/fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace tcb {
+
+void write_times(Cell* first, std::size_t width, const CurveSegment&, std::span<const Sample> samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) first[i * width] = samples[i].t;
+}
+
+namespace {
+
+bool is_quaternion(const spline::RotationColumns& rotation) {
+  return rotation.shown.form == spline::RotationForm::quaternion;
+}
+
+/// The cell of a channel that has one.
+PositionCell cell_of_channel(std::size_t channel, std::span<const spline::RotationColumns> rotations) {
+  PositionCell cell{channel};
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    const auto own = std::ranges::find(rotations[i].channels, channel);
+    if (own == rotations[i].channels.end()) continue;
+    cell.rotation = i;
+    cell.number = static_cast<std::size_t>(own - rotations[i].channels.begin());
+  }
+  return cell;
+}
+
+}  // namespace
+
+std::vector<PositionCell> position_cells(std::size_t channels, std::span<const spline::RotationColumns> rotations) {
+  std::size_t count = channels;
+  for (const spline::RotationColumns& rotation : rotations) {
+    count += rotation.shown.numbers() - rotation.channels.size();
+  }
+  std::vector<PositionCell> cells(count);
+  std::vector<bool> taken(count);
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    for (std::size_t k = 0; !is_quaternion(rotations[i]) && k < rotations[i].shown.numbers(); ++k) {
+      cells[rotations[i].places[k]] = {PositionCell::none, i, k};
+      taken[rotations[i].places[k]] = true;
+    }
+  }
+  auto next = taken.begin();
+  for (std::size_t channel = 0; channel < channels; ++channel) {
+    const PositionCell cell = cell_of_channel(channel, rotations);
+    if (cell.rotation != PositionCell::none && !is_quaternion(rotations[cell.rotation])) continue;
+    next = std::find(next, taken.end(), false);
+    cells[static_cast<std::size_t>(next - taken.begin())] = cell;
+    ++next;
+  }
+  return cells;
+}
+
+namespace {
+
+/// Writes the column of a channel of all samples.
+void write_channel(Cell* cell, std::size_t width, const CurveSegment& segment, std::size_t channel,
+                   std::span<const Sample> samples) {
+  const spline::Cubic<double>& x = segment.cubics[channel];
+  const spline::AngleChannel* const angle = segment.angle(channel);
+  const auto put = [&](double value) {
+    *cell = angle == nullptr ? value : spline::wrapped(value, angle->degrees, angle->is_signed);
+    cell += width;
+  };
+  for (std::size_t i = 0; i < samples.size();) {
+    const auto& at = samples[i].at;
+    if (i + 1 < samples.size() && spline::can_pair(at, samples[i + 1].at)) {
+      const spline::DoublePair both = spline::positions(x, at, samples[i + 1].at);
+      put(both[0]);
+      put(both[1]);
+      i += 2;
+    } else {
+      put(spline::position(x, at));
+      ++i;
+    }
+  }
+}
+
+/// Writes a rotation of all samples; `cells` are those of its numbers in a row.
+void write_rotation(Cell* row, std::size_t width, const spline::RotationSegment<double>& rotation,
+                    const spline::RotationNotation& shown, std::span<const std::size_t> cells,
+                    std::span<const Sample> samples) {
+  for (const Sample& sample : samples) {
+    const auto numbers = spline::numbers_of(rotation.at(sample.at), shown);
+    for (std::size_t i = 0; i < cells.size(); ++i) row[cells[i]] = numbers[i];
+    row += width;
+  }
+}
+
+}  // namespace
+
+void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
+  const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
+  if (std::ranges::all_of(rotations, is_quaternion)) {
+    for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
+      if (!segment.is_rotation(i)) write_channel(first + i, width, segment, i, samples);
+    }
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      write_rotation(first, width, segment.rotations[i], {}, rotations[i].channels, samples);
+    }
+    return;
+  }
+  std::vector<std::array<std::size_t, 9>> cells(rotations.size());  // of each rotation's numbers
+  std::size_t next = 0;
+  for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {
+    if (cell.rotation == PositionCell::none) {
+      write_channel(first + next, width, segment, cell.channel, samples);
+    } else {
+      cells[cell.rotation][cell.number] = next;
+    }
+    ++next;
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& shown = rotations[i].shown;
+    write_rotation(first, width, segment.rotations[i], shown, std::span(cells[i]).first(shown.numbers()), samples);
+  }
+}
+
+std::span<const FieldOf<double>> fields() { return field_table<double>; }
+
+std::size_t field_of(std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin());
+}
+
+std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& shape) {
+  std::size_t cells = 0;
+  for (const std::size_t index : chosen) {
+    const Field& field = fields()[index];
+    std::size_t channels = shape.channels;
+    for (const spline::RotationColumns& rotation : shape.rotations) {
+      if (field.of_motion) channels -= rotation.channels.size();
+      if (field.shows_rotations) channels += rotation.shown.numbers() - rotation.channels.size();
+    }
+    cells += field.columns * (field.per_channel ? channels : field.per_rotation ? shape.rotations.size() : 1);
+  }
+  return cells;
+}
+
+void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,
+                Point<double>& point) {
+  const std::size_t width = cells_in_row(chosen, shape_of(segment));
+  std::vector<std::pair<decltype(FieldOf<double>::write), Cell*>> by_row;  // and the cell in the first row
+  Cell* first = rows;
+  for (const std::size_t index : chosen) {
+    const FieldOf<double>& field = fields()[index];
+    if (field.write_column != nullptr && located.outside.empty()) {
+      field.write_column(first, width, segment, located.samples);
+    } else {
+      by_row.emplace_back(field.write, first);
+    }
+    first += cells_in_row({&index, 1}, shape_of(segment));
+  }
+  if (by_row.empty()) return;
+  point.set(segment);
+  for (std::size_t i = 0; i < located.samples.size(); ++i) {
+    point.set(located.samples[i], located.outside.empty() ? nullptr : &located.outside[i]);
+    point.set_end(located.ends.empty() ? nullptr : &located.ends[i]);
+    for (const auto& [write, cells] : by_row) write(point, CellWriter<double>(cells + i * width));
+  }
+}
+
+namespace {
+
+/// What follows the channel's name in one of the field's columns.
+std::string column_suffix(const Field& field, std::size_t column) {
+  if (field.columns == 1) return std::string(field.suffix);
+  if (field.odd_suffix.empty()) return std::string(field.suffix) + std::to_string(column);
+  return std::string(column % 2 == 0 ? field.suffix : field.odd_suffix) + std::to_string(column / 2);
+}
+
+/// The channels that are not numbers of a rotation.
+std::vector<std::string> moving_channels(const Input& input) {
+  std::vector<std::string> channels;
+  for (std::size_t i = 0; i < input.channels.size(); ++i) {
+    if (!spline::is_in_rotation(input.rotations, i)) channels.push_back(input.channels[i]);
+  }
+  return channels;
+}
+
+/// The names of the cells of a position.
+std::vector<std::string> position_names(const Input& input) {
+  std::vector<std::string> names;
+  for (const PositionCell& cell : position_cells(input.channels.size(), input.rotations)) {
+    names.push_back(cell.channel != PositionCell::none ? input.channels[cell.channel]
+                                                       : input.rotation_names[cell.rotation][cell.number]);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Input& input) {
+  std::vector<OutputColumn> columns;
+  for (const std::size_t index : chosen) {
+    const Field& field = fields()[index];
+    if (field.shows_rotations) {
+      for (std::string& name : position_names(input)) columns.push_back({std::move(name), field.kind});
+    } else if (field.per_channel) {
+      for (const std::string& channel : field.of_motion ? moving_channels(input) : input.channels) {
+        for (std::size_t i = 0; i < field.columns; ++i)
+          columns.push_back({channel + column_suffix(field, i), field.kind});
+      }
+    } else if (field.per_rotation) {
+      for (std::size_t rotation = 0; rotation < input.rotations.size(); ++rotation) {
+        std::string name(field.name);
+        if (input.rotations.size() > 1) name += std::to_string(rotation + 1);
+        if (field.columns == 1) columns.push_back({name, field.kind});
+        for (std::size_t i = 0; field.columns > 1 && i < field.columns; ++i) {
+          columns.push_back({(name + '_').append(1, "xyz"[i]), field.kind});
+        }
+      }
+    } else {
+      const bool is_time_of_sample = field.kind == CellKind::time && !field.of_piece;
+      columns.push_back({is_time_of_sample ? input.time : std::string(field.name), field.kind});
+    }
+  }
+  return columns;
+}
+
+}  // namespace tcb

@@ -1,0 +1,275 @@
+// Fields: the one table of the quantities that a row can show, for doubles and for exact scalars.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "sample/cells.hpp"
+#include "sample/pieces.hpp"
+#include "sample/point.hpp"
+#include "sample/sampler.hpp"
+#include "schema/input.hpp"
+#include "tcb/spline/detail/rotation_notation.hpp"
+#include "tcb/spline/scalar.hpp"
+
+namespace tcb {
+
+struct Field {
+  std::string_view name;
+  std::string_view suffix = {};  ///< of a column's name, for a field with columns for each channel
+  CellKind kind = CellKind::real;
+  bool per_channel = false;          ///< columns for each channel, named after it; otherwise one
+  bool of_motion = false;            ///< only for channels that are not numbers of a rotation
+  bool per_rotation = false;         ///< columns for each rotation
+  bool shows_rotations = false;      ///< rotations have the columns of the form in which rows show them
+  std::size_t columns = 1;           ///< for each channel or rotation; several are numbered from 0
+  std::string_view odd_suffix = {};  ///< of every second one of several columns, where the suffixes alternate
+  bool of_piece = false;             ///< it is of a row that is a piece, not of a sample
+  bool needs_lengths = false;        ///< the segments before it have to be measured
+  bool over_metric = false;          ///< it is a length or a speed over the metric channels
+  bool has_side = false;             ///< at a key it may differ from one side to the other
+  bool is_exact = true;              ///< it has an exact value, which is rounded once
+  bool is_rational = true;           ///< for rational keys at a rational time it is rational, or the root of a rational
+};
+
+template <class S>
+void write_sample_time(Point<S>& point, CellWriter<S> out) {
+  out.add(point.sample().t);
+}
+template <class S>
+void write_position(Point<S>& point, CellWriter<S> out) {
+  const CurveSegmentOf<S>& segment = point.segment();
+  const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
+  std::vector<spline::RotationNumbers<S>> numbers(rotations.size());
+  if constexpr (spline::has_roots<S>) {
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      numbers[i] = spline::numbers_of(point.rotation(i), rotations[i].shown);
+    }
+  }
+  for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {
+    if (cell.rotation == PositionCell::none) {
+      const S position = point.position(cell.channel);
+      const spline::AngleChannel* const angle = segment.angle(cell.channel);
+      out.add_of_channel(angle == nullptr ? position : spline::wrapped(position, angle->degrees, angle->is_signed),
+                         cell.channel, false);
+    } else if (cell.channel != PositionCell::none) {
+      out.add_of_channel(numbers[cell.rotation][cell.number], cell.channel, false);
+    } else {
+      out.add(numbers[cell.rotation][cell.number]);
+    }
+  }
+}
+template <class S>
+void write_length(Point<S>& point, CellWriter<S> out) {
+  out.add(point.length());
+}
+template <class S, std::vector<S> spline::Derivatives<S>::*derivative>
+void write_derivative(Point<S>& point, CellWriter<S> out) {
+  const std::vector<S>& values = point.derivatives().*derivative;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!point.segment().is_rotation(i)) out.add_of_channel(values[i], i, true);
+  }
+}
+template <class S>
+void write_speed(Point<S>& point, CellWriter<S> out) {
+  out.add(point.speed());
+}
+template <class S>
+void write_tangent(Point<S>& point, CellWriter<S> out) {
+  for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
+    if (!point.segment().is_rotation(i)) out.add(point.tangent(i));
+  }
+}
+template <class S>
+void write_angular_velocity(Point<S>& point, CellWriter<S> out) {
+  if constexpr (spline::has_roots<S>) {
+    for (std::size_t i = 0; i < point.segment().rotations.size(); ++i) {
+      for (const S& number : point.angular_velocity(i)) out.add(number);
+    }
+  }
+}
+template <class S>
+void write_angular_speed(Point<S>& point, CellWriter<S> out) {
+  if constexpr (spline::has_roots<S>) {
+    using std::sqrt;
+    for (std::size_t i = 0; i < point.segment().rotations.size(); ++i) {
+      const auto [x, y, z] = point.angular_velocity(i);
+      out.add(S(sqrt(x * x + (y * y + z * z))));
+    }
+  }
+}
+template <class S>
+void write_curvature(Point<S>& point, CellWriter<S> out) {
+  out.add(point.curvature());
+}
+template <class S>
+void write_torsion(Point<S>& point, CellWriter<S> out) {
+  out.add(point.torsion());
+}
+template <class S>
+void write_segment(Point<S>& point, CellWriter<S> out) {
+  out.add(static_cast<S>(point.segment().number));
+}
+template <class S>
+void write_u(Point<S>& point, CellWriter<S> out) {
+  out.add(point.u());
+}
+template <class S>
+void write_key(Point<S>& point, CellWriter<S> out) {
+  out.add(point.key());
+}
+template <class S>
+void write_arc_error(Point<S>& point, CellWriter<S> out) {
+  out.add(static_cast<S>(point.segment().s_error));
+}
+
+template <class S>
+void write_duration(Point<S>& point, CellWriter<S> out) {
+  out.add(piece_duration(point));
+}
+template <class S>
+void write_piece_length(Point<S>& point, CellWriter<S> out) {
+  out.add(piece_length(point));
+}
+/// The four numbers of a piece's cubic in a form, for each channel; then zeros, up to the number of columns.
+template <class S>
+void write_form(Point<S>& point, CellWriter<S> out, CubicForm<S> form, std::size_t columns) {
+  const auto h = spline::elapsed<S>(piece_start(point), piece_end(point));
+  for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
+    for (const S& number : form(piece_cubic(point, i), h)) out.add_of_channel(number, i, true);
+    for (std::size_t column = 4; column < columns; ++column) out.add(S(0));
+  }
+}
+template <class S, CubicForm<S> form, std::size_t columns = 4>
+void write_cubics(Point<S>& point, CellWriter<S> out) {
+  write_form(point, out, form, columns);
+}
+
+/// Writes a column of all samples on a segment, in rows of `width` cells. Requires: they are on the curve.
+using WriteColumn = void (*)(Cell* first, std::size_t width, const CurveSegment& segment,
+                             std::span<const Sample> samples);
+void write_times(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples);
+void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples);
+
+/// A field with the function that writes its cells for a point at a scalar.
+template <class S>
+struct FieldOf : Field {
+  void (*write)(Point<S>& point, CellWriter<S> out);
+  WriteColumn write_column = nullptr;  ///< the same for doubles, where that saves time
+};
+
+/// The fields of samples, which come first. To add a field: its function, and a row. The order is that of fields in
+/// help and manual.
+template <class S>
+inline constexpr std::array sample_fields{
+    FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_sample_time<S>, write_times},
+    FieldOf<S>{{.name = "position", .per_channel = true, .shows_rotations = true}, write_position<S>, write_positions},
+    FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false}, write_length<S>},
+    FieldOf<S>{{.name = "velocity", .suffix = "_v", .per_channel = true, .of_motion = true, .has_side = true},
+               write_derivative<S, &spline::Derivatives<S>::velocity>},
+    FieldOf<S>{{.name = "acceleration", .suffix = "_a", .per_channel = true, .of_motion = true, .has_side = true},
+               write_derivative<S, &spline::Derivatives<S>::acceleration>},
+    FieldOf<S>{{.name = "jerk", .suffix = "_j", .per_channel = true, .of_motion = true, .has_side = true},
+               write_derivative<S, &spline::Derivatives<S>::jerk>},
+    FieldOf<S>{{.name = "speed", .over_metric = true, .has_side = true}, write_speed<S>},
+    FieldOf<S>{{.name = "tangent",
+                .suffix = "_t",
+                .per_channel = true,
+                .of_motion = true,
+                .over_metric = true,
+                .has_side = true},
+               write_tangent<S>},
+    FieldOf<S>{{.name = "curvature", .over_metric = true, .has_side = true}, write_curvature<S>},
+    FieldOf<S>{{.name = "torsion", .over_metric = true, .has_side = true}, write_torsion<S>},
+    FieldOf<S>{{.name = "angular_velocity", .per_rotation = true, .columns = 3, .has_side = true, .is_rational = false},
+               write_angular_velocity<S>},
+    FieldOf<S>{{.name = "angular_speed", .per_rotation = true, .has_side = true, .is_rational = false},
+               write_angular_speed<S>},
+    FieldOf<S>{{.name = "segment", .kind = CellKind::whole, .has_side = true}, write_segment<S>},
+    FieldOf<S>{{.name = "u", .has_side = true}, write_u<S>},
+    FieldOf<S>{{.name = "key", .kind = CellKind::whole}, write_key<S>},
+    FieldOf<S>{
+        {.name = "arc_error", .needs_lengths = true, .over_metric = true, .is_exact = false, .is_rational = false},
+        write_arc_error<S>},
+};
+
+/// The fields of pieces. Those with columns for each channel are the forms in which a cubic can be given.
+template <class S>
+inline constexpr std::array piece_fields{
+    FieldOf<S>{{.name = "length", .of_piece = true, .over_metric = true, .is_rational = false}, write_piece_length<S>},
+    FieldOf<S>{{.name = "start", .kind = CellKind::time, .of_piece = true}, write_sample_time<S>},
+    FieldOf<S>{{.name = "duration", .kind = CellKind::duration, .of_piece = true}, write_duration<S>},
+    FieldOf<S>{
+        {.name = "hermite", .suffix = "_p", .per_channel = true, .columns = 4, .odd_suffix = "_v", .of_piece = true},
+        write_cubics<S, hermite_form<S>>},
+    FieldOf<S>{{.name = "bezier", .suffix = "_b", .per_channel = true, .columns = 4, .of_piece = true},
+               write_cubics<S, bezier_form<S>>},
+};
+
+/// Polynomials with 4 coefficients and more, by their number.
+inline constexpr std::array<std::string_view, 29> polynomial_names{
+    "poly",   "poly5",  "poly6",  "poly7",  "poly8",  "poly9",  "poly10", "poly11", "poly12", "poly13",
+    "poly14", "poly15", "poly16", "poly17", "poly18", "poly19", "poly20", "poly21", "poly22", "poly23",
+    "poly24", "poly25", "poly26", "poly27", "poly28", "poly29", "poly30", "poly31", "poly32"};
+
+template <class S, std::size_t... i>
+constexpr auto with_polynomials(std::index_sequence<i...>) {
+  std::array<FieldOf<S>, sample_fields<S>.size() + piece_fields<S>.size() + sizeof...(i)> all{};
+  auto next = std::ranges::copy(piece_fields<S>, std::ranges::copy(sample_fields<S>, all.begin()).out).out;
+  ((*next++ =
+        FieldOf<S>{
+            {.name = polynomial_names[i], .suffix = "^", .per_channel = true, .columns = 4 + i, .of_piece = true},
+            write_cubics<S, polynomial_form<S>, 4 + i>}),
+   ...);
+  return all;
+}
+
+/// All fields.
+template <class S>
+inline constexpr std::array field_table = with_polynomials<S>(std::make_index_sequence<polynomial_names.size()>());
+
+/// Their functions alone, so that the names of the fields are in the program once, not for each scalar.
+template <class S>
+inline constexpr auto field_writers = [] {
+  std::array<decltype(FieldOf<S>::write), field_table<S>.size()> all{};
+  std::ranges::transform(field_table<S>, all.begin(), &FieldOf<S>::write);
+  return all;
+}();
+
+std::span<const FieldOf<double>> fields();
+
+/// The fields that can be chosen by name: those of samples, and the length of a piece.
+inline std::span<const FieldOf<double>> named_fields() { return fields().first(sample_fields<double>.size() + 1); }
+
+/// The index of a field. Requires: its name.
+std::size_t field_of(std::string_view name);
+
+/// The channels of a row, and the rotations that four of them each make.
+struct RowShape {
+  std::size_t channels = 0;
+  std::span<const spline::RotationColumns> rotations = {};
+};
+template <class S>
+RowShape shape_of(const CurveSegmentOf<S>& segment) {
+  return {segment.cubics.size(), segment.rotation_columns};
+}
+
+/// The number of cells of these fields in a row.
+std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& shape);
+
+/// Writes fields of the samples on a segment, row after row. `point` is memory to reuse.
+void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,
+                Point<double>& point);
+
+/// The columns of these fields.
+std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Input& input);
+
+}  // namespace tcb

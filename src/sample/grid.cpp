@@ -1,0 +1,232 @@
+// Grids of rows: double-double arithmetic where it determines the rounding, else integers.
+#include "sample/grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numbers/print_number.hpp"
+#include "tcb/spline/detail/double_pair.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr double all_whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
+
+/// From which size on times of a grid are whole numbers.
+double whole_from(int decimals) {
+  return decimals == only_doubles ? std::numeric_limits<double>::infinity() : all_whole_from;
+}
+
+/// Up to which row |first + j increment| stays below 2^53; 0: not even the first.
+std::uint64_t rows_within_doubles(const Rational& first, const Rational& increment) {
+  const Rational room = Rational(all_whole_from) - 1 - abs(first);
+  if (room < 0) return 0;
+  constexpr std::uint64_t all_rows = std::numeric_limits<std::uint64_t>::max();
+  return increment == 0 ? all_rows : whole_number(floor(room / increment));
+}
+
+/// Of two whole numbers above 0: a times b without the factors that they share.
+Rational least_common_multiple(const Rational& a, const Rational& b) { return a * numerator(b / a); }
+
+/// A rational as a double-double.
+Time nearest_double_double(const Rational& value) {
+  const double high = nearest_double(value);
+  return {high, nearest_double(value - Rational(high))};
+}
+
+/// The whole number of equal steps that a policy takes instead of this many.
+Rational fitted_steps(EndPolicy policy, const Rational& steps) {
+  const Rational below = floor(steps);
+  const bool whole = below == steps;
+  Rational fitted = below;
+  if (policy == EndPolicy::fit_down && !whole) fitted = below + 1;
+  if (policy == EndPolicy::fit && steps - below >= Rational(1, 2)) fitted = below + 1;
+  return fitted < 1 ? 1 : fitted;
+}
+
+/// A number of rows for people: beyond 20 digits, three of them.
+std::string shown(const Rational& rows) {
+  std::string digits = whole_text(rows);
+  if (digits.size() <= 20) return digits;
+  return fmt::format("{}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
+}
+
+[[noreturn]] void refuse(Option option, const Rational& value, const Bound& bound) {
+  throw Error(Exit::usage, bound.code, {text(value), text(bound.value)}).about(option);
+}
+
+}  // namespace
+
+Grid::Grid(const Rational& start, const Rational& step) : start_(start), step_(step), is_single_(step == 0) {
+  near_start_ = nearest_double_double(start);
+  near_step_ = nearest_double_double(step);
+  const Rational common = least_common_multiple(denominator(start), denominator(step));
+  if (common >= Rational(all_whole_from)) return;
+  const Rational first = start * common;
+  const Rational increment = step * common;
+  double_rows_ = rows_within_doubles(first, increment);
+  if (double_rows_ == 0) return;
+  double_first_ = nearest_double(first);
+  double_increment_ = nearest_double(increment);
+  double_denominator_ = nearest_double(common);
+}
+
+template <class D>
+spline::DoubleDoubleOf<D> Grid::near_time(const D& row) const {
+  const auto product = spline::two_product(D(near_step_.hi), row);
+  const auto sum = spline::two_sum(D(near_start_.hi), product.value);
+  const D low = (near_start_.lo + near_step_.lo * row) + (product.error + sum.error);
+  return spline::DoubleDoubleOf<D>::normalized(sum.value, low);
+}
+
+template <class D>
+D Grid::doubt(const D& near) const {
+  using std::abs;
+  return (std::abs(near_start_.hi) + abs(near)) * 0x1p-98;
+}
+
+Time Grid::time(std::uint64_t j, int decimals) const {
+  if (decimals > 0) return nearest_time(start_ + step_ * j, decimals);
+  // Numerator and denominator are whole numbers below 2^53, so the one division rounds once.
+  const auto row = static_cast<double>(j);
+  if (j <= double_rows_ && double_rows_ > 0) return {(double_first_ + double_increment_ * row) / double_denominator_};
+  if (j < static_cast<std::uint64_t>(all_whole_from)) {
+    const Time near = near_time(row);
+    if (const auto time = rounded_once(near, doubt(near.hi), whole_from(decimals))) return *time;
+  }
+  return nearest_time(start_ + step_ * j, decimals);
+}
+
+void Grid::set_times(std::uint64_t first, std::uint64_t last, int decimals, std::vector<Time>& times) const {
+  using spline::DoublePair;
+  times.clear();
+  std::uint64_t row = first;
+  const bool near_is_enough = decimals <= 0 && double_rows_ == 0 && last < static_cast<std::uint64_t>(all_whole_from);
+  for (; near_is_enough && last - row >= 2; row += 2) {
+    const auto number = static_cast<double>(row);
+    const auto near = near_time(DoublePair(number, number + 1));
+    const DoublePair doubts = doubt(near.hi);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto rounded = rounded_once({near.hi[i], near.lo[i]}, doubts[i], whole_from(decimals));
+      times.push_back(rounded ? *rounded : time(row + i, decimals));
+    }
+  }
+  for (; row != last; ++row) times.push_back(time(row, decimals));
+}
+
+std::uint64_t Grid::estimate(const Time& t) const {
+  const double rows = ((t - near_start_) / near_step_).hi;
+  constexpr double most = 9.0e18;
+  return rows > 0 ? static_cast<std::uint64_t>(std::min(rows, most)) : 0;
+}
+
+std::optional<std::uint64_t> Grid::rows_if_clear(const Time& t) const {
+  // Its error in rows, and that of the rows' rounding, is less than five times (|t| + |start|) 2^-53 / step.
+  const double row = (t.hi - near_start_.hi) / near_step_.hi;
+  const double doubt = (std::abs(t.hi) + std::abs(near_start_.hi)) * 0x1p-50 / near_step_.hi;
+  const bool step_has_all_digits = near_step_.hi >= std::numeric_limits<double>::min();
+  if (!(row > 0 && row < all_whole_from && step_has_all_digits)) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(row);
+  const double part = row - static_cast<double>(whole);
+  if (!(part > doubt && part < 1 - doubt)) return std::nullopt;
+  return whole + 1;
+}
+
+std::uint64_t Grid::rows_before(const Time& t, int decimals) const {
+  if (const auto rows = rows_if_clear(t)) return *rows;
+  std::uint64_t rows = estimate(t);
+  while (rows > 0 && time(rows - 1, decimals) >= t) --rows;
+  while (time(rows, decimals) < t) ++rows;
+  return rows;
+}
+
+std::uint64_t Grid::rows_through(const Time& t, int decimals) const {
+  if (const auto rows = rows_if_clear(t)) return *rows;
+  std::uint64_t rows = estimate(t);
+  while (rows > 0 && time(rows - 1, decimals) > t) --rows;
+  while (time(rows, decimals) <= t) ++rows;
+  return rows;
+}
+
+bool Grid::resolves(const Time& t, int decimals) const {
+  const double largest = std::max(std::abs(t.hi), std::abs(near_start_.hi));
+  if (near_step_.hi > largest * 0x1p-51) return true;
+  return time(1, decimals) > time(0, decimals) && nearest_time(exact_time(t) + step_, decimals) > t;
+}
+
+Rational steps_between(const Rational& from, const Rational& to, const Rational& step) { return (to - from) / step; }
+
+void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
+  const Rational rows = floor(steps) + 1;
+  if (rows <= max_rows) return;
+  throw Error(Exit::usage, at_least ? ErrorCode::too_many_rows_or_more : ErrorCode::too_many_rows,
+              {shown(rows), max_rows});
+}
+
+Rational SamplingRequest::exact(const Time& time) const {
+  Rational decimal = exact_time(time);
+  if (!frame_rate) return decimal;
+  const Rational frames = floor(decimal * *frame_rate + Rational(1, 2)) / *frame_rate;
+  return nearest_time(frames) == time ? frames : decimal;
+}
+
+Spacing spacing(const SamplingRequest& request, const Extent& extent) {
+  const bool arc = by_length(request.mode);
+  const Rational from = request.from.value_or(arc ? Rational(0) : request.exact(extent.first));
+  std::optional<Rational> to = request.to;
+  if (to && *to < from) {  // a start that was given is before it
+    throw Error(Exit::usage, ErrorCode::end_before_start, {text(*to), text(from)}).about(Option::to);
+  }
+  if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
+  if (!to && !arc && extent.last) to = request.exact(*extent.last);
+  if (to && *to < from && request.count != 1) {
+    if (arc) require_not_after(Option::from, from, curve_length(*extent.length));
+    throw Error(Exit::usage, ErrorCode::start_after_end, {text(from), text(*to)}).about(Option::from);
+  }
+  if (to && !std::isfinite(nearest_double(*to - from))) {
+    throw Error(Exit::data, ErrorCode::samples_beyond_doubles);
+  }
+  if (request.mode == Mode::step || request.mode == Mode::arc_step) {
+    if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
+    const Rational steps = steps_between(from, *to, request.step);
+    require_rows(steps, request.max_rows);
+    if (!needs_end(request) || *to <= from) return {Grid(from, request.step), Spacing::unlimited, to};
+    const Rational fitted = fitted_steps(request.end, steps);
+    return {Grid(from, (*to - from) / fitted), whole_number(fitted) + 1, to};
+  }
+  const bool seam_once = extent.closed && request.mode != Mode::segments && !request.from && !request.to;
+  const std::uint64_t intervals = request.mode == Mode::segments || seam_once ? request.count : request.count - 1;
+  const std::uint64_t rows = seam_once ? request.count : intervals + 1;
+  require_rows(Rational(rows) - 1, request.max_rows);
+  return {Grid(from, intervals == 0 ? 0 : (*to - from) / intervals), rows, to};
+}
+
+std::string text(const Rational& value) {
+  const Time decimal = nearest_time(value, 1);
+  if (has_many_digits(decimal) && exact_time(decimal) == value) return time_text(decimal);
+  const Time time = nearest_time(value);
+  return time.lo == 0 ? fmt::format("{}", time.hi) : whole_text(Rational(time.hi) + Rational(time.lo));
+}
+
+Bound first_key(const Time& time) { return {ErrorCode::before_first_key, exact_time(time)}; }
+Bound last_key(const Time& time) { return {ErrorCode::after_last_key, exact_time(time)}; }
+Bound curve_start() { return {ErrorCode::before_curve_start, 0}; }
+Bound curve_length(double length) { return {ErrorCode::beyond_curve_length, exact_time({length})}; }
+
+void require_not_before(Option option, const Rational& value, const Bound& bound) {
+  if (value < bound.value) refuse(option, value, bound);
+}
+
+void require_not_after(Option option, const Rational& value, const Bound& bound) {
+  if (value > bound.value) refuse(option, value, bound);
+}
+
+void require_resolution(const Grid& grid, const Time& end, int decimals) {
+  if (grid.resolves(end, decimals)) return;
+  throw Error(Exit::usage, ErrorCode::step_too_small, {text(grid.step()), text(exact_time(end))});
+}
+
+}  // namespace tcb

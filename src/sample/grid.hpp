@@ -1,0 +1,112 @@
+// Grids of rows: row j is at start + j step, rounded once, in time or in arc length; and from requests to grids.
+//
+// Counts follow from the same rule: a row is at or before T if its rounded place is.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "numbers/decimal_time.hpp"
+#include "sample/request.hpp"
+
+namespace tcb {
+
+class Grid {
+ public:
+  /// Requires: step >= 0; a step of 0 makes sense for a single row only.
+  Grid(const Rational& start, const Rational& step);
+
+  /// start + j step, rounded once. `decimals`: as for nearest_time().
+  Time time(std::uint64_t j, int decimals = 0) const;
+
+  /// Replaces `times` with those of the rows from first to before last.
+  void set_times(std::uint64_t first, std::uint64_t last, int decimals, std::vector<Time>& times) const;
+
+  /// The number of rows before t, and of those at or before it. Requires: step > 0.
+  std::uint64_t rows_before(const Time& t, int decimals = 0) const;
+  std::uint64_t rows_through(const Time& t, int decimals = 0) const;
+
+  /// Row 0 and row 1 differ, and so do neighbouring rows at t.
+  bool resolves(const Time& t, int decimals = 0) const;
+
+  /// The number of rows up to t, to a few units in the last place.
+  double rough_rows(const Time& t) const { return ((t - near_start_) / near_step_).hi + 1; }
+
+  const Rational& start() const { return start_; }
+  const Rational& step() const { return step_; }
+  bool is_single() const { return is_single_; }  ///< the step is 0
+
+ private:
+  /// The time of a row in double-double precision, or those of two rows.
+  template <class D>
+  spline::DoubleDoubleOf<D> near_time(const D& row) const;
+
+  /// A bound on the error of that.
+  template <class D>
+  D doubt(const D& near) const;
+
+  /// The number of rows before t, where no row is so near to it that rounding could decide.
+  std::optional<std::uint64_t> rows_if_clear(const Time& t) const;
+
+  /// A row number that is right or a little off, for the exact search to start from.
+  std::uint64_t estimate(const Time& t) const;
+
+  Rational start_, step_;
+  bool is_single_;
+  std::uint64_t double_rows_ = 0;  ///< up to this row, (first + j increment) / denominator is of exact doubles
+  double double_first_{}, double_increment_{}, double_denominator_{};
+  Time near_start_, near_step_;  ///< as double-doubles
+};
+
+/// What is known of a curve before its samples are placed.
+struct Extent {
+  Time first;
+  std::optional<Time> last;      ///< needed where needs_end(request)
+  std::optional<double> length;  ///< needed where needs_end(request) and by_length(mode)
+  bool closed = false;           ///< counted rows do not repeat the first
+  int decimals = 0;              ///< of the times, if they have more digits than doubles; else 0
+};
+
+struct Spacing {
+  static constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+
+  Grid grid;
+  std::uint64_t rows = unlimited;  ///< at most; fewer where the curve ends before
+  std::optional<Rational> end;     ///< the last place that a row may have, where it is known
+};
+
+/// Requires: a mode of equal steps. Throws: Error (usage) for more than max_rows rows, if that is known.
+Spacing spacing(const SamplingRequest& request, const Extent& extent);
+
+/// The number of steps between two places; a whole number, or not.
+Rational steps_between(const Rational& from, const Rational& to, const Rational& step);
+
+/// Throws: Error (usage) with the number of rows, if there are more than allowed; `at_least`: and more may come.
+void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least = false);
+
+/// A rational for people: a decimal of 31 digits at most in full, otherwise the nearest double, shortest.
+std::string text(const Rational& value);
+
+/// An end of the curve, in time or in arc length.
+struct Bound {
+  ErrorCode code;  ///< of a request that lies outside
+  Rational value;
+};
+
+Bound first_key(const Time& time);
+Bound last_key(const Time& time);
+Bound curve_start();
+Bound curve_length(double length);
+
+/// Throws: Error (usage) about the option if its value lies before the bound, or after it.
+void require_not_before(Option option, const Rational& value, const Bound& bound);
+void require_not_after(Option option, const Rational& value, const Bound& bound);
+
+/// Throws: Error (usage) if neighbouring rows of the grid would be the same double at `end`.
+void require_resolution(const Grid& grid, const Time& end, int decimals = 0);
+
+}  // namespace tcb

@@ -1,0 +1,289 @@
+// A point of a curve at any scalar: position, derivatives, speed, tangent, curvature, torsion, arc length, key.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "sample/curve_segment.hpp"
+#include "sample/rotation_at.hpp"
+#include "sample/segment_length.hpp"
+#include "tcb/spline/derivatives.hpp"
+
+namespace tcb {
+
+/// A quantity of a point, if it is defined.
+template <class S>
+struct Quantity {
+  S value{0};
+  bool defined = true;
+  bool root = false;      ///< it is the root of the value, with its sign
+  bool doubtful = false;  ///< it counts as zero, or as undefined, because it is too small for the scalar
+};
+
+template <class S>
+class PathShape;
+
+/// A sample on its segment, and the quantities there, each computed once, on demand. It refers to both.
+template <class S>
+class Point {
+ public:
+  explicit Point(PathShape<S> shape = PathShape<S>()) : shape_(std::move(shape)) {}
+
+  /// Assigns another segment; a sample on it must follow. `arc`: its lengths, if they are known.
+  void set(const CurveSegmentOf<S>& segment, const SegmentLength<S>* arc = nullptr) {
+    segment_ = &segment;
+    known_arc_ = arc;
+    has_arc_ = false;
+  }
+  /// `outside`: the relation of its time to a time on the curve; null: it is on the curve.
+  void set(const SampleOf<S>& sample, const OutsideOf<S>* outside) {
+    sample_ = &sample;
+    outside_ = outside;
+    has_derivatives_ = false;
+    shape_.reset();
+  }
+  /// The end of the piece that begins at the sample; null: there is none.
+  void set_end(const SampleOf<S>* end) { end_ = end; }
+
+  const CurveSegmentOf<S>& segment() const { return *segment_; }
+  const SampleOf<S>& sample() const { return *sample_; }
+  const SampleOf<S>& end() const { return *end_; }
+  const OutsideOf<S>* outside() const { return outside_; }
+  bool at_start() const { return sample_->at.u == S(0); }
+  bool at_end() const { return sample_->at.w == S(0); }
+
+  /// The elapsed fraction of the segment's duration.
+  S u() const;
+  /// One component. Outside the curve the end is extended by its velocity, or moved by whole cycles.
+  S position(std::size_t channel);
+  spline::Quaternion<S> rotation(std::size_t index) const { return rotation_at(index).value(); }
+  /// The angular velocity of a rotation, in the frame in which it is given, per unit of time.
+  spline::Vector3<S> angular_velocity(std::size_t index) const { return rotation_at(index).rate(); }
+  const spline::Derivatives<S>& derivatives();
+  /// From the curve's first key.
+  S length();
+  Quantity<S> key() const;
+
+  // Over the metric channels:
+  Quantity<S> speed() { return shape_.speed(*this); }
+  Quantity<S> tangent(std::size_t channel) { return shape_.tangent(*this, channel); }
+  Quantity<S> curvature() { return shape_.curvature(*this); }
+  Quantity<S> torsion() { return shape_.torsion(*this); }
+
+ private:
+  const SegmentLength<S>& arc() {
+    if (known_arc_ != nullptr) return *known_arc_;
+    if (!std::exchange(has_arc_, true)) arc_.assign(segment_->cubics, segment_->rotations, segment_->metric);
+    return arc_;
+  }
+
+  RotationAt<S> rotation_at(std::size_t index) const { return {*segment_, index, *sample_, u(), outside_}; }
+
+  const CurveSegmentOf<S>* segment_ = nullptr;
+  const SampleOf<S>* sample_ = nullptr;
+  const SampleOf<S>* end_ = nullptr;
+  const OutsideOf<S>* outside_ = nullptr;
+  const SegmentLength<S>* known_arc_ = nullptr;
+  SegmentLength<S> arc_;
+  bool has_arc_ = false;
+  spline::Derivatives<S> derivatives_;
+  bool has_derivatives_ = false;
+  PathShape<S> shape_;
+};
+
+template <class S>
+S Point<S>::u() const {
+  const auto& at = sample_->at;
+  if (at_start() || at_end()) return at.u;
+  if constexpr (spline::has_roots<S>) {
+    if (std::is_same_v<S, double> || sample_->s) return spline::high_part<S>(segment_->warp.inverse(at));
+  }
+  // The inverse of a warp has roots, so exact scalars prefer the time, from which the place was computed.
+  const spline::Time<S>& t = outside_ == nullptr ? sample_->t : outside_->t;
+  return spline::high_part<S>((t - segment_->start) / (segment_->end - segment_->start));
+}
+
+template <class S>
+S Point<S>::position(std::size_t channel) {
+  S position = spline::position(segment_->cubics[channel], sample_->at);
+  if (outside_ == nullptr) return position;
+  const S beyond = spline::high_part<S>(outside_->beyond);
+  if (beyond != S(0)) position += derivatives().velocity[channel] * beyond;
+  if (outside_->cycles != S(0)) position += outside_->cycles * segment_->cycle[channel];
+  return position;
+}
+
+template <class S>
+const spline::Derivatives<S>& Point<S>::derivatives() {
+  if (std::exchange(has_derivatives_, true)) return derivatives_;
+  const bool holds = outside_ != nullptr && outside_->holds;
+  const auto zero = std::size_t{segment_->cubics.size()};
+  if (holds || segment_->start == segment_->end) {
+    derivatives_.velocity.assign(zero, S(0));
+    derivatives_.acceleration.assign(zero, S(0));
+    derivatives_.jerk.assign(zero, S(0));
+    derivatives_.velocity_noise = derivatives_.acceleration_noise = S(0);
+    return derivatives_;
+  }
+  spline::set_derivatives<S>(derivatives_, segment_->cubics, sample_->at, segment_->warp, u(),
+                             spline::high_part<S>(segment_->end - segment_->start));
+  if (outside_ == nullptr) return derivatives_;
+  if (spline::high_part<S>(outside_->beyond) != S(0)) {
+    derivatives_.acceleration.assign(zero, S(0));
+    derivatives_.jerk.assign(zero, S(0));
+  }
+  if (!outside_->backward) return derivatives_;
+  for (auto* odd : {&derivatives_.velocity, &derivatives_.jerk}) {
+    for (S& value : *odd) value = -value;
+  }
+  return derivatives_;
+}
+
+template <class S>
+S Point<S>::length() {
+  if constexpr (spline::has_roots<S>) {
+    using W = spline::working_t<S>;
+    if (sample_->s) return *sample_->s;
+    if (at_start()) return spline::high_part<S>(segment_->s_start);
+    if (at_end()) return spline::high_part<S>(segment_->s_end);
+    return spline::high_part<S>(segment_->s_start + W(arc().to(sample_->at).value));
+  } else {
+    return S(0);  // lengths are not rational
+  }
+}
+
+template <class S>
+Quantity<S> Point<S>::key() const {
+  if (at_start()) return {static_cast<S>(segment_->number)};
+  if (at_end()) return {static_cast<S>(segment_->end_key)};
+  return {S(0), false};
+}
+
+/// The shape of the path in doubles: values within the bounds on rounding of spline::shape are 0.
+template <>
+class PathShape<double> {
+ public:
+  void reset() { shape_.reset(); }
+
+  Quantity<double> speed(Point<double>& point) { return {shape(point).speed}; }
+  Quantity<double> tangent(Point<double>& point, std::size_t channel) {
+    const auto& known = shape(point);
+    if (!known.moves) return {0, false};
+    return {point.derivatives().velocity[channel] / known.speed};
+  }
+  Quantity<double> curvature(Point<double>& point) {
+    if (!shape(point).moves || !has_ease(point)) return quantity(shape(point).curvature);
+    return quantity(spline::shape(without_ease(point), point.segment().metric).curvature);
+  }
+  Quantity<double> torsion(Point<double>& point) {
+    const std::span<const std::size_t> metric = point.segment().metric;
+    if (!shape(point).moves || !has_ease(point)) return quantity(spline::torsion(point.derivatives(), metric));
+    return quantity(spline::torsion(without_ease(point), metric));
+  }
+
+ private:
+  static Quantity<double> quantity(const std::optional<double>& value) {
+    return {value.value_or(0), value.has_value()};
+  }
+  /// The place is on a segment with ease, not on a straight extension of it.
+  static bool has_ease(const Point<double>& point) {
+    const bool extended = point.outside() != nullptr && point.outside()->beyond != Time(0.0);
+    return !point.segment().warp.is_identity() && !extended;
+  }
+  /// The derivatives without ease: curvature and torsion are the same, and near a rest nothing cancels.
+  const spline::Derivatives<double>& without_ease(const Point<double>& point) {
+    const CurveSegment& segment = point.segment();
+    spline::set_derivatives<double>(plain_, segment.cubics, point.sample().at, {}, 0, (segment.end - segment.start).hi);
+    return plain_;
+  }
+  const spline::Shape<double>& shape(Point<double>& point) {
+    if (!shape_) shape_ = spline::shape(point.derivatives(), point.segment().metric);
+    return *shape_;
+  }
+
+  std::optional<spline::Shape<double>> shape_;
+  spline::Derivatives<double> plain_;
+};
+
+/// The shape of the path in exact rationals, as roots, and in floats of many digits. A float counts as 0 if, relative
+/// to the curve's size, it is small enough to be an exact 0 with rounding errors: near a cusp a place may be accurate
+/// to only half the digits.
+template <class S>
+class PathShape {
+ public:
+  /// `extent`: how far a key is from the first one in a channel, at most.
+  explicit PathShape(const S& extent = S(0)) : doubt_(0) {
+    if constexpr (spline::has_roots<S>) doubt_ = extent * sqrt(sqrt(std::numeric_limits<S>::epsilon()));
+  }
+  void reset() {}
+
+  Quantity<S> speed(Point<S>& point) const { return root(square(velocity(point))); }
+  Quantity<S> tangent(Point<S>& point, std::size_t channel) const {
+    const S v2 = square(velocity(point));
+    if (!moves(point)) return undefined(v2);
+    const S& v = point.derivatives().velocity[channel];
+    return root(v * v / v2, v < S(0));
+  }
+  Quantity<S> curvature(Point<S>& point) const {
+    const S v2 = square(velocity(point));
+    if (!moves(point)) return undefined(v2);
+    const S area2 = wedge_square(velocity(point), acceleration(point));
+    if (!is_curved(point)) return {S(0), true, false, area2 != S(0)};
+    return root(area2 / (v2 * v2 * v2));
+  }
+  Quantity<S> torsion(Point<S>& point) const {
+    if (!moves(point)) return undefined(square(velocity(point)));
+    const View v = velocity(point), a = acceleration(point), j(point.derivatives().jerk, point.segment().metric);
+    const S area2 = wedge_square(v, a);
+    if (!is_curved(point)) return undefined(area2);
+    if (v.size() < 3) return {S(0)};
+    if (v.size() == 3) return {minor3(v, a, j, 0, 1, 2) / area2};
+    return root(wedge_square(v, a, j) / (area2 * area2));
+  }
+
+ private:
+  using View = spline::MetricView<S>;
+
+  /// Factors from derivatives by the local parameter to those by time.
+  struct Rates {
+    S first{0}, second{0};
+  };
+
+  static View velocity(Point<S>& point) { return {point.derivatives().velocity, point.segment().metric}; }
+  static View acceleration(Point<S>& point) { return {point.derivatives().acceleration, point.segment().metric}; }
+
+  static Rates rates(const Point<S>& point) {
+    const auto& segment = point.segment();
+    if (segment.start == segment.end || (point.outside() != nullptr && point.outside()->holds)) return {};
+    const S u = point.u(), duration = segment.end - segment.start;
+    return {segment.warp.first_derivative(u) / duration, segment.warp.second_derivative(u) / (duration * duration)};
+  }
+  bool moves(Point<S>& point) const {
+    const S least = doubt_ * rates(point).first;
+    return square(velocity(point)) > least * least;
+  }
+  bool is_curved(Point<S>& point) const {
+    const View v = velocity(point), a = acceleration(point);
+    const auto [first, second] = rates(point);
+    const S noise = doubt_ * first, second_noise = doubt_ * (first * first + abs(second));
+    return wedge_square(v, a) > S(2) * (noise * noise * square(a) + second_noise * second_noise * square(v));
+  }
+
+  static Quantity<S> root(const S& square, bool negative = false) {
+    if constexpr (spline::has_roots<S>) {
+      const S value = sqrt(square);
+      return {negative ? S(-value) : value};
+    } else {
+      return {negative ? S(-square) : square, true, true};
+    }
+  }
+  /// Decides whether a number is zero; `zero` is that number as computed.
+  static Quantity<S> undefined(const S& zero) { return {S(0), false, false, zero != S(0)}; }
+
+  S doubt_;
+};
+
+}  // namespace tcb

@@ -1,0 +1,76 @@
+// Requests for samples, as exact numbers; modes and end policies.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "numbers/rational.hpp"
+
+namespace tcb {
+
+enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance, emit, fit };
+
+/// Where the last rows are if the steps do not meet the end.
+enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
+
+struct NamedEndPolicy {
+  std::string_view name;
+  EndPolicy policy;
+};
+
+/// Every end policy by name; the first is the default.
+inline constexpr std::array end_policies{
+    NamedEndPolicy{"drop", EndPolicy::drop},     NamedEndPolicy{"keep", EndPolicy::keep},
+    NamedEndPolicy{"fit", EndPolicy::fit},       NamedEndPolicy{"fit-down", EndPolicy::fit_down},
+    NamedEndPolicy{"fit-up", EndPolicy::fit_up},
+};
+
+/// How far the curve may be from its rows: from the polyline through them, and rotations from the arcs between them.
+struct CurveTolerance {
+  double distance = std::numeric_limits<double>::infinity();
+  double angle = std::numeric_limits<double>::infinity();  ///< in radians
+  bool limits_distance() const { return distance < std::numeric_limits<double>::infinity(); }
+  bool limits_angle() const { return angle < std::numeric_limits<double>::infinity(); }
+};
+
+struct SamplingRequest {
+  Mode mode = Mode::step;
+  Rational step;                     ///< time or arc length between rows: step, arc_step
+  bool is_rate = false;              ///< the step is in seconds, where the unit of the times is known: step
+  std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
+  std::vector<Rational> places;      ///< times or arc lengths: at, arc_at; times of keys: fit
+  CurveTolerance tolerance;          ///< tolerance
+  std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
+  EndPolicy end = EndPolicy::drop;   ///< step, arc_step
+  bool keys = false;                 ///< every key is a row too
+  bool from_left = true;             ///< a row at a key is on the segment before it, not on the one after
+  std::uint64_t max_rows = 1'000'000'000;
+  std::optional<Rational> frame_rate = {};  ///< the times of the keys are frames in seconds
+
+  /// The exact time of a key: a decimal, or a whole number of frames in seconds.
+  Rational exact(const Time& time) const;
+};
+
+/// Samples are placed by arc length, so every segment has to be measured.
+constexpr bool by_length(Mode mode) {
+  return mode == Mode::arc_step || mode == Mode::arc_count || mode == Mode::arc_at;
+}
+
+/// A segment has its rows whatever the others are.
+constexpr bool by_segment(Mode mode) { return mode == Mode::per_segment || mode == Mode::emit; }
+
+/// Rows come in any order, or depend on more than one segment: the curve needs random access.
+constexpr bool needs_curve(Mode mode) { return mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance; }
+
+/// The curve's last key, or its length, must be known before the first row.
+inline bool needs_end(const SamplingRequest& request) {
+  const bool steps = request.mode == Mode::step || request.mode == Mode::arc_step;
+  const bool fits = request.end != EndPolicy::drop && request.end != EndPolicy::keep;
+  return !(steps || by_segment(request.mode)) || (steps && fits);
+}
+
+}  // namespace tcb

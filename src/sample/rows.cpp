@@ -1,0 +1,139 @@
+// From segments of the curve to rows: which samples lie on each, and the cells of their rows.
+#include "sample/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+#include "error.hpp"
+#include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
+
+namespace tcb {
+namespace {
+
+/// Takes the segments in order and has the sampler place the rows on each.
+class Placer {
+ public:
+  Placer(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, std::vector<std::size_t> metric)
+      : blocks_(std::move(segments)), sampler_(std::move(sampler)), metric_(std::move(metric)) {}
+
+  std::optional<SampleBlock> next() {
+    while (placed_.empty() && !segment_follows()) {
+      if (sampler_->done()) return std::nullopt;
+      std::optional<SegmentBlock> more = blocks_();
+      if (!more) return std::nullopt;
+      block_ = std::make_shared<const SegmentBlock>(std::move(*more));
+      index_ = 0;
+    }
+    SampleBlock result{block_, {}, first_};
+    result.parts.reserve(most_parts_);
+    for (std::uint64_t room = SampleBlock::most_rows; room > 0;) {
+      if (placed_.empty() && !segment_follows()) break;
+      if (placed_.empty()) place_next();
+      if (placed_.empty()) continue;
+      SampleBlock::Part& part = placed_.front();
+      const std::uint64_t size = std::min(room, part.last - part.first);
+      result.parts.push_back({part.segment, part.first, part.first + size});
+      part.first += size;
+      room -= size;
+      if (part.first == part.last) placed_.pop_front();
+    }
+    first_ = first_ && result.parts.empty();
+    most_parts_ = std::max(most_parts_, result.parts.size());
+    return result;
+  }
+
+ private:
+  bool segment_follows() const { return block_ != nullptr && index_ < block_->segments.size() && !sampler_->done(); }
+
+  void place_next() {
+    const auto& segments = block_->segments;
+    const std::size_t i = index_++;
+    const spline::DoubleDouble s_start = s_;
+    if (!block_->lengths.empty()) {
+      s_ = s_ + spline::DoubleDouble(block_->lengths[i].value);
+      s_error_ += block_->lengths[i].error;
+      require_length(s_, segments.times[i + 1]);
+    }
+    const bool last = block_->last && index_ == segments.size();
+    CurveSegment segment{.start = segments.times[i],
+                         .end = segments.times[i + 1],
+                         .s_start = s_start,
+                         .s_end = s_,
+                         .cubics = segments[i],
+                         .metric = metric_,
+                         .last = last,
+                         .warp = segments.warp(i),
+                         .number = number_++,
+                         .s_error = s_error_,
+                         .rotations = segments.rotations_of(i),
+                         .rotation_columns = segments.rotation_columns,
+                         .angles = segments.angles};
+    if (last && block_->closes) segment.end_key = 0;
+    decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
+    segment.decimals = decimals_;
+    const Run run = sampler_->place(segment);
+    if (run.key) placed_.push_back({segment, Row::at_key, Row::at_key + 1});
+    if (run.first < run.last) placed_.push_back({segment, run.first, run.last});
+    if (run.end) placed_.push_back({segment, Row::at_end, Row::at_end + 1});
+  }
+
+  Source<SegmentBlock> blocks_;
+  std::shared_ptr<Sampler> sampler_;
+  std::vector<std::size_t> metric_;
+  std::shared_ptr<const SegmentBlock> block_;
+  std::size_t index_ = 0;
+  std::uint64_t number_ = 0;
+  std::deque<SampleBlock::Part> placed_;  ///< rows that are not in a block yet
+  std::size_t most_parts_ = 0;            ///< of the blocks so far
+  spline::DoubleDouble s_;
+  double s_error_ = 0;
+  int decimals_ = 0;  ///< of the times so far
+  bool first_ = true;
+};
+
+}  // namespace
+
+void refuse_overflow(const Sample& sample) {
+  throw Error(Exit::data, ErrorCode::row_beyond_doubles, {time_text(sample.t)});
+}
+
+std::uint64_t SampleBlock::rows() const {
+  std::uint64_t rows = 0;
+  for (const Part& part : parts) rows += part.last - part.first;
+  return rows;
+}
+
+Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
+                          std::vector<std::size_t> metric) {
+  const auto placer = std::make_shared<Placer>(std::move(segments), std::move(sampler), std::move(metric));
+  return [placer] { return placer->next(); };
+}
+
+std::vector<Cell> evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {
+  if (block.parts.empty()) return {};
+  const std::size_t width = cells_in_row(chosen, shape_of(block.parts.front().segment));
+  std::vector<Cell> cells(block.rows() * width);
+  Cell* rows = cells.data();
+  Located located;
+  Point<double> point;
+  for (const auto& [segment, first, last] : block.parts) {
+    locator.locate(segment, first, last, located);
+    write_rows(rows, chosen, segment, located, point);
+    Cell* const end = rows + located.samples.size() * width;
+    const auto beyond = std::find_if(rows, end, [](const Cell& cell) { return !std::isfinite(cell.hi); });
+    if (beyond != end) refuse_overflow(located.samples[static_cast<std::size_t>(beyond - rows) / width]);
+    rows = end;
+  }
+  return cells;
+}
+
+Evaluate fast_rows(std::shared_ptr<const Locator> locator) {
+  return [locator = std::move(locator)](const SampleBlock& block, std::span<const std::size_t> chosen) {
+    return Table{evaluate(block, *locator, chosen)};
+  };
+}
+
+}  // namespace tcb

@@ -1,0 +1,56 @@
+// From segments of the curve to rows: which samples lie on each, and the cells of their rows.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sample/build.hpp"
+#include "sample/fields.hpp"
+#include "sample/sampler.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// Samples on successive segments, few enough to be evaluated at once.
+struct SampleBlock {
+  struct Part {
+    CurveSegment segment;
+    std::uint64_t first, last;  ///< rows from first to before last
+  };
+  std::shared_ptr<const void> owner;  ///< owns what the segments refer to
+  std::vector<Part> parts;
+  bool first = false;  ///< there is no row before these
+
+  static constexpr std::uint64_t most_rows = 1024;
+  std::uint64_t rows() const;
+};
+
+/// The samples of a curve in order, in blocks, each as soon as its segments are known.
+Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
+                          std::vector<std::size_t> metric);
+
+/// The cells of some rows, row after row.
+struct Table {
+  std::vector<Cell> cells;
+  std::vector<std::string> texts =
+      {};  ///< of the cells, where they have more digits than these; else none, or empty ones
+};
+
+/// The rows of a block with the chosen fields.
+using Evaluate = std::function<Table(const SampleBlock& block, std::span<const std::size_t> chosen)>;
+
+/// The cells of a block, row after row. A pure function. Throws: Error (data) for a number beyond
+/// the range of doubles.
+std::vector<Cell> evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen);
+
+/// The rows that evaluate() makes.
+Evaluate fast_rows(std::shared_ptr<const Locator> locator);
+
+/// Throws: Error (data) for a number in the row of a sample.
+[[noreturn]] void refuse_overflow(const Sample& sample);
+
+}  // namespace tcb

@@ -1,0 +1,297 @@
+// Samplers: on a grid of times or of arc lengths, at equal intervals within every segment, and at places in any order.
+#include "sample/sampler.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "tcb/spline/arc_inverse.hpp"
+
+namespace tcb {
+namespace {
+
+/// Samples on a grid of times or of arc lengths: what the two have in common.
+class OnGrid : public Sampler {
+ public:
+  OnGrid(const SamplingRequest& request, Spacing spacing);
+
+  Run place(const CurveSegment& segment) override;
+  bool done() const override { return done_; }
+  std::optional<Rational> remainder() const override { return remainder_; }
+
+ protected:
+  /// A range of the coordinate of the grid.
+  struct Range {
+    Time start, end;
+  };
+
+  /// The segment's range of the coordinate, and the ends of the curve.
+  virtual Range range(const CurveSegment& segment) const = 0;
+  virtual Bound lower(const Range& range) const = 0;
+  virtual Bound upper(const Range& range) const = 0;
+  /// How many decimals the coordinate has there, where doubles do not hold them.
+  virtual int decimals(const CurveSegment& segment) const = 0;
+
+  /// Replaces `coordinates` with those of some rows on this segment.
+  void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                       std::vector<Time>& coordinates) const;
+
+  bool keys() const { return request_.keys; }  ///< every key is a row
+
+  /// The exact time of a key.
+  Rational exact(const Time& time) const { return request_.exact(time); }
+
+ private:
+  /// Row 0 of the grid, and the end that the request has of its own.
+  Time first(int decimals) const { return decimals != 0 ? spacing_.grid.time(0, decimals) : first_; }
+  Time end(int decimals) const { return decimals != 0 ? nearest_time(*spacing_.end, decimals) : *end_; }
+
+  void require_bounds(const CurveSegment& segment, const Range& on) const;
+  std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
+  void add_keys(Run& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
+  void finish(const Run& run, const Time& stop, int decimals);
+
+  SamplingRequest request_;
+  Spacing spacing_;
+  Time first_;  ///< row 0, and the end, in doubles
+  std::optional<Time> end_;
+  Time near_;  ///< a row this near to a key is that key
+  std::uint64_t next_ = 0;
+  bool done_ = false;
+  std::optional<Rational> remainder_;
+};
+
+/// Samples on a grid of times.
+class ByTime : public OnGrid {
+ public:
+  using OnGrid::OnGrid;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ protected:
+  Range range(const CurveSegment& segment) const override { return {segment.start, segment.end}; }
+  Bound lower(const Range& range) const override { return {ErrorCode::before_first_key, exact(range.start)}; }
+  Bound upper(const Range& range) const override { return {ErrorCode::after_last_key, exact(range.end)}; }
+  int decimals(const CurveSegment& segment) const override { return segment.decimals; }
+};
+
+/// Samples on a grid of arc lengths: each at the smallest time at which the curve has that length.
+class ByLength : public OnGrid {
+ public:
+  using OnGrid::OnGrid;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ protected:
+  Range range(const CurveSegment& segment) const override { return {{segment.s_start.hi}, {segment.s_end.hi}}; }
+  Bound lower(const Range&) const override { return curve_start(); }
+  Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
+  int decimals(const CurveSegment&) const override { return only_doubles; }
+};
+
+/// Samples at equal intervals within every segment: the inbetweens of the paper.
+class PerSegment : public Sampler {
+ public:
+  explicit PerSegment(const SamplingRequest& request) : request_(request) {}
+
+  Run place(const CurveSegment& segment) override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+  bool done() const override { return false; }
+
+ private:
+  /// Row 0 on a segment, and the step.
+  Grid grid(const CurveSegment& segment) const {
+    const Rational start = request_.exact(segment.start);
+    return {start, (request_.exact(segment.end) - start) / request_.count};
+  }
+
+  SamplingRequest request_;
+};
+
+OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
+    : request_(request),
+      spacing_(std::move(spacing)),
+      first_(spacing_.grid.time(0)),
+      end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
+      near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
+
+void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
+  const Rational& from = spacing_.grid.start();
+  if (segment.number == 0) require_not_before(Option::from, from, lower(on));
+  if (!segment.last) return;
+  require_not_after(Option::from, from, upper(on));
+  if (request_.to) require_not_after(Option::to, exact(end(decimals(segment))), upper(on));
+}
+
+/// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
+/// last, if it has no duration, or if rows at keys belong to the segment before.
+std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
+  const Grid& grid = spacing_.grid;
+  const int digits = decimals(segment);
+  const Time start = first(digits);
+  const bool with_end = final || request_.from_left || on.start == on.end;
+  if (grid.is_single()) {
+    const bool here = with_end ? start <= stop : start < stop;
+    return here ? spacing_.rows : 0;
+  }
+  if (stop < start) return 0;
+  if (spacing_.rows == Spacing::unlimited) {
+    if (grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
+      require_rows(steps_between(grid.start(), exact(stop), grid.step()), request_.max_rows, !final);
+    }
+    require_resolution(grid, stop, digits);
+  } else if (segment.last) {
+    require_resolution(grid, stop, digits);
+  }
+  return std::min(spacing_.rows, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits));
+}
+
+/// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near it.
+void OnGrid::add_keys(Run& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
+  const Grid& grid = spacing_.grid;
+  const int decimals = this->decimals(segment);
+  const auto is_near = [&](std::uint64_t row, const Time& key) {
+    const Time distance = grid.time(row, decimals) - key;
+    return distance <= near_ && -distance <= near_;
+  };
+  const auto is_in_range = [&](const Time& key) { return key >= first(decimals) - near_ && key <= stop + near_; };
+  run.key = (!request_.from_left || segment.number == 0) && is_in_range(on.start) && on.start <= stop;
+  if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
+  if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
+  if ((request_.from_left || final) && is_in_range(on.end)) run.end = true;
+}
+
+/// Notes the remainder of the steps, and keeps the end if requested.
+void OnGrid::finish(const Run& run, const Time& stop, int decimals) {
+  if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
+  const Time last = spacing_.grid.time(next_ - 1, decimals);
+  if (last < stop) remainder_ = exact(stop) - exact_time(last);
+}
+
+Run OnGrid::place(const CurveSegment& segment) {
+  const Range on = range(segment);
+  require_bounds(segment, on);
+  const int digits = decimals(segment);
+  const bool ends_here = request_.to && end(digits) <= on.end;
+  const Time stop = ends_here ? end(digits) : on.end;
+  const bool final = segment.last || ends_here;
+  Run run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
+  next_ = run.last;
+  if (request_.keys) add_keys(run, segment, on, stop, final);
+  if (final) {
+    finish(run, stop, digits);
+    run.end = run.end || (request_.end == EndPolicy::keep && remainder_);
+    if (run.end) remainder_.reset();
+  }
+  done_ = ends_here || (next_ == spacing_.rows && !request_.keys);
+  return run;
+}
+
+void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                             std::vector<Time>& coordinates) const {
+  const int digits = decimals(segment);
+  if (first < Row::at_key) return spacing_.grid.set_times(first, last, digits, coordinates);
+  const Range on = range(segment);
+  const Time end = request_.to ? std::min(this->end(digits), on.end) : on.end;
+  coordinates.assign(1, first == Row::at_key ? on.start : end);
+}
+
+void ByTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
+  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  set_coordinates(segment, first, last, located.coordinates);
+  located.samples.resize(located.coordinates.size());
+  for (std::size_t i = 0; i < located.samples.size(); ++i) {
+    Sample& sample = located.samples[i];
+    sample.t = located.coordinates[i];
+    sample.at = locate(sample.t);
+    sample.s.reset();
+  }
+}
+
+/// The sample at an arc length. A length that rounds to that of a key is at the key.
+Sample sample_at_length(const CurveSegment& segment, const Time& duration, const Time& s,
+                        const spline::LocalParameter<double>& at) {
+  if (s <= Time(segment.s_start.hi) || at.u == 0) return {segment.start, {0, -1}, s.hi};
+  if (s >= Time(segment.s_end.hi) || at.w == 0) return {segment.end, {1, 0}, s.hi};
+  return {time_at(segment, duration, at), at, s.hi};
+}
+
+void ByLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
+  set_coordinates(segment, first, last, located.coordinates);
+  locate_lengths(segment, located);
+  // A row that is there for a key is at its time, also at the end of a hold.
+  const bool is_key = first == Row::at_end && keys() && located.coordinates[0] >= Time(segment.s_end.hi);
+  if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
+}
+
+Run PerSegment::place(const CurveSegment& segment) {
+  require_rows(Rational(segment.number + 1) * request_.count, request_.max_rows, !segment.last);
+  if (segment.start < segment.end) require_resolution(grid(segment), segment.end, segment.decimals);
+  const bool left = request_.from_left;
+  return {1, request_.count, !left || segment.number == 0, left || segment.last};
+}
+
+void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
+  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  const Grid grid = this->grid(segment);
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
+    if (row == Row::at_key) return {segment.start, {0, -1}};
+    if (row == Row::at_end) return {segment.end, {1, 0}};
+    const Time t = nearest_time(grid.start() + grid.step() * row, segment.decimals);
+    return {t, locate(t)};
+  });
+}
+
+}  // namespace
+
+void locate_lengths(const CurveSegment& segment, Located& located) {
+  located.arc.assign(segment.cubics, segment.rotations, segment.metric);
+  located.places.resize(located.coordinates.size());
+  located.arc.places(segment.s_start, segment.s_end, located.coordinates, located.places);
+  const Time duration = segment.end - segment.start;
+  located.samples.clear();
+  for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
+    located.samples.push_back(sample_at_length(segment, duration, located.coordinates[i], located.places[i]));
+  }
+}
+
+Time AnywhereInTime::on_curve(std::uint64_t row) const {
+  const Time t = place(row);
+  if (kind_ == Extrapolation::error) {
+    if (t < first_) require_not_before(Option::at, exact_time(t), first_key(first_));
+    if (t > last_) require_not_after(Option::at, exact_time(t), last_key(last_));
+  }
+  return map_to_curve<double>(kind_, first_, last_, t).t;
+}
+
+void AnywhereInTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                            Located& located) const {
+  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  located.outside.clear();
+  fill(located, first, last, [&](std::uint64_t row) -> Sample {
+    const Time t = place(row);
+    located.outside.push_back(map_to_curve<double>(kind_, first_, last_, t));
+    return {t, locate(located.outside.back().t)};
+  });
+}
+
+Time AnywhereInLength::on_curve(std::uint64_t row) const {
+  const Time s = place(row);
+  if (s < Time(0.0)) require_not_before(Option::arc_at, exact_time(s), curve_start());
+  if (s > Time(length_)) require_not_after(Option::arc_at, exact_time(s), curve_length(length_));
+  return s;
+}
+
+void AnywhereInLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                              Located& located) const {
+  located.coordinates.clear();
+  for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place(row));
+  locate_lengths(segment, located);
+}
+
+std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {
+  if (request.mode == Mode::per_segment) return std::make_unique<PerSegment>(request);
+  if (request.mode == Mode::emit) return make_piece_sampler(request);
+  if (by_length(request.mode)) return std::make_unique<ByLength>(request, spacing(request, extent));
+  return std::make_unique<ByTime>(request, spacing(request, extent));
+}
+
+}  // namespace tcb

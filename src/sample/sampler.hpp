@@ -1,0 +1,153 @@
+// Samplers: which samples lie on a segment of the curve, and where exactly.
+//
+// A sampler gets the segments once, in order. Locating a sample on its segment is then a pure function, so samples can
+// be evaluated in any order, on any thread.
+// To add a sampler: a class in sampler.cpp, and a line in make_sampler.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sample/curve_segment.hpp"
+#include "sample/grid.hpp"
+#include "sample/segment_length.hpp"
+
+namespace tcb {
+
+/// The numbers of two rows that are not on the grid, for locate(): at the segment's first key, and at the end of the
+/// range.
+struct Row {
+  static constexpr std::uint64_t at_key = std::numeric_limits<std::uint64_t>::max() - 1;
+  static constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// The rows on a segment in order: its key if requested, those from first to before last, the end if requested.
+struct Run {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+  bool key = false;
+  bool end = false;
+};
+
+/// Located samples, and the memory that locating needs.
+struct Located {
+  std::vector<Sample> samples;
+  std::vector<Sample> ends = {};       ///< of the pieces that begin at the samples, or none where rows are samples
+  std::vector<Outside> outside = {};   ///< one per sample, or none where all samples must be on the curve
+  std::vector<Time> coordinates = {};  ///< the times or arc lengths of the samples
+  std::vector<spline::LocalParameter<double>> places = {};
+  SegmentLength<double> arc = {};
+};
+
+/// Locates samples on the segment on which they lie.
+class Locator {
+ public:
+  Locator() = default;
+  Locator(const Locator&) = delete;
+  Locator& operator=(const Locator&) = delete;
+  virtual ~Locator() = default;
+
+  /// Replaces the samples in `located` with those from first to before last. Requires: they lie on this segment.
+  /// Threads: any number at once, each with its own memory.
+  virtual void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const = 0;
+
+ protected:
+  /// Samples that are located one by one.
+  template <class At>
+  static void fill(Located& located, std::uint64_t first, std::uint64_t last, At at) {
+    located.samples.clear();
+    for (std::uint64_t row = first; row != last; ++row) located.samples.push_back(at(row));
+  }
+};
+
+/// Places samples segment after segment.
+class Sampler : public Locator {
+ public:
+  /// The rows on the next segment. Throws: Error if the request leaves the curve or has too many rows.
+  virtual Run place(const CurveSegment& segment) = 0;
+
+  /// No later segment can have a sample: reading may stop.
+  virtual bool done() const = 0;
+
+  /// How far the end of the range is from the last row, once all segments were placed; nothing if it is a row.
+  virtual std::optional<Rational> remainder() const { return std::nullopt; }
+};
+
+/// Requires: not needs_curve(mode). Throws: Error if the request does not fit the curve.
+std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent);
+
+/// A row for each segment, or for the piece of it that lies in the range of the request; see pieces.cpp.
+std::unique_ptr<Sampler> make_piece_sampler(const SamplingRequest& request);
+
+/// Locates the samples at the arc lengths in located.coordinates, which lie on the segment. Promises: their times are
+/// rounded once; a length that is printed as that of a key is the key's.
+void locate_lengths(const CurveSegment& segment, Located& located);
+
+/// Samples at places in any order: rows 0 to size - 1, each at the place that a function gives. A curve with random
+/// access is needed to find their segments.
+class AnywhereLocator : public Locator {
+ public:
+  using Coordinate = std::function<Time(std::uint64_t)>;
+
+  AnywhereLocator(Coordinate place, std::uint64_t size) : place_(std::move(place)), size_(size) {}
+
+  std::uint64_t size() const { return size_; }
+  Time place(std::uint64_t row) const { return place_(row); }
+
+  /// The time on the curve, or the arc length, of a row. Throws: Error (usage) outside the curve.
+  virtual Time on_curve(std::uint64_t row) const = 0;
+
+ private:
+  Coordinate place_;
+  std::uint64_t size_;
+};
+
+/// Places are times, which may be outside the curve.
+class AnywhereInTime : public AnywhereLocator {
+ public:
+  AnywhereInTime(Coordinate place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last)
+      : AnywhereLocator(std::move(place), size), kind_(kind), first_(first), last_(last) {}
+
+  Time on_curve(std::uint64_t row) const override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ private:
+  Extrapolation kind_;
+  Time first_, last_;
+};
+
+/// Places are arc lengths.
+class AnywhereInLength : public AnywhereLocator {
+ public:
+  AnywhereInLength(Coordinate place, std::uint64_t size, double length)
+      : AnywhereLocator(std::move(place), size), length_(length) {}
+
+  Time on_curve(std::uint64_t row) const override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+
+ private:
+  double length_;
+};
+
+/// The segments of a whole curve by number, each any number of times.
+struct CurveSegments {
+  std::function<CurveSegment(std::uint64_t)> segment;
+  std::uint64_t count = 0;
+};
+
+/// A lower bound on the number of rows whose polyline stays within the tolerance of the curve; infinite beyond doubles.
+double least_rows(const CurveSegments& segments, double tolerance);
+
+/// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last; see
+/// tolerance.cpp. Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within
+/// the tolerance, too. Throws: Error (usage) for more than max_rows rows.
+std::vector<Time> times_within_tolerance(const CurveSegments& segments, const CurveTolerance& tolerance,
+                                         std::uint64_t max_rows, bool at_keys = false);
+
+}  // namespace tcb

@@ -1,0 +1,300 @@
+// Columns: the roles of the cells of a record: time, position, tension, continuity, bias, eases, and texts of a key.
+#include "schema/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <unordered_set>
+
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+[[noreturn]] void refuse_same_names(const std::string& name) {
+  throw Error(Exit::data, ErrorCode::same_column_names, {name});
+}
+
+/// The cell of a requested column, by name or number.
+std::size_t find_cell(const std::string& wanted, Option option, std::span<const std::string> header,
+                      std::size_t cells) {
+  if (std::ranges::count(header, wanted) > 1) refuse_same_names(wanted);
+  const auto exact = std::ranges::find(header, wanted);
+  if (exact != header.end()) return static_cast<std::size_t>(exact - header.begin());
+  const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_in_any_case(name, wanted); });
+  if (close != header.end()) return static_cast<std::size_t>(close - header.begin());
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
+  if (is_number && number >= 1 && number <= cells) return number - 1;
+  if (header.empty()) throw Error(Exit::data, ErrorCode::no_such_column_number, {wanted, std::uint64_t{cells}});
+  const std::vector<std::string> names(header.begin(), header.end());
+  throw Error(Exit::data, ErrorCode::no_such_column, {wanted, names}).about(option);
+}
+
+/// Sets the role of a cell. Throws: Error if it has another.
+void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
+  if (columns.cells[cell].role != Role::ignored) throw Error(Exit::data, ErrorCode::column_with_two_roles, {name});
+  std::vector<std::string>* const several = role == Role::position ? &columns.channels
+                                            : role == Role::group  ? &columns.groups
+                                            : role == Role::carry  ? &columns.carried
+                                                                   : nullptr;
+  if (several == nullptr && !is_of_channel(role) && role != Role::unused && columns.has(role)) {
+    throw Error(Exit::data, ErrorCode::two_columns_for_role, {std::string(role_name(role)), name});
+  }
+  columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
+  if (several != nullptr) several->push_back(name);
+  if (role == Role::time) columns.time = name;
+}
+
+/// The texts of a key are those of its groups, then its labels.
+void number_texts(Columns& columns) {
+  for (Columns::Column& column : columns.cells) {
+    if (column.role == Role::carry) column.channel += columns.groups.size();
+  }
+}
+
+/// For each column, whether it is the time by one of the usual names, among which those of columns of numbers come
+/// first. None is where a time is requested, or a column has a name such as "time".
+std::vector<bool> usual_times(const Columns& columns, std::span<const std::string> header,
+                              const std::vector<bool>& numeric) {
+  std::vector<bool> numbers(header.size()), texts(header.size());
+  bool any_numbers = false;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const Role role = columns.cells[cell].role;
+    if (role == Role::time || (role != Role::unused && role_of_name(header[cell]) == Role::time))
+      return std::vector<bool>(header.size());
+    texts[cell] = role == Role::ignored && is_usual_time(header[cell]);
+    numbers[cell] = texts[cell] && numeric[cell];
+    any_numbers = any_numbers || numbers[cell];
+  }
+  return any_numbers ? numbers : texts;
+}
+
+/// Whether the first channel comes first among the columns of numbers, and might be the time.
+bool may_be_timed(const Columns& columns, std::span<const std::string> header) {
+  if (header.empty() || columns.has(Role::time) || columns.channels.size() < 2) return false;
+  const auto first = std::ranges::find_if(columns.cells, [](const auto& column) {
+    return column.role != Role::ignored && column.role != Role::group && column.role != Role::carry;
+  });
+  return first->role == Role::position && !is_coordinate(columns.channels[0]);
+}
+
+/// Roles by name, or without a header time first; positions only where none were requested.
+void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
+                     const std::vector<bool>& usual, bool timeless) {
+  const bool positions_given = columns.has(Role::position);
+  const auto requested = columns.cells;
+  std::array<bool, role_count> is_requested{};
+  for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
+  const auto is_text = [](const auto& column) {
+    return column.role == Role::group || column.role == Role::carry || column.role == Role::unused;
+  };
+  const auto front = static_cast<std::size_t>(std::ranges::find_if_not(requested, is_text) - requested.begin());
+  std::unordered_set<std::string_view> names;
+  for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
+    if (requested[cell].role != Role::ignored) continue;
+    const bool first = cell == front && !timeless && !columns.has(Role::time);
+    const bool is_time = header.empty() ? first : usual[cell];
+    const Role role = is_time ? Role::time : header.empty() ? Role::position : role_of_name(header[cell]);
+    const bool has_request = is_requested[static_cast<std::size_t>(role)];
+    columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
+    if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
+    if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
+      refuse_same_names(header[cell]);
+    }
+    assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
+  }
+}
+
+}  // namespace
+
+bool Columns::has(Role role) const {
+  return std::ranges::any_of(cells, [&](const Column& column) { return column.role == role; });
+}
+
+std::vector<std::string> Columns::shape_roles() const {
+  std::vector<std::string> roles;
+  for (const Role role : {Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out}) {
+    if (has(role)) roles.emplace_back(role_name(role));
+  }
+  if (are_segments) roles.emplace_back("duration");
+  for (const Column& column : cells) {
+    if (is_of_channel(column.role)) roles.push_back(name_of(column));
+  }
+  return roles;
+}
+
+std::string Columns::name_of(const Column& column) const {
+  switch (column.role) {
+    case Role::time: return time;
+    case Role::position: return channels[column.channel];
+    case Role::group: return groups[column.channel];
+    case Role::carry: return carried[column.channel - groups.size()];
+    case Role::duration: return "duration";
+    default:
+      if (are_segments && column.role == Role::velocity_out) return channels[column.channel] + "_v0";
+      if (is_of_channel(column.role)) return role_name(ChannelRole{column.role, channels[column.channel]});
+      return std::string(role_name(column.role));
+  }
+}
+
+namespace {
+
+/// The columns with the requested roles; those in one channel are also added to `of_channels`.
+Columns requested_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                          std::span<const RoleRequest> requests, std::vector<ColumnOfChannel>& of_channels) {
+  Columns columns;
+  columns.cells.resize(numeric.size());
+  columns.named = !header.empty();
+  for (const RoleRequest& request : requests) {
+    for (const std::string& name : request.columns) {
+      const std::size_t cell = find_cell(name, request.option, header, numeric.size());
+      if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
+      const bool is_text = request.role == Role::group || request.role == Role::carry;
+      assign(columns, cell, request.role,
+             !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                     std::span<const RoleRequest> requests, bool timeless) {
+  std::vector<ColumnOfChannel> of_channels;
+  Columns columns = requested_columns(header, numeric, requests, of_channels);
+  if (!assign_segments(columns, header)) {
+    const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
+    for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual)) {
+      columns.cells[column.cell].role = column.role.role;
+      of_channels.push_back(std::move(column));
+    }
+    assign_the_rest(columns, header, numeric, usual, timeless);
+  }
+  number_texts(columns);
+  for (Columns::Column& column : columns.cells) {
+    if (column.role == Role::unused) column.role = Role::ignored;
+  }
+  const bool positions_given = std::ranges::count(requests, Role::position, &RoleRequest::role) > 0;
+  columns.may_be_timed = !timeless && !positions_given && may_be_timed(columns, header);
+  if (header.empty() && !columns.channels.empty()) {
+    columns.time = "t";
+    columns.channels = default_channel_names(columns.channels.size());
+  }
+  assign_channels(columns, of_channels);
+  for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
+    if (columns.cells[cell].role != Role::ignored) continue;
+    columns.cells[cell].channel = columns.ignored.size();
+    columns.ignored.push_back(header.empty() ? fmt::format("column {}", cell + 1) : header[cell]);
+    if (columns.marks.size() == most_marks) continue;
+    columns.marks.push_back({header.empty() ? fmt::format("{}", cell + 1) : header[cell], !numeric[cell]});
+  }
+  if (columns.channels.empty()) {
+    throw Error(Exit::data, ErrorCode::no_channel_column);
+  }
+  return columns;
+}
+
+namespace {
+
+/// The columns of samples that are requested: by cell, and by name or number.
+class SampleRequests {
+ public:
+  SampleRequests(std::span<const std::string> header, const std::vector<bool>& numeric, const SampleNames& names)
+      : header_(header), numeric_(numeric), names_(names), cells_(std::ssize(numeric)) {}
+
+  /// The groups, if all of them are there.
+  void add_groups() {
+    std::vector<std::ptrdiff_t> groups;
+    for (const std::string& name : names_.groups) {
+      groups.push_back(header_.empty() ? std::ssize(groups)
+                                       : cell_where([&](const auto& other) { return other == name; }));
+    }
+    if (!std::ranges::all_of(groups, [&](std::ptrdiff_t cell) { return cell < cells_; })) return;
+    for (const std::ptrdiff_t cell : groups) add(Role::group, cell);
+  }
+
+  /// The time, where columns have no names.
+  void add_time_by_place() {
+    const auto cell = std::ssize(requests_) + static_cast<std::ptrdiff_t>(names_.time_place);
+    if (cell < cells_) add(Role::time, cell);
+  }
+
+  void add_time_by_name() {
+    std::ptrdiff_t time = cell_where([&](const auto& name) { return name == names_.time; });
+    if (time == cells_) time = cell_where([](const auto& name) { return role_of_name(name) == Role::time; });
+    const bool has_lengths = std::ranges::count(header_, "s") > 0;
+    for (std::ptrdiff_t cell = 0; time == cells_ && !has_lengths && cell < cells_; ++cell) {
+      const auto at = static_cast<std::size_t>(cell);
+      if (!numeric_[at] || !is_usual_time(header_[at])) continue;
+      time = cell;
+      break;
+    }
+    if (time < cells_) add(Role::time, time);
+  }
+
+  /// Every other column of numbers.
+  void add_channels() {
+    for (std::ptrdiff_t cell = 0; cell < cells_; ++cell) {
+      const auto at = static_cast<std::size_t>(cell);
+      const bool is_label = std::ranges::count(names_.labels, header_[at]) > 0;
+      if (numeric_[at] && !is_label && std::ranges::count(taken_, cell) == 0) add(Role::position, cell);
+    }
+  }
+
+  std::vector<RoleRequest>& requests() { return requests_; }
+
+ private:
+  /// The first cell with a name for which is_it holds; cells_ where there is none.
+  template <class F>
+  std::ptrdiff_t cell_where(F is_it) const {
+    return std::ranges::find_if(header_, is_it) - header_.begin();
+  }
+
+  void add(Role role, std::ptrdiff_t cell) {
+    taken_.push_back(cell);
+    const auto at = static_cast<std::size_t>(cell);
+    // By name, as another name may be this one's number.
+    const bool by_name = at < header_.size() && std::ranges::count(header_, header_[at]) == 1;
+    requests_.push_back({role, {by_name ? header_[at] : fmt::format("{}", cell + 1)}});
+  }
+
+  std::span<const std::string> header_;
+  const std::vector<bool>& numeric_;
+  const SampleNames& names_;
+  std::ptrdiff_t cells_;
+  std::vector<RoleRequest> requests_;
+  std::vector<std::ptrdiff_t> taken_;
+};
+
+}  // namespace
+
+Columns find_sample_columns(std::span<const std::string> given, const std::vector<bool>& numeric,
+                            const SampleNames& names, bool timeless) {
+  std::vector<std::string> header(given.begin(), given.end());
+  for (const auto& [theirs, ours] : names.maps) {
+    const auto found = std::ranges::find(given, theirs);
+    if (found == given.end()) throw Error(Exit::data, ErrorCode::no_such_column, {theirs, header}).about(Option::map);
+    header[static_cast<std::size_t>(found - given.begin())] = ours;
+  }
+  SampleRequests samples(header, numeric, names);
+  samples.add_groups();
+  if (names.times_only) {
+    samples.requests().push_back({Role::time, {names.time}, *names.times_only});
+    std::vector<ColumnOfChannel> none;
+    return requested_columns(header, numeric, samples.requests(), none);
+  }
+  if (header.empty()) {
+    if (!timeless) samples.add_time_by_place();
+    return find_columns(header, numeric, samples.requests(), timeless);
+  }
+  samples.add_time_by_name();
+  samples.add_channels();
+  return find_columns(header, numeric, samples.requests(), true);
+}
+
+}  // namespace tcb

@@ -1,0 +1,286 @@
+// Role names: the names of columns that give them roles, the usual names of times, and near misses.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "text/suggest.hpp"
+
+#include "schema/columns.hpp"
+
+namespace tcb {
+namespace {
+
+struct RoleName {
+  std::string_view name;
+  Role role;
+  bool any_case;
+  bool in_header = true;  ///< a column of that name has that role
+};
+
+/// Names that give a column its role. The first ones, in the order of Role, are also the names of the roles.
+constexpr std::array role_names{
+    RoleName{"time", Role::time, true},
+    RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true},
+    RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},
+    RoleName{"ease_in", Role::ease_in, true},
+    RoleName{"ease_out", Role::ease_out, true},
+    RoleName{"group", Role::group, true, false},
+    RoleName{"carry", Role::carry, true, false},
+    RoleName{"ignore", Role::unused, true, false},
+    RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},
+    RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},
+    RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},
+    RoleName{"B", Role::bias, false},
+};
+
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+
+/// A name such as "timestamp [ns]" or "time (s)" without its unit.
+std::string_view without_unit(std::string_view name) {
+  const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
+  if (begin == 0 || begin == std::string_view::npos) return name;
+  return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
+}
+
+/// Whether `longer` is `shorter` with one additional letter.
+bool is_with_a_letter(std::string_view longer, std::string_view shorter) {
+  if (longer.size() != shorter.size() + 1) return false;
+  std::size_t at = 0;
+  while (at < shorter.size() && lower(longer[at]) == lower(shorter[at])) ++at;
+  return is_letter(longer[at]) && same_in_any_case(longer.substr(at + 1), shorter.substr(at));
+}
+
+/// Whether `name` is a near miss of `known`.
+bool is_near(std::string_view name, std::string_view known) {
+  if (is_with_a_letter(name, known) || is_with_a_letter(known, name)) return true;
+  if (name.size() != known.size()) return false;
+  std::size_t at = 0;
+  while (at < name.size() && lower(name[at]) == lower(known[at])) ++at;
+  if (at + 1 >= name.size()) return at < name.size() && known.size() > 4;
+  const bool changed = same_in_any_case(name.substr(at + 1), known.substr(at + 1));
+  const bool swapped = lower(name[at]) == lower(known[at + 1]) && lower(name[at + 1]) == lower(known[at]) &&
+                       same_in_any_case(name.substr(at + 2), known.substr(at + 2));
+  return swapped || (changed && known.size() > 4);
+}
+
+/// Other usual names of times, in lower case without blanks, "_", "-" and ".".
+/// A unit may follow.
+constexpr std::array time_names{
+    "t",          "time",        "times",      "timestamp",      "timestamps",    "stamp",        "stamps",
+    "ts",         "tstamp",      "timecode",   "timeofday",      "clock",         "clocktime",    "date",
+    "datetime",   "datestamp",   "elapsed",    "elapsedtime",    "timeelapsed",   "frame",        "frames",
+    "frameno",    "framenr",     "framenum",   "framenumber",    "frameid",       "frameidx",     "frameindex",
+    "framecount", "keyframe",    "keyframes",  "keytime",        "keytimes",      "keyframetime", "tick",
+    "ticks",      "tickcount",   "unix",       "unixtime",       "unixtimestamp", "posixtime",    "epoch",
+    "epochtime",  "utc",         "utctime",    "gpstime",        "gmt",           "localtime",    "systime",
+    "systemtime", "rostime",     "simtime",    "simulationtime", "walltime",      "walltimes",    "sampletime",
+    "eventtime",  "capturetime", "recordtime", "relativetime",   "reltime",       "absolutetime", "abstime",
+    "timevalue",  "timepoint",   "timesec",    "timeindex",      "framestamp",    "frametime",    "frametimestamp",
+};
+
+/// Names of units of time, which may be a name by themselves if they are two letters or more.
+struct UnitName {
+  const char* name;
+  std::optional<TimeUnit> unit;
+};
+using enum TimeUnit;
+constexpr std::array unit_names{
+    UnitName{"s", s},
+    UnitName{"sec", s},
+    UnitName{"secs", s},
+    UnitName{"second", s},
+    UnitName{"seconds", s},
+    UnitName{"ms", ms},
+    UnitName{"msec", ms},
+    UnitName{"msecs", ms},
+    UnitName{"millis", ms},
+    UnitName{"millisec", ms},
+    UnitName{"millisecond", ms},
+    UnitName{"milliseconds", ms},
+    UnitName{"us", us},
+    UnitName{"usec", us},
+    UnitName{"usecs", us},
+    UnitName{"micros", us},
+    UnitName{"microsec", us},
+    UnitName{"microsecond", us},
+    UnitName{"microseconds", us},
+    UnitName{"\u00B5s", us},
+    UnitName{"\u03BCs", us},
+    UnitName{"ns", ns},
+    UnitName{"nsec", ns},
+    UnitName{"nsecs", ns},
+    UnitName{"nanos", ns},
+    UnitName{"nanosec", ns},
+    UnitName{"nanosecond", ns},
+    UnitName{"nanoseconds", ns},
+    UnitName{"minutes", minutes},
+    UnitName{"hours", hours},
+    UnitName{"hrs", hours},
+    UnitName{"days", days},
+    UnitName{"frames", frames},
+    UnitName{"ticks", {}},
+};
+
+/// Units that are also words of other meanings.
+constexpr std::array short_unit_names{UnitName{"m", {}},    UnitName{"min", minutes}, UnitName{"mins", minutes},
+                                      UnitName{"h", hours}, UnitName{"hr", hours},    UnitName{"d", days}};
+
+/// Names of times that count frames, in the same form as the names of times.
+constexpr std::array frame_names{"frame",   "frames",   "frameno",    "framenr",    "framenum", "framenumber",
+                                 "frameid", "frameidx", "frameindex", "framecount", "keyframe", "keyframes"};
+
+/// Names of arrays and objects that hold names_of_positions, in the same form.
+constexpr std::array names_of_positions{"position", "positions", "pos",    "translation", "translate",  "location",
+                                        "loc",      "point",     "coords", "coord",       "coordinate", "coordinates",
+                                        "xyz",      "xy",        "p",      "vec",         "vector",     "value",
+                                        "values",   "transform", "pose"};
+
+/// Names of columns that distinguish curves, in the same form.
+constexpr std::array label_names{"id",         "name",   "group",    "curve",   "track",  "object", "series",
+                                 "trajectory", "traj",   "node",     "bone",    "joint",  "agent",  "marker",
+                                 "channel",    "target", "particle", "vehicle", "actor",  "label",  "class",
+                                 "key",        "no",     "nr",       "index",   "number", "sensor"};
+
+/// Names of coordinate_names, in the same form. A column with one of them is never taken for a time.
+constexpr std::array coordinate_names{
+    "x",   "y",     "z",         "w",        "px",      "py",       "pz",     "tx",        "ty",   "tz",
+    "rx",  "ry",    "rz",        "sx",       "sy",      "sz",       "qx",     "qy",        "qz",   "qw",
+    "vx",  "vy",    "vz",        "dx",       "dy",      "dz",       "cx",     "cy",        "cz",   "ex",
+    "ey",  "ez",    "r",         "g",        "b",       "a",        "lat",    "lon",       "lng",  "latitude",
+    "alt", "long",  "longitude", "altitude", "easting", "northing", "height", "elevation", "roll", "pitch",
+    "yaw", "value", "position",  "left",     "right",   "top",      "bottom", "width",
+};
+
+/// A name in lower case without blanks, "_", "-", ".", and a mark of comments.
+std::string compact(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    if (std::string_view(" \t_-.%#()[]").find(c) == std::string_view::npos) text += lower(c);
+  }
+  return text;
+}
+
+template <std::size_t size>
+bool has(const std::array<const char*, size>& names, std::string_view name) {
+  return std::ranges::any_of(names, [&](std::string_view known) { return known == name; });
+}
+
+template <std::size_t size>
+const UnitName* find_unit(const std::array<UnitName, size>& names, std::string_view name) {
+  const auto found = std::ranges::find_if(names, [&](const UnitName& known) { return known.name == name; });
+  return found == names.end() ? nullptr : &*found;
+}
+
+/// The unit at the end of a name such as "timems"; null where that is no name of a time with a unit.
+const UnitName* unit_at_end(std::string_view name) {
+  for (const std::string_view known : time_names) {
+    if (!name.starts_with(known)) continue;
+    const std::string_view text = name.substr(known.size());
+    if (const UnitName* const unit = find_unit(unit_names, text)) return unit;
+    const UnitName* const short_unit = known.size() > 1 ? find_unit(short_unit_names, text) : nullptr;
+    if (short_unit != nullptr) return short_unit;
+  }
+  return nullptr;
+}
+
+/// Whether a name is that of a time, or of a time and its unit, such as "timems".
+bool is_time(std::string_view name) {
+  const bool is_unit = name.size() > 2 && name != "second" && find_unit(unit_names, name) != nullptr;
+  return has(time_names, name) || is_unit || name == "ms" || name == "ns" || unit_at_end(name) != nullptr;
+}
+
+}  // namespace
+
+std::string_view role_name(Role role) { return role_names[static_cast<std::size_t>(role) - 1].name; }
+
+std::optional<Role> find_role(std::string_view name) {
+  const auto known = std::ranges::find(role_names, name, &RoleName::name);
+  return known == role_names.end() ? std::nullopt : std::optional(known->role);
+}
+
+Role role_of_name(std::string_view name) {
+  const auto role_of = [](std::string_view written) {
+    const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
+      return known.in_header && (known.any_case ? same_in_any_case(written, known.name) : written == known.name);
+    });
+    return row == role_names.end() ? Role::position : row->role;
+  };
+  const std::string_view alone = without_unit(name);
+  return alone.size() < name.size() && role_of(alone) == Role::time ? Role::time : role_of(name);
+}
+
+std::optional<Role> near_role(std::string_view name) {
+  if (role_of_name(name) != Role::position) return std::nullopt;
+  const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
+    const bool counts = known.any_case && known.in_header && known.role != Role::position;
+    return counts && is_near(without_unit(name), known.name);
+  });
+  return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
+}
+
+bool is_usual_time(std::string_view name) {
+  const std::string_view alone = without_unit(name);
+  // T by itself is tension.
+  if (alone == "T") return find_unit(unit_names, compact(name.substr(alone.size()))) != nullptr;
+  const std::size_t path = alone.find_last_of("./");  // as in header.stamp
+  const std::string last = compact(path == std::string_view::npos ? alone : alone.substr(path + 1));
+  return is_time(compact(alone)) || is_time(last);
+}
+
+std::optional<TimeUnit> unit_of_time(std::string_view name) {
+  const std::string_view alone = without_unit(name);
+  const std::string whole = compact(name);
+  const std::size_t separator = name.find_last_of("_-. ");
+  const UnitName* found = nullptr;
+  if (alone.size() < name.size()) {  // in brackets
+    const std::string unit = compact(name.substr(alone.size()));
+    found = find_unit(unit_names, unit);
+    if (found == nullptr) found = find_unit(short_unit_names, unit);
+  } else if (has(frame_names, whole)) {
+    return TimeUnit::frames;
+  } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s
+    found = find_unit(unit_names, compact(name.substr(separator)));
+  } else if (whole.size() > 1) {
+    found = find_unit(unit_names, whole);
+  }
+  if (found == nullptr && !has(time_names, whole)) found = unit_at_end(whole);
+  return found == nullptr ? std::nullopt : found->unit;
+}
+
+bool is_usual_position(std::string_view name) { return has(names_of_positions, compact(name)); }
+
+bool is_usual_label(std::string_view name) {
+  const std::string text = compact(name);
+  return has(label_names, text) || text.ends_with("id");
+}
+
+bool is_coordinate(std::string_view name) {
+  const std::string whole = compact(without_unit(name));
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string_view text = whole;
+  while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
+  const bool numbered = text.size() < whole.size() && text.size() <= 3;  // as in p1
+  const std::size_t separator = name.find_last_of("_-. ");
+  const bool last = separator != std::string_view::npos && has(coordinate_names, compact(name.substr(separator)));
+  const std::size_t first = name.find_first_of("_-. ");
+  return has(coordinate_names, text) || numbered || last ||
+         (first == 1 && has(coordinate_names, compact(name.substr(0, first))));
+}
+
+std::vector<std::string> default_channel_names(std::size_t channels) {
+  if (channels <= 3) {
+    const std::vector<std::string> names{"x", "y", "z"};
+    return {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(channels)};
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= channels; ++i) names.push_back(fmt::format("p{}", i));
+  return names;
+}
+
+}  // namespace tcb

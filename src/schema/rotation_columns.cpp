@@ -1,0 +1,253 @@
+// Rotation columns: which columns of an input make rotations and angles, their channels, and the cells that show them.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "schema/columns.hpp"
+#include "schema/input.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+/// The number that a text consists of; nothing for others.
+std::optional<std::size_t> column_number(const std::string& text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+/// The index of a channel of keys as they are read: by its name, in any case if none has it exactly, or else by the
+/// number of its column.
+std::size_t requested_channel(const std::string& name, const Input& input, Option option) {
+  const std::vector<std::string>& channels = input.read_channels;
+  const auto exact = std::ranges::find(channels, name);
+  const auto found = exact != channels.end() ? exact : std::ranges::find_if(channels, [&](const std::string& channel) {
+    return same_in_any_case(channel, name);
+  });
+  if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
+  const auto number = column_number(name);
+  const auto column = number ? std::ranges::find(input.read_columns, *number) : input.read_columns.end();
+  if (column != input.read_columns.end()) return static_cast<std::size_t>(column - input.read_columns.begin());
+  if (number && *number >= 1 && *number <= input.column_count) {
+    std::vector<std::string> others;
+    for (const std::size_t other : input.read_columns) others.push_back(std::to_string(other));
+    throw Error(Exit::data, ErrorCode::column_without_channel, {name, others}).about(option);
+  }
+  if (number && !input.named) {
+    throw Error(Exit::data, ErrorCode::no_such_column_number, {name, std::uint64_t{input.column_count}}).about(option);
+  }
+  throw Error(Exit::data, ErrorCode::no_such_column, {name, channels}).about(option);
+}
+
+/// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, after a "q".
+std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::string>& channels) {
+  constexpr std::string_view letters = "xyzw";
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::map<std::string, spline::RotationChannels> found;  // by the names without that letter
+  for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+    const std::string name = in_lower_case(channels[channel]);
+    for (std::size_t at = name.find('q'); at != std::string::npos && ++at < name.size();) {
+      const std::size_t letter = letters.find(name[at]);
+      if (letter == std::string_view::npos) continue;
+      std::string others = name;
+      others[at] = '*';
+      auto& rotation = found.try_emplace(others, spline::RotationChannels{none, none, none, none}).first->second;
+      rotation[letter] = channel;
+    }
+  }
+  std::vector<spline::RotationChannels> rotations;
+  for (const auto& [name, rotation] : found) {
+    const auto missing = std::ranges::count(rotation, none);
+    if (missing == 0) rotations.push_back(rotation);
+    const bool is_quaternion = name[0] == 'q' && (name[1] == '*' || name[1] == '_' || name[1] == '.');
+    if (missing != 1 || !is_quaternion) continue;
+    std::vector<std::string> others;
+    for (const std::size_t channel : rotation) {
+      if (channel != none) others.push_back(channels[channel]);
+    }
+    std::string lacking = name;
+    lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
+    throw Error(Exit::data, ErrorCode::rotation_column_missing, {lacking, others}).about(Option::rotation);
+  }
+  std::ranges::sort(rotations, {}, [](const spline::RotationChannels& rotation) { return std::ranges::min(rotation); });
+  return rotations;
+}
+
+/// The names of the numbers of a rotation, where its columns give none; `number` follows where it is not empty.
+std::vector<std::string> names_in(const spline::RotationNotation& notation, const std::string& number) {
+  std::vector<std::string> names;
+  switch (notation.form) {
+    case spline::RotationForm::quaternion: names = {"qx", "qy", "qz", "qw"}; break;
+    case spline::RotationForm::axis_angle: names = {"ax", "ay", "az", "angle"}; break;
+    case spline::RotationForm::matrix: names = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}; break;
+    case spline::RotationForm::euler:
+      for (std::size_t i = 0; i < notation.axes.size(); ++i) {
+        const bool is_named = notation.axes[0] != notation.axes[2];
+        names.push_back(std::string("r") + (is_named ? "xyz"[notation.axes[i]] : "123"[i]));
+      }
+  }
+  for (std::string& name : names) name += number;
+  return names;
+}
+
+/// The rotation whose numbers a channel of keys as they are read is one of; the number of rotations if it is none.
+std::size_t rotation_with(const std::vector<GivenRotation>& rotations, std::size_t channel) {
+  const auto has = [channel](const GivenRotation& given) { return std::ranges::count(given.channels, channel) > 0; };
+  return static_cast<std::size_t>(std::ranges::find_if(rotations, has) - rotations.begin());
+}
+
+/// Throws: Error (data) where a column is in two rotations or angles.
+void require_own_columns(const Input& input) {
+  std::vector<bool> taken(input.read_channels.size());
+  const auto take = [&](std::size_t channel, Option option) {
+    if (taken[channel])
+      throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.read_channels[channel]}).about(option);
+    taken[channel] = true;
+  };
+  for (const spline::AngleChannel& angle : input.angles) take(angle.channel, Option::angle);
+  for (const GivenRotation& given : input.given_rotations) {
+    for (const std::size_t channel : given.channels) take(channel, Option::rotation);
+  }
+}
+
+/// Adds the channels of a quaternion in place of the columns of another form. They are named after these.
+void add_quaternion(Input& input, const GivenRotation& given, spline::RotationColumns& rotation) {
+  for (std::size_t i = 0; i < rotation.channels.size(); ++i) {
+    rotation.channels[i] = input.channels.size();
+    input.channels.push_back(i < given.columns.size() ? given.columns[i] : "rotation of " + given.columns[0]);
+    input.channel_sources.push_back(given.channels[0]);
+  }
+}
+
+/// Sets the channels of keys with quaternions.
+void set_channels(Input& input) {
+  input.channels.clear();
+  std::vector<std::size_t> now(input.read_channels.size());  // the channel of each that is read
+  for (std::size_t read = 0; read < now.size(); ++read) {
+    now[read] = input.channels.size();
+    const std::size_t index = rotation_with(input.given_rotations, read);
+    const bool is_plain = index == input.rotations.size() ||
+                          input.given_rotations[index].notation.form == spline::RotationForm::quaternion;
+    if (is_plain) {
+      input.channels.push_back(input.read_channels[read]);
+      input.channel_sources.push_back(read);
+    } else if (read == std::ranges::min(input.given_rotations[index].channels)) {
+      add_quaternion(input, input.given_rotations[index], input.rotations[index]);
+    }
+  }
+  if (rotation_with(input.given_rotations, 0) < input.rotations.size()) input.may_be_timed = false;
+  for (spline::AngleChannel& angle : input.angles) angle.channel = now[angle.channel];
+  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
+    const GivenRotation& given = input.given_rotations[i];
+    if (given.notation.form != spline::RotationForm::quaternion) continue;
+    std::ranges::transform(given.channels, input.rotations[i].channels.begin(), [&](std::size_t j) { return now[j]; });
+  }
+}
+
+/// Sets where rows show the numbers of rotations: in the columns that give them, or another form in place of the first.
+void set_places(Input& input) {
+  std::size_t next = 0;
+  for (std::size_t read = 0; read < input.read_channels.size(); ++read) {
+    const std::size_t index = rotation_with(input.given_rotations, read);
+    if (index == input.rotations.size()) {
+      ++next;
+      continue;
+    }
+    const GivenRotation& given = input.given_rotations[index];
+    spline::RotationColumns& rotation = input.rotations[index];
+    const auto number = static_cast<std::size_t>(std::ranges::find(given.channels, read) - given.channels.begin());
+    if (rotation.shown == given.notation) {
+      rotation.places[number] = next++;
+    } else if (read == std::ranges::min(given.channels)) {
+      for (std::size_t i = 0; i < rotation.shown.numbers(); ++i) rotation.places[i] = next++;
+    }
+  }
+}
+
+/// Sets the form in which rows show a rotation, and the names of its numbers: those of the columns if it is the given
+/// one.
+void show_rotation(Input& input, std::size_t index, const spline::RotationNotation& shown) {
+  const GivenRotation& given = input.given_rotations[index];
+  const std::string number = input.rotations.size() == 1 ? "" : "_" + std::to_string(index + 1);
+  std::vector<std::string> names = shown == given.notation ? given.columns : names_in(shown, number);
+  input.rotations[index].shown = shown;
+  if (shown.form == spline::RotationForm::quaternion) {
+    for (std::size_t i = 0; i < names.size(); ++i) input.channels[input.rotations[index].channels[i]] = names[i];
+  } else {
+    input.rotation_names[index] = std::move(names);
+  }
+}
+
+/// Adds a rotation with channels of keys as they are read.
+void add_rotation(Input& input, GivenRotation given) {
+  spline::RotationColumns& rotation = input.rotations.emplace_back();
+  const auto is_relative = std::ranges::count(input.given_rotations, true, &GivenRotation::relative);
+  if (given.relative) rotation.turn = static_cast<std::size_t>(is_relative);
+  given.columns.clear();
+  for (const std::size_t channel : given.channels) given.columns.push_back(input.read_channels[channel]);
+  input.given_rotations.push_back(std::move(given));
+}
+
+}  // namespace
+
+std::optional<spline::RotationForm> likely_rotation(std::span<const double> record) {
+  constexpr double tolerance = 1e-3;
+  const auto product = [&](std::size_t a, std::size_t b, std::size_t count) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += record[a + i] * record[b + i];
+    return sum;
+  };
+  const auto is_unit = [&](std::size_t first, std::size_t count) {
+    return std::abs(std::sqrt(product(first, first, count)) - 1) <= tolerance;
+  };
+  if (record.size() == 8 && is_unit(4, 4)) return spline::RotationForm::quaternion;
+  if (record.size() != 12) return std::nullopt;
+  for (std::size_t row = 0; row < 12; row += 4) {
+    if (!is_unit(row, 3) || !(std::abs(product(row, (row + 4) % 12, 3)) <= tolerance)) return std::nullopt;
+  }
+  return spline::RotationForm::matrix;
+}
+
+void set_rotations(Input& input, const RotationOptions& options) {
+  input.normalize = options.normalize;
+  for (const NamedAngle& angle : options.angles) {
+    input.angles.push_back({requested_channel(angle.channel, input, Option::angle), angle.degrees});
+  }
+  if (options.requests.empty() && !options.none) {
+    for (const spline::RotationChannels& channels : rotations_by_name(input.read_channels)) {
+      add_rotation(input, {{}, false, {}, {channels.begin(), channels.end()}});
+    }
+  }
+  for (GivenRotation request : options.requests) {
+    request.notation.degrees = options.degrees;
+    for (const std::string& column : request.columns) {
+      request.channels.push_back(requested_channel(column, input, Option::rotation));
+    }
+    add_rotation(input, std::move(request));
+  }
+  require_own_columns(input);
+  if (options.shown && input.rotations.empty()) {
+    const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
+    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(form->name)}).about(Option::rotation_output);
+  }
+  set_channels(input);
+  input.rotation_names.resize(input.rotations.size());
+  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
+    const spline::RotationNotation& given = input.given_rotations[i].notation;
+    spline::RotationNotation shown = options.as_curves ? spline::RotationNotation{} : options.shown.value_or(given);
+    shown.degrees = options.degrees;
+    if (shown.form != spline::RotationForm::quaternion || given.form != spline::RotationForm::quaternion) {
+      show_rotation(input, i, shown);
+    }
+  }
+  set_places(input);
+}
+
+}  // namespace tcb

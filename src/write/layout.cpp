@@ -1,0 +1,270 @@
+// Layouts: the texts around cells and rows, the frame around curves, and the loop that prints rows.
+#include "write/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "error.hpp"
+#include "numbers/print_number.hpp"
+#include "schema/key_block.hpp"
+
+namespace tcb {
+
+namespace {
+
+template <char delimiter>
+Layout delimited_rows(const std::vector<OutputColumn>& columns, bool header) {
+  return delimited_layout(columns, delimiter, header);
+}
+
+Layout json_rows(const std::vector<OutputColumn>& columns, bool) { return json_layout(columns); }
+Layout jsonl_rows(const std::vector<OutputColumn>& columns, bool) { return jsonl_layout(columns); }
+Layout npy_rows(const std::vector<OutputColumn>& columns, bool) { return npy_layout(columns); }
+
+std::string csv_text(std::string_view text) { return delimited_text(content(text), ','); }
+std::string tsv_text(std::string_view text) { return delimited_text(content(text), '\t'); }
+std::string ssv_text(std::string_view text) { return text.empty() ? "NA" : delimited_text(content(text), ' '); }
+
+std::string json_cell(std::string_view text) {
+  if (text.empty()) return "null";
+  return is_string(text) ? json_text(content(text)) : std::string(text);
+}
+
+/// In the order of FormatId.
+constexpr std::array<OutputFormat, formats.size()> output_formats{{
+    {delimited_rows<','>, csv_text, "\n"},
+    {delimited_rows<'\t'>, tsv_text, "\n"},
+    {delimited_rows<' '>, ssv_text, "\n"},
+    {json_rows, json_cell, "null"},
+    {jsonl_rows, json_cell, "null\n"},
+    {npy_rows, nullptr, "", npy_head},
+    {},  // a picture has no rows
+}};
+
+}  // namespace
+
+const OutputFormat& output_format(FormatId format) { return output_formats[static_cast<std::size_t>(format)]; }
+
+std::string npy_head(std::size_t columns, std::uint64_t rows) {
+  constexpr std::size_t size = 128;  // a multiple of 64, as the format requires
+  constexpr std::string_view magic("\x93NUMPY\x01\x00", 8);
+  constexpr char remaining = size - magic.size() - 2;
+  std::string head(magic);
+  head += {remaining, '\0'};
+  head += fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
+  head.resize(size - 1, ' ');
+  return head + '\n';
+}
+
+Layout npy_layout(const std::vector<OutputColumn>& columns) {
+  Layout layout;
+  layout.head = npy_head(columns.size(), 0);
+  layout.before.resize(columns.size());
+  layout.notation.kind = Notation::Kind::bytes;
+  std::array<char, number_room> bytes{};
+  layout.empty = {bytes.data(), write_number(std::numeric_limits<double>::quiet_NaN(), layout.notation, bytes.data())};
+  return layout;
+}
+
+namespace {
+
+char* write_cell(char* out, CellKind kind, const Cell& cell) {
+  switch (kind) {
+    case CellKind::time:
+    case CellKind::duration: return write_time(cell, out);
+    case CellKind::real: return write_shortest(cell.hi, out);
+    case CellKind::whole: return write_whole(static_cast<std::uint64_t>(cell.hi), out);
+  }
+  return out;
+}
+
+char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& notation) {
+  if (notation.kind == Notation::Kind::shortest || (kind == CellKind::whole && notation.is_text())) {
+    return write_cell(out, kind, cell);
+  }
+  if (!notation.is_text() && cell.lo != 0) {
+    throw Error(Exit::data, ErrorCode::time_beyond_doubles, {time_text(cell)});
+  }
+  return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
+}
+
+char* write_text(char* out, std::string_view text) {
+  if (text.size() != 1) return std::copy(text.begin(), text.end(), out);
+  *out = text.front();  // usually a delimiter
+  return out + 1;
+}
+
+/// The length of the longest row.
+std::size_t longest_row(const Layout& layout) {
+  std::size_t length = layout.between_rows.size() + layout.row_end.size() + longest_time;
+  const std::size_t cell = std::max(longest_number_in(layout.notation), layout.empty.size());
+  for (const std::string& before : layout.before) length += before.size() + cell;
+  return length;
+}
+
+/// The texts before the members of an object.
+std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
+  std::vector<std::string> before;
+  before.reserve(columns.size());
+  for (const OutputColumn& column : columns) {
+    before.push_back((before.empty() ? "{" : ",") + json_text(column.name) + ":");
+  }
+  return before;
+}
+
+std::ptrdiff_t signed_size(std::size_t size) { return static_cast<std::ptrdiff_t>(size); }
+
+}  // namespace
+
+std::string delimited_text(std::string_view text, char delimiter) {
+  const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
+                     text.find(delimiter) == std::string_view::npos && !text.starts_with('#') &&
+                     !(delimiter == ' ' &&
+                       (text.empty() || text.starts_with('>') || text.find_first_of(" \t") != std::string_view::npos));
+  if (plain) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string json_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    quoted += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, bool first) {
+  const std::size_t begin = out.size();
+  const bool shortest = layout.notation.kind == Notation::Kind::shortest;
+  std::vector<std::pair<std::string_view, CellKind>> row;  // the text before each cell, and its kind
+  for (std::size_t i = 0; i < columns.size(); ++i) row.emplace_back(layout.before[i], columns[i].kind);
+  out.resize(begin + cells.size() / columns.size() * longest_row(layout) + spare_room);
+  char* at = out.data() + begin;
+  for (const Cell* cell = cells.data(); cell != cells.data() + cells.size();) {
+    if (cell != cells.data() || !first) at = write_text(at, layout.between_rows);
+    for (const auto& [before, kind] : row) {
+      at = write_text(at, before);
+      at = is_empty(*cell) ? write_text(at, layout.empty)
+           : shortest      ? write_cell(at, kind, *cell)
+                           : write_cell(at, kind, *cell, layout.notation);
+      ++cell;
+    }
+    at = write_text(at, layout.row_end);
+  }
+  out.resize(static_cast<std::size_t>(at - out.data()));
+}
+
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first) {
+  if (texts.empty()) return append_rows(out, layout, columns, cells, first);
+  std::string number(longest_number_in(layout.notation) + spare_room, '\0');
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t column = i % columns.size();
+    if (column == 0 && (i > 0 || !first)) out += layout.between_rows;
+    out += layout.before[column];
+    if (!texts[i].empty() || is_empty(cells[i])) {
+      out += is_empty(cells[i]) ? layout.empty : texts[i];
+    } else {
+      out.append(number.data(), write_cell(number.data(), columns[column].kind, cells[i], layout.notation));
+    }
+    if (column + 1 == columns.size()) out += layout.row_end;
+  }
+}
+
+Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header) {
+  Layout layout;
+  for (const OutputColumn& column : columns) {
+    layout.before.emplace_back(layout.before.empty() ? "" : std::string(1, delimiter));
+    if (header) layout.head += layout.before.back() + delimited_text(column.name, delimiter);
+  }
+  if (header) layout.head += '\n';
+  layout.row_end = "\n";
+  if (delimiter == ' ') layout.empty = "NA";  // between blanks, an empty text would not be a cell
+  return layout;
+}
+
+Layout json_layout(const std::vector<OutputColumn>& columns) {
+  return {"[\n", members(columns), "}", "null", ",\n", "\n]", "]", "\n"};
+}
+
+Layout jsonl_layout(const std::vector<OutputColumn>& columns) {
+  return {"", members(columns), "}\n", "null", "", "", "", ""};
+}
+
+std::vector<std::string> OutputColumns::names() const {
+  std::vector<std::string> all = groups;
+  std::ranges::transform(numbers, std::back_inserter(all), &OutputColumn::name);
+  all.insert(all.end(), labels.begin(), labels.end());
+  return all;
+}
+
+Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
+    : options_(options),
+      nested_(format_of(options.format).nests && !columns.groups.empty()),
+      groups_(columns.groups.size()),
+      numbers_(columns.numbers.size()) {
+  if (format_of(options.format).is_binary && groups_ + columns.labels.size() > 0) {
+    throw Error(
+        Exit::data, ErrorCode::text_in_binary_format,
+        {groups_ > 0 ? columns.groups.front() : columns.labels.front(), std::string(format_of(options.format).name)});
+  }
+  std::vector<OutputColumn> all;
+  for (const std::string& name : columns.names()) all.push_back({name});
+  const auto layout = output_format(options.format).layout;
+  all_ = layout(all, options.header);
+  head_ = nested_ ? "{\"curves\":[\n" : (options.has_member ? "{\"rows\":" : "") + all_.head;
+  rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, options.header) : all_;
+  const auto labels_begin = rows_.before.begin() + signed_size(numbers_ + (nested_ ? 0 : groups_));
+  rows_.before.assign(rows_.before.begin() + signed_size(nested_ ? 0 : groups_), labels_begin);
+  if (options.notation.kind != Notation::Kind::shortest) rows_.notation = options.notation;
+}
+
+std::string Frame::begin(std::span<const std::string> group, bool divided) {
+  const OutputFormat& format = output_format(options_.format);
+  const bool follows = std::exchange(any_curves_, true);
+  std::string cells;
+  for (std::size_t i = 0; i < group.size(); ++i) cells += all_.before[i] + format.text(group[i]);
+  if (nested_) {
+    std::string text = (follows ? end_curve() + ",\n" : "") + cells + ",\"rows\":" + all_.head;
+    any_rows_ = false;
+    return text;
+  }
+  rows_.before[0] = cells + all_.before[groups_];
+  if (!divided || !any_rows_) return "";
+  if (format.divider.empty()) {
+    throw Error(Exit::data, ErrorCode::several_curves_in_one_table, {std::string(format_of(options_.format).name)});
+  }
+  return all_.between_rows + std::string(format.divider);
+}
+
+std::string Frame::row_end(std::span<const std::string_view> labels) const {
+  const OutputFormat& format = output_format(options_.format);
+  std::string text;
+  for (std::size_t i = 0; i < labels.size(); ++i) text += all_.before[groups_ + numbers_ + i] + format.text(labels[i]);
+  return text + all_.row_end;
+}
+
+std::string Frame::counted_head(std::uint64_t bytes) const {
+  const auto head = output_format(options_.format).counted_head;
+  return head == nullptr ? "" : head(numbers_, bytes / (numbers_ * sizeof(double)));
+}
+
+std::string Frame::tail(std::string_view member) const {
+  std::string text = any_rows_ ? all_.tail : all_.no_rows;
+  if (nested_) text = any_curves_ ? end_curve() + "\n]" : "]";
+  if (options_.has_member) text += fmt::format(",\n{}", member);
+  if (nested_ || options_.has_member) text += '}';
+  return text + all_.end;
+}
+
+}  // namespace tcb

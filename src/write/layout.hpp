@@ -1,0 +1,134 @@
+// Layouts: the texts around cells and rows of each format, the frame around curves, and the loop that prints rows.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "numbers/print_number.hpp"
+#include "sample/fields.hpp"
+#include "schema/formats.hpp"
+
+namespace tcb {
+
+/// The texts around the cells of a table; `before` has one entry per column.
+struct Layout {
+  std::string head;
+  std::vector<std::string> before;
+  std::string row_end;
+  std::string empty;  ///< for a number that is not defined
+  std::string between_rows;
+  std::string tail;
+  std::string no_rows;     ///< instead of `tail` if there is no row
+  std::string end;         ///< of the whole output, after its last list of rows
+  Notation notation = {};  ///< of numbers that may have a fraction
+};
+
+/// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each.
+/// `first`: there is no row before these.
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, bool first);
+
+/// The same for cells of which some have their own texts, and the others empty ones.
+void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
+
+/// A text as a cell: in quotes if RFC 4180 requires them.
+std::string delimited_text(std::string_view text, char delimiter);
+
+/// A text as a JSON string.
+std::string json_text(std::string_view text);
+
+/// Rows of cells separated by a delimiter, below the names if there is a header.
+Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header);
+
+/// An array of objects, one per line.
+Layout json_layout(const std::vector<OutputColumn>& columns);
+
+/// An object per line.
+Layout jsonl_layout(const std::vector<OutputColumn>& columns);
+
+/// The functions that write a format.
+struct OutputFormat {
+  Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
+  std::string (*text)(std::string_view text);  ///< a cell from a text as in texts.hpp; null: cells are numbers only
+  std::string_view divider;                    ///< the line between two curves of the same group; empty: impossible
+  /// The head with the number of rows, written in place of the layout's head of the same size; null: not needed.
+  std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;
+};
+
+/// Requires: the format can be written, and is no picture.
+const OutputFormat& output_format(FormatId format);
+
+/// The head of a NumPy file of doubles, rows x columns in C order. Promises: the size is the same for all numbers.
+/// Source: NumPy, "numpy.lib.format", version 1.0 of the format.
+std::string npy_head(std::size_t columns, std::uint64_t rows);
+
+/// Rows of doubles, the lowest byte first, after such a head with 0 rows.
+Layout npy_layout(const std::vector<OutputColumn>& columns);
+
+/// The columns of an output: texts that identify curves, numbers, and labels.
+struct OutputColumns {
+  std::vector<std::string> groups;
+  std::vector<OutputColumn> numbers;
+  std::vector<std::string> labels;
+
+  /// The names of all of them, in order.
+  std::vector<std::string> names() const;
+};
+
+/// The options of a frame besides the columns.
+struct FrameOptions {
+  FormatId format = FormatId::csv;
+  bool header = true;
+  Notation notation = {};
+  bool has_member = false;  ///< in JSON: the output is an object, with another member after the rows
+};
+
+/// Everything around the numbers of the rows. The group of a curve is in cells of each of its rows, or in JSON in an
+/// object around its rows. Curves of the same group are divided by a line without a row: empty, or null in JSON.
+class Frame {
+ public:
+  Frame() = default;
+  /// Throws: Error (data) for texts in a format of numbers only.
+  Frame(const OutputColumns& columns, const FrameOptions& options);
+
+  /// The text before all rows.
+  const std::string& head() const { return head_; }
+
+  /// The text that replaces the head once all rows, of so many bytes, are written; empty: none.
+  std::string counted_head(std::uint64_t bytes) const;
+
+  /// The text before the next curve's rows. `divided`: the previous curve has the same group.
+  /// Throws: Error (data) if the format cannot divide curves.
+  std::string begin(std::span<const std::string> group, bool divided);
+
+  /// The layout of rows of the current curve, without their labels.
+  const Layout& layout() const { return rows_; }
+
+  /// The text after a row with these labels, each a text as in texts.hpp.
+  std::string row_end(std::span<const std::string_view> labels) const;
+
+  /// Whether the current list has no row yet.
+  bool is_first() const { return !any_rows_; }
+  void set_written() { any_rows_ = true; }
+
+  /// The text after all rows. `member`: the other member, if there is one.
+  std::string tail(std::string_view member = {}) const;
+
+ private:
+  std::string end_curve() const { return (any_rows_ ? rows_.tail : rows_.no_rows) + "}"; }
+
+  FrameOptions options_;
+  bool nested_ = false;  ///< each curve is an object with its rows
+  Layout all_;           ///< with the texts of all columns before their cells
+  Layout rows_;          ///< as append_rows takes it
+  std::size_t groups_ = 0, numbers_ = 0;
+  std::string head_;
+  bool any_curves_ = false, any_rows_ = false;
+};
+
+}  // namespace tcb

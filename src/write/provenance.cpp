@@ -1,0 +1,236 @@
+// Provenance: how an output was made, in comment lines or in a JSON object, written and read; its recorder.
+#include "write/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <string_view>
+
+#include "error.hpp"
+#include "io/input_file.hpp"
+#include "read/json/json_input.hpp"
+#include "text/utf8.hpp"
+#include "write/layout.hpp"
+
+namespace tcb {
+namespace {
+
+std::string line(std::string_view name, const std::string& value) {
+  return fmt::format("# {}: {}\n", name, in_one_line(value));
+}
+
+std::string member(std::string_view name, std::string_view value) {
+  return fmt::format("{}:{}", json_text(name), json_text(value));
+}
+
+/// The results of an input, if there are any.
+Facts results_of(const Provenance& provenance, std::size_t input) {
+  return input < provenance.results.size() ? provenance.results[input] : Facts{};
+}
+
+/// The member "meta" of a JSON object.
+std::string json_member(const Provenance& provenance) {
+  std::string out = "\"meta\":{" + member("program", provenance.program), options, inputs;
+  for (const auto& [name, value] : provenance.rules) out += "," + member(name, value);
+  for (const std::string& option : provenance.options) options += (options.empty() ? "" : ",") + json_text(option);
+  for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
+    const auto& [name, digest] = provenance.inputs[i];
+    inputs += fmt::format("{}{{{},{}", inputs.empty() ? "" : ",", member("name", name), member("sha256", digest));
+    for (const auto& [result, value] : results_of(provenance, i)) inputs += "," + member(result, value);
+    inputs += "}";
+  }
+  return out + fmt::format(",\"options\":[{}],\"inputs\":[{}],\"curves\":{},\"keys\":{},\"rows\":{}}}", options, inputs,
+                           provenance.curves, provenance.keys, provenance.rows);
+}
+
+/// The value of a comment line with this name.
+std::optional<std::string> value_of(std::string_view line, std::string_view name) {
+  const std::string begin = fmt::format("# {}: ", name);
+  if (!line.starts_with(begin)) return std::nullopt;
+  return std::string(line.substr(begin.size()));
+}
+
+void read_line(Provenance& provenance, std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  constexpr std::string_view program = "# tcbsample ";
+  if (line.starts_with(program) && provenance.program.empty()) provenance.program = line.substr(2);
+  if (auto option = value_of(line, "option")) provenance.options.push_back(std::move(*option));
+  if (auto name = value_of(line, "input")) provenance.inputs.emplace_back(std::move(*name), "");
+  if (auto digest = value_of(line, "sha256"); digest && !provenance.inputs.empty()) {
+    provenance.inputs.back().second = *digest;
+  }
+}
+
+/// Reads the comments among the complete lines of a text, and leaves the last, incomplete line.
+void read_lines(Provenance& provenance, std::string& text) {
+  std::string_view left = text;
+  for (std::size_t end = left.find('\n'); end != std::string_view::npos; end = left.find('\n')) {
+    if (left.starts_with('#')) read_line(provenance, left.substr(0, end));
+    left.remove_prefix(end + 1);
+  }
+  text.erase(0, text.size() - left.size());
+}
+
+}  // namespace
+
+std::string text_before_rows(const Provenance& provenance, FormatId format) {
+  if (!format_of(format).has_header) return "";
+  std::string out = fmt::format("# {}\n", provenance.program);
+  for (const auto& [name, value] : provenance.rules) out += line(name, value);
+  for (const std::string& option : provenance.options) out += line("option", option);
+  return out + "#\n";  // so that the comment directly above a row is empty, and not taken for a header
+}
+
+std::string text_after_rows(const Provenance& provenance, FormatId format) {
+  if (format_of(format).nests) return json_member(provenance);
+  if (!format_of(format).has_header) return "{" + json_member(provenance) + "}\n";
+  std::string out;
+  for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
+    out += line("input", provenance.inputs[i].first) + line("sha256", provenance.inputs[i].second);
+    for (const auto& [name, value] : results_of(provenance, i)) out += line(name, value);
+  }
+  for (const auto& [name, count] : {std::pair{"curves", provenance.curves}, std::pair{"keys", provenance.keys},
+                                    std::pair{"rows", provenance.rows}}) {
+    out += line(name, fmt::format("{}", count));
+  }
+  return out;
+}
+
+Provenance read_meta(const Source<std::string>& bytes) {
+  Provenance provenance;
+  std::string text;  // all of JSON; of lines the last one
+  bool json = false;
+  for (bool first = true; const std::optional<std::string> more = bytes(); first = false) {
+    text += *more;
+    if (first) json = text.starts_with('{') || text.starts_with('[');
+    if (!json) read_lines(provenance, text);
+  }
+  text += '\n';
+  if (json) {
+    JsonProvenance found = read_json_provenance(text);
+    provenance.program = std::move(found.program);
+    provenance.options = std::move(found.options);
+    provenance.inputs = std::move(found.inputs);
+  } else {
+    read_lines(provenance, text);
+  }
+  if (provenance.program.empty() || provenance.inputs.empty()) throw Error(Exit::data, ErrorCode::no_provenance);
+  return provenance;
+}
+
+/// The checksum and counts so far, and the current sources.
+struct ProvenanceRecorder::Tally {
+  Provenance provenance;
+  Sha256 sha256;
+  Source<std::string> bytes;  ///< of the current input
+  Source<KeyBlock> keys;      ///< of the current curve
+};
+
+namespace {
+
+/// All bytes, read ahead. Throws: Error (data) if they have another SHA-256.
+Source<std::string> verified(const Source<std::string>& bytes, const std::string& expected, const std::string& from) {
+  std::deque<std::string> parts;
+  Sha256 sha256;
+  while (std::optional<std::string> more = bytes()) {
+    sha256.add(*more);
+    parts.push_back(std::move(*more));
+  }
+  if (std::string digest = sha256.digest(); digest != expected) {
+    throw Error(Exit::data, ErrorCode::other_checksum, {std::move(digest), expected, from});
+  }
+  return [parts = std::move(parts)]() mutable -> std::optional<std::string> {
+    if (parts.empty()) return std::nullopt;
+    std::string next = std::move(parts.front());
+    parts.pop_front();
+    return next;
+  };
+}
+
+Error other_number_of_inputs(ErrorCode code, const ProvenanceRequest& request) {
+  return {Exit::usage, code, {request.from, std::uint64_t{request.earlier.inputs.size()}}};
+}
+
+}  // namespace
+
+ProvenanceRecorder::ProvenanceRecorder(const std::optional<ProvenanceRequest>& request)
+    : request_(request), tally_(request ? std::make_shared<Tally>() : nullptr) {
+  if (tally_ != nullptr) tally_->provenance = request->meta;
+}
+
+Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& name, Source<std::string> bytes) {
+  if (tally_ == nullptr) return bytes;
+  auto& inputs = tally_->provenance.inputs;
+  const auto& earlier = request_->earlier.inputs;
+  if (!earlier.empty()) {
+    if (inputs.size() == earlier.size()) throw other_number_of_inputs(ErrorCode::made_from_fewer_inputs, *request_);
+    const auto& [first_name, digest] = earlier[inputs.size()];
+    bytes = verified(bytes, digest, request_->from);
+    inputs.emplace_back(first_name, "");  // the file may have another name now
+  } else {
+    inputs.emplace_back(name, "");
+  }
+  tally_->bytes = mapped(std::move(bytes), [tally = tally_.get()](std::string part) {
+    tally->sha256.add(part);
+    return part;
+  });
+  return [tally = tally_.get()] { return tally->bytes(); };
+}
+
+Source<KeyBlock> ProvenanceRecorder::observe_keys(Source<KeyBlock> keys) {
+  if (tally_ == nullptr) return keys;
+  ++tally_->provenance.curves;
+  tally_->keys = mapped(std::move(keys), [tally = tally_.get()](KeyBlock block) {
+    tally->provenance.keys += block.size();
+    return block;
+  });
+  return [tally = tally_.get()] { return tally->keys(); };
+}
+
+Source<SampleBlock> ProvenanceRecorder::observe_rows(Source<SampleBlock> rows) {
+  if (tally_ == nullptr) return rows;
+  return mapped(std::move(rows), [tally = tally_.get()](SampleBlock block) {
+    tally->provenance.rows += block.rows();
+    return block;
+  });
+}
+
+void ProvenanceRecorder::count_rows(std::uint64_t rows) {
+  if (tally_ != nullptr) tally_->provenance.rows += rows;
+}
+
+void ProvenanceRecorder::set_rules(Facts rules) {
+  if (tally_ != nullptr) tally_->provenance.rules = std::move(rules);
+}
+
+void ProvenanceRecorder::set_results(Facts results) {
+  if (tally_ == nullptr) return;
+  tally_->provenance.results.resize(tally_->provenance.inputs.size());
+  tally_->provenance.results.back() = std::move(results);
+}
+
+void ProvenanceRecorder::end_curve() {
+  while (tally_ != nullptr && tally_->keys()) {
+  }
+}
+
+void ProvenanceRecorder::end_input() {
+  if (tally_ == nullptr) return;
+  while (tally_->bytes()) {
+  }
+  tally_->provenance.inputs.back().second = tally_->sha256.digest();
+}
+
+std::string ProvenanceRecorder::before_rows(FormatId format) const {
+  return tally_ == nullptr ? "" : text_before_rows(tally_->provenance, format);
+}
+
+std::string ProvenanceRecorder::after_rows(FormatId format) const {
+  if (tally_ == nullptr) return "";
+  if (tally_->provenance.inputs.size() < request_->earlier.inputs.size()) {
+    throw other_number_of_inputs(ErrorCode::made_from_more_inputs, *request_);
+  }
+  return text_after_rows(tally_->provenance, format);
+}
+
+}  // namespace tcb

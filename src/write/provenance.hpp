@@ -1,0 +1,81 @@
+// Provenance: how an output was made, in comment lines or in a JSON object, written and read; its recorder.
+//
+// Comment lines have what is known before the first row above the rows, and the checksums and counts below them.
+// JSON has all of it after the rows; JSON Lines has it in the last line.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sample/rows.hpp"
+#include "schema/formats.hpp"
+#include "schema/key_block.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// Names and values in words.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+struct Provenance {
+  std::string program;                                      ///< with its version
+  Facts rules;                                              ///< of the curve, in words
+  std::vector<std::string> options;                         ///< as given, each as one word
+  std::vector<std::pair<std::string, std::string>> inputs;  ///< names, and SHA-256 in hexadecimal digits
+  std::uint64_t curves = 0, keys = 0, rows = 0;
+  std::vector<Facts> results = {};  ///< of each input, in words; or none
+};
+
+/// The text of an output before its rows, and the one after them. In formats whose outputs nest, the text after the
+/// rows is a member of the object that has them.
+std::string text_before_rows(const Provenance& provenance, FormatId format);
+std::string text_after_rows(const Provenance& provenance, FormatId format);
+
+/// Program, options and inputs of an earlier output. Throws: Error (data) if it has no provenance.
+Provenance read_meta(const Source<std::string>& bytes);
+
+/// The requested provenance.
+struct ProvenanceRequest {
+  Provenance meta;     ///< program and options
+  Provenance earlier;  ///< that of the output to reproduce, if there is one
+  std::string from;    ///< the name of that output
+};
+
+/// Observes an input's bytes, keys and rows, and reads each to its end, so that the counts and checksums are complete.
+/// Without a request it does nothing. It outlives the sources that it returns.
+class ProvenanceRecorder {
+ public:
+  explicit ProvenanceRecorder(const std::optional<ProvenanceRequest>& request);
+
+  /// The bytes of the next input. Throws: Error, before the first byte, for an input other than that of the earlier
+  /// output, or one too many.
+  Source<std::string> observe_bytes(const std::string& name, Source<std::string> bytes);
+  /// The keys of the next curve.
+  Source<KeyBlock> observe_keys(Source<KeyBlock> keys);
+  Source<SampleBlock> observe_rows(Source<SampleBlock> rows);
+  /// Rows that no block has.
+  void count_rows(std::uint64_t rows);
+  void set_rules(Facts rules);
+  /// Of the current input, in words.
+  void set_results(Facts results);
+
+  /// Ends the current curve, or input.
+  void end_curve();
+  void end_input();
+
+  /// The two texts, or empty ones without a request.
+  std::string before_rows(FormatId format) const;
+  /// Throws: Error (usage) if there were fewer inputs than the earlier output has.
+  std::string after_rows(FormatId format) const;
+
+ private:
+  struct Tally;
+  const std::optional<ProvenanceRequest>& request_;
+  std::shared_ptr<Tally> tally_;
+};
+
+}  // namespace tcb

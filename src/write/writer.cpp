@@ -1,0 +1,209 @@
+// Writer: one output with its frames, rows and labels.
+#include "write/writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "error.hpp"
+#include "text/utf8.hpp"
+
+namespace tcb {
+
+namespace {
+
+/// The first `count` cells from `begin` on; none if there are none at all.
+template <class T>
+std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
+  if (cells.empty()) return {};
+  const auto first = cells.begin() + static_cast<std::ptrdiff_t>(begin);
+  return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// Throws: Error (data) where the name is another column's, or the file's is not UTF-8.
+void add_file_column(OutputColumns& columns, const std::string& name, const std::string& file) {
+  if (std::ranges::count(columns.names(), name) > 0) {
+    throw Error(Exit::data, ErrorCode::file_column_taken, {name});
+  }
+  const std::size_t invalid = find_invalid_utf8(file);
+  if (invalid != std::string::npos) {
+    throw Error(Exit::data, ErrorCode::name_not_utf8,
+                {fmt::format("{:02X}", static_cast<unsigned char>(file[invalid]))});
+  }
+  columns.groups.insert(columns.groups.begin(), name);
+}
+
+}  // namespace
+
+Source<KeyBlock> Labels::observe(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks) {
+  return mapped(std::move(blocks), [labels](KeyBlock block) {
+    if (!block.empty()) labels->add(block);
+    return block;
+  });
+}
+
+Source<LabelledBlock> Labels::attach(const std::shared_ptr<Labels>& labels, Source<SampleBlock> blocks, RowEnd row_end,
+                                     bool forget) {
+  return mapped(std::move(blocks), [labels, row_end = std::move(row_end), forget](SampleBlock samples) {
+    LabelledBlock labelled{std::move(samples), {}};
+    for (const SampleBlock::Part& part : labelled.samples.parts) {
+      const CurveSegment& segment = part.segment;
+      if (forget) labels->forget_before(segment.number);
+      // A single key is a segment without duration, and has no key at its end.
+      const bool is_single = segment.start == segment.end;
+      labelled.ends.emplace_back(row_end(labels->of(segment.number)),
+                                 row_end(labels->of(is_single ? segment.number : segment.end_key)));
+    }
+    return labelled;
+  });
+}
+
+void Labels::add(const KeyBlock& block) {
+  const std::uint64_t next = blocks_.empty() ? 0 : blocks_.back().first_key + blocks_.back().keys;
+  const std::size_t per_key = block.texts_per_key();
+  BlockLabels added{{}, next, block.size()};
+  for (std::size_t key = 0; key < block.size(); ++key) {
+    added.texts.append(block.texts, key * per_key + first_, (key + 1) * per_key);
+  }
+  blocks_.push_back(std::move(added));
+}
+
+std::vector<std::string_view> Labels::of(std::uint64_t key) const {
+  const auto after = std::ranges::upper_bound(blocks_, key, {}, &BlockLabels::first_key);
+  const BlockLabels& block = *std::prev(after);
+  const std::size_t per_key = block.texts.size() / block.keys;
+  std::vector<std::string_view> texts;
+  for (std::size_t i = 0; i < per_key; ++i) texts.push_back(block.texts[(key - block.first_key) * per_key + i]);
+  return texts;
+}
+
+void Labels::forget_before(std::uint64_t key) {
+  while (blocks_.size() > 2 && blocks_[2].first_key <= key) blocks_.erase(blocks_.begin() + 1);
+}
+
+std::string print_labelled(
+    const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
+    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print) {
+  std::vector<std::size_t> with_key(chosen.begin(), chosen.end());
+  with_key.push_back(field_of("key"));
+  std::string out;
+  bool first = block.samples.first;
+  for (std::size_t i = 0; i < block.samples.parts.size(); ++i) {
+    const SampleBlock::Part& part = block.samples.parts[i];
+    const Table table = evaluate({block.samples.owner, {part}, false}, with_key);
+    const std::size_t width = table.cells.size() / (part.last - part.first);
+    for (std::size_t row = 0; row < table.cells.size(); row += width) {
+      const Cell& key = table.cells[row + width - 1];
+      const bool at_end = !is_empty(key) && key.hi == static_cast<double>(part.segment.end_key) &&
+                          key.hi != static_cast<double>(part.segment.number);
+      print(out, {range(table.cells, row, width - 1), range(table.texts, row, width - 1)},
+            at_end ? block.ends[i].second : block.ends[i].first, first);
+      first = false;
+    }
+  }
+  return out;
+}
+
+void Writer::begin(const Input& input, bool live, Facts rules, const std::string& file) {
+  OutputColumns columns{input.groups, output_columns(options_.fields, input), input.carried};
+  if (options_.file_column) {
+    add_file_column(columns, *options_.file_column, file);
+    file_ = '"' + file;
+  }
+  if (columns_.numbers.empty()) {
+    const Format& format = format_of(options_.format);
+    columns_ = std::move(columns);
+    set_times(input);
+    frame_ = Frame(columns_, {format.id, options_.header.value_or(input.named), options_.notation,
+                              format.nests && options_.provenance.has_value()});
+    recorder_.set_rules(std::move(rules));
+    output_.write(recorder_.before_rows(format.id) + frame_.head());
+  } else if (columns.names() != columns_.names()) {
+    throw Error(Exit::data, ErrorCode::other_columns, {columns.names(), columns_.names()});
+  }
+  output_.set_live(live);
+}
+
+void Writer::begin_curve(std::vector<std::string> group) {
+  if (options_.file_column) group.insert(group.begin(), file_);
+  const std::string text = frame_.begin(group, group_ == group);
+  if (!text.empty()) output_.write(text);
+  group_ = std::move(group);
+}
+
+void Writer::set_times(const Input& input) {
+  const auto given = options_.time_notation;
+  if (!given) {
+    if (!format_of(options_.format).is_binary) notation_ = input.time_notation;
+    return;
+  }
+  if (input.time_unit == TimeUnit::frames) throw Error(Exit::data, ErrorCode::timecode_without_rate, {input.time});
+  if (input.time_unit) unit_ = Rational(1) / units_per_second(*input.time_unit);
+  const bool drops = given == TimeNotation::smpte && input.time_notation == TimeNotation::drop_frame;
+  notation_ = drops ? TimeNotation::drop_frame : *given;
+}
+
+std::vector<std::string> Writer::texts(const Table& table) const {
+  const bool is_number = notation_ == TimeNotation::seconds || notation_ == TimeNotation::frames;
+  if (notation_ == TimeNotation::seconds && unit_ == 1) return table.texts;
+  std::vector<std::string> texts = table.texts;
+  texts.resize(table.cells.size());
+  const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
+  const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
+  const bool in_quotes = format_of(options_.format).delimiter == '\0';
+  for (std::size_t i = 0; i < table.cells.size(); ++i) {
+    if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
+    const Rational seconds = exact_time(table.cells[i]) * unit_, rate = options_.frame_rate.value_or(1);
+    if (is_number) {
+      const Rational frames = Rational(table.cells[i].hi) * unit_ * rate;  // of the double, whose error is the smaller
+      texts[i] = time_text(nearest_time(notation_ == TimeNotation::frames ? frames : seconds));
+      continue;
+    }
+    const auto text = time_in_words(seconds, notation_, rate, decimals);
+    if (!text) {
+      const auto name = std::ranges::find(time_notations, notation_, &TimeNotationName::notation);
+      throw Error(Exit::data, ErrorCode::no_time_in_words,
+                  {time_text(table.cells[i]), std::string(name == time_notations.end() ? "smpte" : name->name)});
+    }
+    texts[i] = in_quotes ? json_text(*text) : *text;
+  }
+  return texts;
+}
+
+std::string Writer::print(const Table& table, bool first) const {
+  std::string text;
+  append_rows(text, frame_.layout(), columns_.numbers, table.cells, texts(table), first && frame_.is_first());
+  return text;
+}
+
+std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) const {
+  const auto print_row = [this, layout = frame_.layout()](std::string& out, const Table& row,
+                                                          const std::string& row_end, bool first) mutable {
+    layout.row_end = row_end;
+    append_rows(out, layout, columns_.numbers, row.cells, texts(row), first && frame_.is_first());
+  };
+  return print_labelled(block, evaluate, options_.fields, print_row);
+}
+
+void Writer::write(const Source<std::string>& rows) {
+  bool any = false;
+  while (const std::optional<std::string> text = rows()) {
+    output_.write(*text);
+    bytes_ += text->size();
+    any = any || !text->empty();
+  }
+  if (any) frame_.set_written();
+}
+
+void Writer::commit() {
+  const std::string provenance = recorder_.after_rows(options_.format);
+  const bool is_member = format_of(options_.format).nests;
+  output_.write(is_member ? frame_.tail(provenance) : frame_.tail() + provenance);
+  if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
+  output_.commit();
+}
+
+}  // namespace tcb

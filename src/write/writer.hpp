@@ -1,0 +1,134 @@
+// Writer: one output with its frames, rows and labels.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/atomic_output.hpp"
+#include "sample/rows.hpp"
+#include "schema/input.hpp"
+#include "schema/key_block.hpp"
+#include "stream/source.hpp"
+#include "write/layout.hpp"
+#include "write/provenance.hpp"
+
+namespace tcb {
+
+/// Samples with the texts after their rows.
+struct LabelledBlock {
+  SampleBlock samples;
+  /// Of each part: the text after a row on its segment, and after one at the segment's last key.
+  std::vector<std::pair<std::string, std::string>> ends;
+};
+
+/// The labels of a curve's keys, kept as long as rows may need them.
+class Labels {
+ public:
+  /// Makes the text after a row from its labels.
+  using RowEnd = std::function<std::string(std::span<const std::string_view> labels)>;
+
+  /// Of each key's texts those from number `first` on are labels.
+  explicit Labels(std::size_t first) : first_(first) {}
+
+  /// The same keys; their labels are stored.
+  static Source<KeyBlock> observe(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks);
+
+  /// The samples with the texts after their rows. `forget`: segments come in order, so that labels of earlier keys
+  /// are not needed again.
+  static Source<LabelledBlock> attach(const std::shared_ptr<Labels>& labels, Source<SampleBlock> blocks, RowEnd row_end,
+                                      bool forget);
+
+ private:
+  void add(const KeyBlock& block);
+  std::vector<std::string_view> of(std::uint64_t key) const;
+  /// Keeps the first keys, to which a closed curve returns.
+  void forget_before(std::uint64_t key);
+
+  struct BlockLabels {
+    Texts texts;
+    std::uint64_t first_key, keys;
+  };
+  std::size_t first_;
+  std::deque<BlockLabels> blocks_;
+};
+
+/// Prints the rows of a block one by one: `print` appends a row with the text after it to `out`.
+/// A pure function.
+std::string print_labelled(
+    const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
+    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print);
+
+/// The form of an output.
+struct WriterOptions {
+  FormatId format = FormatId::csv;
+  std::optional<bool> header;       ///< nothing: as the input has one
+  Notation notation;                ///< of numbers that may have a fraction
+  std::vector<std::size_t> fields;  ///< indices into fields()
+  std::optional<ProvenanceRequest> provenance;
+  std::optional<std::string> file_column = {};     ///< the name of a first column with that of the input's file
+  std::optional<TimeNotation> time_notation = {};  ///< nothing: that of the input
+  std::optional<Rational> frame_rate = {};         ///< of timecode and frames
+};
+
+/// One output of the rows of one file or of several.
+class Writer {
+ public:
+  /// Requires: the options outlive the writer.
+  Writer(const WriterOptions& options, std::string path)
+      : options_(options),
+        output_(std::move(path), format_of(options.format).is_binary),
+        recorder_(options.provenance) {}
+
+  /// The recorder of the output's provenance, to be attached to the sources of its rows.
+  ProvenanceRecorder& recorder() { return recorder_; }
+
+  /// Begins the rows of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
+  /// other columns than the rows before. `file` is for a column of files.
+  void begin(const Input& input, bool live, Facts rules, const std::string& file = {});
+
+  /// Begins the rows of the next curve of the file.
+  void begin_curve(std::vector<std::string> group);
+
+  /// The text of some rows. A pure function until the next begin_curve().
+  std::string print(const Table& table, bool first) const;
+
+  /// The same for rows with labels.
+  std::string print(const LabelledBlock& block, const Evaluate& evaluate) const;
+
+  std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }
+
+  /// Writes the rows of a curve.
+  void write(const Source<std::string>& rows);
+
+  /// Ends the output. Throws: Error (usage) if it cannot be completed.
+  void commit();
+
+ private:
+  /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
+  void set_times(const Input& input);
+
+  /// The cells of times as they are printed, where they are no seconds; the texts of other cells as they are.
+  /// Throws: Error (data) for a time that the notation does not have.
+  std::vector<std::string> texts(const Table& table) const;
+
+  const WriterOptions& options_;
+  Output output_;
+  OutputColumns columns_;
+  TimeNotation notation_ = TimeNotation::seconds;
+  Rational unit_ = 1;  ///< of the times, in seconds, where they are printed in another one
+  Frame frame_;
+  ProvenanceRecorder recorder_;
+  std::optional<std::vector<std::string>> group_;  ///< of the curve before
+  std::string file_;                               ///< the current one, as a text of a key
+  std::uint64_t bytes_ = 0;                        ///< of all rows
+};
+
+}  // namespace tcb

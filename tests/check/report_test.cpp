@@ -1,0 +1,133 @@
+// Reports: text and JSON of results that were made by hand, and the exit codes of comparisons.
+#include "check/report.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "comparing.hpp"
+
+namespace tcb {
+namespace {
+
+using spline::EndRule;
+using spline::TangentRule;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Words of a problem for tests: its first list of names.
+std::string first_names(const Error& problem) {
+  std::string text = "problem with";
+  for (const std::string& name : names_in(problem, 0)) text += " " + name;
+  return text;
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Check failed_check() {
+  Check check;
+  check.file = "rows \"1\".csv";
+  check.keys = "keys.csv";
+  check.ignored = {"note, extra", "b"};
+  check.problems = {{Exit::data, ErrorCode::missing_columns, {std::vector<std::string>{"y, z"}}}};
+  check.rows = 2;
+  check.values = 2;
+  check.mismatches = 2;
+  check.columns = {{"x", 2, {0.5, 0.25, 7}}};
+  check.first = Difference{1, 2, "x", 2.5, 2, {0.5, 0.25, 7}};
+  check.worst = Difference{2, 3, "x", nan, 1, distance(nan, 1)};
+  return check;
+}
+
+TEST(Report, of_a_check_has_a_line_for_each_fact) {
+  EXPECT_EQ(text(failed_check(), first_names),
+            "check: failed\n"
+            "file: rows \"1\".csv\n"
+            "keys: keys.csv\n"
+            "samples: at its times\n"
+            "rows: 2\n"
+            "values: 2\n"
+            "mismatches: 2\n"
+            "first: rows \"1\".csv:2: row 1, x: 2.5 instead of 2; abs 0.5, rel 0.25, ulp 7\n"
+            "worst: rows \"1\".csv:3: row 2, x: nothing instead of 1\n"
+            "column x: mismatches 2, largest abs 0.5, rel 0.25, ulp 7\n"
+            "problem: problem with y, z\n"
+            "not compared: note, extra, b\n");
+}
+
+TEST(Report, of_a_check_in_json_has_lists_and_nulls) {
+  const std::string report = json(failed_check(), first_names);
+  EXPECT_THAT(report, HasSubstr(R"({"passed":false,"file":"rows \"1\".csv","keys":"keys.csv","samples":"times",)"));
+  EXPECT_THAT(report, HasSubstr(R"("first":{"row":1,"line":2,"column":"x","theirs":2.5,"ours":2,"abs":0.5,)"));
+  EXPECT_THAT(report, HasSubstr(R"("theirs":null,"ours":1,"abs":null,"rel":null,"ulp":null})"));
+  EXPECT_THAT(report, HasSubstr(R"("problems":["problem with y, z"],)"));
+  EXPECT_THAT(report, HasSubstr(R"("not_compared":["note, extra","b"]})"));
+  EXPECT_THAT(json(Check{}, first_names), HasSubstr("\"first\":null,\n\"worst\":null,"));
+}
+
+Identification identification(std::size_t fitting) {
+  Identification result;
+  result.file = "rows.csv";
+  result.keys = "keys.csv";
+  result.orders = {{{}, {"C,T,B"}}};
+  result.rows = 4;
+  result.conventions = 126;
+  result.by_length = true;
+  Ranking& ranking = result.ranking;
+  for (const EndRule ends : {EndRule::zero, EndRule::chord}) {
+    ranking.candidates.push_back({{TangentRule::interval, ends, ends, false, 0}, 0.5, {}, 3, {}, {}});
+  }
+  ranking.candidates[0].worst = Difference{1, 2, "x", 2.5, 2, distance(2.5, 2)};
+  ranking.fitting = fitting;
+  if (fitting > 0) ranking.precision = Precision::printed_digits;
+  return result;
+}
+
+TEST(Report, of_conventions_that_fit_has_all_of_them) {
+  const std::string report = text(identification(2), first_names);
+  EXPECT_THAT(report, testing::StartsWith("identify: tangents interval, ends zero (vtk)\n"
+                                          "fits: within the printed digits\n"
+                                          "the same here: tangents interval, ends chord\n"
+                                          "the same here: T,C,B from C,T,B\n"
+                                          "file: rows.csv\nkeys: keys.csv\nsamples: at its arc lengths\n"
+                                          "rows: 4\nconventions: 126\n"));
+  EXPECT_THAT(report, HasSubstr("\n2     0.5                     3         tangents interval, ends chord\n"));
+}
+
+TEST(Report, of_conventions_that_do_not_fit_has_the_nearest) {
+  const std::string report = text(identification(0), first_names);
+  EXPECT_THAT(report, testing::StartsWith("identify: none fits; the nearest is tangents interval, ends zero (vtk)\n"));
+  EXPECT_THAT(report, HasSubstr("departs most: rows.csv:2: row 1, x: 2.5 instead of 2;"));
+  EXPECT_THAT(report, Not(HasSubstr("departs first")));
+}
+
+TEST(Report, of_conventions_in_json_has_a_row_for_each) {
+  const std::string report = json(identification(1), first_names);
+  EXPECT_THAT(report, HasSubstr(R"({"fits":true,"within":"the printed digits","file":"rows.csv",)"));
+  EXPECT_THAT(report, HasSubstr(R"("same_orders":["C,T,B"],)"));
+  EXPECT_THAT(report, HasSubstr(R"({"fits":true,"tangents":"interval","ends":"zero","equal_speed":false,)"
+                                R"("order":"T,C,B","presets":["vtk"],"largest":0.5,"rows_off":3},)"));
+  EXPECT_THAT(report, HasSubstr(R"({"fits":false,"tangents":"interval","ends":"chord",)"));
+  Identification closed = identification(0);
+  closed.parts.closed = true;
+  EXPECT_THAT(json(closed, first_names), HasSubstr(R"("within":null)"));
+  EXPECT_THAT(json(closed, first_names), HasSubstr(R"("ends":null)"));
+}
+
+TEST(Compare, returns_whether_the_samples_agree) {
+  Comparing files("t,x\n0,0\n1,1\n", "t,x\n0,0\n1,1\n");
+  files.job.output = files.path("report");
+  EXPECT_EQ(compare(files.job, first_names), Exit::done);
+  std::ofstream(files.path("rows.csv")) << "t,x\n0,0\n1,2\n";
+  files.job.output_format = FormatId::json;
+  EXPECT_EQ(compare(files.job, first_names), Exit::data);
+  std::stringstream report;
+  report << std::ifstream(files.path("report")).rdbuf();
+  EXPECT_THAT(report.str(), testing::StartsWith("{\"passed\":false,"));
+}
+
+}  // namespace
+}  // namespace tcb

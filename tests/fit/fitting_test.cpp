@@ -1,0 +1,84 @@
+// Fitting: the columns of keys, what is refused, and the report.
+#include "fit/fitting.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+
+Input input_of(std::vector<std::string> channels) {
+  Input input;
+  input.timed = true;
+  input.time = "t";
+  input.channels = std::move(channels);
+  return input;
+}
+
+Job job_with(std::vector<Tolerance> tolerances) {
+  Job job;
+  job.fit.tolerances = std::move(tolerances);
+  return job;
+}
+
+std::optional<ErrorCode> refusal(const Input& input, const Job& job) {
+  try {
+    (void)columns_of_fit(input, job);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return std::nullopt;
+}
+
+TEST(Fitting, columns_carry_what_the_keys_do) {
+  Job job = job_with({{"", 1}});
+  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "bias"));
+  EXPECT_THAT(columns_of_fit(input_of({"x", "y"}), job).channels,
+              ElementsAre("x", "y", "tension_x", "tension_y", "bias_x", "bias_y"));
+  job.fit.corner = 30;
+  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "continuity", "bias"));
+  job.fit.keys = FitKeys::hermite;
+  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_vin", "x_vout"));
+  job.fit.corner = {};
+  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_v"));
+}
+
+TEST(Fitting, rotations_are_left_out) {
+  Input input = input_of({"x", "qx", "qy", "qz", "qw"});
+  input.rotations = {{{1, 2, 3, 4}}};
+  EXPECT_THAT(columns_of_fit(input, job_with({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
+  input.channels[0] = "q0";
+  input.rotations = {{{1, 2, 3, 4}}, {{0, 0, 0, 0}}};
+  EXPECT_EQ(refusal(input, job_with({{"", 1}})), ErrorCode::only_rotations);
+}
+
+TEST(Fitting, inputs_without_samples_are_refused) {
+  const Job job = job_with({{"", 1}});
+  Input input = input_of({"x", "y"});
+  EXPECT_EQ(refusal(input, job), std::nullopt);
+  EXPECT_EQ(refusal(input, job_with({{"x", 1}})), ErrorCode::fit_without_tolerance);
+  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"z", 1}})), ErrorCode::unknown_name);
+  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"", 2}})), std::nullopt);
+  input.facts.roles = {"tension"};
+  EXPECT_EQ(refusal(input, job), ErrorCode::fit_of_keys);
+  input.timed = false;
+  EXPECT_EQ(refusal(input, job), ErrorCode::fit_without_times);
+}
+
+TEST(Fitting, reports_add_up) {
+  FitReport report;
+  report.add({100, 10, 6, 0.5, 17});
+  report.add({50, 5, 4, 0.25, 120});
+  const Note note = note_of(report, job_with({{"", 0.1}}).fit);
+  EXPECT_EQ(note.code, NoteCode::fitted);
+  EXPECT_EQ(note.values, (std::vector<ErrorValue>{std::uint64_t{150}, std::uint64_t{15}, "10", "0.05",
+                                                  std::uint64_t{17}, std::uint64_t{10}}));
+  EXPECT_EQ(note_of(report, job_with({{"x", 0.1}}).fit).values[3], ErrorValue("0.5 of the tolerance"));
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,107 @@
+// Drawing: the scene of the curves of files: their names, titles, axes and samples.
+#include "plot/drawing.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "cli/remedies.hpp"
+#include "error.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+Source<std::string> bytes_of(const std::string& text) {
+  return [text = std::optional(text)]() mutable { return std::exchange(text, std::nullopt); };
+}
+
+/// The picture of files named a.csv, b.csv, ….
+std::string drawn(Job job, const std::vector<std::string>& texts) {
+  const std::string path = testing::TempDir() + fmt::format("drawing_test.{}.svg", getpid());
+  job.output_format = FormatId::svg;
+  Drawing drawing(job, path);
+  char name = 'a';
+  for (const std::string& text : texts) {
+    const std::string file = std::string("folder/") + name++ + ".csv";
+    const Input input = open_input(file, bytes_of(text), job.input);
+    Curves curves(input, job.curves, false);
+    std::optional<CurvePipeline> pipeline;
+    while (const auto curve = curves.next()) {
+      const bool first = !pipeline;
+      if (first) pipeline.emplace(job.sampling, job.curve, job.fields, job.golden, input, *curve->curve_info);
+      if (first) drawing.begin(file, input, pipeline->facts());
+      drawing.add(curve->group, pipeline->stored(curve->keys), short_rules(pipeline->facts()));
+    }
+  }
+  drawing.commit();
+  std::ostringstream bytes;
+  bytes << std::ifstream(path).rdbuf();
+  std::filesystem::remove(path);
+  return bytes.str();
+}
+
+Job sampled() {
+  Job job;
+  job.sampling.mode = Mode::count;
+  job.sampling.count = 5;
+  return job;
+}
+
+const std::string keys = "time,x,y\n0,0,0\n1,2,1\n2,3,5\n";
+
+TEST(Drawing, the_title_is_the_file_and_what_is_done_with_it) {
+  EXPECT_THAT(drawn(sampled(), {keys}),
+              AllOf(HasSubstr(">a.csv<"), HasSubstr("preset gte · 3 keys · 5, equally spaced in time · 5 rows")));
+  Job job = sampled();
+  job.picture.title = "A <title>";
+  EXPECT_THAT(drawn(job, {keys}), HasSubstr(">A &lt;title&gt;<"));
+}
+
+TEST(Drawing, rules_other_than_those_of_the_preset_are_named) {
+  Job job = sampled();
+  job.curve.ends = "natural";
+  EXPECT_THAT(drawn(job, {keys}), Not(HasSubstr("preset")));
+  job = sampled();
+  job.curve.preset = "vtk";
+  EXPECT_THAT(drawn(job, {keys}), HasSubstr("preset vtk"));
+}
+
+TEST(Drawing, several_files_have_a_colour_each) {
+  const std::string svg = drawn(sampled(), {keys, keys});
+  EXPECT_THAT(svg, AllOf(HasSubstr(">a.csv and 1 more<"), HasSubstr(">b.csv<"), HasSubstr("class=\"c1\"")));
+  EXPECT_THROW(drawn(sampled(), {keys, "time,x,z\n0,0,0\n1,2,1\n"}), Error);
+}
+
+TEST(Drawing, axes_are_channels) {
+  Job job = sampled();
+  job.picture.axes = {"2", "x"};
+  EXPECT_THAT(drawn(job, {keys}), HasSubstr("class=\"n\">x<"));
+  for (const auto& axes : {std::vector<std::string>{"x", "w"}, {"x", "1"}}) {
+    job.picture.axes = axes;
+    EXPECT_THROW(drawn(job, {keys}), Error);
+  }
+}
+
+TEST(Drawing, a_single_key_is_drawn_without_samples) {
+  EXPECT_THAT(drawn(sampled(), {"time,x,y\n3,1,2\n"}), AllOf(HasSubstr("1 key ·"), HasSubstr("· 0 rows")));
+}
+
+TEST(Drawing, curves_beyond_the_most_are_counted) {
+  Job job = sampled();
+  job.input.roles = {{Role::group, {"id"}, Option::group}};
+  std::string text = "id,time,x\n";
+  for (int i = 0; i < 402; ++i) text += fmt::format("{0},0,{0}\n{0},1,0\n", i);
+  EXPECT_THAT(drawn(job, {text}), HasSubstr("400 of 402 curves"));
+}
+
+}  // namespace
+}  // namespace tcb

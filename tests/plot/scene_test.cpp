@@ -1,0 +1,89 @@
+// Scene: counts, and the extent of curves between their keys.
+#include "plot/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "error.hpp"
+#include "plot/scene_of.hpp"
+
+namespace tcb {
+namespace {
+
+TEST(Scene, the_extent_has_the_extremes_between_keys) {
+  Scene scene = small_scene();
+  scene.channels = {"x"};
+  scene.path.reset();
+  // Through 0, 1, 1, 0 at equal times the middle segment is 1 + u (1 - u) / 2 where the tangents are 1/2 and -1/2.
+  scene.curves = {scene_curve(keys_of({0, 1, 2, 3}, {0, 1, 1, 0}))};
+  const SceneExtent extent = extent_of(scene);
+  EXPECT_EQ(extent.time.high.hi, 3);
+  EXPECT_EQ(extent.channels[0].low.hi, 0);
+  EXPECT_DOUBLE_EQ(extent.channels[0].high.hi, 1.125);
+  EXPECT_EQ(extent.segments, 3U);
+}
+
+TEST(Scene, samples_outside_the_curve_are_in_the_extent) {
+  Scene scene = small_scene();
+  scene.curves[0].samples = {{Time(6), {9, 0, 0}, {0, 0, 0}}};
+  scene.curves[0].rows = 1;
+  EXPECT_TRUE(scene.has_samples());
+  const SceneExtent extent = extent_of(scene);
+  EXPECT_EQ(extent.time.high.hi, 6);
+  EXPECT_EQ(extent.channels[0].high.hi, 9);
+  EXPECT_EQ(extent.path[0].high.hi, 9);
+}
+
+TEST(Scene, keys_and_rows_are_counted) {
+  Scene scene = small_scene();
+  scene.curves.push_back(scene.curves[0]);
+  scene.curves[1].rows = 7;
+  EXPECT_EQ(scene.keys(), 8U);
+  EXPECT_EQ(scene.rows(), 7U);
+  EXPECT_FALSE(scene.has_samples());
+}
+
+/// A quarter turn about z for each unit of time; the first channel is 0.
+Keys quarter_turns() {
+  const double half = std::sqrt(0.5);
+  return keys_of({0, 1, 2, 3}, {0, 0, 0, 0, 1, 0, 0, 0, half, half, 0, 0, 0, 1, 0, 0, 0, 0, half, -half});
+}
+
+TEST(Scene, rotations_have_the_angle_from_the_first_key) {
+  const std::vector<spline::RotationColumns> columns{{{1, 2, 3, 4}}};
+  const KeyStore keys(quarter_turns());
+  const std::vector<FirstRotation> firsts = first_rotations(keys, columns);
+  const Keys with = with_angles(keys, firsts).all();
+  ASSERT_EQ(with.channels, 6U);
+  for (const std::size_t key : {0U, 1U, 2U, 3U}) {
+    EXPECT_NEAR(with.position(key)[5], 90.0 * static_cast<double>(key), 1e-12);
+  }
+  spline::CurveRules<double> rules = make_spec({}).rules;
+  rules.rotations = columns;
+  const auto segments = [&] { return segment_blocks({keys.source(), {}}, rules, false); };
+  const Source<SegmentBlock> blocks = with_rotations_as_cubics(segments, firsts)();
+  double last = 0;
+  while (const auto block = blocks()) {
+    for (std::size_t i = 0; i < block->segments.size(); ++i) {
+      const auto& angle = block->segments[i][5];
+      EXPECT_NEAR(angle.p0, last, 1e-9);
+      EXPECT_GE(angle.out, 0);
+      last = angle.p1;
+    }
+  }
+  EXPECT_NEAR(last, 270, 1e-9);
+  SceneSample sample{Time(0), {0, 0, 0, 0, 1}, {0, 0, 0, 0.5, 0}};
+  add_angles(sample, firsts);
+  EXPECT_EQ(sample.position[5], 0);
+  EXPECT_NEAR(sample.velocity[5], 57.29577951308232, 1e-12);
+}
+
+TEST(Scene, numbers_too_far_apart_are_refused) {
+  Scene scene = small_scene();
+  scene.curves[0].samples = {{Time(1), {0, 0, 1.5e308}, {0, 0, 0}}, {Time(1), {0, 0, -1.5e308}, {0, 0, 0}}};
+  EXPECT_THROW(extent_of(scene), Error);
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,139 @@
+// Reader of JSON keys: numbers, texts, missing values, and every error with its position.
+#include <gmock/gmock.h>
+
+#include "read/json/json_input.hpp"
+#include "read/reading.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::HasSubstr;
+
+/// The error of an array whose first key is right, and whose second is on line 2.
+std::string second(const std::string& first, const std::string& key) { return read("[" + first + ",\n" + key + "]"); }
+
+TEST(JsonKeys, tension_continuity_and_bias_are_members_or_one_array) {
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":1,"Continuity":2,"B":3}])"), "t x\n1: 0 1 [1 2 3]\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]}])"), "t x\n1: 0 1 [1 2 3]\n");
+}
+
+TEST(JsonKeys, keys_without_tcb_have_the_given_one) {
+  InputOptions options;
+  options.tcb = {1, 2, 3};
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"bias":0},{"t":1,"x":1}])", options), "t x\n1: 0 1 [1 2 0]\n1: 1 1 [1 2 3]\n");
+}
+
+TEST(JsonKeys, whole_numbers_are_exact_times_and_rounded_positions) {
+  EXPECT_EQ(read(R"([{"t":1403636579763555585,"x":9007199254740993},{"t":18446744073709551615,"x":-1}])"),
+            "t x\n1: 1403636579763555585 9007199254740992\n1: 1.8446744073709552e+19 -1\n");
+}
+
+TEST(JsonKeys, members_may_come_in_another_order_in_every_key) {
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"y":2},{"y":4,"t":1,"x":3},{"x":5,"y":6,"t":2}])"),
+            "t x y\n1: 0 1 2\n1: 1 3 4\n1: 2 5 6\n");
+}
+
+TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
+  const std::string first = R"({"t":0,"x":1})";
+  EXPECT_EQ(second(first, R"({"t":1,"x":null})"),
+            "f:2:12: error: keys[1].x: null where a number was expected; fill it in, or give --missing skip-row, "
+            "skip-cell or break");
+  EXPECT_EQ(second(first, R"({"t":"é","x":1})"),
+            "f:2:6: error: keys[1].t: \"é\" is not a number; expected one without quotes; correct it");
+  EXPECT_EQ(second(first, R"({"é":"ü","t":1,"x":true})"),
+            "f:2:20: error: keys[1].x: \"true\" is not a number; expected one without quotes; correct it");
+  EXPECT_EQ(read(R"([{"t":0,"x":null}])"),
+            "f:1:13: error: keys[0].x: null where a number was expected; fill it in, or give --missing skip-row, "
+            "skip-cell or break");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1,"2",3]}])"),
+            "f:1:23: error: keys[0].position[1]: \"2\" is not a number; expected one without quotes; correct it");
+}
+
+TEST(JsonKeys, a_missing_new_or_repeated_member_is_an_error) {
+  const std::string first = R"({"t":0,"x":1})";
+  EXPECT_EQ(second(first, R"({"t":1})"),
+            "f:2:1: error: a key without \"x\"; expected the members of the first key; add it, or give --missing "
+            "skip-row, skip-cell or "
+            "break");
+  EXPECT_EQ(second(first, R"({"t":1,"x":2,"y":3})"),
+            "f:2:18: error: keys[1].y: not in the first key; expected the same members in every key; add it there");
+  EXPECT_EQ(second(first, R"({"t":1,"x":2,"x":3})"),
+            "f:2:14: error: keys[1].x: repeated in one key; expected once; remove one");
+}
+
+TEST(JsonKeys, tension_continuity_and_bias_are_never_dropped_silently) {
+  EXPECT_THAT(second(R"({"t":0,"x":1})", R"({"t":1,"x":2,"tcb":[1,0,0]})"),
+              testing::AnyOf(HasSubstr("[1 0 0]"), HasSubstr("error: keys[1].tcb")));
+}
+
+TEST(JsonKeys, an_array_of_another_length_and_a_value_of_another_shape_are_errors) {
+  const std::string first = R"({"t":0,"position":[1,2]})";
+  EXPECT_EQ(second(first, R"({"t":1,"position":[1,2,3]})"),
+            "f:2:24: error: keys[1].position: an array of 3; expected 2 numbers, as in the first key; correct it");
+  EXPECT_EQ(second(first, R"({"t":1,"position":[1]})"),
+            "f:2:20: error: keys[1].position: an array of 1; expected 2 numbers, as in the first key; correct it");
+  EXPECT_EQ(second(first, R"({"t":1,"position":5})"),
+            "f:2:19: error: keys[1].position: expected an array of numbers, as in the first key; correct it");
+  EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":[2]})"),
+            "f:2:13: error: keys[1].x[0]: expected a number, as in the first key; correct it");
+}
+
+TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
+  const std::string first = R"({"t":0,"position":[1,2],"T":0})";
+  for (const char* element : {"3", "null", R"("a")", "[3]"}) {
+    EXPECT_THAT(
+        second(first, R"({"t":1,"position":[1,2,)" + std::string(element) + R"(],"T":0})"),
+        testing::MatchesRegex("f:2:[0-9]+: error: keys.1..position: an array of 3; expected 2 numbers, as in the "
+                              "first key; correct it"))
+        << element;
+  }
+}
+
+TEST(JsonKeys, missing_numbers_are_treated_as_requested) {
+  InputOptions options;
+  const std::string text = R"([{"t":0,"x":1,"y":2},{"t":1,"x":null,"y":3},{"t":2,"y":4},{"t":3,"x":5,"y":6}])";
+  options.missing = Missing::skip_row;
+  EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 3 5 6\n");
+  options.missing = Missing::skip_cell;
+  EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 1 nan 3\n1: 2 nan 4\n1: 3 5 6\n");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1,null]},{"t":1,"position":[null,2]}])", options),
+            "t x y\n1: 0 1 nan\n1: 1 nan 2\n");
+  EXPECT_THAT(read(R"([{"t":0,"x":1},{"t":null,"x":1}])", options), HasSubstr("keys[1].t: null where a number"));
+}
+
+TEST(JsonKeys, keys_have_the_texts_of_groups_and_labels) {
+  EXPECT_EQ(read(R"([{"id":7,"t":0,"x":1,"l":"a\"b"},{"id":"7","t":1,"x":2},{"id":true,"t":1,"x":3,"l":null}])",
+                 with_columns("group=id,carry=l")),
+            "t x\n1: 0 1 <7> <\"a\"b>\n1: 1 2 <\"7> <>\n1: 1 3 <true> <>\n");
+  EXPECT_THAT(read(R"([{"id":7,"t":0,"x":1},{"t":1,"x":2}])", with_columns("group=id")),
+              HasSubstr("a key without \"id\""));
+}
+
+TEST(JsonKeys, faults_do_not_end_the_reading) {
+  EXPECT_EQ(read("[{\"t\":0,\"x\":1},\n{\"t\":\"a\",\"x\":\"b\"},\n{\"t\":2,\"x\":3},\n{\"t\":4,\"y\":5}]"),
+            "f:2:6: error: keys[1].t: \"a\" is not a number; expected one without quotes; correct it\n"
+            "f:2:14: error: keys[1].x: \"b\" is not a number; expected one without quotes; correct it\n"
+            "f:4:1: error: a key without \"x\"; expected the members of the first key; add it, or give --missing "
+            "skip-row, skip-cell or break\n"
+            "f:4:12: error: keys[3].y: not in the first key; expected the same members in every key; add it there");
+  EXPECT_THAT(read("{\"t\":0,\"x\":1}\n{\"t\":1 \"x\":2}\n{\"t\":2}\n"),
+              testing::AllOf(HasSubstr("f:2:8: error: not JSON"), HasSubstr("f:3:1: error: a key without")));
+}
+
+TEST(JsonKeys, a_zero_keeps_its_sign) {
+  EXPECT_EQ(read(R"([{"t":0,"x":-0,"y":-0.0,"z":0}])"), "t x y z\n1: 0 -0 -0 0\n");
+}
+
+TEST(JsonKeys, tcb_and_its_parts_may_alternate_but_not_be_in_one_key) {
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":0.5},{"t":1,"x":2,"tcb":[1,2,3]},{"t":2,"x":3,"bias":4}])"),
+            "t x\n1: 0 1 [0.5 0 0]\n1: 1 2 [1 2 3]\n1: 2 3 [0 0 4]\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]},{"t":1,"x":2,"tension":5}])"),
+            "t x\n1: 0 1 [1 2 3]\n1: 1 2 [5 0 0]\n");
+  EXPECT_THAT(second(R"({"t":0,"x":1})", R"({"t":1,"x":2,"bias":1,"tcb":[1,2,3]})"),
+              HasSubstr("keys[1].tcb[2]: also in \"tcb\"; expected one of them"));
+  EXPECT_THAT(second(R"({"t":0,"x":1,"tension":0})", R"({"t":1,"x":2,"tcb":[1,2]})"),
+              HasSubstr("keys[1].tcb: an array of 2; expected 3 numbers"));
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,198 @@
+// Shapes of JSON inputs: the same keys in every shape, in pieces of any size.
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "read/json/json_input.hpp"
+#include "read/reading.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Json, a_key_has_an_array_of_positions_or_is_flat) {
+  EXPECT_EQ(read(R"([{"time":0,"position":[1,2]},{"time":1,"position":[3,4]}])"), "time x y\n1: 0 1 2\n1: 1 3 4\n");
+  EXPECT_EQ(read(R"([{"px":1,"Frame":0,"py":2}])"), "Frame px py\n1: 0 1 2\n");
+}
+
+TEST(Json, an_array_an_object_with_keys_and_json_lines_give_the_same_keys) {
+  const std::string one = R"({"t":0,"x":1,"T":0.5})", two = R"({"t":1,"x":2,"T":0})";
+  const std::string keys = "t x\n1: 0 1 [0.5 0 0]\n2: 1 2\n";
+  for (const std::string& text : {"[" + one + ",\n" + two + "]", "{\"keys\":[" + one + ",\n" + two + "]}",
+                                  one + "\n" + two, one + "\r\n" + two + "\r\n"}) {
+    EXPECT_EQ(read(text), keys) << text;
+  }
+}
+
+TEST(Json, a_list_may_be_laid_out_freely) {
+  EXPECT_EQ(read(" \n[\n  {\n    \"t\": 0,\n    \"x\": 1\n  },\n  {\"x\": 2, \"t\": 1}\n]\n"), "t x\n3: 0 1\n7: 1 2\n");
+}
+
+TEST(Json, a_channel_that_is_not_a_name_is_an_error) {
+  EXPECT_THAT(read(R"({"channels":["a",5],"keys":[{"t":0,"position":[1,2]}]})"), HasSubstr("error"));
+}
+
+TEST(Json, an_input_without_keys_is_an_error) {
+  InputOptions json;
+  json.format = FormatId::json;
+  for (const char* text : {"", " \n", "[]", "[ ]\n"}) {
+    EXPECT_EQ(read(text, json), "f: error: no keys: the input is empty; expected an object for each key; see --help");
+  }
+  EXPECT_EQ(read("{\"keys\":[]}", json), "f:1:1: error: no keys; expected at least two; add them");
+}
+
+TEST(Json, faults_after_the_keys_have_their_position) {
+  EXPECT_THAT(read("{\"keys\":[\n{\"t\":0,\"x\":1}\n], }"), testing::StartsWith("f:3:4: error: not JSON"));
+  EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1}], }"), testing::StartsWith("f:1:26: error: not JSON"));
+  EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1}]}\nx"), testing::StartsWith("f:2:1: error: not JSON"));
+}
+
+TEST(Json, a_list_that_is_cut_off_is_an_error_at_its_end) {
+  EXPECT_THAT(read("[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:7: error: not JSON"));
+  EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:7: error: not JSON"));
+}
+
+TEST(Json, settings_before_the_keys_do_not_change_their_positions) {
+  EXPECT_EQ(read("{\"é\":1,\n \"keys\":[{\"t\":0,\"x\":1},{\"t\":1,\"x\":\"2\"}]}"),
+            "f:2:35: error: keys[1].x: \"2\" is not a number; expected one without quotes; correct it");
+}
+
+// The result does not depend on how the bytes arrive.
+TEST(Json, pieces_of_any_size_give_the_same_keys_or_the_same_error) {
+  for (const std::string text :
+       {R"([{"t":0,"x":1},{"t":1,"x":2}])",
+        "\xEF\xBB\xBF {\"keys\":\n[{\"t\":0,\"x\":1} , {\"t\":1,\"x\":2}],\"a\":[]}",
+        "{\"t\":0,\"x\":1}\n\n{\"t\":1,\"x\":2}", R"([{"t":0,"l":"\"],[{","x":1},{"t":1,"x":2,"l":"\\"}])", "[]",
+        "[{\"t\":0,\"x\":1},\n {\"é\":\"ü\",\"t\":1,\"x\":null}]", "{\"t\":0,\"x\":1}\n{\"t\":1}\n{\"t\":2,\"x\":2}\n",
+        "[{\"t\":0,\"x\":1},{\"t\":1,\"x\":2}] ]", "[5]", "[{\"t\":0,\"x\":1},5]"}) {
+    const std::string whole = read(text);
+    for (std::size_t piece = 1; piece < text.size(); ++piece) {
+      ASSERT_EQ(read(text, {}, piece), whole) << text << " in pieces of " << piece;
+    }
+  }
+}
+
+TEST(Json, text_that_is_not_json_is_an_error_in_pieces_of_any_size) {
+  for (const std::string text :
+       {R"([{"t":0,"x":1},])", R"([{"t":0,"x":1},,{"t":1,"x":2}])", R"([{"t":0,"x":1} {"t":1,"x":2}])",
+        R"([{"t":0,"x":1},{"t":1,"x":2})", R"([{"t":0,"x":1},{"t":1,)", R"([{"t":0,"x":1},)", R"([{"t":0,"x":"1)",
+        R"({"keys":[{"t":0,"x":1},{"t":1,"x":2}])", R"({"keys":[{"t":0,"x":1})", R"({"keys":[{"t":0,"x":1}],"a"})",
+        "{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":2}\n", "{\"t\":0,\n\"x\":1}\n", "{\"t\":0,\"x\":1}]\n",
+        R"([{"t":0,"x":1}})", R"([{"t":0,"x":01}])", "{\"t\":0,\"x\":1} x\n"}) {
+    for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+      EXPECT_THAT(read(text, {}, piece), HasSubstr(" error: ")) << text << " in pieces of " << piece;
+    }
+  }
+}
+
+TEST(Json, two_keys_on_a_line_are_the_same_in_pieces_of_any_size) {
+  for (const std::string text :
+       {R"({"t":0,"x":1}{"t":1,"x":2})", R"({"t":0,"x":1} {"t":1,"x":2})", R"({"t":0,"x":1}[{"t":1,"x":2}])"}) {
+    const std::string whole = read(text);
+    for (std::size_t piece = 1; piece < text.size(); ++piece) {
+      ASSERT_EQ(read(text, {}, piece), whole) << text << " in pieces of " << piece;
+    }
+  }
+}
+
+TEST(Json, curves_have_their_own_keys_and_settings) {
+  const Input input = open_input(
+      "f",
+      pieces(R"({"curves":[{"id":"a","keys":[{"t":0,"x":1}],"preset":"vtk"},{"keys":[{"t":5,"x":6}],"id":7}]})", 1),
+      {});
+  EXPECT_TRUE(input.own_curves && input.may_break);
+  EXPECT_THAT(input.groups, testing::ElementsAre("id"));
+  std::string ids;
+  while (const auto block = input.keys()) {
+    if (block->curve_info == nullptr) continue;
+    ids += fmt::format("{} {} {}, ", block->curve_info->id, block->keys.positions.at(0),
+                       block->curve_info->settings.preset.value_or("none"));
+  }
+  EXPECT_EQ(ids, "\"a 1 vtk, 7 6 none, ");
+}
+
+TEST(Json, settings_outside_curves_are_errors) {
+  EXPECT_EQ(read(R"({"preset":"vtk","curves":[{"keys":[{"t":0,"x":1}]}]})"),
+            "f:1:11: error: preset: outside the curves; expected in each of them; move it there");
+}
+
+/// Keys in one of the three shapes, freely laid out, and what they mean.
+class RandomJson {
+ public:
+  explicit RandomJson(std::uint64_t seed) : random_(seed) {
+    const std::uint64_t shape = draw(3);
+    const std::string settings = R"("a":{"keys":[1]},"b":"]")";
+    lines_ = shape == 2;
+    if (shape == 0) add(space() + "[" + space());
+    if (shape == 1) add("{" + space() + (draw(2) != 0 ? settings + "," : "") + "\"keys\"" + space() + ":[" + space());
+    for (std::uint64_t key = 0, keys = 1 + draw(6); key < keys; ++key) {
+      if (key > 0) add(lines_ ? "\n" + space() : space() + "," + space());
+      expected += fmt::format("{}: {} {}\n", line_, key, key * 2);
+      add(fmt::format("{{\"t\"{}:{}{},\"label\":{},\"x\":{}}}", space(), space(), key, label(), key * 2));
+    }
+    if (shape == 0) add(space() + "]" + space());
+    if (shape == 1) add(space() + "]" + (draw(2) != 0 ? "," + settings + "}" : "}") + space());
+  }
+  std::string text, expected = "t x\n";
+
+ private:
+  std::uint64_t draw(std::uint64_t below) { return random_() % below; }
+  void add(const std::string& more) {
+    text += more;
+    line_ += static_cast<std::uint64_t>(std::ranges::count(more, '\n'));
+  }
+  std::string space() { return std::string(draw(3), " \n\t\r"[lines_ ? 0 : draw(4)]); }
+  std::string label() {
+    std::string quoted = "\"";
+    const std::string parts[] = {"[", "]", "{", "}", ",", "\\\"", "\\\\", "é", "\\n", "keys"};
+    while (draw(5) != 0) quoted += parts[draw(10)];
+    return quoted + '"';
+  }
+  std::mt19937_64 random_;
+  std::uint64_t line_ = 1;
+  bool lines_ = false;
+};
+
+TEST(Json, the_text_before_a_nul_is_read_first) {
+  using namespace std::string_literals;
+  for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
+    EXPECT_EQ(
+        read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
+        "f:2:12: error: keys[1].x: \"a\" is not a number; expected one without quotes; correct it\n"
+        "f:3:1: error: a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t "
+        "UTF-8");
+  }
+}
+
+TEST(Json, a_text_that_looks_like_a_message_is_shown_as_text) {
+  EXPECT_THAT(read("[{\"'; expected \xFF\":1}]"),
+              testing::StartsWith("f:1:16: error: not JSON: the last character of \"'; expected \\xFF\" may not"));
+  EXPECT_THAT(read("[{\"a\":\"'; expected \xFF\"}]"),
+              testing::StartsWith("f:1:20: error: not JSON: the last character of \"'; expected \\xFF\" may not"));
+}
+
+TEST(Json, nothing_where_a_key_was_expected) {
+  for (const std::size_t piece : {std::size_t{1}, std::string::npos}) {
+    const auto refusal = [](int column) {
+      return "f:1:" + std::to_string(column) +
+             ": error: nothing where a key was expected; expected an object; remove the comma";
+    };
+    EXPECT_EQ(read(R"([,{"t":0,"x":1}])", {}, piece), refusal(2));
+    EXPECT_EQ(read(R"([{"t":0,"x":1},,{"t":1,"x":1}])", {}, piece), refusal(16));
+    EXPECT_EQ(read(R"([{"t":0,"x":1},])", {}, piece), refusal(16));
+  }
+}
+
+TEST(Json, random_texts_give_their_keys_in_pieces_of_any_size) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    const RandomJson json(seed);
+    for (const std::size_t piece :
+         {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{7}, std::string::npos}) {
+      ASSERT_EQ(read(json.text, {}, piece), json.expected) << json.text << " in pieces of " << piece;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,168 @@
+// Splitting JSON: chunks of whole keys in every shape, with their places, however the bytes arrive.
+#include "read/json/json_input.hpp"
+
+#include <gmock/gmock.h>
+
+#include "read/reading.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+
+/// Everything that a splitter hands on.
+struct Split {
+  std::vector<std::string> texts;
+  std::vector<std::string> places;  ///< "LINE:COLUMN PATH #FIRST"
+  std::vector<JsonPart> objects;
+  std::optional<JsonShape> shape;
+};
+
+Split split(const std::string& text, std::size_t piece = std::string::npos) {
+  JsonSplitter splitter(pieces(text, piece));
+  Split result;
+  while (const auto part = splitter.next()) {
+    const Chunk& chunk = part->chunk;
+    if (!result.shape) result.shape = splitter.shape();
+    if (part->is_object) {
+      result.objects.push_back(*part);
+      continue;
+    }
+    result.texts.push_back(chunk.text);
+    result.places.push_back(fmt::format("{}:{} {}#{}", chunk.line, chunk.column,
+                                        chunk.path == "keys" ? "" : chunk.path + " ", chunk.first));
+  }
+  return result;
+}
+
+/// The object around keys, as "TEXT|LINE:COLUMN" with the position of the text after the keys.
+std::string shown_object(const JsonPart& part) {
+  return fmt::format("{}|{}:{}", part.chunk.text, part.line, part.column);
+}
+
+TEST(JsonSplit, an_array_is_cut_into_arrays) {
+  EXPECT_THAT(split("[{\"t\":0},{\"t\":1}]").texts, ElementsAre("[{\"t\":0},{\"t\":1}]"));
+  const Split cut = split(" [{\"t\":0},\n é{\"t\":1}, {}]", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[\n é{\"t\":1}]", "[ {}]"));
+  EXPECT_THAT(cut.places, ElementsAre("1:2 #0", "1:10 #1", "2:10 #2")) << "of the bracket or comma, in characters";
+  EXPECT_EQ(cut.shape, JsonShape::list);
+}
+
+TEST(JsonSplit, keys_in_an_object_leave_the_members_around_them) {
+  const Split cut = split("{\"a\":[1,{}],\n\"keys\": [{\"t\":0},{\"t\":1}],\"b\":2}\n", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[{\"t\":1}]"));
+  EXPECT_THAT(cut.places, ElementsAre("2:9 #0", "2:17 #1"));
+  EXPECT_EQ(cut.shape, JsonShape::object);
+  ASSERT_EQ(cut.objects.size(), 1U);
+  EXPECT_EQ(shown_object(cut.objects[0]), "{\"a\":[1,{}],\n\"keys\": [],\"b\":2}\n|2:26");
+}
+
+TEST(JsonSplit, what_follows_the_keys_keeps_its_position) {
+  const std::pair<const char*, const char*> places[] = {
+      {"{\"keys\":[\n{\"t\":0},\n{\"t\":1}\n ] ,\"b\":2}", "{\"keys\":[] ,\"b\":2}|4:3"},
+      {"{\"keys\":[{\"t\":0}],\"b\":2}", "{\"keys\":[],\"b\":2}|1:18"},
+      {"{\n\"keys\":[{\"t\":0},\n{}],\"b\":2}", "{\n\"keys\":[],\"b\":2}|3:4"}};
+  for (const auto& [text, expected] : places) {
+    for (std::size_t piece = 1; piece <= std::string(text).size(); ++piece) {
+      const auto objects = split(text, piece).objects;
+      ASSERT_EQ(objects.size(), 1U) << text;
+      EXPECT_EQ(shown_object(objects[0]), expected);
+    }
+  }
+}
+
+TEST(JsonSplit, each_curve_has_its_keys_and_the_members_around_them) {
+  const std::string text =
+      "{\"v\":{\"curves\":[1]},\"curves\":[\n {\"id\":\"a\",\"keys\":[{\"t\":0},{\"t\":1}],\"closed\":true} ,\n"
+      "{\"keys\":[{\"t\":5}]},{\"id\":2}],\"w\":[]}\n";
+  for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+    const Split cut = split(text, piece);
+    std::string keys;
+    for (const std::string& part : cut.texts) keys += part;
+    EXPECT_THAT(keys, testing::AnyOf("[{\"t\":0}][{\"t\":1}][{\"t\":5}]", "[{\"t\":0},{\"t\":1}][{\"t\":5}]"));
+    EXPECT_EQ(cut.places.front(), "2:19 curves[0].keys #0");
+    EXPECT_EQ(cut.places.back(), "3:9 curves[1].keys #0");
+    ASSERT_EQ(cut.objects.size(), 4U);
+    EXPECT_EQ(shown_object(cut.objects[0]), "{\"id\":\"a\",\"keys\":[],\"closed\":true}|2:36");
+    EXPECT_EQ(shown_object(cut.objects[1]), "{\"keys\":[]}|3:18");
+    EXPECT_EQ(cut.objects[2].chunk.text, "{\"id\":2}");
+    EXPECT_EQ(cut.objects[2].chunk.path, "curves[2]");
+    EXPECT_EQ(shown_object(cut.objects[3]), "{\"v\":{\"curves\":[1]},\"curves\":[],\"w\":[]}\n|3:29");
+  }
+}
+
+TEST(JsonSplit, between_curves_there_are_commas_and_nothing_else) {
+  const std::string curve = "{\"keys\":[{\"t\":0}]}";
+  for (const std::string& curves :
+       std::vector<std::string>{"[,", "[5", "[" + curve + curve, "[" + curve + ",]", "[" + curve + "}",
+                                "[" + curve + ",,", "[" + curve + " x"}) {
+    EXPECT_THAT(error_of([&] { split("{\"curves\":" + curves); }), testing::HasSubstr("correct the text")) << curves;
+  }
+}
+
+TEST(JsonSplit, json_lines_are_cut_after_lines) {
+  const Split cut = split("{\"t\":0}\n\n{\"t\":1}\n", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("{\"t\":0}\n", "\n", "{\"t\":1}\n"));
+  EXPECT_THAT(cut.places, ElementsAre("1:1 #0", "2:1 #1", "3:1 #1"));
+}
+
+TEST(JsonSplit, an_empty_list_has_no_chunks) {
+  for (const char* text : {"", " \n", "[]", " [ \n] ", "{\"keys\":[]}"}) {
+    EXPECT_THAT(split(text).texts, ElementsAre()) << text;
+    EXPECT_THAT(split(text, 1).texts, ElementsAre()) << text;
+  }
+}
+
+TEST(JsonSplit, brackets_commas_and_quotes_in_strings_have_no_effect) {
+  const std::string key = R"({"l":"],[}{,\"\\","t":[0,{"a":[1]}]})";
+  for (std::size_t piece = 1; piece <= key.size(); ++piece) {
+    const auto texts = split("[" + key + "," + key + "]", piece).texts;
+    const bool whole = texts == std::vector<std::string>{"[" + key + "," + key + "]"};
+    const bool in_two = texts == std::vector<std::string>{"[" + key + "]", "[" + key + "]"};
+    EXPECT_TRUE(whole || in_two) << piece;
+  }
+}
+
+TEST(JsonSplit, a_member_that_only_holds_the_word_keys_is_not_the_list) {
+  const Split cut = split(R"({"a":"keys","b":[{}],"c":{"keys":[1]},"keys":[{"t":0}]})", 1);
+  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]"));
+  EXPECT_EQ(cut.shape, JsonShape::object);
+}
+
+TEST(JsonSplit, every_byte_of_an_array_is_in_a_chunk_at_its_position) {
+  for (const std::string text : {"[{\"a\":1},{\"b\":[2,3]}\n,{\"é\":\"x,]\"},\n\n {\"c\":4} ]", "[1,,2]", "[{},]",
+                                 "[{} {}]", "[{},{\"a\":", "[{},{\"a\":\"", "[{},"}) {
+    for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+      const Split cut = split(text, piece);
+      std::string joined = "[";
+      for (std::size_t i = 0; i < cut.texts.size(); ++i) {
+        const auto before = static_cast<std::size_t>(joined.rfind('\n') + 1);
+        const auto line = 1 + std::ranges::count(joined, '\n');
+        const auto column = std::ranges::count_if(joined.substr(before), [](char c) { return (c & 0xC0) != 0x80; });
+        EXPECT_THAT(cut.places[i], testing::StartsWith(fmt::format("{}:{} ", line, i == 0 ? 1 : column))) << text;
+        const bool closed_here = i + 1 < cut.texts.size();
+        joined += cut.texts[i].substr(1, cut.texts[i].size() - (closed_here ? 2 : 1)) + (closed_here ? "," : "");
+      }
+      EXPECT_EQ(joined, text) << "in pieces of " << piece;
+    }
+  }
+}
+
+TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
+  for (std::size_t piece = 1; piece < 20; ++piece) {
+    EXPECT_EQ(error_of([&] { split("[{\"é\":0}]\n \t]x", piece); }),
+              "f:2:3: error: text after the end of the JSON array; expected nothing more; remove it");
+    EXPECT_EQ(error_of([&] { split("[{\"é\":0}] [", piece); }),
+              "f:1:11: error: text after the end of the JSON array; expected nothing more; remove it");
+  }
+}
+
+TEST(JsonSplit, a_key_is_passed_on_before_more_is_read) {
+  int asked = 0;
+  JsonSplitter splitter([&]() -> std::optional<std::string> { return ++asked == 1 ? "{\"t\":0}\n" : "{\"t\":1}\n"; });
+  EXPECT_THAT(splitter.next()->chunk.text, testing::HasSubstr("{\"t\":0}"));
+  EXPECT_EQ(asked, 1);
+}
+
+}  // namespace
+}  // namespace tcb

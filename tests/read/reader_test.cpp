@@ -1,0 +1,112 @@
+// Reader: how the format of an input is found, what may precede its first byte, and faults gathered into one error.
+#include "schema/input.hpp"
+
+#include <gtest/gtest.h>
+
+#include "read/reading.hpp"
+
+namespace tcb {
+namespace {
+
+const std::string csv_text = "t,x\n0,1\n";
+const std::string csv_keys = "t x\n2: 0 1\n";
+
+TEST(OpenInput, the_file_ending_determines_the_format) {
+  EXPECT_EQ(read("t\tx,y\n0\t1\n", {}, 1, "a.b/keys.tsv"), "t x,y\n2: 0 1\n");
+  EXPECT_EQ(read("t x,y\n0 1\n", {}, 1, "keys.ssv"), "t x,y\n2: 0 1\n");
+  EXPECT_EQ(read("[t,x\n0,1\n", with_columns("time=1"), 1, "keys.csv"), "[t x\n2: 0 1\n") << "no JSON, by its ending";
+  EXPECT_EQ(read("{\"t\":0,\"x\":1}\n", {}, 1, "keys.jsonl"), "t x\n1: 0 1\n");
+  EXPECT_NE(read(csv_text, {}, 1, "keys.json").find("not JSON"), std::string::npos);
+}
+
+TEST(OpenInput, without_an_ending_the_first_byte_that_is_not_blank_does) {
+  EXPECT_EQ(read(" \t\r\n [{\"t\":0,\"x\":1}]", {}, 1, "-"), "t x\n2: 0 1\n");
+  EXPECT_EQ(read("\n{\"t\":0,\"x\":1}", {}, 1, "keys"), "t x\n2: 0 1\n");
+  EXPECT_EQ(read(csv_text, {}, 1, "keys.txt"), csv_keys);
+  EXPECT_EQ(read("csv,t\n1,0\n", {}, 1, "csv"), "t csv\n2: 0 1\n") << "a name is no ending";
+}
+
+TEST(OpenInput, a_given_format_has_priority) {
+  InputOptions options;
+  options.format = FormatId::csv;
+  EXPECT_EQ(read(csv_text, options, 1, "keys.json"), csv_keys);
+  options.format = FormatId::tsv;
+  EXPECT_EQ(read("t\ta,b\n0\t1\n", options, 1, "keys.csv"), "t a,b\n2: 0 1\n");
+}
+
+TEST(OpenInput, a_given_delimiter_has_priority_over_the_format) {
+  InputOptions options;
+  options.delimiter = ';';
+  EXPECT_EQ(read("t;x\n0;1\n", options, 1, "keys.tsv"), "t x\n2: 0 1\n");
+}
+
+TEST(OpenInput, a_byte_order_mark_is_not_part_of_the_first_cell) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (std::size_t piece = 1; piece < 5; ++piece) {
+    EXPECT_EQ(read(mark + csv_text, {}, piece), csv_keys);
+    EXPECT_EQ(read(mark + "[{\"t\":0,\"x\":1}]", {}, piece), "t x\n1: 0 1\n");
+    EXPECT_EQ(read(mark + "t,x\n\"0\n", {}, piece),
+              "f:2:1: error: a quoted cell is not closed; expected \" at its end; add it");
+    EXPECT_EQ(read(mark + "0,inf\n1,2\n", {}, piece),
+              "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell")
+        << "characters are counted without it";
+  }
+  EXPECT_NE(read("t," + mark + "x\n0,1\n"), csv_keys) << "it is one only at the beginning";
+}
+
+TEST(OpenInput, an_input_shorter_than_a_mark_is_read) {
+  EXPECT_EQ(read("7"),
+            "f:1: error: no position column; expected at least one column of numbers besides the time; name it "
+            "with --columns position=NAME");
+}
+
+/// Blocks with faults on these lines.
+Source<KeyBlock> blocks(std::vector<std::vector<std::uint64_t>> lines, bool ends_badly = false) {
+  return [lines, ends_badly, next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+    if (next == lines.size() && ends_badly) throw Error(Exit::data, ErrorCode::nul_byte).at({"", 99, 1});
+    if (next == lines.size()) return std::nullopt;
+    KeyBlock block;
+    for (const std::uint64_t line : lines[next])
+      block.faults.push_back(Error(Exit::data, ErrorCode::quote_not_closed).at({"", line, 1}));
+    ++next;
+    return block;
+  };
+}
+
+/// The lines of the faults.
+std::string lines_of(const Source<KeyBlock>& source) {
+  try {
+    while (source()) {
+    }
+  } catch (const Error& error) {
+    std::string lines = fmt::format("{} ", error.position().line);
+    for (const Error& other : error.others()) lines += fmt::format("{} ", other.position().line);
+    return lines;
+  }
+  return "";
+}
+
+TEST(Faults, all_are_reported_in_the_order_of_their_lines) {
+  EXPECT_EQ(lines_of(without_faults(blocks({{}, {5, 3}, {}, {8}}), false)), "3 5 8 ");
+}
+
+TEST(Faults, at_most_ten_are_reported) {
+  EXPECT_EQ(lines_of(without_faults(blocks({{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11}, {12}}), false)),
+            "1 2 3 4 5 6 7 8 9 10 ");
+}
+
+TEST(Faults, a_live_input_is_read_no_further) { EXPECT_EQ(lines_of(without_faults(blocks({{1}, {2}}), true)), "1 "); }
+
+TEST(Faults, an_error_that_ends_the_reading_comes_last) {
+  EXPECT_EQ(lines_of(without_faults(blocks({{1}}, true), false)), "1 99 ");
+}
+
+TEST(Faults, blocks_without_faults_pass) {
+  const auto source = without_faults(blocks({{}, {}}), false);
+  EXPECT_TRUE(source().has_value());
+  EXPECT_TRUE(source().has_value());
+  EXPECT_FALSE(source().has_value());
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,90 @@
+// Batches: files that fail, files that are current, the first failure as the end, threads for large files.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "cli/remedies.hpp"
+#include "error.hpp"
+#include "run/pipeline.hpp"
+
+namespace {
+
+using tcb::Error;
+using tcb::ErrorCode;
+using tcb::Exit;
+using tcb::InputFile;
+using tcb::Inputs;
+using tcb::Summary;
+
+Inputs numbered_files(int count) {
+  Inputs inputs;
+  for (int i = 0; i < count; ++i) inputs.files.push_back({std::to_string(i)});
+  return inputs;
+}
+
+/// Standard error of a batch, and its summary.
+template <class F>
+std::pair<std::string, Summary> run(F convert) {
+  testing::internal::CaptureStderr();
+  tcb::Report report({}, {tcb::error_text, tcb::note_text});
+  const Summary summary = convert(report);
+  return {testing::internal::GetCapturedStderr(), summary};
+}
+
+std::uint64_t fail_at_threes(const InputFile& file, unsigned) {
+  const auto number = std::stoull(file.path);
+  if (number % 3 == 0) throw Error(Exit::data, ErrorCode::unexpected, {"it is a three"});
+  return number;
+}
+
+TEST(Batch, a_file_that_fails_does_not_stop_the_others) {
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    const Inputs inputs = numbered_files(10);
+    const auto [errors, summary] =
+        run([&](tcb::Report& report) { return convert_all(inputs, false, threads, report, fail_at_threes); });
+    EXPECT_EQ(summary.done, 6);
+    EXPECT_EQ(summary.failed, 4);
+    EXPECT_EQ(summary.rows, 1 + 2 + 4 + 5 + 7 + 8);
+    EXPECT_EQ(errors,
+              "0: error: it is a three\n3: error: it is a three\n6: error: it is a three\n9: error: it is a three\n");
+  }
+}
+
+TEST(Batch, with_fail_fast_the_first_failure_ends_the_batch) {
+  Inputs inputs = numbered_files(1000);
+  inputs.files.erase(inputs.files.begin());
+  for (const unsigned threads : {1U, 4U}) {
+    const auto [errors, summary] =
+        run([&](tcb::Report& report) { return convert_all(inputs, true, threads, report, fail_at_threes); });
+    EXPECT_EQ(errors.substr(0, errors.find('\n')), "3: error: it is a three");
+    EXPECT_GE(summary.done, 2);
+    EXPECT_LT(summary.done + summary.failed, 3 + 2 * threads);
+  }
+}
+
+TEST(Batch, current_files_are_skipped) {
+  Inputs inputs = numbered_files(6);
+  for (const std::size_t i : {0UL, 3UL, 5UL}) inputs.files[i].is_current = true;
+  inputs.others = 7;
+  const auto [errors, summary] =
+      run([&](tcb::Report& report) { return convert_all(inputs, false, 3, report, fail_at_threes); });
+  EXPECT_EQ(errors, "");
+  EXPECT_EQ(summary.done, 3);
+  EXPECT_EQ(summary.skipped, 3);
+  EXPECT_EQ(summary.ignored, 7);
+}
+
+TEST(Batch, a_large_file_gets_all_threads_and_small_ones_one) {
+  Inputs inputs = numbered_files(2);
+  inputs.files[1].size = std::uintmax_t{1} << 30;
+  const auto [errors, summary] = run([&](tcb::Report& report) {
+    return convert_all(inputs, false, 3, report, [](const InputFile& file, unsigned threads) {
+      EXPECT_EQ(threads, file.path == "1" ? 3 : 1);
+      return 0;
+    });
+  });
+  EXPECT_EQ(summary.done, 2);
+}
+
+}  // namespace

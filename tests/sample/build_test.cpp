@@ -1,0 +1,129 @@
+// Building curves: segments with lengths, the end of a closed curve, periodic extension.
+#include "sample/build.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/remedies.hpp"
+#include "error.hpp"
+#include "keys/key_store.hpp"
+
+namespace tcb {
+namespace {
+
+/// Keys of one channel in blocks of `size`; line i + 1 holds key i.
+Source<KeyBlock> blocks(const std::vector<std::array<double, 2>>& table, std::size_t size) {
+  return [table, size, next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+    if (next >= table.size()) return std::nullopt;
+    KeyBlock block;
+    block.keys.channels = 1;
+    for (const std::size_t end = std::min(next + size, table.size()); next < end; ++next) {
+      block.keys.times.emplace_back(table[next][0]);
+      block.keys.positions.push_back(table[next][1]);
+      block.lines.push_back(next + 1);
+    }
+    return block;
+  };
+}
+
+TEST(SegmentBlocks, measured_at_once_or_with_known_lengths_are_the_same) {
+  const KeyStore kept(blocks({{0, 0}, {1, 3}, {2, -1}, {4, 5}}, 2));
+  const Lengths lengths = all_lengths(segment_blocks({kept.source(), {}}, {}, true));
+  ASSERT_EQ(lengths.size(), 3U);
+  const auto again = with_lengths(segment_blocks({kept.source(), {}}, {}, false), lengths);
+  std::vector<double> found;
+  while (const auto block = again()) {
+    for (const auto& length : block->lengths) found.push_back(length.value);
+  }
+  EXPECT_EQ(found, (std::vector<double>{lengths[0].value, lengths[1].value, lengths[2].value}));
+  EXPECT_GE(total_length(lengths), 3 + 4 + 6);
+}
+
+KeyStore kept(std::vector<spline::Time<double>> times, std::vector<double> positions,
+              std::vector<double> tensions = {}) {
+  KeyBlock block;
+  block.keys.channels = 1;
+  block.keys.times = std::move(times);
+  block.keys.positions = std::move(positions);
+  for (const double tension : tensions) block.keys.tcbs.push_back({tension, 0, 0});
+  for (std::size_t i = 0; i < block.keys.size(); ++i) block.lines.push_back(i + 1);
+  return KeyStore([block, done = false]() mutable -> std::optional<KeyBlock> {
+    return std::exchange(done, true) ? std::nullopt : std::optional(block);
+  });
+}
+
+CurveSpec closed_spec(const char* period) {
+  CurveSpec result;
+  result.closed = true;
+  if (*period != 0) result.period = parse_rational(period);
+  return result;
+}
+
+std::string close_refusal(KeyStore keys, const CurveSpec& curve) {
+  try {
+    (void)close(keys, curve, true);
+  } catch (const Error& error) {
+    return error_text(error.in("f"));
+  }
+  return "nothing";
+}
+
+TEST(Close, a_repeated_first_position_is_the_period_and_no_key) {
+  auto keys = kept({0.0, 1.0, 2.5}, {3, 4, 3});
+  EXPECT_EQ(close(keys, closed_spec(""), true).hi, 2.5);
+  EXPECT_EQ(keys.size(), 2U);
+}
+
+TEST(Close, a_period_is_added_exactly) {
+  auto keys = kept({0.1, 0.15}, {3, 4});
+  EXPECT_EQ(close(keys, closed_spec("0.2"), true).hi, 0.3);
+}
+
+TEST(Close, keys_without_times_need_one_step_more) {
+  auto keys = kept({0.0, 1.0, 2.0}, {3, 4, 8});
+  EXPECT_EQ(close(keys, closed_spec(""), false).hi, 3);
+  CurveSpec chordal = closed_spec("");
+  chordal.parameter = 1;
+  EXPECT_EQ(close(keys, chordal, false).hi, 7);
+}
+
+TEST(Close, refuses_what_makes_no_closed_curve) {
+  EXPECT_EQ(close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
+            "f: error: the period of the closed curve is unknown; expected --period, or a last row that "
+            "repeats the first position; give one");
+  EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
+            "f:3: error: this key closes the curve at the position of line 1, but with another tension, continuity or "
+            "bias; expected the same; correct one of the two");
+  EXPECT_EQ(
+      close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
+      "f: error: --period: the curve is closed before its last key, at time 2; expected a longer period; correct it");
+  EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
+            "f:3: error: this key repeats the position of line 1 and so ends the period, but --period differs; remove "
+            "one of them");
+  EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
+            "f: error: a closed curve needs at least two distinct keys; add keys");
+}
+
+TEST(PeriodicExtension, the_last_key_is_before_the_first_and_the_first_two_are_after) {
+  const auto keys = kept({0.0, 1.0, 3.0}, {5, 6, 7});
+  const LinkedKeys linked = periodic_extension(keys, 4.0);
+  EXPECT_EQ(linked.context->times[0].hi, -1);
+  EXPECT_EQ(linked.context->positions[0], 7);
+  std::vector<double> times, positions;
+  while (const auto block = linked.keys()) {
+    for (std::size_t i = 0; i < block->size(); ++i) {
+      times.push_back(block->times[i].hi);
+      positions.push_back(block->positions[i]);
+    }
+  }
+  EXPECT_EQ(times, (std::vector<double>{0, 1, 3, 4, 5}));
+  EXPECT_EQ(positions, (std::vector<double>{5, 6, 7, 5, 6}));
+}
+
+}  // namespace
+}  // namespace tcb

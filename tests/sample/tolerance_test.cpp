@@ -1,0 +1,171 @@
+// Tolerance: the polyline stays as near as promised, corners are rows, and there are no more rows than needed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "error.hpp"
+#include "sample/sampler.hpp"
+#include "tcb/spline/tangents.hpp"
+
+namespace tcb {
+namespace {
+
+/// A curve through random keys, by number and by time.
+class Curve {
+ public:
+  Curve(const spline::Keys<double>& keys) : curve_(spline::segments<double>({keys}, {})) {}
+
+  CurveSegments segments() const {
+    return {[this](std::uint64_t i) {
+              return CurveSegment{curve_.times[i], curve_.times[i + 1], {}, {}, curve_[i], {}, i + 1 == curve_.size()};
+            },
+            curve_.size()};
+  }
+
+  std::vector<double> at(double t) const {
+    std::size_t i = 0;
+    while (i + 1 < curve_.size() && curve_.times[i + 1].hi <= t) ++i;
+    std::vector<double> x;
+    for (const auto& cubic : curve_[i]) {
+      x.push_back(spline::position(cubic, spline::TimeMap<double>(curve_.times[i], curve_.times[i + 1])({t})));
+    }
+    return x;
+  }
+
+ private:
+  spline::Segments<double> curve_;
+};
+
+double distance(const std::vector<double>& p, const std::vector<double>& a, const std::vector<double>& b) {
+  double along = 0, length2 = 0, distance2 = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    along += (p[i] - a[i]) * (b[i] - a[i]);
+    length2 += (b[i] - a[i]) * (b[i] - a[i]);
+  }
+  const double part = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
+  for (std::size_t i = 0; i < p.size(); ++i) distance2 += std::pow(p[i] - a[i] - part * (b[i] - a[i]), 2);
+  return std::sqrt(distance2);
+}
+
+spline::Keys<double> random_keys(std::mt19937_64& random, std::size_t channels) {
+  std::uniform_real_distribution<double> place(-1, 1);
+  spline::Keys<double> keys;
+  keys.channels = channels;
+  double t = 0;
+  for (int i = 0; i < 6; ++i, t += 1.5 + place(random)) {
+    keys.times.emplace_back(t);
+    keys.tcbs.push_back({place(random), i % 2 == 0 ? place(random) : 0, place(random)});
+    for (std::size_t c = 0; c < channels; ++c) keys.positions.push_back(place(random));
+  }
+  return keys;
+}
+
+TEST(Tolerance, no_point_of_the_curve_is_farther_from_the_polyline) {
+  std::mt19937_64 random(21);
+  for (int round = 0; round < 40; ++round) {
+    const auto keys = random_keys(random, round % 2 == 0 ? 2 : 3);
+    const Curve curve(keys);
+    const double tolerance = std::pow(10, -1 - round % 3);
+    const bool at_keys = round % 4 >= 2;
+    auto rows = times_within_tolerance(curve.segments(), {tolerance}, 1'000'000, at_keys);
+    if (at_keys) {
+      rows.insert(rows.end(), keys.times.begin(), keys.times.end());
+      std::ranges::sort(rows);
+    }
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+      const auto a = curve.at(rows[i].hi), b = curve.at(rows[i + 1].hi);
+      for (double f = 0; f <= 1; f += 1.0 / 64) {
+        ASSERT_LE(distance(curve.at(rows[i].hi + f * (rows[i + 1].hi - rows[i].hi)), a, b), tolerance);
+      }
+    }
+  }
+}
+
+/// Keys at seconds since 1970, where a double is a quarter of a microsecond from the next.
+spline::Keys<double> late_keys(std::size_t channels) {
+  spline::Keys<double> keys{channels, {1403715524.0, 1403715525.0, 1403715526.0, 1403715527.0}, {}, {}, {}, {}};
+  for (const double y : {0, 1, 0, 1}) {
+    if (channels == 2) keys.positions.push_back(static_cast<double>(keys.positions.size()) / 2);
+    keys.positions.push_back(y);
+  }
+  return keys;
+}
+
+TEST(Tolerance, holds_for_rows_at_the_times_that_they_print) {
+  constexpr double tolerance = 1e-8;
+  const Curve path(late_keys(2)), graph(late_keys(1));
+  const auto of_path = times_within_tolerance(path.segments(), {tolerance}, 1'000'000);
+  const auto of_graph = times_within_tolerance(graph.segments(), {1e-6}, 1'000'000);
+  const auto between = [](const std::vector<Time>& rows, std::size_t i, int part) {
+    return rows[i].hi + (rows[i + 1].hi - rows[i].hi) * part / 16;
+  };
+  for (std::size_t i = 0; i + 1 < of_path.size(); ++i) {
+    const auto a = path.at(of_path[i].hi), b = path.at(of_path[i + 1].hi);
+    for (int part = 1; part < 16; ++part) ASSERT_LE(distance(path.at(between(of_path, i, part)), a, b), tolerance);
+  }
+  for (std::size_t i = 0; i + 1 < of_graph.size(); ++i) {
+    const double a = graph.at(of_graph[i].hi)[0], b = graph.at(of_graph[i + 1].hi)[0];
+    for (int part = 1; part < 16; ++part) {
+      const double t = between(of_graph, i, part);
+      const double height = a + (b - a) * ((t - of_graph[i].hi) / (of_graph[i + 1].hi - of_graph[i].hi));
+      ASSERT_LE(std::abs(graph.at(t)[0] - height), 1e-6);
+    }
+  }
+}
+
+TEST(Tolerance, that_no_printed_time_can_keep_is_refused) {
+  const Curve path(late_keys(2));
+  EXPECT_THROW(times_within_tolerance(path.segments(), {1e-15}, 1'000'000'000), Error);
+}
+
+TEST(Tolerance, a_single_channel_is_a_graph_over_time) {
+  std::mt19937_64 random(22);
+  for (int round = 0; round < 40; ++round) {
+    const auto keys = random_keys(random, 1);
+    const Curve curve(keys);
+    const auto rows = times_within_tolerance(curve.segments(), {0.01}, 1'000'000);
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+      const double a = curve.at(rows[i].hi)[0], b = curve.at(rows[i + 1].hi)[0];
+      for (double f = 0; f <= 1; f += 1.0 / 64) {
+        const double t = rows[i].hi + f * (rows[i + 1].hi - rows[i].hi);
+        ASSERT_LE(std::abs(curve.at(t)[0] - (a + f * (b - a))), 0.01 + 1e-15);
+      }
+    }
+  }
+}
+
+TEST(Tolerance, corners_are_rows) {
+  std::mt19937_64 random(23);
+  for (int round = 0; round < 20; ++round) {
+    const auto keys = random_keys(random, 2);
+    const auto rows = times_within_tolerance(Curve(keys).segments(), {100}, 1'000'000);
+    EXPECT_EQ(rows, (std::vector<Time>{keys.times[0], keys.times[2], keys.times[4], keys.times[5]}));
+  }
+}
+
+TEST(Tolerance, an_s_whose_middle_lies_on_the_chord_is_not_taken_for_straight) {
+  spline::Keys<double> keys;
+  keys.channels = 2;
+  keys.times = {0.0, 1.0};
+  keys.positions = {0, 0, 1, 0};
+  spline::CurveRules<double> rules;
+  constexpr auto velocity = spline::EndRule::velocity;
+  rules.start = {velocity, {1, 3}};
+  rules.end = {velocity, {1, 3}};
+  const auto s = spline::segments<double>({keys}, rules);
+  const CurveSegments segments{[&](std::uint64_t) { return CurveSegment{0.0, 1.0, {}, {}, s[0], {}, true}; }, 1};
+  EXPECT_GE(times_within_tolerance(segments, {0.1}, 100).size(), 4U);
+  EXPECT_EQ(times_within_tolerance(segments, {1}, 100).size(), 2U);
+}
+
+TEST(Tolerance, refuses_more_rows_than_allowed) {
+  std::mt19937_64 random(24);
+  const auto keys = random_keys(random, 2);
+  EXPECT_THROW(times_within_tolerance(Curve(keys).segments(), {1e-6}, 10), Error);
+}
+
+}  // namespace
+}  // namespace tcb

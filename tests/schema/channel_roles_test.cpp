@@ -1,0 +1,148 @@
+// Channel roles: names such as "tension_x", requests of them, near misses, and errors.
+#include <gmock/gmock.h>
+
+#include "read/reading.hpp"
+#include "schema/columns.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Names = std::vector<std::string>;
+
+/// The columns of a header where every column holds numbers.
+Columns find(const Names& header, std::string_view asked = "") {
+  return find_columns(header, std::vector<bool>(header.size(), true),
+                      asked.empty() ? std::vector<RoleRequest>{} : parse_roles(asked));
+}
+
+std::string error_in(const Names& header, std::string_view asked = "") {
+  return error_of([&] { (void)find(header, asked); });
+}
+
+TEST(ChannelRoles, a_name_has_the_role_and_the_channel) {
+  EXPECT_EQ(channel_role_of("tension_x"), (ChannelRole{Role::channel_tension, "x"}));
+  EXPECT_EQ(channel_role_of("Continuity_Pos Y"), (ChannelRole{Role::channel_continuity, "Pos Y"}));
+  EXPECT_EQ(channel_role_of("BIAS_p1_a"), (ChannelRole{Role::channel_bias, "p1_a"}));
+  for (const char* name : {"tension_", "tension", "x_tension", "tensionx", "bias", "x", ""}) {
+    EXPECT_EQ(channel_role_of(name), std::nullopt) << name;
+  }
+  EXPECT_EQ(role_name(ChannelRole{Role::channel_bias, "p1"}), "bias_p1");
+}
+
+TEST(ChannelRoles, columns_are_for_their_channel_in_any_order_and_case) {
+  const Columns columns = find({"tension_y", "t", "x", "BIAS_X", "Y", "continuity_x", "T"});
+  EXPECT_THAT(columns.channels, ElementsAre("x", "Y"));
+  EXPECT_EQ(columns.cells[0].role, Role::channel_tension);
+  EXPECT_EQ(columns.cells[0].channel, 1U);
+  EXPECT_EQ(columns.cells[3].role, Role::channel_bias);
+  EXPECT_EQ(columns.cells[3].channel, 0U);
+  EXPECT_THAT(columns.shape_roles(), ElementsAre("tension", "tension_Y", "bias_x", "continuity_x"));
+  EXPECT_TRUE(columns.ignored.empty());
+}
+
+TEST(ChannelRoles, an_exact_name_has_priority_over_one_in_another_case) {
+  const Columns columns = find({"t", "X", "x", "tension_x"});
+  EXPECT_EQ(columns.cells[3].channel, 1U);
+  EXPECT_EQ(find({"t", "x", "X", "tension_X"}).cells[3].channel, 1U);
+}
+
+TEST(ChannelRoles, velocities_are_for_one_side_or_both) {
+  const Columns columns = find({"t", "x_v", "x", "y", "Y_vout", "y_VIN", "z", "T"});
+  EXPECT_THAT(columns.channels, ElementsAre("x", "y", "z"));
+  EXPECT_EQ(columns.cells[1].role, Role::velocity);
+  EXPECT_EQ(columns.cells[4].role, Role::velocity_out);
+  EXPECT_EQ(columns.cells[5].role, Role::velocity_in);
+  EXPECT_EQ(columns.cells[5].channel, 1U);
+  EXPECT_EQ(role_name(ChannelRole{Role::velocity_out, "x"}), "x_vout");
+}
+
+TEST(ChannelRoles, a_velocity_of_no_channel_is_a_channel) {
+  const Columns columns = find({"t", "q_v", "x", "x_v", "x_v_v", "t_v"});
+  EXPECT_THAT(columns.channels, ElementsAre("q_v", "x", "x_v_v", "t_v"));
+  EXPECT_THAT(find({"t", "q_v", "tension_q_v"}).channels, ElementsAre("q_v"));
+  EXPECT_THAT(find({"t", "x", "x_v"}, "position=x:x_v").channels, ElementsAre("x", "x_v"));
+  EXPECT_THAT(error_in({"t", "x", "q_vin"}), HasSubstr("column \"q_vin\" is for a channel \"q\""));
+}
+
+TEST(ChannelRoles, velocities_are_whole_and_without_tension) {
+  EXPECT_THAT(error_in({"t", "x", "x_vin"}), HasSubstr("\"x_vin\" without \"x_vout\"; expected both"));
+  EXPECT_THAT(error_in({"t", "x", "x_vout"}), HasSubstr("\"x_vout\" without \"x_vin\"; expected both"));
+  EXPECT_THAT(error_in({"t", "x", "x_v", "x_vin"}), HasSubstr("\"x_v\" and \"x_vin\": two velocities of one side"));
+  EXPECT_THAT(error_in({"t", "x", "y", "x_v", "bias_x"}), HasSubstr("\"x_v\" and \"bias_x\": a given velocity"));
+  EXPECT_THAT(error_in({"t", "x", "x_v", "C"}), HasSubstr("the column of continuity has no effect"));
+  EXPECT_THAT(find({"t", "x", "y", "x_v", "C", "bias_y"}).channels, ElementsAre("x", "y"));
+}
+
+TEST(ChannelRoles, columns_can_be_ignored) {
+  const Columns columns = find({"t", "x", "x_v", "x_vin", "T", "y"}, "ignore=x_v:x_vin,ignore=T");
+  EXPECT_THAT(columns.channels, ElementsAre("x", "y"));
+  EXPECT_THAT(columns.ignored, ElementsAre("x_v", "x_vin", "T"));
+  EXPECT_THAT(find({"time", "stamp", "x"}, "ignore=time").time, "stamp");
+  EXPECT_EQ(find_columns({}, {true, true, true}, parse_roles("ignore=1")).cells[1].role, Role::time);
+}
+
+TEST(ChannelRoles, requests_name_them) {
+  const Columns columns = find({"t", "x", "y", "k"}, "tension_y=k");
+  EXPECT_EQ(columns.cells[3].role, Role::channel_tension);
+  EXPECT_EQ(columns.cells[3].channel, 1U);
+  const Columns other = find({"t", "x", "k", "tension_x"}, "tension_x=k");
+  EXPECT_EQ(other.cells[2].role, Role::channel_tension);
+  EXPECT_THAT(other.ignored, ElementsAre("tension_x")) << "the requested one has priority";
+  const Columns unnamed = find_columns({}, {true, true, true, true}, parse_roles("bias_y=4"));
+  EXPECT_EQ(unnamed.cells[3].role, Role::channel_bias);
+  EXPECT_EQ(unnamed.cells[3].channel, 1U);
+  const Columns chosen = find({"t", "x", "y", "tension_x", "tension_y"}, "position=y");
+  EXPECT_EQ(chosen.cells[4].role, Role::channel_tension);
+  EXPECT_THAT(chosen.ignored, ElementsAre("x", "tension_x"));
+}
+
+TEST(ChannelRoles, a_channel_may_have_such_a_name_where_it_is_requested) {
+  EXPECT_THAT(find({"t", "x", "tension_x"}, "position=x:tension_x").channels, ElementsAre("x", "tension_x"));
+}
+
+TEST(ChannelRoles, an_unknown_channel_is_an_error) {
+  EXPECT_THAT(error_in({"t", "x", "y", "tension_q"}),
+              HasSubstr("column \"tension_q\" is for a channel \"q\", which does not exist; the channels are x, y"));
+  EXPECT_THAT(error_in({"t", "x", "tension_t"}), HasSubstr("a channel \"t\""));
+  EXPECT_THAT(error_in({"t", "x", "k"}, "bias_q=k"), HasSubstr("bias_q is for a channel \"q\", which does not exist"));
+  EXPECT_THAT(error_in({"t", "x", "a", "b"}, "tension_x=a:b"),
+              HasSubstr("two columns could be the tension_x column, the second is \"b\""));
+  EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("two columns could be the tension_x column"));
+}
+
+TEST(ChannelRoles, rows_may_be_segments) {
+  const Columns columns = find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "s"});
+  EXPECT_TRUE(columns.are_segments);
+  EXPECT_THAT(columns.channels, ElementsAre("x"));
+  EXPECT_THAT(columns.ignored, ElementsAre("s"));
+  EXPECT_EQ(columns.cells[0].role, Role::time);
+  EXPECT_EQ(columns.cells[1].role, Role::duration);
+  EXPECT_EQ(columns.cells[3].role, Role::velocity_out);
+  EXPECT_EQ(columns.name_of(columns.cells[3]), "x_v0");
+  EXPECT_EQ(columns.name_of(columns.cells[1]), "duration");
+  EXPECT_FALSE(find({"start", "duration", "x_p0", "x_p1"}).are_segments);
+  EXPECT_FALSE(find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1"}, "time=start").are_segments);
+  const Names incomplete{"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "y_p0"};
+  EXPECT_THAT(error_in(incomplete), HasSubstr("\"y_p0\" without \"y_v0\"; expected both, where rows are segments"));
+  EXPECT_THAT(find(incomplete, "ignore=y_p0").channels, ElementsAre("x"));
+  EXPECT_THAT(error_in({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "x_p0"}),
+              HasSubstr("two columns are called \"x_p0\""));
+}
+
+TEST(ChannelRoles, near_misses_are_errors) {
+  EXPECT_THAT(error_of([] {
+                const Names header{"t", "x", "tensoin_x"};
+                require_no_near_miss(header, find(header), {}, false);
+              }),
+              HasSubstr("column \"tensoin_x\" is close to \"tension_x\""));
+  EXPECT_EQ(near_channel_role("x_tension", {"x"}), (ChannelRole{Role::channel_tension, "x"}));
+  EXPECT_EQ(near_channel_role("Bais_Pos_X", {"y", "pos_x"}), (ChannelRole{Role::channel_bias, "pos_x"}));
+  for (const char* name : {"tensor_x", "tensoin_y", "x_T", "x", "x_", "_x", "x_y", "time_x"}) {
+    EXPECT_EQ(near_channel_role(name, {"x"}), std::nullopt) << name;
+  }
+}
+
+}  // namespace
+}  // namespace tcb

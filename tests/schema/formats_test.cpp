@@ -1,0 +1,33 @@
+// Formats: names, endings and capabilities.
+#include "schema/formats.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace tcb {
+namespace {
+
+TEST(Formats, names_and_endings_are_unique_and_csv_is_the_default) {
+  std::set<std::string_view> names, endings;
+  for (const Format& format : formats) {
+    EXPECT_TRUE(names.insert(format.name).second) << format.name;
+    EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
+    EXPECT_TRUE(format.ending.starts_with('.')) << format.ending;
+    EXPECT_EQ(&format_of(format.id), &format);
+    EXPECT_EQ(find_format(format.name), format.id);
+  }
+  EXPECT_EQ(formats[0].id, FormatId::csv);
+}
+
+TEST(Formats, names_are_in_lower_case) { EXPECT_EQ(find_format("CSV"), std::nullopt); }
+
+TEST(Formats, a_file_ending_names_a_format_that_can_be_read) {
+  EXPECT_EQ(find_input_format("a.b/keys.tsv"), FormatId::tsv);
+  EXPECT_EQ(find_input_format("keys.jsonl"), FormatId::jsonl);
+  EXPECT_EQ(find_input_format("rows.npy"), std::nullopt);
+  EXPECT_EQ(find_input_format("csv"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace tcb

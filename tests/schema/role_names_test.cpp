@@ -1,0 +1,55 @@
+// Role names: usual names of times, of positions, of coordinates and of labels.
+#include <gtest/gtest.h>
+
+#include "schema/columns.hpp"
+
+namespace tcb {
+namespace {
+
+TEST(UsualTime, names_of_times_have_any_case_and_a_unit) {
+  for (const char* name :
+       {"sec",       "secs",      "Seconds",    "SECS",         "time_s",       "time_ms",      "Time (s)",
+        "time [s]",  "Time[ms]",  "time-us",    "TimeNs",       "t_s",          "t (ms)",       "T [s]",
+        "T_s",       "frame",     "Frame No",   "Frame Number", "frame_no",     "FrameIndex",   "keyframe",
+        "Key Frame", "stamp",     "time stamp", "timestamp_ns", "timestamps",   "elapsed",      "elapsed_time",
+        "date",      "DateTime",  "ts",         "ts_ms",        "times",        "header.stamp", "field.header.stamp",
+        "%time",     "unix_time", "ms",         "millis",       "milliseconds", "nanoseconds",  "time (\xC2\xB5s)",
+        "time_min",  "time [h]",  "minutes",    "ticks",        "/odom/time",   "rosTime",      "clock"}) {
+    EXPECT_TRUE(is_usual_time(name)) << name;
+  }
+}
+
+TEST(UsualTime, other_names_are_not_of_times) {
+  for (const char* name : {"",         "T",       "x",          "s",        "S",           "min",   "m",  "h",
+                           "second",   "tension", "tide",       "temp",     "temperature", "T [K]", "tx", "timer",
+                           "lifetime", "update",  "frame_rate", "stamps_x", "period",      "us"}) {
+    EXPECT_FALSE(is_usual_time(name)) << name;
+  }
+}
+
+TEST(Coordinates, have_the_usual_names_numbers_and_axes) {
+  for (const char* name : {"x", "Y", "pos_x", "position.z", "x_m", "x (mm)", "tx", "qw", "p1", "c12", "lat",
+                           "Longitude", "value", "roll", "field.pose.x"}) {
+    EXPECT_TRUE(is_coordinate(name)) << name;
+  }
+  for (const char* name : {"", "sample", "idx", "index", "count", "foo", "step", "seq", "n"}) {
+    EXPECT_FALSE(is_coordinate(name)) << name;
+  }
+}
+
+TEST(UsualPosition, is_the_name_of_a_vector) {
+  for (const char* name : {"pos", "Position", "translation", "xyz", "coords"}) {
+    EXPECT_TRUE(is_usual_position(name)) << name;
+  }
+  for (const char* name : {"", "x", "meta", "rotation"}) EXPECT_FALSE(is_usual_position(name)) << name;
+}
+
+TEST(UsualLabel, is_the_name_of_what_distinguishes_curves) {
+  for (const char* name : {"id", "ID", "track_id", "TrackId", "object", "bone"}) {
+    EXPECT_TRUE(is_usual_label(name)) << name;
+  }
+  for (const char* name : {"", "x", "level", "weight"}) EXPECT_FALSE(is_usual_label(name)) << name;
+}
+
+}  // namespace
+}  // namespace tcb

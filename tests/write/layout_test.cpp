@@ -1,0 +1,231 @@
+// Layouts: the exact text of rows in each format, names that need quotes, and frames around several curves.
+#include "write/layout.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+#include "read/csv/delimited_text.hpp"
+#include "read/reading.hpp"
+
+namespace tcb {
+
+namespace {
+
+TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
+  const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
+  for (const Format& format : formats) {
+    if (!format.can_read || !format.can_write) continue;
+    const Layout layout = output_format(format.id).layout(columns, true);
+    std::string text = layout.head;
+    append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);
+    text += layout.tail + layout.end;
+    InputOptions options;
+    options.format = format.id;
+    const std::string keys = read(text, options);
+    EXPECT_TRUE(keys.starts_with("t the x\n")) << keys;
+    EXPECT_NE(keys.find(": 0 0.1\n"), std::string::npos) << keys;
+    EXPECT_NE(keys.find(": 1 -2\n"), std::string::npos) << keys;
+  }
+}
+
+const std::vector<OutputColumn> npy_columns{{"t", CellKind::time}, {"x", CellKind::real}, {"key", CellKind::whole}};
+
+/// Eight bytes, the lowest first, as a double.
+double number_at(const std::string& bytes, std::size_t number) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 8; i-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[number * 8 + i]);
+  return std::bit_cast<double>(bits);
+}
+
+TEST(Npy, the_head_has_the_same_size_for_any_number_of_rows) {
+  for (const std::uint64_t rows : {std::uint64_t{0}, std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max()}) {
+    const std::string head = npy_head(3, rows);
+    ASSERT_EQ(head.size(), 128U);
+    EXPECT_EQ(head.substr(0, 10), std::string("\x93NUMPY\x01\x00\x76\x00", 10));
+    EXPECT_EQ(head.back(), '\n');
+    EXPECT_NE(head.find("'shape': (" + std::to_string(rows) + ", 3), }"), std::string::npos) << head;
+  }
+}
+
+TEST(Npy, cells_are_the_bytes_of_doubles_and_nan_where_not_defined) {
+  std::string bytes;
+  append_rows(bytes, npy_layout(npy_columns), npy_columns,
+              {Cell(0.1), Cell(-0.0), Cell(7), Cell(1), empty_cell, empty_cell}, true);
+  ASSERT_EQ(bytes.size(), 48U);
+  EXPECT_EQ(number_at(bytes, 0), 0.1);
+  EXPECT_TRUE(std::signbit(number_at(bytes, 1)));
+  EXPECT_EQ(number_at(bytes, 2), 7);
+  EXPECT_TRUE(std::isnan(number_at(bytes, 4)));
+  EXPECT_TRUE(std::isnan(number_at(bytes, 5)));
+}
+
+TEST(Npy, a_time_beyond_doubles_is_refused) {
+  std::string bytes;
+  const auto append = [&](const Cell& time) {
+    append_rows(bytes, npy_layout(npy_columns), npy_columns, {time, Cell(0), Cell(0)}, true);
+  };
+  append({9007199254740992.0, 0});
+  EXPECT_EQ(number_at(bytes, 0), 9007199254740992.0);
+  EXPECT_THROW(append({9007199254740992.0, 1}), Error);
+}
+
+const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"x", CellKind::real}, {"n", CellKind::whole}};
+const std::vector<Cell> two_rows{Cell(0), Cell(0.1), Cell(3), {9007199254740992.0, 1}, Cell(-1e300), Cell(4)};
+
+/// All of an output: head, the rows in one go or one after another, tail.
+std::string output(const Layout& layout, const std::vector<OutputColumn>& of, const std::vector<Cell>& cells) {
+  std::string text = layout.head;
+  append_rows(text, layout, of, cells, true);
+  return text + (cells.empty() ? layout.no_rows : layout.tail) + layout.end;
+}
+
+TEST(Layout, delimited_rows) {
+  EXPECT_EQ(output(delimited_layout(columns, ',', true), columns, two_rows),
+            "t,x,n\n0,0.1,3\n9007199254740993,-1e+300,4\n");
+  EXPECT_EQ(output(delimited_layout(columns, '\t', false), columns, two_rows),
+            "0\t0.1\t3\n9007199254740993\t-1e+300\t4\n");
+}
+
+TEST(Layout, json_rows) {
+  EXPECT_EQ(output(json_layout(columns), columns, two_rows),
+            "[\n{\"t\":0,\"x\":0.1,\"n\":3},\n{\"t\":9007199254740993,\"x\":-1e+300,\"n\":4}\n]\n");
+  EXPECT_EQ(output(jsonl_layout(columns), columns, two_rows),
+            "{\"t\":0,\"x\":0.1,\"n\":3}\n{\"t\":9007199254740993,\"x\":-1e+300,\"n\":4}\n");
+}
+
+TEST(Layout, an_output_without_rows_is_complete) {
+  EXPECT_EQ(output(delimited_layout(columns, ',', true), columns, {}), "t,x,n\n");
+  EXPECT_EQ(output(jsonl_layout(columns), columns, {}), "");
+  EXPECT_TRUE(nlohmann::json::parse(output(json_layout(columns), columns, {})).empty());
+}
+
+TEST(Layout, rows_in_several_calls_are_the_rows_in_one) {
+  for (const Layout& layout : {delimited_layout(columns, ';', true), json_layout(columns), jsonl_layout(columns)}) {
+    std::string in_one, in_two;
+    append_rows(in_one, layout, columns, two_rows, true);
+    append_rows(in_two, layout, columns, {two_rows.begin(), two_rows.begin() + 3}, true);
+    append_rows(in_two, layout, columns, {two_rows.begin() + 3, two_rows.end()}, false);
+    EXPECT_EQ(in_two, in_one);
+  }
+}
+
+TEST(Layout, names_are_quoted_only_where_it_is_necessary) {
+  const auto head = [](const std::string& name, char delimiter) {
+    return delimited_layout({{name}}, delimiter, true).head;
+  };
+  EXPECT_EQ(head("p x [m]", ','), "p x [m]\n");
+  EXPECT_EQ(head("p x", ' '), "\"p x\"\n");
+  EXPECT_EQ(head("a\tb", ' '), "\"a\tb\"\n");
+  EXPECT_EQ(head("a,b", ','), "\"a,b\"\n");
+  EXPECT_EQ(head("a,b", ';'), "a,b\n");
+  EXPECT_EQ(head("5\" \n", ','), "\"5\"\" \n\"\n");
+}
+
+const char* const odd_names[] = {"a,b", "a;b", "a\tb", "a b", "\"", "\"a\"", "a\"\"b", "a\nb", "a\r\nb", "é", "a\\b"};
+
+TEST(Layout, delimited_names_read_back) {
+  for (const char delimiter : {',', ';', '\t', ' '}) {
+    const Dialect dialect{delimiter, ""};
+    for (const std::string name : odd_names) {
+      const Chunk chunk{delimited_layout({{"t"}, {name}}, delimiter, true).head};
+      Tokenizer tokenizer(chunk, dialect);
+      std::vector<std::string_view> cells;
+      ASSERT_TRUE(tokenizer.next(cells));
+      ASSERT_EQ(cells.size(), 2U) << chunk.text;
+      EXPECT_EQ(unquoted(cells[1]), name);
+      EXPECT_FALSE(tokenizer.next(cells));
+    }
+  }
+}
+
+TEST(Layout, json_names_read_back) {
+  for (const std::string name : {"a\"b", "\\", "\\\"", "a\nb", "\t", "é", "\x01\x1F", "a/b"}) {
+    const std::vector<OutputColumn> one{{name}};
+    const auto row = nlohmann::json::parse(output(jsonl_layout(one), one, {Cell(1)}));
+    EXPECT_EQ(row.begin().key(), name);
+  }
+}
+
+struct CurveRows {
+  std::vector<std::string> group;
+  std::vector<std::pair<double, std::string>> rows;  ///< a number and a label
+};
+
+/// An output with these curves. Labels are written only where `labelled`.
+std::string written(const std::string& format, const std::vector<CurveRows>& curves, bool labelled,
+                    const std::string& member = "") {
+  OutputColumns names{{}, {{"x"}}, {}};
+  if (!curves.empty()) names.groups.assign(curves[0].group.size(), "id");
+  if (labelled) names.labels = {"label"};
+  Frame frame(names, {*find_format(format), true, {}, !member.empty()});
+  std::string out = frame.head();
+  std::optional<std::vector<std::string>> before;
+  for (const CurveRows& curve : curves) {
+    out += frame.begin(curve.group, before == curve.group);
+    before = curve.group;
+    bool first = true;
+    for (const auto& [number, label] : curve.rows) {
+      Layout layout = frame.layout();
+      const std::vector<std::string_view> labels(labelled ? 1 : 0, label);
+      layout.row_end = frame.row_end(labels);
+      append_rows(out, layout, names.numbers, {Cell(number)}, first && frame.is_first());
+      first = false;
+    }
+    if (!first) frame.set_written();
+  }
+  return out + frame.tail(member);
+}
+
+const std::vector<CurveRows> two{{{"\"a"}, {{1, "\"p"}, {2, ""}}}, {{"7"}, {{3, "\"q,\""}}}};
+const std::vector<CurveRows> divided{{{}, {{1, ""}}}, {{}, {{2, ""}}}};
+
+TEST(Frame, a_group_is_in_each_row_of_its_curve) {
+  EXPECT_EQ(written("csv", two, true), "id,x,label\na,1,p\na,2,\n7,3,\"q,\"\"\"\n");
+  EXPECT_EQ(written("ssv", two, true), "id x label\na 1 p\na 2 NA\n7 3 \"q,\"\"\"\n");
+  EXPECT_EQ(written("jsonl", two, true),
+            "{\"id\":\"a\",\"x\":1,\"label\":\"p\"}\n{\"id\":\"a\",\"x\":2,\"label\":null}\n"
+            "{\"id\":7,\"x\":3,\"label\":\"q,\\\"\"}\n");
+}
+
+TEST(Frame, in_json_a_group_is_in_an_object_around_the_rows) {
+  EXPECT_EQ(
+      written("json", two, false),
+      "{\"curves\":[\n{\"id\":\"a\",\"rows\":[\n{\"x\":1},\n{\"x\":2}\n]},\n{\"id\":7,\"rows\":[\n{\"x\":3}\n]}\n]}\n");
+  EXPECT_EQ(written("json", {{{"\"a"}, {}}, {{"\"b"}, {}}}, false),
+            "{\"curves\":[\n{\"id\":\"a\",\"rows\":[\n]},\n{\"id\":\"b\",\"rows\":[\n]}\n]}\n");
+}
+
+TEST(Frame, without_groups_a_line_without_a_row_divides_curves) {
+  EXPECT_EQ(written("csv", divided, false), "x\n1\n\n2\n");
+  EXPECT_EQ(written("json", divided, false), "[\n{\"x\":1},\nnull,\n{\"x\":2}\n]\n");
+  EXPECT_EQ(written("jsonl", divided, false), "{\"x\":1}\nnull\n{\"x\":2}\n");
+}
+
+TEST(Frame, parts_of_a_curve_that_breaks_off_are_divided) {
+  const std::vector<CurveRows> parts{{{"\"a"}, {{1, ""}}}, {{"\"a"}, {{2, ""}}}, {{"\"b"}, {{3, ""}}}};
+  EXPECT_EQ(written("csv", parts, false), "id,x\na,1\n\na,2\nb,3\n");
+}
+
+TEST(Frame, in_json_another_member_may_follow_the_rows) {
+  const std::string member = "\"meta\":{}";
+  EXPECT_EQ(written("json", divided, false, member), "{\"rows\":[\n{\"x\":1},\nnull,\n{\"x\":2}\n],\n\"meta\":{}}\n");
+  EXPECT_EQ(written("json", {}, false, member), "{\"rows\":[\n],\n\"meta\":{}}\n");
+  EXPECT_EQ(written("json", {{{"\"a"}, {{1, ""}}}}, false, member),
+            "{\"curves\":[\n{\"id\":\"a\",\"rows\":[\n{\"x\":1}\n]}\n],\n\"meta\":{}}\n");
+}
+
+TEST(Frame, a_table_of_numbers_has_neither_texts_nor_several_curves) {
+  EXPECT_THROW(written("npy", two, false), Error);
+  EXPECT_THROW(written("npy", divided, true), Error);
+  EXPECT_THROW(written("npy", divided, false), Error);
+}
+
+}  // namespace
+
+}  // namespace tcb
