@@ -1,378 +1,189 @@
-// House rules: includes by folder, sizes, names, words, one list of errors, and tests that mirror the sources.
+// House rules: which room includes which, where packages are included, and that the maps name files that exist.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
-#include <optional>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "house/source_tree.hpp"
-
 namespace {
 
-using house::SourceFile;
-using house::Text;
 namespace fs = std::filesystem;
 
 const fs::path project = SOURCE_FOLDER;
+const fs::path src = project / "src";
 
-const std::vector<SourceFile>& sources() {
-  static const std::vector<SourceFile> files = house::read_sources(project / "src");
-  return files;
-}
-
-/// The folder of the table below: input/csv and input/json count as input; at the top, the file's name.
-std::string room(const std::string& file) {
-  if (file.starts_with("tcb/spline/")) return "tcb/spline";
-  return file.substr(0, file.find_first_of("/."));
-}
-
-/// Folder -> folders whose headers it may include.
+/// Room -> rooms whose headers it may include. A room is a folder of src/ with its subfolders, or a file at its top.
 const std::map<std::string, std::set<std::string>> allowed{
-    {"error", {}},
-    {"tcb/spline", {}},
+    {"tcb", {}},
     {"stream", {}},
-    {"text", {"tcb/spline", "error"}},
-    {"io", {"stream", "text", "error"}},
-    {"input", {"text", "stream", "tcb/spline", "error", "io"}},
-    {"keys", {"input", "text", "stream", "tcb/spline", "error"}},
-    {"sampling", {"text", "tcb/spline", "error"}},
-    {"curve", {"keys", "input", "sampling", "text", "stream", "tcb/spline", "error"}},
-    {"exact", {"curve", "keys", "input", "sampling", "text", "stream", "tcb/spline", "error"}},
-    {"fit", {"input", "text", "tcb/spline", "error"}},
-    {"output", {"curve", "input", "text", "io", "stream", "tcb/spline", "error"}},
-    {"picture", {"curve", "keys", "input", "sampling", "text", "stream", "tcb/spline", "error"}},
-    {"app",
-     {"picture", "output", "fit", "exact", "curve", "sampling", "keys", "input", "io", "text", "stream", "tcb/spline",
-      "error"}},
-    {"compare",
-     {"app", "picture", "output", "fit", "curve", "sampling", "keys", "input", "io", "text", "stream", "tcb/spline",
-      "error"}},
+    {"error", {}},
+    {"option_names", {}},
+    {"text", {"error"}},
+    {"numbers", {"tcb", "error", "text"}},
+    {"io", {"stream", "text", "numbers", "error", "option_names"}},
+    {"schema", {"tcb", "text", "numbers", "error", "option_names"}},
+    {"read", {"schema", "tcb", "stream", "text", "numbers", "io", "error", "option_names"}},
+    {"keys", {"schema", "tcb", "stream", "text", "numbers", "error", "option_names"}},
+    {"sample", {"keys", "schema", "tcb", "stream", "text", "numbers", "error", "option_names"}},
+    {"exact", {"sample", "keys", "schema", "tcb", "stream", "text", "numbers", "error", "option_names"}},
+    {"write", {"sample", "schema", "tcb", "stream", "text", "numbers", "io", "error", "option_names"}},
+    {"run",
+     {"read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error",
+      "option_names"}},
+    {"plot",
+     {"run", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error",
+      "option_names"}},
+    {"fit",
+     {"run", "plot", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error",
+      "option_names"}},
+    {"check",
+     {"run", "plot", "read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io",
+      "error", "option_names"}},
     {"cli",
-     {"compare", "app", "picture", "output", "exact", "curve", "sampling", "keys", "input", "io", "text", "tcb/spline",
-      "error"}},
-    {"main", {"cli", "compare", "app", "io", "error"}},
+     {"check", "fit", "plot", "run", "read", "keys", "sample", "exact", "write", "schema", "tcb", "text", "numbers",
+      "io", "error", "option_names"}},
+    {"main", {"cli", "check", "fit", "plot", "run", "io", "error"}},
 };
 
-/// Package, or a header of ours that includes one -> where it may be included: a folder, or one file.
+/// Package -> the rooms or files that may include it.
 const std::map<std::string, std::vector<std::string>> packages{
     {"numbers/large_rational.hpp", {"numbers/rational.cpp", "exact/"}},
-    {"nlohmann", {"input/json/"}},
+    {"nlohmann", {"read/json/"}},
     {"boost", {"numbers/rational.cpp", "numbers/large_rational.hpp", "exact/"}},
-    {"fast_float", {"text/"}},
+    {"fast_float", {"numbers/"}},
     {"CLI", {"cli/"}},
     {"nettle", {"io/"}},
     {"zlib.h", {"io/"}},
     {"zstd.h", {"io/"}},
 };
 
-/// Files that hold a table, which may be longer than 300 lines and shorter than others.
-const std::set<std::string> tables{"error.hpp", "cli/remedies.cpp", "cli/options.cpp", "tcb/spline/rules.hpp"};
-
-/// Words of the glossary that are retired, wherever they occur: comments, strings, and parts of names.
-const std::vector<std::string> retired{
-    "told",  "heard",  "beside",        "stands",     "stand",     "said",         "says",
-    "knows", "behind", "becomes of",    "goes along", "go along",  "foreign",      "sift",
-    "climb", "ladder", "stretch",       "stretches",  "judge",     "beside keys",  "going round",
-    "talk",  "slip",   "exchange them", "apart by",   "gives way", "is no number",
+struct SourceFile {
+  std::string name;  ///< relative to src/, with slashes
+  std::vector<std::string> lines;
 };
 
-/// Names of code that are retired, as whole names; as words of prose they may be used.
-const std::set<std::string> retired_names{
-    "Path",   "Stretch", "WholeCurve", "Whole",    "over",     "BesideKeys",  "heard",    "joined",    "Few",   "few",
-    "Talk",   "Sides",   "sides",      "sift",     "judge",    "going_round", "left_out", "left_out_", "Twice", "twice",
-    "narrow", "bend",    "Lane",       "Ladder",   "climb",    "foreign",     "slip",     "told",      "Piece", "piece",
-    "pieces", "piece_",  "pieces_",    "Recorder", "KeptKeys", "Place",       "Meta",     "Batch",     "Plan",
-};
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::vector<std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
 
-/// One message for all findings of a rule, so that the output is a list to work off.
-class Findings {
- public:
-  explicit Findings(std::string rule) : rule_(std::move(rule)) {}
-  ~Findings() { EXPECT_EQ(count_, 0) << rule_ << ":\n" << list_; }
-  void add(const SourceFile& file, int line, const std::string& what) {
-    add("src/" + file.name + ":" + std::to_string(line) + ": " + what);
+std::vector<SourceFile> read_sources() {
+  std::vector<SourceFile> files;
+  for (const auto& entry : fs::recursive_directory_iterator(src)) {
+    if (!entry.is_regular_file() || entry.path().extension() == ".md") continue;
+    files.push_back({entry.path().lexically_relative(src).generic_string(), lines_of(entry.path())});
   }
-  void add(const std::string& what) {
-    ++count_;
-    list_ += "  " + what + "\n";
-  }
+  std::ranges::sort(files, {}, &SourceFile::name);
+  return files;
+}
 
- private:
-  std::string rule_;
-  std::string list_;
-  int count_ = 0;
-};
+const std::vector<SourceFile>& sources() {
+  static const std::vector<SourceFile> files = read_sources();
+  return files;
+}
 
-/// Calls found(line, match) for each match in a text that may have several lines.
+/// "read" for read/csv/header.cpp, "main" for main.cpp.
+std::string room_of(const std::string& file) { return file.substr(0, file.find_first_of("/.")); }
+
+/// Calls found(file, line number, first group) for each match in a line of a source.
 template <class F>
-void each_match(const Text& text, const std::regex& pattern, F found) {
-  for (std::sregex_iterator at(text.text.begin(), text.text.end(), pattern), end; at != end; ++at) {
-    const auto before = text.text.begin() + at->position();
-    found(text.line + static_cast<int>(std::count(text.text.begin(), before, '\n')), at->str());
-  }
-}
-
-std::vector<Text> prose(const SourceFile& file) {
-  std::vector<Text> all = file.comments;
-  all.insert(all.end(), file.strings.begin(), file.strings.end());
-  return all;
-}
-
-/// A name in the words it is made of: CurveSpec and curve_spec are "curve spec".
-std::string in_words(const std::string& name) {
-  std::string words;
-  for (const char byte : name) {
-    if (std::isupper(static_cast<unsigned char>(byte)) && !words.empty() && words.back() != ' ') words += ' ';
-    words += byte == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(byte)));
-  }
-  return words;
-}
-
-TEST(House, includes_follow_the_table_of_folders) {
-  Findings findings("includes that the table of folders does not allow");
-  const std::regex include(R"re(#include ["<]([^">]+\.hpp)[">])re");
+void each_match(const std::regex& pattern, F found) {
   for (const SourceFile& file : sources()) {
-    const auto row = allowed.find(room(file.name));
-    if (row == allowed.end()) {
-      findings.add(file, 1, "the folder is not in the table");
-      continue;
-    }
-    each_match({1, file.code}, include, [&](int line, const std::string& match) {
-      const std::string header = match.substr(match.find_first_of("\"<") + 1);
-      const std::string to = room(header);
-      if (to == row->first || row->second.contains(to) || !allowed.contains(to)) return;
-      findings.add(file, line, row->first + " may not include " + header.substr(0, header.size() - 1));
-    });
-  }
-}
-
-TEST(House, packages_are_included_where_they_belong) {
-  Findings findings("headers of packages outside their place");
-  const std::regex include(R"re(#include ["<][^">]+[">])re");
-  for (const SourceFile& file : sources()) {
-    each_match({1, file.code}, include, [&](int line, const std::string& match) {
-      const std::string header = match.substr(10, match.size() - 11);
-      if (room(file.name) == "tcb/spline" && !header.starts_with("tcb/spline/") &&
-          header.find_first_of("/.") != std::string::npos) {
-        findings.add(file, line, header + " is not of the standard library");
-      }
-      auto package = packages.find(header);
-      if (package == packages.end()) package = packages.find(header.substr(0, header.find('/')));
-      if (package == packages.end()) return;
-      const auto here = [&](const std::string& place) { return file.name.starts_with(place); };
-      if (std::ranges::none_of(package->second, here)) findings.add(file, line, header);
-    });
-  }
-}
-
-TEST(House, options_are_spelled_in_cli_only) {
-  Findings findings("options spelled outside src/cli");
-  const std::regex option(R"re((^|[^-\w!])--[a-z][-\w]*)re");
-  for (const SourceFile& file : sources()) {
-    if (file.name.starts_with("cli/")) continue;
-    for (const Text& text : prose(file)) {
-      each_match(text, option, [&](int line, const std::string& match) { findings.add(file, line, match); });
-    }
-  }
-}
-
-TEST(House, messages_are_not_data) {
-  Findings findings("what() used outside error.hpp, main.cpp, app/batch.cpp and cli/");
-  for (const SourceFile& file : sources()) {
-    if (file.name == "error.hpp" || file.name == "main.cpp" || file.name == "run/batch.cpp" ||
-        room(file.name) == "cli") {
-      continue;
-    }
-    each_match({1, file.code}, std::regex(R"re(\bwhat\(\))re"),
-               [&](int line, const std::string& match) { findings.add(file, line, match); });
-  }
-}
-
-TEST(House, messages_are_composed_in_cli_only) {
-  Findings findings("words of errors outside src/cli, src/app and main.cpp");
-  for (const SourceFile& file : sources()) {
-    if (room(file.name) == "cli" || room(file.name) == "app" || file.name == "main.cpp") continue;
-    each_match({1, file.code}, std::regex(R"re(\berror_(message|text)\b)re"),
-               [&](int line, const std::string& match) { findings.add(file, line, match); });
-  }
-}
-
-/// A pattern for the retired words.
-std::regex retired_words(std::regex::flag_type flags = std::regex::ECMAScript) {
-  std::string any;
-  for (const std::string& word : retired) any += (any.empty() ? "" : "|") + word;
-  return std::regex("\\b(" + any + ")\\b", flags);
-}
-
-TEST(House, retired_words_do_not_come_back) {
-  Findings findings("retired words in comments and strings");
-  const std::regex words = retired_words(std::regex::icase);
-  for (const SourceFile& file : sources()) {
-    for (const Text& text : prose(file)) {
-      each_match(text, words, [&](int line, const std::string& match) { findings.add(file, line, match); });
-    }
-  }
-}
-
-TEST(House, documents_and_comments_of_tests_use_no_retired_words) {
-  Findings findings("retired words in documents and in comments of tests");
-  const std::regex words = retired_words(std::regex::icase);
-  const auto look = [&](const std::string& name, const Text& text) {
-    each_match(text, words, [&](int line, const std::string& match) {
-      findings.add(name + ":" + std::to_string(line) + ": " + match);
-    });
-  };
-  for (const char* name : {"README.md", "CHANGELOG.md", "man/tcbsample.1.in", "src/README.md", "samples/README.md",
-                           "samples/cluster/README.md", "samples/golden/README.md", "samples/pieces/README.md",
-                           "samples/vectors/README.md", "tests/bench/README.md"}) {
-    look(name, {1, house::read_text(project / name)});
-  }
-  for (const SourceFile& file : house::read_sources(project / "tests")) {
-    for (const Text& comment : file.comments) look("tests/" + file.name, comment);
-  }
-}
-
-TEST(House, retired_names_do_not_come_back) {
-  Findings findings("retired names in code");
-  const std::regex words = retired_words();
-  std::map<std::string, bool> known;
-  for (const SourceFile& file : sources()) {
-    for (const Text& token : house::tokens(file.code)) {
-      const auto [entry, first] = known.try_emplace(token.text);
-      if (first) {
-        entry->second = retired_names.contains(token.text) || std::regex_search(in_words(token.text), words);
-      }
-      if (entry->second) findings.add(file, token.line, token.text);
-    }
-    if (std::regex_search(in_words(file.stem()), words)) findings.add(file, 1, "the file's name");
-  }
-}
-
-TEST(House, a_name_is_given_once) {
-  Findings findings("headers or types that share a name");
-  std::map<std::string, std::string> headers;
-  std::map<std::string, std::string> defined;
-  for (const SourceFile& file : sources()) {
-    if (file.name.ends_with(".hpp")) {
-      const auto [first, made] = headers.try_emplace(file.base(), file.name);
-      if (!made) findings.add(file, 1, "src/" + first->second + " has this name too");
-    }
-    for (const Text& type : house::types(file)) {
-      const auto [first, made] = defined.try_emplace(type.text, file.name);
-      if (!made) findings.add(file, type.line, type.text + " is in src/" + first->second + " too");
-    }
-  }
-}
-
-TEST(House, no_folder_or_file_is_a_drawer) {
-  Findings findings("names that say nothing");
-  const std::regex drawer("utils?|common|misc|types?|helpers?");
-  for (const SourceFile& file : sources()) {
-    const fs::path name = fs::path(file.name).replace_extension();
-    for (const fs::path& part : name) {
-      if (std::regex_match(part.string(), drawer)) findings.add(file, 1, part.string());
-    }
-  }
-}
-
-TEST(House, files_and_folders_have_their_size) {
-  Findings findings("sizes");
-  std::map<std::string, int> folders;
-  std::vector<int> lines;
-  std::vector<std::string> small;
-  for (const SourceFile& file : sources()) {
-    ++folders[file.folder()];
-    lines.push_back(file.lines());
-    if (tables.contains(file.name)) continue;
-    if (file.lines() > 300) findings.add(file, 1, std::to_string(file.lines()) + " lines; at most 300");
-    if (file.lines() < 30) small.push_back(file.name);
-  }
-  for (const auto& [folder, count] : folders) {
-    if (count > 15) findings.add("src/" + folder + ": " + std::to_string(count) + " files; at most 15");
-  }
-  if (small.size() > 13) {
-    for (const std::string& name : small) findings.add("src/" + name + ": under 30 lines, as at most 13 files may be");
-  }
-  std::ranges::sort(lines);
-  const int median = lines.at(lines.size() / 2);
-  if (median < 90 || median > 200) findings.add("median of lines: " + std::to_string(median) + "; 90 to 200");
-}
-
-TEST(House, first_lines_name_the_contents) {
-  Findings findings("files whose first line is no comment of one sentence");
-  for (const SourceFile& file : sources()) {
-    if (!std::regex_search(file.text, std::regex(R"re(^// [A-Z`"][^\n]{8,}[.:,\w])re"))) findings.add(file, 1, "");
-  }
-}
-
-TEST(House, every_error_is_thrown_and_has_words) {
-  Findings findings("error codes");
-  std::vector<std::string> codes;
-  std::map<std::string, int> worded;
-  std::map<std::string, int> thrown;
-  for (const SourceFile& file : sources()) {
-    const std::vector<Text> all = house::tokens(file.code);
-    for (std::size_t i = 0; i + 3 < all.size(); ++i) {
-      if (all[i].text != "ErrorCode") continue;
-      if (file.name == "error.hpp" && all[i + 1].text == "{") {
-        for (std::size_t code = i + 2; all[code].text != "}"; ++code) {
-          if (all[code].text != ",") codes.push_back(all[code].text);
-        }
-      } else if (all[i + 1].text == ":") {
-        ++(file.name.starts_with("cli/remedies") ? worded : thrown)[all[i + 3].text];
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string& line = file.lines[i];
+      for (std::sregex_iterator at(line.begin(), line.end(), pattern), end; at != end; ++at) {
+        found(file.name, i + 1, at->str(1));
       }
     }
   }
-  for (const std::string& code : codes) {
-    if (worded[code] != 1) findings.add(code + ": worded " + std::to_string(worded[code]) + " times in cli/remedies");
-    if (thrown[code] == 0) findings.add(code + ": never thrown");
-  }
-  EXPECT_FALSE(codes.empty());
 }
 
-/// tests/FOLDER for src/FOLDER; the library's tests are in tests/spline.
-std::string test_of(const SourceFile& file) {
-  const std::string name = file.name.starts_with("tcb/") ? file.name.substr(4) : file.name;
-  return "tests/" + fs::path(name).replace_extension().generic_string() + "_test.cpp";
-}
+const std::regex include(R"re(^#include ["<]([^">]+)[">])re");
 
-TEST(House, tests_mirror_the_sources) {
-  Findings findings("sources without a test of their name, and tests without a source");
-  std::set<std::string> expected{"tests/house_test.cpp"};
-  for (const SourceFile& file : sources()) {
-    expected.insert(test_of(file));
-    if (!file.name.ends_with(".cpp") || file.name == "main.cpp") continue;
-    if (!fs::exists(project / test_of(file))) findings.add(file, 1, test_of(file) + " is missing");
-  }
-  for (const auto& entry : fs::recursive_directory_iterator(project / "tests")) {
-    const std::string name = entry.path().lexically_relative(project).generic_string();
-    const bool apart = name.starts_with("tests/library/") || name.starts_with("tests/fuzz/");
-    if (name.ends_with("_test.cpp") && !apart && !expected.contains(name)) findings.add(name + ": no source");
-  }
-}
-
-TEST(House, the_readme_shows_every_folder_and_the_glossary) {
-  Findings findings("src/README.md");
-  const std::string readme = house::read_text(project / "src/README.md");
-  std::set<std::string> folders;
-  for (const SourceFile& file : sources()) folders.insert(file.folder());
-  for (const std::string& folder : folders) {
-    if (!folder.empty() && readme.find("`" + folder + "/`") == std::string::npos) findings.add(folder + "/ is missing");
-  }
-  const std::regex shown(R"re(`([a-z_/]+(?:/|\.[ch]pp))`)re");
-  each_match({1, readme}, shown, [&](int line, const std::string& match) {
-    const std::string name = match.substr(1, match.size() - 2);
-    if (!fs::exists(project / "src" / name) && !fs::exists(project / name)) {
-      findings.add("line " + std::to_string(line) + ": " + match + " does not exist");
-    }
+TEST(House, rooms_include_the_rooms_of_the_table) {
+  each_match(include, [](const std::string& file, std::size_t line, const std::string& header) {
+    const std::string from = room_of(file), to = room_of(header);
+    ASSERT_TRUE(allowed.contains(from)) << "src/" << file << ": the room is not in the table";
+    if (from == to || !allowed.contains(to) || !fs::exists(src / header)) return;
+    EXPECT_TRUE(allowed.at(from).contains(to)) << "src/" << file << ":" << line << ": includes " << header;
   });
-  if (readme.find("## Glossary") == std::string::npos) findings.add("no glossary");
-  if (std::ranges::count(readme, '\n') > 120) findings.add("longer than 120 lines");
+}
+
+TEST(House, the_library_is_used_by_its_public_headers) {
+  each_match(include, [](const std::string& file, std::size_t line, const std::string& header) {
+    if (room_of(file) == "tcb") return;
+    EXPECT_FALSE(header.starts_with("tcb/spline/detail/")) << "src/" << file << ":" << line << ": " << header;
+  });
+}
+
+TEST(House, packages_are_included_where_the_table_says) {
+  each_match(include, [](const std::string& file, std::size_t line, const std::string& header) {
+    const std::string found = "src/" + file + ":" + std::to_string(line) + ": includes " + header;
+    if (room_of(file) == "tcb" && !header.starts_with("tcb/spline/")) {
+      EXPECT_EQ(header.find_first_of("/."), std::string::npos) << found << ", which is not of the standard library";
+    }
+    auto package = packages.find(header);
+    if (package == packages.end()) package = packages.find(header.substr(0, header.find('/')));
+    if (package == packages.end()) return;
+    const auto here = [&](const std::string& place) { return file.starts_with(place); };
+    EXPECT_TRUE(std::ranges::any_of(package->second, here)) << found;
+  });
+}
+
+/// Comments name files as in `read/csv/header.cpp`, `grid.hpp` or `tests/library`, relative to the project, to src/, to
+/// the folder of the file, or by the name alone.
+TEST(House, files_that_comments_name_exist) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(src)) names.insert(entry.path().filename().string());
+  const std::regex named(
+      R"re(//[^"]*?((?:[a-z_]+/)*[a-z_]+\.(?:cpp\.in|hpp|cpp|in|md|py|sh)\b|\b(?:src|tests|samples|man)/[\w/.-]*\w))re");
+  each_match(named, [&](const std::string& file, std::size_t line, const std::string& name) {
+    const bool exists = fs::exists(project / name) || fs::exists(src / name) ||
+                        fs::exists((src / file).parent_path() / name) || names.contains(name);
+    EXPECT_TRUE(exists) << "src/" << file << ":" << line << ": " << name << " does not exist";
+  });
+}
+
+/// Markdown pages link to files that exist, and src/README.md has a row for each room and names no room that is gone.
+TEST(House, links_of_pages_lead_to_files) {
+  std::vector<fs::path> pages{project / "README.md"};
+  for (const char* folder : {"src", "samples", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(project / folder)) {
+      if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    }
+  }
+  const std::regex link(R"re(\]\(([^)#:]+)(?:#[^)]*)?\))re");
+  for (const fs::path& page : pages) {
+    for (const std::string& line : lines_of(page)) {
+      for (std::sregex_iterator at(line.begin(), line.end(), link), end; at != end; ++at) {
+        EXPECT_TRUE(fs::exists(page.parent_path() / at->str(1))) << page.string() << ": " << at->str(1);
+      }
+    }
+  }
+}
+
+TEST(House, the_map_of_the_sources_shows_the_rooms) {
+  std::string map;
+  for (const std::string& line : lines_of(src / "README.md")) map += line + "\n";
+  for (const auto& entry : fs::directory_iterator(src)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name != "tcb") {
+      EXPECT_NE(map.find("`" + name + "/`"), std::string::npos) << name << "/ is not in src/README.md";
+    }
+  }
+  const std::regex shown(R"re(`([a-z_]+(?:/[a-z_]+)*(?:/|\.[ch]pp|\.in|\.py|\.sh))`)re");
+  for (std::sregex_iterator at(map.begin(), map.end(), shown), end; at != end; ++at) {
+    const std::string name = at->str(1);
+    EXPECT_TRUE(fs::exists(src / name) || fs::exists(project / name)) << "src/README.md: " << name;
+  }
 }
 
 }  // namespace

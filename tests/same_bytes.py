@@ -3,7 +3,9 @@
 
 Runs every program on the same inputs with the same options, and compares standard output and the exit code:
   - every file of samples/ in several modes;
-  - N random command lines on random keys (default 200), as CSV, TSV, JSON, JSON Lines or blank-separated text;
+  - N random command lines on random keys (default 200), as CSV, TSV, JSON, JSON Lines or blank-separated text: rows,
+    pieces, pictures, fits and comparisons; keys with rotations, angles, velocities, labels, parameters of single
+    channels, and missing numbers;
   - with --golden, the commands of every case of golden/, without the lines that are messages.
 Standard error is not compared: the words of messages may differ. Prints each difference with the command line and
 leaves its input in the folder same_bytes.failed. Exit 1: something differs.
@@ -28,7 +30,7 @@ TESTS = pathlib.Path(__file__).resolve().parent
 SAMPLES = TESTS.parent / "samples"
 MESSAGE = re.compile(rb"error:|note:|^tcbsample: ")
 
-PRESETS = "gte wildmagic vtk fbx".split()
+PRESETS = "gte wildmagic vtk fbx nel 3dsmax cryengine lightwave".split()
 TANGENTS = "uniform interval interval-c finite-difference velocity kb1984 synfig".split()
 ENDS = "half zero natural one-sided natural,half zero,natural".split()
 FIELDS = ("time position s velocity acceleration jerk speed tangent curvature torsion segment u key").split()
@@ -47,45 +49,96 @@ def parameter(rng):
     return rng.choice(["0", "0", "0", "1", "-1", f"{rng.uniform(-1, 1):.2f}"])
 
 
-def random_keys(rng):
-    """A table: names, rows of texts."""
-    channels = rng.randint(1, 4)
-    names = ["t"] + ["x", "y", "z", "w"][:channels]
-    with_tcb, with_ease = rng.random() < 0.5, rng.random() < 0.15
-    if with_tcb:
-        names += ["tension", "continuity", "bias"]
-    if with_ease:
-        names += ["ease_in", "ease_out"]
-    groups = rng.random() < 0.2
-    if groups:
-        names = ["id"] + names
-    rows = []
-    for group in range(rng.randint(2, 3) if groups else 1):
-        time = rng.choice([0.0, 0.0, -3.5, 1e6, 1403636579.25])
-        for _ in range(rng.choice([1 if rng.random() < 0.1 else 2, 2, 3, 4, 5, 8, 13, 60])):
-            row = ["abc"[group]] if groups else []
-            row.append(repr(round(time, 4)))
-            row += [number(rng) for _ in range(channels)]
-            if with_tcb:
-                row += [parameter(rng) for _ in range(3)]
-            if with_ease:
-                row += [rng.choice(["0", "0.25", "0.5"]) for _ in range(2)]
-            rows.append(row)
-            time += rng.choice([1, 1, 0.5, 0.25, 2, rng.randint(1, 9000) / 1000])
-            if rng.random() < 0.01:
-                time -= 3
-    if groups:
-        rng.shuffle(rows)
-        if rng.random() < 0.8:
-            rows.sort(key=lambda row: float(row[1]))
-    if rng.random() < 0.1:
-        rng.choice(rows)[-1] = rng.choice(["", "NA", "nan", "o.5"])
-    return names, rows, groups
+ROTATIONS = {
+    "quaternion": ["qx", "qy", "qz", "qw"],
+    "axis-angle": ["ax", "ay", "az", "turn"],
+    "euler": ["rx", "ry", "rz"],
+}
+
+
+def unit_quaternion(rng):
+    numbers = [rng.gauss(0, 1) for _ in range(4)]
+    size = sum(number * number for number in numbers) ** 0.5
+    return [repr(number / size) for number in numbers]
+
+
+class Keys:
+    """A table of random keys: names, rows of texts, and what the columns are."""
+
+    def __init__(self, rng):
+        channels = rng.randint(1, 4)
+        self.channels = ["x", "y", "z", "w"][:channels]
+        self.times = [rng.choice(["t", "t", "t", "time_ms", "frame"])]
+        self.tcb = rng.random() < 0.5
+        self.ease = rng.random() < 0.15
+        self.own_tension = rng.random() < 0.1
+        self.velocity = not self.own_tension and rng.random() < 0.1
+        self.label = rng.random() < 0.1
+        self.groups = rng.random() < 0.2
+        self.rotation = rng.choice(list(ROTATIONS)) if rng.random() < 0.2 else None
+        self.angle = rng.random() < 0.1
+        self.names = (["id"] if self.groups else []) + self.times + self.channels
+        if self.angle:
+            self.names.append("heading")
+        if self.rotation:
+            self.names += ROTATIONS[self.rotation]
+        if self.tcb:
+            self.names += ["tension", "continuity", "bias"]
+        if self.own_tension:
+            self.names.append("tension_x")
+        if self.velocity:
+            self.names.append("x_v")
+        if self.ease:
+            self.names += ["ease_in", "ease_out"]
+        if self.label:
+            self.names.append("label")
+        self.rows = []
+        for group in range(rng.randint(2, 3) if self.groups else 1):
+            time = rng.choice([0.0, 0.0, -3.5, 1e6, 1403636579.25])
+            for _ in range(rng.choice([1 if rng.random() < 0.1 else 2, 2, 3, 4, 5, 8, 13, 60])):
+                self.rows.append(self.row(rng, time, "abc"[group]))
+                time += rng.choice([1, 1, 0.5, 0.25, 2, rng.randint(1, 9000) / 1000])
+                if rng.random() < 0.01:
+                    time -= 3
+        if self.groups:
+            rng.shuffle(self.rows)
+            if rng.random() < 0.8:
+                self.rows.sort(key=lambda row: float(row[1]))
+        if rng.random() < 0.1:
+            rng.choice(self.rows)[-1] = rng.choice(["", "NA", "nan", "o.5"])
+        self.missing = rng.random() < 0.1
+        if self.missing:
+            for row in self.rows:
+                for channel in range(1 + self.groups, 1 + self.groups + len(self.channels)):
+                    if rng.random() < 0.3:
+                        row[channel] = ""
+
+    def row(self, rng, time, group):
+        row = ([group] if self.groups else []) + [repr(round(time, 4))]
+        row += [number(rng) for _ in self.channels]
+        if self.angle:
+            row.append(f"{rng.uniform(0, 80):.1f}")
+        if self.rotation == "quaternion":
+            row += unit_quaternion(rng)
+        elif self.rotation:
+            row += [f"{rng.uniform(-1, 1):.3f}" for _ in ROTATIONS[self.rotation]]
+        if self.tcb:
+            row += [parameter(rng) for _ in range(3)]
+        if self.own_tension:
+            row.append(parameter(rng))
+        if self.velocity:
+            row.append(number(rng))
+        if self.ease:
+            row += [rng.choice(["0", "0.25", "0.5"]) for _ in range(2)]
+        if self.label:
+            row.append(rng.choice(["a", "b", "7"]))
+        return row
 
 
 def write_keys(rng, folder):
-    """Writes random keys as a file; returns its name, and whether it has groups."""
-    names, rows, groups = random_keys(rng)
+    """Writes random keys as a file; returns its name and the keys."""
+    keys = Keys(rng)
+    names, rows = keys.names, keys.rows
     kind = rng.choice(["csv", "csv", "csv", "tsv", "ssv", "json", "jsonl"])
     path = folder / f"keys.{kind}"
     if kind in ("csv", "tsv", "ssv"):
@@ -106,7 +159,7 @@ def write_keys(rng, folder):
         else:
             settings = rng.choice(["", '"preset":"vtk",', '"closed":true,', '"ends":"natural",'])
             path.write_text("{" + settings + '"keys":[' + ",\n".join(objects) + "]}\n")
-    return path.name, groups
+    return path.name, keys
 
 
 def random_mode(rng):
@@ -122,50 +175,75 @@ def random_mode(rng):
             lambda: ["--arc-count", str(rng.choice([1, 2, 9, 60]))],
             lambda: ["--arc-at", ",".join(f"{rng.uniform(0, 9):.2f}" for _ in range(rng.randint(1, 4)))],
             lambda: ["--tolerance", rng.choice(["1", "0.1", "0.01"])],
+            lambda: ["--emit", rng.choice(["hermite", "bezier", "poly", "poly6"])],
+            lambda: ["--fit", rng.choice(["1", "0.1", "0.01"])],
+            lambda: ["--plot"],
+            lambda: ["--check", "samples.csv"],
+            lambda: ["--identify", "samples.csv"],
         ]
     )()
 
 
-def random_options(rng, groups):
-    """Mostly options that agree with each other; one run in five draws from all, to compare refusals."""
+# Options that have no effect in a mode, which refuses them.
+OF_RULES = {"--preset", "--tangents", "--ends", "--equal-speed", "--side"}
+OF_RANGE = {"--from", "--to", "--end", "--keys"}
+OF_NUMBERS = {"--digits", "--fixed", "--hex", "--golden", "--exact-input", "--no-output-header", "--time-format"}
+REFUSED = {
+    "--fit": OF_RULES | OF_RANGE | {"--fields", "--golden", "--exact-input", "--extrapolate", "--closed", "--period",
+                                    "--parameter", "--tcb", "--rotation-output", "--rotation-curve", "--rename",
+                                    "--no-ease", "--keys"},
+    "--plot": OF_NUMBERS | {"--fields", "--meta", "--side", "-f", "--columns", "--extrapolate"},
+    "--check": OF_RANGE | OF_NUMBERS | {"--meta", "--explain"},
+    "--identify": OF_RULES | OF_RANGE | OF_NUMBERS | {"--meta", "--explain", "--fields", "--closed", "--period"},
+    "--emit": {"--fields", "--keys", "--end", "--extrapolate", "--side", "--rotation-output"},
+    "--per-segment": {"--from", "--to", "--keys"},
+    "--tolerance": {"--from", "--to"},
+    "--at": {"--from", "--to", "--keys"},
+    "--arc-at": {"--from", "--to", "--keys"},
+}
+
+
+def random_options(rng, keys):
+    """Mostly options that agree with each other; one run in ten draws from all, to compare refusals."""
     mode = random_mode(rng)
-    options = list(mode)
-    any_of_all = rng.random() < 0.2
+    groups = [list(mode)]  # an option and its value
+    any_of_all = rng.random() < 0.1
     given = {mode[0]}
 
     def maybe(chance, *words, needs=True):
-        if rng.random() < chance and (needs or any_of_all):
-            options.extend(words)
+        if (rng.random() < chance and needs and words[0] not in REFUSED.get(mode[0], ())) or (
+                any_of_all and rng.random() < 0.5 * chance):
+            groups.append(words)
             given.add(words[0])
 
     by_step = mode[0] in ("--step", "--fps", "--arc-step")
     by_place = mode[0] in ("--at", "--arc-at")
     fields = rng.sample(FIELDS, rng.randint(1, 6)) if rng.random() < 0.4 else []
-    maybe(0.9 if groups else 0, "--group", "id")
-    maybe(0.25, "--preset", rng.choice(PRESETS))
+    maybe(0.9 if keys.groups else 0, "--group", "id")
+    maybe(0.25, "--preset", rng.choice(PRESETS), needs=not (keys.velocity and keys.tcb))
     maybe(0.15, "--tangents", rng.choice(TANGENTS))
     maybe(0.08, "--period", rng.choice(["20", "100", "3"]))
     maybe(0.05, "--closed")
     maybe(0.2, "--ends", rng.choice(ENDS), needs=not given & {"--period", "--closed"})
-    maybe(0.08, "--equal-speed")
+    maybe(0.08, "--equal-speed", needs=not keys.missing and not keys.velocity)
     maybe(0.1, "--no-ease")
-    if by_place or any_of_all:
-        maybe(0.5, "--extrapolate", rng.choice("hold linear repeat offset oscillate error".split()))
-    plain = not by_place and mode[0] not in ("--per-segment", "--tolerance")
-    maybe(0.15, "--from", f"{rng.uniform(-2, 3):.2f}", needs=plain)
-    maybe(0.15, "--to", f"{rng.uniform(1, 9):.2f}", needs=plain)
+    maybe(0.5 if by_place else 0, "--extrapolate", rng.choice("hold linear repeat offset oscillate error".split()))
+    maybe(0.15, "--from", f"{rng.uniform(-2, 3):.2f}")
+    maybe(0.15, "--to", f"{rng.uniform(1, 9):.2f}")
     maybe(0.4, "--end", rng.choice("drop keep fit fit-down fit-up".split()), needs=by_step)
-    maybe(0.15, "--keys", needs=mode[0] not in ("--per-segment", "--at", "--arc-at"))
+    maybe(0.15, "--keys")
     measured = mode[0].startswith("--arc") or mode[0] == "--tolerance" or {"s", "speed", "tangent"} & set(fields)
     maybe(0.2, "--metric", rng.choice(["x", "1"]), needs=measured)
-    maybe(0.5 if groups else 0.1, "--sort")
+    maybe(0.5 if keys.groups else 0.1, "--sort")
     maybe(0.1, "--duplicates", rng.choice("first last break".split()))
-    maybe(0.15, "--missing", rng.choice("skip-row skip-cell break".split()))
+    maybe(0.9 if keys.missing else 0.1, "--missing", rng.choice("skip-row skip-cell break".split()))
     maybe(0.15, "--tcb", rng.choice(["0.5,0,0", "0,-1,0", "0.1,0.2,-0.3"]))
     maybe(0.02, "--parameter", rng.choice("uniform chordal centripetal 0.3".split()))
-    maybe(0.4, "-f", rng.choice("csv tsv ssv json jsonl npy".split()))
-    if fields:
-        options.extend(["--fields", ",".join(fields)])
+    if mode[0] in ("--check", "--identify"):
+        maybe(0.4, "-f", rng.choice(["json", "svg"]))
+    else:
+        maybe(0.4, "-f", rng.choice("csv tsv ssv json jsonl npy".split()))
+    maybe(1 if fields else 0, "--fields", ",".join(fields))
     changing = {"velocity", "acceleration", "jerk", "tangent", "curvature", "torsion", "speed"} & set(fields)
     maybe(0.2, "--side", rng.choice(["left", "right"]), needs=changing)
     maybe(0.15, *rng.choice([["--digits", "6"], ["--digits", "17"], ["--fixed", "3"], ["--hex"]]))
@@ -173,8 +251,21 @@ def random_options(rng, groups):
     maybe(0.1, "--meta", needs="-f" not in given)
     maybe(0.1, "--explain", needs="--meta" not in given)
     maybe(0.08, "--golden")
+    maybe(0.3, "--exact-input", needs="--golden" in given)
+    maybe(0.8 if keys.label else 0, "--columns", "carry=label")
+    if keys.rotation and keys.rotation != "quaternion":
+        columns = ":".join(ROTATIONS[keys.rotation])
+        maybe(0.9, "--rotation", f"{keys.rotation}={columns}" + (",order=XYZ" if keys.rotation == "euler" else ""))
+    if keys.rotation:
+        maybe(0.3, "--rotation-output", rng.choice(["quaternion", "axis-angle", "matrix", "euler=ZYX"]))
+        maybe(0.3, "--rotation-curve", rng.choice("squad casteljau components slerp".split()))
+    maybe(0.8 if keys.angle else 0, "--angle", "heading=degrees")
+    maybe(0.05, "--rename", "x=px")
+    maybe(0.05, "--scale", "x=0.01")
+    maybe(0.3, "--fit-keys", "hermite", needs=mode[0] == "--fit")
+    maybe(0.3, "--abs", "1e-6", needs=mode[0] == "--check")
     maybe(0.2, "-j", str(rng.randint(1, 4)))
-    return options
+    return [word for group in groups for word in group]
 
 
 def run(program, arguments, folder, stdin=None):
@@ -183,6 +274,15 @@ def run(program, arguments, folder, stdin=None):
         return done.returncode, done.stdout, done.stderr
     except subprocess.TimeoutExpired:
         return "timeout", b"", b""
+
+
+def write_samples(rng, folder, program, keys, name):
+    """Samples of the keys by the first program, for --check and --identify; in some of them a number is changed."""
+    group = ["--group", "id"] if keys.groups else []
+    _, rows, _ = run(program, ["--count", "9", *group, name], folder)
+    if rng.random() < 0.3:
+        rows = rows.replace(b"1", b"2", rng.randint(1, 3))
+    (folder / "samples.csv").write_bytes(rows)
 
 
 class Comparison:
@@ -243,8 +343,9 @@ def main():
         rng = random.Random(f"{arguments.seed} {index}")
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)
-            name, groups = write_keys(rng, folder)
-            options = random_options(rng, groups) + [name]
+            name, keys = write_keys(rng, folder)
+            write_samples(rng, folder, programs[0], keys, name)
+            options = random_options(rng, keys) + [name]
             results = [run(program, options, folder) for program in programs]
             comparison.report(f"run {index}: tcbsample " + " ".join(options), results, folder)
 
