@@ -135,7 +135,6 @@ enum class Option {
 
 /// What can be wrong, folder by folder of the code that finds it. Each has its words in cli/remedies.
 enum class ErrorCode {
-  // text
   // io
   cannot_open,            ///< the system's reason
   cannot_read,            ///< the system's reason
@@ -152,7 +151,7 @@ enum class ErrorCode {
   same_output,           ///< the output, the other input
   output_is_input,       ///< the output
   input_without_name,    ///< standard input, where each input has its own output
-  // input
+  // schema, read
   npy_as_input,
   compressed_input,        ///< name of the compression, command that decompresses
   compressed_data_broken,  ///< name of the compression
@@ -188,7 +187,7 @@ enum class ErrorCode {
   time_in_other_notation,  ///< column, cell
   no_time_in_words,        ///< the time, the notation
   invalid_role_request,    ///< part of the option's text
-  // input/csv
+  // read/csv
   record_too_long,
   too_many_cells,  ///< the most
   quote_not_closed,
@@ -215,7 +214,7 @@ enum class ErrorCode {
   several_numbers,        ///< column, cell
   not_a_number,           ///< column, cell
   decimal_comma_is_delimiter,
-  // input/json; PATH is the path of the value, as in keys[17].x
+  // read/json; PATH is the path of the value, as in keys[17].x
   text_options_on_json,
   empty_json,
   json_value_expected,             ///< token
@@ -291,7 +290,7 @@ enum class ErrorCode {
   ease_out_of_range,    ///< name of the role, value
   position_repeats,     ///< line of the key before
   parameter_step_lost,  ///< step, time
-  // sampling
+  // sample
   before_first_key,
   after_last_key,
   before_curve_start,
@@ -306,7 +305,7 @@ enum class ErrorCode {
   no_piece_in_range,
   piece_with_ease,  ///< number of the segment, times of its keys
   tolerance_too_small,
-  // curve
+  // keys, sample and fit: the curve
   unknown_rule,
   velocity_missing,
   unexpected_rule_value,
@@ -377,7 +376,7 @@ enum class ErrorCode {
   // exact
   decimal_too_long,
   row_needs_more_digits,
-  // output
+  // write
   text_in_binary_format,        ///< column, format
   several_curves_in_one_table,  ///< format
   time_beyond_doubles,          ///< time
@@ -388,16 +387,16 @@ enum class ErrorCode {
   made_from_fewer_inputs,       ///< the earlier output, number of its inputs
   made_from_more_inputs,        ///< as made_from_fewer_inputs
   no_provenance,
-  // picture
+  // plot
   picture_beyond_doubles,
   picture_too_small,  ///< channels
-  // app
+  // run
   out_of_memory,
   unexpected,  ///< the message of a standard exception
   parameter_with_times,
   unknown_axis,  ///< channel, channels
   same_axes,     ///< channel
-  // compare: errors
+  // check: errors
   nothing_to_compare,         ///< columns of the samples, columns that could be compared
   repeated_column,            ///< name
   samples_without_places,     ///< columns of the samples, name of the time column
@@ -407,7 +406,7 @@ enum class ErrorCode {
   no_position_column,         ///< channels of the keys
   no_samples_on_curve,        ///< with the problems that are the reasons
   no_sample_numbers,
-  // compare: problems, which a report lists
+  // check: problems, which a report lists
   missing_columns,     ///< names
   unknown_columns,     ///< names
   curve_without_rows,  ///< group, as NAME=VALUE

@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
+#include "read/earlier_output.hpp"
 #include "sample/build.hpp"
 #include "sample/fields.hpp"
 #include "text/suggest.hpp"
@@ -288,7 +289,10 @@ ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
   ProvenanceRequest request;
   request.from = from;
   in_file(shown_name(from), [&] {
-    request.earlier = read_meta(decompressed(read_file(from)));
+    EarlierOutput earlier = read_earlier_output(decompressed(read_file(from)));
+    request.earlier.program = std::move(earlier.program);
+    request.earlier.options = std::move(earlier.options);
+    request.earlier.inputs = std::move(earlier.inputs);
     require_recorded(request.earlier.options);
   });
   const std::uint64_t files = std::max<std::size_t>(typed.job.files.size(), 1), before = request.earlier.inputs.size();

@@ -44,7 +44,7 @@ constexpr Words all_words[]{
           "its output {0} is also that of {1}; expected one for each; rename one of them, or use two folders"},
     Words{ErrorCode::output_is_input, "its output {0} is also an input; expected two files; give another output"},
     Words{ErrorCode::input_without_name, "standard input has no name; --output-dir needs files; give -o instead"},
-    // input
+    // schema, read
     Words{ErrorCode::npy_as_input,
           "the file is in a format of NumPy; expected text; convert it, for example with numpy.savetxt"},
     Words{ErrorCode::compressed_data_broken,
@@ -131,7 +131,7 @@ constexpr Words all_words[]{
           "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
           "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, "
           "ease_in=, ease_out=, group=, carry= or ignore=; for example --columns time=frame,position=px:py"},
-    // input/csv
+    // read/csv
     Words{ErrorCode::record_too_long,
           "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was "
           "left open"},
@@ -190,7 +190,7 @@ constexpr Words all_words[]{
           "{c0}: {q1} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell"},
     Words{ErrorCode::decimal_comma_is_delimiter,
           "--decimal , excludes the delimiter , ; expected another one; give it with -d, or remove --decimal"},
-    // input/json
+    // read/json
     Words{ErrorCode::text_options_on_json,
           "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; remove them, or "
           "give the format with -i"},
@@ -322,7 +322,7 @@ constexpr Words all_words[]{
     Words{ErrorCode::parameter_step_lost,
           "the distance makes a step of {0}, which is lost when it is added to the time {1}; expected times that "
           "doubles distinguish; give a smaller exponent to --parameter"},
-    // sampling
+    // sample
     Words{ErrorCode::before_first_key,
           "{subject} {0} lies before the first key, at {1}; give one within the curve, or --extrapolate"},
     Words{ErrorCode::after_last_key,
@@ -351,7 +351,7 @@ constexpr Words all_words[]{
           "segment {0}, from the key at time {1} to the key at {2}, has ease, so it is no cubic in time; expected "
           "keys without ease; give --no-ease, or a sampling option instead of --emit"},
     Words{ErrorCode::tolerance_too_small, "{subject} is too small: two rows would be the same; give a larger one"},
-    // curve
+    // keys, sample and fit: the curve
     Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
     Words{ErrorCode::velocity_missing, "{subject} {0}: expected a number for each channel, as in velocity=1:0"},
     Words{ErrorCode::unexpected_rule_value, "{subject} {0}: expected no value for this rule; remove it"},
@@ -536,7 +536,7 @@ constexpr Words all_words[]{
     Words{ErrorCode::row_needs_more_digits,
           "the row at time {0} has a number that cannot be computed to so many digits; expected fewer; give a "
           "smaller number to --digits or --fixed"},
-    // output
+    // write
     Words{ErrorCode::text_in_binary_format,
           "column \"{0}\" holds text, and {1} holds only numbers; expected a format with text, such as csv; choose "
           "another one, or remove the column"},
@@ -560,12 +560,12 @@ constexpr Words all_words[]{
     Words{ErrorCode::made_from_more_inputs, "{0} was made from more files of keys, {1}; give as many"},
     Words{ErrorCode::no_provenance,
           "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
-    // picture
+    // plot
     Words{ErrorCode::picture_beyond_doubles,
           "the differences of a channel are beyond the range of doubles; expected less than 1.8e308; correct them"},
     Words{ErrorCode::picture_too_small,
           "the picture has no room for {0} channels; expected a larger one; give a larger {subject}, or remove it"},
-    // app
+    // run
     Words{ErrorCode::out_of_memory, "out of memory"},
     Words{ErrorCode::unexpected, "{0}"},
     Words{ErrorCode::parameter_with_times,
@@ -574,7 +574,7 @@ constexpr Words all_words[]{
     Words{ErrorCode::unknown_axis, "{subject}: no channel \"{0}\"; expected two of {1}, or numbers from 1{nearest}"},
     Words{ErrorCode::same_axes,
           "{subject}: channel \"{0}\" is given twice; expected two different ones; give another one"},
-    // compare: errors
+    // check: errors
     Words{ErrorCode::nothing_to_compare,
           "nothing to compare: the columns are {0}; expected some of {1}; rename the columns"},
     Words{ErrorCode::repeated_column, "two columns are called \"{0}\"; expected different names; rename one"},
@@ -593,7 +593,7 @@ constexpr Words all_words[]{
     Words{ErrorCode::no_samples_on_curve,
           "no row is on the curve of the keys; expected at least one; give samples of the same curve"},
     Words{ErrorCode::no_sample_numbers, "no row has a number to compare; expected at least one; give other samples"},
-    // compare: problems
+    // check: problems
     Words{ErrorCode::missing_columns, "columns missing: {0}"},
     Words{ErrorCode::unknown_columns, "columns of no field: {0}; give the fields to compare with --fields"},
     Words{ErrorCode::curve_without_rows, "curve {0} has no rows"},

@@ -13,7 +13,7 @@
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
 #include "sample/keyed_curve.hpp"
-#include "tcb/spline/detail/rotation_notation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
 

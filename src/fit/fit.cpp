@@ -9,7 +9,7 @@
 #include "fit/key_numbers.hpp"
 #include "fit/key_times.hpp"
 #include "fit/longest_cubics.hpp"
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/tangents.hpp"

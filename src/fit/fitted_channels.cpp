@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 #include "sample/build.hpp"
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 
 namespace tcb {
 namespace {

@@ -14,7 +14,7 @@
 #include "keys/rotations.hpp"
 #include "numbers/print_number.hpp"
 #include "stream/ordered_map.hpp"
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 
 namespace tcb {
 namespace {

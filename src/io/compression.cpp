@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "schema/formats.hpp"
+#include "text/file_ending.hpp"
 
 namespace tcb {
 namespace {

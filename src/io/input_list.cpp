@@ -10,7 +10,7 @@
 
 #include "error.hpp"
 #include "io/input_file.hpp"
-#include "schema/formats.hpp"
+#include "text/file_ending.hpp"
 
 namespace tcb {
 namespace {
@@ -66,7 +66,7 @@ void append_folder(Inputs& inputs, const std::string& folder, const InputListOpt
     std::error_code none;
     if (entry->is_directory(none)) {
       if (fs::equivalent(entry->path(), *options.outputs.folder, none)) entry.disable_recursion_pending();
-    } else if (is_or_should_be_regular(*entry) && (options.any_ending || find_input_format(entry->path().native()))) {
+    } else if (is_or_should_be_regular(*entry) && (options.takes == nullptr || options.takes(entry->path().native()))) {
       inputs.files.push_back({entry->path().native(), inside});
     } else {
       ++inputs.others;

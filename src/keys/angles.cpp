@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 
 namespace tcb {
 namespace {

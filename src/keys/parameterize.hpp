@@ -23,7 +23,7 @@ Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::ve
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
 
 /// The power of a distance at a scalar, from its square. Doubles add up squares as double-doubles, in units of a power
-/// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/exact_scalar.hpp.
+/// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/rounding.hpp.
 template <class S>
 struct DistancePower;
 

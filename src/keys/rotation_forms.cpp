@@ -13,7 +13,7 @@
 #include "error.hpp"
 #include "keys/angles.hpp"
 #include "keys/rotations.hpp"
-#include "tcb/spline/detail/rotation_notation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
 namespace {

@@ -1,6 +1,6 @@
 // Integers and rationals of any size, by Boost.Multiprecision: what Rational falls back to.
 //
-// Only text/rational.cpp and the files of exact/ include this: Boost's headers take seconds to compile.
+// Only numbers/rational.cpp and the files of exact/ include this: Boost's headers take seconds to compile.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/segment.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tcb/spline/detail/rotation_notation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
 namespace {

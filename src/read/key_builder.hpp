@@ -51,7 +51,7 @@ class KeyBuilder {
   /// Sets the time from a text in the notation of the input; false for another text, and for a time that does not
   /// exist.
   bool set_time_in_words(const Columns::Column& column, std::string_view text);
-  /// A text as in texts.hpp.
+  /// A text as in schema/key_block.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
 
   /// A cell of a column without a role.

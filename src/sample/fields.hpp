@@ -17,7 +17,7 @@
 #include "sample/point.hpp"
 #include "sample/sampler.hpp"
 #include "schema/input.hpp"
-#include "tcb/spline/detail/rotation_notation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "numbers/print_number.hpp"
-#include "tcb/spline/detail/double_pair.hpp"
+#include "tcb/spline/double_pair.hpp"
 
 namespace tcb {
 namespace {

@@ -82,7 +82,7 @@ class Sampler : public Locator {
 /// Requires: not needs_curve(mode). Throws: Error if the request does not fit the curve.
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent);
 
-/// A row for each segment, or for the piece of it that lies in the range of the request; see pieces.cpp.
+/// A row for each segment, or for the piece of it that lies in the range of the request; see piece_sampler.cpp.
 std::unique_ptr<Sampler> make_piece_sampler(const SamplingRequest& request);
 
 /// Locates the samples at the arc lengths in located.coordinates, which lie on the segment. Promises: their times are

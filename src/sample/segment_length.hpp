@@ -6,7 +6,7 @@
 #include "sample/curve_segment.hpp"
 #include "tcb/spline/arc_inverse.hpp"
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/detail/turn_length.hpp"
+#include "tcb/spline/turn_length.hpp"
 
 namespace tcb {
 

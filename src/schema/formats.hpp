@@ -6,13 +6,14 @@
 #include <optional>
 #include <string_view>
 
+#include "text/file_ending.hpp"
+
 namespace tcb {
 
 enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, npy, svg };
 
-/// A format of inputs, outputs, or both. To add one: a row here, and how it is read (input/reader) and written
-/// (output),
-/// or drawn (picture).
+/// A format of inputs, outputs, or both. To add one: a row here, and how it is read (read/reader.cpp), written
+/// (write/layout.cpp) or drawn (plot/).
 struct Format {
   FormatId id;
   std::string_view name;
@@ -48,10 +49,6 @@ constexpr std::optional<FormatId> find_format(std::string_view name) {
   }
   return std::nullopt;
 }
-
-/// The ending of compressed files that a path has, in lower case, and the path without it; empty: none.
-std::string_view compression_ending(std::string_view path);
-std::string_view without_compression(std::string_view path);
 
 /// The format that can be read and whose ending the path has, before that of compressed files if it has one.
 inline std::optional<FormatId> find_input_format(std::string_view path) {

@@ -102,7 +102,7 @@ constexpr std::string_view setting_member(Option option) {
 struct CurveInfo {
   CurveSettings settings;
   std::vector<std::pair<std::string, TextPosition>> places = {};  ///< the text position of each setting
-  std::string id = {};                                            ///< a text as in texts.hpp
+  std::string id = {};                                            ///< a text as in schema/key_block.hpp
 };
 
 /// The index of a number among the decimals of its key; from `position` on, channel by channel: first all positions,

@@ -54,8 +54,9 @@ Layout jsonl_layout(const std::vector<OutputColumn>& columns);
 /// The functions that write a format.
 struct OutputFormat {
   Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
-  std::string (*text)(std::string_view text);  ///< a cell from a text as in texts.hpp; null: cells are numbers only
-  std::string_view divider;                    ///< the line between two curves of the same group; empty: impossible
+  std::string (*text)(
+      std::string_view text);  ///< a cell from a text as in schema/key_block.hpp; null: cells are numbers only
+  std::string_view divider;    ///< the line between two curves of the same group; empty: impossible
   /// The head with the number of rows, written in place of the layout's head of the same size; null: not needed.
   std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;
 };
@@ -109,7 +110,7 @@ class Frame {
   /// The layout of rows of the current curve, without their labels.
   const Layout& layout() const { return rows_; }
 
-  /// The text after a row with these labels, each a text as in texts.hpp.
+  /// The text after a row with these labels, each a text as in schema/key_block.hpp.
   std::string row_end(std::span<const std::string_view> labels) const;
 
   /// Whether the current list has no row yet.

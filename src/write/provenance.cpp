@@ -1,4 +1,4 @@
-// Provenance: how an output was made, in comment lines or in a JSON object, written and read; its recorder.
+// Provenance: how an output was made, in comment lines or in a JSON object; its recorder.
 #include "write/provenance.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,6 @@
 
 #include "error.hpp"
 #include "io/input_file.hpp"
-#include "read/json/json_input.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"
 
@@ -43,34 +42,6 @@ std::string json_member(const Provenance& provenance) {
                            provenance.curves, provenance.keys, provenance.rows);
 }
 
-/// The value of a comment line with this name.
-std::optional<std::string> value_of(std::string_view line, std::string_view name) {
-  const std::string begin = fmt::format("# {}: ", name);
-  if (!line.starts_with(begin)) return std::nullopt;
-  return std::string(line.substr(begin.size()));
-}
-
-void read_line(Provenance& provenance, std::string_view line) {
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  constexpr std::string_view program = "# tcbsample ";
-  if (line.starts_with(program) && provenance.program.empty()) provenance.program = line.substr(2);
-  if (auto option = value_of(line, "option")) provenance.options.push_back(std::move(*option));
-  if (auto name = value_of(line, "input")) provenance.inputs.emplace_back(std::move(*name), "");
-  if (auto digest = value_of(line, "sha256"); digest && !provenance.inputs.empty()) {
-    provenance.inputs.back().second = *digest;
-  }
-}
-
-/// Reads the comments among the complete lines of a text, and leaves the last, incomplete line.
-void read_lines(Provenance& provenance, std::string& text) {
-  std::string_view left = text;
-  for (std::size_t end = left.find('\n'); end != std::string_view::npos; end = left.find('\n')) {
-    if (left.starts_with('#')) read_line(provenance, left.substr(0, end));
-    left.remove_prefix(end + 1);
-  }
-  text.erase(0, text.size() - left.size());
-}
-
 }  // namespace
 
 std::string text_before_rows(const Provenance& provenance, FormatId format) {
@@ -94,28 +65,6 @@ std::string text_after_rows(const Provenance& provenance, FormatId format) {
     out += line(name, fmt::format("{}", count));
   }
   return out;
-}
-
-Provenance read_meta(const Source<std::string>& bytes) {
-  Provenance provenance;
-  std::string text;  // all of JSON; of lines the last one
-  bool json = false;
-  for (bool first = true; const std::optional<std::string> more = bytes(); first = false) {
-    text += *more;
-    if (first) json = text.starts_with('{') || text.starts_with('[');
-    if (!json) read_lines(provenance, text);
-  }
-  text += '\n';
-  if (json) {
-    JsonProvenance found = read_json_provenance(text);
-    provenance.program = std::move(found.program);
-    provenance.options = std::move(found.options);
-    provenance.inputs = std::move(found.inputs);
-  } else {
-    read_lines(provenance, text);
-  }
-  if (provenance.program.empty() || provenance.inputs.empty()) throw Error(Exit::data, ErrorCode::no_provenance);
-  return provenance;
 }
 
 /// The checksum and counts so far, and the current sources.

@@ -1,4 +1,5 @@
-// Provenance: how an output was made, in comment lines or in a JSON object, written and read; its recorder.
+// Provenance: how an output was made, in comment lines or in a JSON object; its recorder. read/earlier_output.hpp
+// reads it back.
 //
 // Comment lines have what is known before the first row above the rows, and the checksums and counts below them.
 // JSON has all of it after the rows; JSON Lines has it in the last line.
@@ -34,9 +35,6 @@ struct Provenance {
 /// rows is a member of the object that has them.
 std::string text_before_rows(const Provenance& provenance, FormatId format);
 std::string text_after_rows(const Provenance& provenance, FormatId format);
-
-/// Program, options and inputs of an earlier output. Throws: Error (data) if it has no provenance.
-Provenance read_meta(const Source<std::string>& bytes);
 
 /// The requested provenance.
 struct ProvenanceRequest {

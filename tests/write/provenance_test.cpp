@@ -10,6 +10,7 @@
 
 #include "error.hpp"
 #include "keys.hpp"
+#include "read/earlier_output.hpp"
 
 namespace tcb {
 namespace {
@@ -17,8 +18,8 @@ namespace {
 using testing::ElementsAre;
 using testing::Pair;
 
-Provenance read(const std::string& text) {
-  return read_meta([text, done = false]() mutable -> std::optional<std::string> {
+EarlierOutput read(const std::string& text) {
+  return read_earlier_output([text, done = false]() mutable -> std::optional<std::string> {
     return std::exchange(done, true) ? std::nullopt : std::optional(text);
   });
 }
@@ -33,7 +34,7 @@ Provenance example() {
           25};
 }
 
-void expect_example(const Provenance& meta) {
+void expect_example(const EarlierOutput& meta) {
   EXPECT_EQ(meta.program, "tcbsample 1.2.3");
   EXPECT_EQ(meta.options, example().options);
   EXPECT_THAT(meta.inputs, ElementsAre(Pair("k.csv", "0a")));

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "read/earlier_output.hpp"
 #include "read/json/scanner.hpp"
 #include "schema/input.hpp"
 #include "stream/source.hpp"
@@ -119,15 +120,8 @@ JsonCurveInfo read_curve_info(const JsonPart& part);
 /// The names of channels in an object whose text ends before its keys, if it has any.
 std::vector<std::string> channels_before_keys(const JsonPart& part);
 
-/// The provenance of an output in JSON.
-struct JsonProvenance {
-  std::string program;
-  std::vector<std::string> options;
-  std::vector<std::pair<std::string, std::string>> inputs;  ///< names and SHA-256
-};
-
 /// The member "meta" of JSON text, or of the last line of JSON Lines; empty if there is none.
-JsonProvenance read_json_provenance(std::string_view text);
+EarlierOutput json_provenance(std::string_view text);
 
 /// Opens JSON of any shape: an array of keys, an object with "keys", one with "curves", or JSON Lines. Keys of an
 /// object are held until its settings are known. Requires: the bytes have no byte order mark. Throws: Error (data).

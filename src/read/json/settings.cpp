@@ -160,12 +160,12 @@ std::vector<std::string> channels_before_keys(const JsonPart& part) {
   }
 }
 
-JsonProvenance read_json_provenance(std::string_view text) {
+EarlierOutput json_provenance(std::string_view text) {
   Json whole = without_rows(text);
   if (whole.is_discarded()) whole = without_rows(last_line(text));
   if (!whole.is_object() || !whole.contains("meta") || !whole["meta"].is_object()) return {};
   const Json& object = whole["meta"];
-  JsonProvenance provenance;
+  EarlierOutput provenance;
   provenance.program = text_of(object, "program");
   for (const Json& option : object.value("options", Json::array())) {
     if (option.is_string()) provenance.options.push_back(option.get<std::string>());

@@ -19,7 +19,7 @@
 #include <span>
 
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/detail/double_pair.hpp"
+#include "tcb/spline/double_pair.hpp"
 
 namespace tcb::spline {
 

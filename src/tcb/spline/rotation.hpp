@@ -23,7 +23,7 @@
 #include <span>
 #include <type_traits>
 
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/detail/dual.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rules.hpp"

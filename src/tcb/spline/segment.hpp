@@ -11,7 +11,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "tcb/spline/detail/double_pair.hpp"
+#include "tcb/spline/double_pair.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {

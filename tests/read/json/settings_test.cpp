@@ -64,13 +64,13 @@ TEST(JsonSettings, an_option_is_an_error_about_that_option) {
 TEST(JsonProvenance, is_the_member_meta_of_the_text_or_of_its_last_line) {
   const std::string meta = R"("meta":{"program":"p 1","options":["a","b"],"inputs":[{"name":"n","sha256":"0f"}]})";
   for (const std::string& text : {"{\"rows\":[{\"t\":0}]," + meta + "}\n", "{\"t\":0}\n{" + meta + "}\n"}) {
-    const JsonProvenance found = read_json_provenance(text);
+    const EarlierOutput found = json_provenance(text);
     EXPECT_EQ(found.program, "p 1");
     EXPECT_THAT(found.options, testing::ElementsAre("a", "b"));
     EXPECT_THAT(found.inputs, testing::ElementsAre(testing::Pair("n", "0f")));
   }
-  EXPECT_EQ(read_json_provenance("{\"t\":0}\n").program, "");
-  EXPECT_EQ(read_json_provenance("{\"t\":").program, "");
+  EXPECT_EQ(json_provenance("{\"t\":0}\n").program, "");
+  EXPECT_EQ(json_provenance("{\"t\":").program, "");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 
 namespace tcb::spline {
 

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "tcb/spline/detail/double_pair.hpp"
+#include "tcb/spline/double_pair.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {

@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation.hpp"
 

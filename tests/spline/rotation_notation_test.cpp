@@ -1,5 +1,5 @@
 // Notations of rotations: Euler angles of all orders, axis and angle, matrices, and where forms are not unique.
-#include "tcb/spline/detail/rotation_notation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Angles: sine, cosine and the angle of a vector against 50 digits.
-#include "tcb/spline/detail/angle.hpp"
+#include "tcb/spline/angle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Double pairs: each operation has the bits of the operation on one double.
-#include "tcb/spline/detail/double_pair.hpp"
+#include "tcb/spline/double_pair.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Turn length: the angle of a constant turn, of a curve by fine steps, its inverse, and rotations at rest.
-#include "tcb/spline/detail/turn_length.hpp"
+#include "tcb/spline/turn_length.hpp"
 
 #include <gtest/gtest.h>
 

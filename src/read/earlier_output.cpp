@@ -1,0 +1,64 @@
+// Earlier outputs: their provenance in comment lines; that in JSON is read in read/json/settings.cpp.
+#include "read/earlier_output.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+#include "error.hpp"
+#include "read/json/json_input.hpp"
+
+namespace tcb {
+namespace {
+
+/// The value of a comment line with this name.
+std::optional<std::string> value_of(std::string_view line, std::string_view name) {
+  const std::string begin = fmt::format("# {}: ", name);
+  if (!line.starts_with(begin)) return std::nullopt;
+  return std::string(line.substr(begin.size()));
+}
+
+void read_line(EarlierOutput& output, std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  constexpr std::string_view program = "# tcbsample ";
+  if (line.starts_with(program) && output.program.empty()) output.program = line.substr(2);
+  if (auto option = value_of(line, "option")) output.options.push_back(std::move(*option));
+  if (auto name = value_of(line, "input")) output.inputs.emplace_back(std::move(*name), "");
+  if (auto digest = value_of(line, "sha256"); digest && !output.inputs.empty()) {
+    output.inputs.back().second = *digest;
+  }
+}
+
+/// Reads the comments among the complete lines of a text, and leaves the last, incomplete line.
+void read_lines(EarlierOutput& output, std::string& text) {
+  std::string_view left = text;
+  for (std::size_t end = left.find('\n'); end != std::string_view::npos; end = left.find('\n')) {
+    if (left.starts_with('#')) read_line(output, left.substr(0, end));
+    left.remove_prefix(end + 1);
+  }
+  text.erase(0, text.size() - left.size());
+}
+
+}  // namespace
+
+EarlierOutput read_earlier_output(const Source<std::string>& bytes) {
+  EarlierOutput output;
+  std::string text;  // all of JSON; of lines the last one
+  bool json = false;
+  for (bool first = true; const std::optional<std::string> more = bytes(); first = false) {
+    text += *more;
+    if (first) json = text.starts_with('{') || text.starts_with('[');
+    if (!json) read_lines(output, text);
+  }
+  text += '\n';
+  if (json) {
+    output = json_provenance(text);
+  } else {
+    read_lines(output, text);
+  }
+  if (output.program.empty() || output.inputs.empty()) throw Error(Exit::data, ErrorCode::no_provenance);
+  return output;
+}
+
+}  // namespace tcb
