@@ -7,7 +7,8 @@
 //   1. g is rounded up, by less than 2^-127 of itself, and the low bits of the product are cut off. Hence F is whole,
 //   or
 //      half of a whole, where the exact product is.
-//   2. No other exact product is so near to a whole or a half that F is on its other side. tests/numbers/decimal_proof.py
+//   2. No other exact product is so near to a whole or a half that F is on its other side.
+//   tests/numbers/decimal_proof.py
 //      searches all powers and finds none.
 // shortest_if_easy() needs no proof: it returns nothing if a limit is nearer than the error of F.
 //
