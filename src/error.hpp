@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -487,8 +488,14 @@ using ErrorValue = std::variant<std::string, double, std::uint64_t, std::vector<
 /// files of a batch go on.
 class Error : public std::exception {
  public:
+  /// The message: the fault, what was expected, and the remedy, separated by "; ". Rooms have a function for each fault
+  /// in their errors.hpp, which makes it.
+  Error(Exit exit, std::string message) : exit_(exit), message_(std::move(message)) {}
+
   Error(Exit exit, ErrorCode code, std::vector<ErrorValue> values = {})
       : exit_(exit), code_(code), values_(std::move(values)) {}
+
+  const std::string& message() const { return message_; }
 
   Exit exit() const { return exit_; }
   ErrorCode code() const { return code_; }
@@ -503,6 +510,13 @@ class Error : public std::exception {
 
   /// What else is wrong with the same input.
   void add(Error other) { others_.push_back(std::move(other)); }
+
+  /// The same error about the value of an option or a member of JSON: its name and a colon come first.
+  Error about(std::string_view subject) const {
+    Error error = *this;
+    error.message_ = std::string(subject) + ": " + message_;
+    return error;
+  }
 
   /// The same error about an option.
   Error about(Option option) const {
@@ -537,7 +551,8 @@ class Error : public std::exception {
 
  private:
   Exit exit_;
-  ErrorCode code_;
+  std::string message_;
+  ErrorCode code_ = ErrorCode::unexpected;
   std::vector<ErrorValue> values_;
   TextPosition position_;
   Option option_ = Option::none;

@@ -809,6 +809,7 @@ std::span<const Words> remedies() { return all_words; }
 std::string_view option_name(Option option) { return option == Option::none ? "" : row_of(option).long_name(); }
 
 std::string error_message(const Error& error) {
+  if (!error.message().empty()) return error.message();
   const auto words = std::ranges::find(all_words, error.code(), &Words::code);
   FormatArguments values;
   for (const ErrorValue& value : error.values()) std::visit(AddValue{values}, value);

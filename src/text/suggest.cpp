@@ -2,6 +2,7 @@
 #include "text/suggest.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -23,6 +24,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
   }
   return row.back();
+}
+
+template <class Text>
+std::string joined(std::span<const Text> names) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    if (i > 0) text += ", ";
+    text += names[i];
+  }
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
 }
 
 }  // namespace
@@ -51,6 +64,19 @@ std::string_view likely_name(std::string_view name, std::span<const std::string_
   if (const std::string_view found = only(begins_so); !found.empty()) return found;
   return only(contains_it);
 }
+
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
+  std::vector<std::string> lowered;
+  std::ranges::transform(known, std::back_inserter(lowered), in_lower_case);
+  const std::vector<std::string_view> compared(lowered.begin(), lowered.end());
+  const std::string_view likely = likely_name(in_lower_case(name), compared);
+  if (likely.empty()) return "";
+  const auto index = static_cast<std::size_t>(std::ranges::find(compared, likely) - compared.begin());
+  return "; did you mean " + std::string(known[index]) + "?";
+}
+
+std::string listed(std::span<const std::string> names) { return joined(names); }
+std::string listed(std::span<const std::string_view> names) { return joined(names); }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;

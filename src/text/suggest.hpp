@@ -16,6 +16,13 @@ std::string nearest_name(std::string_view name, std::span<const std::string_view
 /// with `name`, or contains it.
 std::string_view likely_name(std::string_view name, std::span<const std::string_view> known);
 
+/// "; did you mean NAME?" with the known name that is probably meant, whatever the case of its letters, or "".
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
+
+/// Names separated by ", ": all of them, or the first 20 and the number of the others.
+std::string listed(std::span<const std::string> names);
+std::string listed(std::span<const std::string_view> names);
+
 /// A letter of ASCII in lower case; any other character as it is.
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 
