@@ -1,9 +1,10 @@
-# Packages: what they hold besides the files of cmake --install, and the settings of cpack.
+# Packages: their contents besides the files of cmake --install, and the settings of cpack.
 #
 # cmake --workflow --preset package makes tcbsample_*.deb, libtcb-spline-dev_*.deb, and an archive with the program as
 # one static file, which runs on any Linux.
 
-# The time of this version: in the changelog, and of the files in packages, so that each build makes the same bytes.
+# The time of this version is used in the changelog and for the files in packages, so that each build makes the same
+# bytes.
 if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
   set(ENV{SOURCE_DATE_EPOCH} 1795392000)
 endif()

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Draws the pictures of this folder's documents: pictures.sh [FOLDER], by default this folder.
+# Draws the pictures for the documents of this folder: pictures.sh [FOLDER], by default this folder.
 #
-# Needs only tcbsample, in PATH or in ../build/release.
+# It needs only tcbsample, in PATH or in ../build/release.
 set -eu
 cd "$(dirname "$0")"
 folder=${1:-.}

@@ -3,8 +3,8 @@
 #
 # FOLDER has cmd (a shell command, run in a scratch copy of the folder) and its expected results:
 # expected (standard output, default none), errors (standard error, default none), status (exit code,
-# default 0). The numbers in `expected` come from arithmetic by hand or with fractions, never from
-# the program.
+# default 0). The numbers in `expected` are computed by hand or with fractions, never by the
+# program.
 set -u
 program=$1 folder=$2
 scratch=$(mktemp -d) || exit 1

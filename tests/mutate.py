@@ -1,8 +1,8 @@
-"""Mutations of src/input and src/sampling that the quick tests do not notice: mutate.py BUILD [COUNT] [SEED] [PATH...].
+"""Finds mutations of src/read and src/sample that quick tests do not notice: mutate.py BUILD [COUNT] [SEED] [PATH...].
 
-Changes one operator or constant of a source at a time, builds, and runs the quick tests of these folders; prints what
-survives, to be given a test if it is no equivalent. BUILD is a configured build folder of these sources, with
-optimization off; each source is restored afterwards. Exit 1: a mutation survived.
+Changes one operator or constant of a source at a time, builds, and runs the quick tests of these folders. Prints the
+mutations that survive: each needs a test, unless it is equivalent. BUILD is a configured build folder of these sources,
+with optimization off. Each source is restored afterwards. Exit 1: a mutation survived.
 """
 import os
 import random
@@ -15,9 +15,9 @@ build = sys.argv[1]
 count = int(sys.argv[2]) if len(sys.argv) > 2 else 40
 rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
 root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-places = sys.argv[4:] or ["src/input", "src/sampling"]
-targets = ["tcbsample", "input_test", "input_csv_test", "input_json_test", "sampling_test"]
-tests = "^(input|input/csv|input/json|sampling|golden/(input|errors|sampling|curve|cli))/"
+places = sys.argv[4:] or ["src/read", "src/sample"]
+targets = ["tcbsample", "read_test", "read_csv_test", "read_json_test", "sample_test"]
+tests = "^(read|read_csv|read_json|sample|golden/(input|errors|sampling|curve|cli))/"
 
 swaps = [(r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "), (r" == ", " != "), (r" != ", " == "),
          (r" && ", " || "), (r" \|\| ", " && "), (r" \+ 1\b", ""), (r" - 1\b", ""), (r"\btrue\b", "false"),
@@ -48,7 +48,7 @@ def mutations():
 
 
 def is_noticed():
-    """Whether it does not compile, or a test fails."""
+    """Whether the mutated source does not compile, or a test fails."""
     made = subprocess.run(["ninja", "-C", build, "-j2", *targets], capture_output=True)
     if made.returncode != 0:
         return True

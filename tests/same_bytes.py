@@ -184,7 +184,7 @@ def random_mode(rng):
     )()
 
 
-# Options that have no effect in a mode, which refuses them.
+# Options that a mode refuses, as they have no effect in it.
 OF_RULES = {"--preset", "--tangents", "--ends", "--equal-speed", "--side"}
 OF_RANGE = {"--from", "--to", "--end", "--keys"}
 OF_NUMBERS = {"--digits", "--fixed", "--hex", "--golden", "--exact-input", "--no-output-header", "--time-format"}

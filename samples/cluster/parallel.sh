@@ -10,7 +10,7 @@ set -eu
 job=$1 hosts=$(realpath "$2")
 shift 2
 cd "$job"
-# A part has a folder of its own on a host (--workdir ...). If the host fails, two more are tried; not if data is bad.
+# A part has a folder of its own on a host (--workdir ...). If the host fails, two more are tried, but not if data is bad.
 # shellcheck disable=SC2016 # for the shell of the host
 find parts -mindepth 1 -maxdepth 1 | LC_ALL=C sort |
   parallel --will-cite --quote --sshloginfile "$hosts" --jobs 1 --retries 3 --joblog log --resume-failed \

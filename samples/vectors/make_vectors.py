@@ -14,7 +14,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 CURVES = ["even", "uneven", "corner", "inside", "beyond", "pair", "plane", "space", "closed"]
 TURNS = ["turns", "turn", "round"]
-# Those whose product has rotations.
+# Presets whose products have rotations.
 PRESETS_OF_ROTATIONS = ["gte", "vtk", "3dsmax", "nel", "cryengine", "lib3ds1", "lib3ds2", "splines"]
 VELOCITIES = ["0.5", "-1", "0.25"]  # of the end rule velocity, one per channel
 PLACES = ["0.25", "0.625"]  # u of the positions: together with the keys they determine a cubic

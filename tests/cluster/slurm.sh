@@ -54,7 +54,7 @@ for _ in $(seq 50); do
 done
 [ "$nodes" = 2 ] || skip "the nodes do not get ready: $(cat /run/node1/log)"
 
-# A task for each part, then the collecting step; a file that is not data fails its task and the collecting.
+# A task runs for each part, then the collecting step. A file that is not data fails its task and the collecting step.
 make_keys keys
 spoil keys
 sh "$scripts/split.sh" keys job 7

@@ -155,7 +155,7 @@ def check_pieces():
 
 
 def check_decimal_times():
-    """Times that are no doubles: the curve is within the tolerance also where they are taken as decimals."""
+    """At times that are not doubles, the curve is within the tolerance also if they are taken as decimals."""
     tolerance, first = rng.choice([1e-2, 1e-3, 1e-4]), 1305031098 + rng.random()
     times = [round(first + i * 0.01 + rng.uniform(0, 0.004), 4) for i in range(400)]
     wave = [(rng.uniform(0.1, 1), rng.uniform(0.5, 3), rng.uniform(0, 7)) for _ in range(3)]
