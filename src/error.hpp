@@ -137,84 +137,11 @@ enum class Option {
 /// What can be wrong, folder by folder of the code that finds it. Each has its words in cli/remedies.
 enum class ErrorCode {
   // io
-  cannot_open,            ///< the system's reason
-  cannot_read,            ///< the system's reason
-  input_is_folder,        ///< the system's reason
-  input_changed,          ///< while it was read
-  cannot_write,           ///< the system's reason
-  cannot_make_folder,     ///< the system's reason
-  cannot_make_temporary,  ///< the system's reason
-  cannot_read_temporary,  ///< the system's reason
-  cannot_read_folder,     ///< the system's reason
-  nul_in_list,
-  empty_list,
-  no_inputs_in_folders,  ///< how many other files there are
-  same_output,           ///< the output, the other input
-  output_is_input,       ///< the output
-  input_without_name,    ///< standard input, where each input has its own output
   // schema, read
-  npy_as_input,
-  compressed_input,        ///< name of the compression, command that decompresses
-  compressed_data_broken,  ///< name of the compression
-  compressed_data_cut,     ///< name of the compression
-  input_of_other_format,   ///< what it is
-  not_in_utf8,             ///< name of the encoding
-  two_byte_order_marks,
-  nul_byte,
-  same_column_names,          ///< the name
-  no_such_column,             ///< name or number, names of the columns
-  no_such_column_number,      ///< name or number, number of columns
-  column_without_channel,     ///< number, numbers of those with one
-  column_with_two_roles,      ///< name
-  two_columns_for_role,       ///< role, name of the second column
-  column_of_unknown_channel,  ///< name, name of the channel, names of the channels
-  role_of_unknown_channel,    ///< role, name of the channel, names of the channels
-  velocity_columns_overlap,   ///< name of one for both sides, name of another
-  velocity_column_missing,    ///< name, name of the missing one
-  velocity_with_tcb,          ///< name of the velocity, name of the other column
-  segment_column_missing,     ///< name, name of the missing one
-  rotation_column_missing,    ///< name of the missing one, names of the others
-  rotation_columns_shared,    ///< name
-  velocity_of_rotation,       ///< name of a channel of it
-  velocity_with_slerp,        ///< name of a channel of it
-  tcb_with_all_velocities,    ///< role
-  no_channel_column,
-  column_nearly_role,  ///< name, role
-  times_unclear,       ///< name of the column that may be the time
-  time_units_differ,   ///< name of the column, its unit, the given one
-  unit_without_times,
-  timecode_without_rate,   ///< name of the column
+  times_unclear,           ///< name of the column that may be the time
   no_such_time,            ///< column, cell
   time_in_other_notation,  ///< column, cell
-  no_time_in_words,        ///< the time, the notation
-  invalid_role_request,    ///< part of the option's text
   // read/csv
-  record_too_long,
-  too_many_cells,  ///< the most
-  quote_not_closed,
-  text_after_quotes,
-  empty_input,
-  header_without_rows,
-  lines_end_in_carriage_returns,
-  single_column,          ///< delimiter, the character that each row has, its name for -d
-  header_unclear,         ///< text, number
-  row_unlike_header,      ///< number of cells, number of names
-  column_not_utf8,        ///< name, byte
-  cell_not_utf8,          ///< cell, byte
-  wrong_number_of_cells,  ///< number, expected number
-  empty_group,            ///< column
-  number_in_text_column,  ///< number of the column, cell
-  number_empty,           ///< column: its name or number
-  number_missing,         ///< column, cell
-  time_empty,             ///< column
-  time_missing,           ///< column, cell
-  number_with_point,      ///< column, cell
-  number_with_comma,      ///< column, cell
-  number_with_thousands,  ///< column, cell
-  number_too_large,       ///< column, cell
-  several_numbers,        ///< column, cell
-  not_a_number,           ///< column, cell
-  decimal_comma_is_delimiter,
   // read/json; PATH is the path of the value, as in keys[17].x
   text_options_on_json,
   empty_json,
@@ -274,23 +201,6 @@ enum class ErrorCode {
   setting_channels_expected,  ///< PATH
   setting_id_expected,        ///< PATH
   // keys
-  equal_times,                 ///< time, the time before and its line
-  equal_times_in_list,         ///< time, the time before, the positions of both keys in the list
-  decreasing_times,            ///< as equal_times
-  decreasing_times_by_place,   ///< the same, where columns have no names
-  decreasing_times_in_list,    ///< as equal_times_in_list
-  curves_interleaved,          ///< time, the time before and its line, column of labels
-  curves_interleaved_in_list,  ///< as equal_times_in_list, and column of labels
-  sort_interleaves,            ///< column of labels
-  sort_without_times,
-  duplicates_without_times,
-  no_keys,
-  single_key,
-  tcb_from_0_to_50,     ///< name of the role, value
-  tcb_in_percent,       ///< as tcb_from_0_to_50
-  ease_out_of_range,    ///< name of the role, value
-  position_repeats,     ///< line of the key before
-  parameter_step_lost,  ///< step, time
   // sample
   before_first_key,
   after_last_key,
@@ -348,27 +258,8 @@ enum class ErrorCode {
   length_beyond_doubles,
   channel_without_numbers,
   closing_key_differs,
-  closing_velocity_differs,   ///< line of the first key
-  seam_velocity_missing,      ///< channel
-  incoming_velocity_missing,  ///< channel
-  outgoing_velocity_missing,  ///< channel
-  rotation_incomplete,        ///< name of a channel of it
-  rotation_not_unit,          ///< name of a channel of it, norm
-  rotation_zero,              ///< name of a channel of it
-  matrix_not_orthogonal,      ///< name of a channel of it, how far it is from orthogonal
-  matrix_no_rotation,         ///< name of a channel of it, determinant
-  angle_over_turn,            ///< name of a channel of its rotation, angle in radians
-  angle_too_large,            ///< name of a channel of its rotation, angle in degrees
-  axis_zero,                  ///< name of a channel of its rotation, angle
-  half_turn_between_keys,     ///< name of a channel of it, line of the key before
-  whole_turns,                ///< name of a channel of it, angle
-  angle_missing,              ///< name
-  half_turn_of_angle,         ///< name, line of the key before
-  equal_speed_with_velocities,
-  segment_starts_elsewhere,  ///< start, end of the segment before it
-  segment_jumps,             ///< position, that at the end of the segment before it
-  segment_without_duration,  ///< duration
-  sort_of_segments,
+  closing_velocity_differs,  ///< line of the first key
+  seam_velocity_missing,     ///< channel
   closing_key_against_period,
   period_too_short,
   too_few_closed_keys,
@@ -378,16 +269,7 @@ enum class ErrorCode {
   decimal_too_long,
   row_needs_more_digits,
   // write
-  text_in_binary_format,        ///< column, format
-  several_curves_in_one_table,  ///< format
-  time_beyond_doubles,          ///< time
-  other_columns,                ///< columns, columns of the files before
-  file_column_taken,            ///< name
-  name_not_utf8,                ///< byte
-  other_checksum,               ///< checksum, the expected one, the earlier output
-  made_from_fewer_inputs,       ///< the earlier output, number of its inputs
-  made_from_more_inputs,        ///< as made_from_fewer_inputs
-  no_provenance,
+  other_columns,  ///< columns, columns of the files before
   // plot
   picture_beyond_doubles,
   picture_too_small,  ///< channels

@@ -74,7 +74,7 @@ constexpr std::array<OptionRow, option_count> option_rows{{
      "samples",
      "", columns, recorded,
      [](Typed& to, Text text) {
-       to.job.input.roles.push_back({Role::group, column_list(text), Option::group});
+       to.job.input.roles.push_back({Role::group, column_list(text), option::group});
      }},
     {Option::missing, "--missing", "POLICY", input_group,
      "For a cell that is empty or a sign of a missing number, such as NA: error rejects it; skip-row skips the key; skip-cell interpolates "

@@ -36,7 +36,7 @@ void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::str
     if (std::ranges::count(values, "") > 0) throw Error(Exit::usage, ErrorCode::empty_value);
     row.store(typed, text);
   } catch (const Error& error) {
-    throw error.about(row.id);
+    throw error.message().empty() ? error.about(row.id) : error.about(row.long_name());
   }
 }
 

@@ -23,173 +23,16 @@ namespace {
 constexpr Words all_words[]{
     // text
     // io
-    Words{ErrorCode::cannot_open, "cannot be opened: {0}"},
-    Words{ErrorCode::cannot_read, "cannot be read: {0}"},
-    Words{ErrorCode::input_is_folder, "cannot be read: {0}; give --recursive and --output-dir for the files in it"},
-    Words{ErrorCode::input_changed,
-          "it changed while it was read; expected a complete file; wait until it is written, or read what is "
-          "already in it through a pipe, as in cat FILE | tcbsample"},
-    Words{ErrorCode::cannot_write, "cannot be written: {0}"},
-    Words{ErrorCode::cannot_make_folder, "cannot be created: {0}"},
-    Words{ErrorCode::cannot_make_temporary, "needs a temporary file, which cannot be created: {0}"},
-    Words{ErrorCode::cannot_read_temporary, "cannot be read back from the temporary file: {0}"},
-    Words{ErrorCode::cannot_read_folder, "the folder cannot be read: {0}"},
-    Words{ErrorCode::nul_in_list,
-          "a NUL byte in the list of files; expected one name per line; give -0 for names that end in NUL"},
-    Words{ErrorCode::empty_list, "no file names; expected one per line; add some"},
-    Words{ErrorCode::no_inputs_in_folders,
-          "no input among {0} in the folders; expected .csv, .tsv, .ssv, .json or .jsonl; give --input-format to "
-          "take all"},
-    Words{ErrorCode::same_output,
-          "its output {0} is also that of {1}; expected one for each; rename one of them, or use two folders"},
-    Words{ErrorCode::output_is_input, "its output {0} is also an input; expected two files; give another output"},
-    Words{ErrorCode::input_without_name, "standard input has no name; --output-dir needs files; give -o instead"},
     // schema, read
-    Words{ErrorCode::npy_as_input,
-          "the file is in a format of NumPy; expected text; convert it, for example with numpy.savetxt"},
-    Words{ErrorCode::compressed_data_broken,
-          "the {0} data are broken; expected an undamaged file; make or copy it again"},
-    Words{ErrorCode::compressed_data_cut, "the {0} data end too early; expected a whole file; make or copy it again"},
-    Words{ErrorCode::compressed_input,
-          "the file is compressed with {0}; expected text; decompress it, as in {1} FILE | tcbsample"},
-    Words{ErrorCode::input_of_other_format,
-          "this is {0}; expected text with a key in each row, or JSON; export the keys as CSV or JSON"},
-    Words{ErrorCode::not_in_utf8,
-          "the text is {0}; expected UTF-8; convert it, for example with iconv -f {0} -t UTF-8"},
-    Words{ErrorCode::two_byte_order_marks, "two byte order marks; expected at most one; remove one"},
-    Words{ErrorCode::nul_byte,
-          "a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8"},
-    Words{ErrorCode::same_column_names,
-          "two columns are called \"{0}\"; expected different names; rename one, or choose by number with --columns"},
-    Words{ErrorCode::no_such_column, "no column \"{0}\"; the columns are {1}; correct {subject}"},
-    Words{ErrorCode::no_such_column_number, "no column {0}; there are {1}, without names; give numbers from 1 to {1}"},
-    Words{
-        ErrorCode::column_without_channel,
-        "{subject}: column {0} is the time or has another role; expected one of the columns {1}; name others, or give "
-        "--parameter uniform if the keys have no times"},
-    Words{ErrorCode::column_with_two_roles, "column \"{0}\" has two roles; expected one; correct --columns"},
-    Words{ErrorCode::two_columns_for_role,
-          "two columns could be the {0} column, the second is \"{1}\"; expected one; choose with --columns"},
-    Words{ErrorCode::column_of_unknown_channel,
-          "column \"{0}\" is for a channel \"{1}\", which does not exist; the channels are {2}; correct the name, "
-          "or name the channels with --columns position=NAME:NAME"},
-    Words{ErrorCode::role_of_unknown_channel,
-          "{0} is for a channel \"{1}\", which does not exist; the channels are {2}; correct {subject}"},
-    Words{ErrorCode::velocity_columns_overlap,
-          "\"{0}\" and \"{1}\": two velocities of one side; expected {0} for both sides, or one for each; remove "
-          "one, or give --columns ignore=NAME"},
-    Words{ErrorCode::velocity_column_missing,
-          "\"{0}\" without \"{1}\"; expected both, or one column for both sides; add it, or give --columns "
-          "ignore={0}"},
-    Words{ErrorCode::velocity_with_tcb,
-          "\"{0}\" and \"{1}\": a given velocity leaves nothing to tension, continuity and bias; expected one of "
-          "the two; remove one, or give --columns ignore=NAME"},
-    Words{ErrorCode::rotation_column_missing,
-          "of {1} and \"{0}\" the last is missing; expected the four numbers of a quaternion; add it, or give "
-          "--rotation none "
-          "to take them as plain channels"},
-    Words{ErrorCode::rotation_columns_shared,
-          "\"{0}\" is in two rotations or angles, or twice in one; expected columns of their own; name others"},
-    Words{ErrorCode::velocity_of_rotation,
-          "\"{0}\" is a number of a rotation with a velocity; expected velocities of all four numbers of a quaternion, "
-          "or tension, continuity and bias; leave its column out with --columns ignore=NAME"},
-    Words{ErrorCode::velocity_with_slerp,
-          "\"{0}\" is a number of a rotation with velocities, which the curve slerp does not have; expected one of the "
-          "two; give --rotation-curve squad, or leave the columns out with --columns ignore=NAME"},
-    Words{ErrorCode::segment_column_missing,
-          "\"{0}\" without \"{1}\"; expected both, where rows are segments; add it, or give --columns ignore={0}"},
-    Words{ErrorCode::tcb_with_all_velocities,
-          "the column of {0} has no effect, for all channels have given velocities; expected one of the two; "
-          "remove it, or give --columns ignore=NAME"},
-    Words{ErrorCode::no_channel_column,
-          "no position column; expected at least one column of numbers besides the time; name it with --columns "
-          "position=NAME"},
-    Words{ErrorCode::column_nearly_role,
-          "column \"{0}\" is close to \"{1}\", but its name makes it a channel; expected {1}, or another name; "
-          "rename it, or give --columns {1}={0} or position=NAME:NAME"},
     Words{ErrorCode::times_unclear,
           "no time column, but column \"{0}\" may be one; expected a column called time; give --columns time={0}, "
           "or --parameter uniform if the keys have no times"},
-    Words{ErrorCode::time_units_differ,
-          "the times in column \"{0}\" are in {1} by its name, but in {2} by {subject}; expected one unit; remove "
-          "the option, or rename the column"},
-    Words{ErrorCode::unit_without_times,
-          "no time column, but {subject} is given; expected one; name it with --columns time=NAME, or remove the "
-          "option"},
-    Words{ErrorCode::timecode_without_rate,
-          "the times in column \"{0}\" are frames or timecode, but there is no rate; expected one; give it with "
-          "--input-fps, as in --input-fps 24 or 30000/1001"},
     Words{ErrorCode::no_such_time,
           "{c0}: {q1} does not exist; expected a time of a day, a frame below the rate that is not dropped, and no "
           "leap second; correct the cell"},
     Words{ErrorCode::time_in_other_notation,
           "{c0}: {q1} is not in the notation of the first time; expected one notation in a column; convert the cell"},
-    Words{ErrorCode::no_time_in_words,
-          "the time {0} of a row cannot be written as {1}; expected a time at a frame for timecode, not before 0, "
-          "and a year from 0 to 9999 for a date; give --time-format seconds"},
-    Words{ErrorCode::invalid_role_request,
-          "{subject}: \"{0}\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
-          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, "
-          "ease_in=, ease_out=, group=, carry= or ignore=; for example --columns time=frame,position=px:py"},
     // read/csv
-    Words{ErrorCode::record_too_long,
-          "a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote that was "
-          "left open"},
-    Words{ErrorCode::too_many_cells,
-          "a record of more than {0} cells; expected fewer; correct the row, or give the delimiter with -d"},
-    Words{ErrorCode::quote_not_closed, "a quoted cell is not closed; expected \" at its end; add it"},
-    Words{ErrorCode::text_after_quotes,
-          "text after a quoted cell; expected the delimiter or the end of the line; double the quotes inside a cell"},
-    Words{ErrorCode::empty_input, "no keys: the input is empty; expected a row for each key; see --help"},
-    Words{ErrorCode::header_without_rows,
-          "no keys: there is a header and no row; expected a row for each key; see --help"},
-    Words{ErrorCode::lines_end_in_carriage_returns,
-          "no keys: there is one line, with carriage returns in it; expected a line for each key; change them to "
-          "line feeds, for example with tr"},
-    Words{ErrorCode::single_column,
-          "one column, as there is no {q0}, but each row has {q1}; expected cells between delimiters; give -d {2}"},
-    Words{ErrorCode::header_unclear,
-          "the first record has text, {q0}, and a number, {q1}; expected only names or only numbers; give --header "
-          "if they are names, --no-header if they are not"},
-    Words{ErrorCode::row_unlike_header,
-          "the first row has {0} where the header has {1}; expected the same number; correct one of them, or give "
-          "the delimiter with -d"},
-    Words{ErrorCode::column_not_utf8,
-          "column {q0}: the byte {1} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
-    Words{ErrorCode::cell_not_utf8,
-          "{q0}: the byte {1} is not UTF-8; expected UTF-8; convert the text, for example with iconv"},
-    Words{ErrorCode::wrong_number_of_cells,
-          "the row has {0} where the rows above have {1}; expected the same number of cells; complete or correct "
-          "the row, or give the delimiter with -d"},
-    Words{ErrorCode::empty_group,
-          "{0}: an empty cell; expected the name of a curve; fill it in, or give --missing skip-row"},
-    Words{ErrorCode::number_in_text_column,
-          "{c0}: {q1} is a number in a column of text; expected only numbers or only text; give the text that "
-          "marks missing numbers to --na, or leave the column out with --columns position=NAME:NAME"},
-    Words{ErrorCode::number_empty,
-          "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row, skip-cell or "
-          "break"},
-    Words{ErrorCode::number_missing,
-          "{c0}: {q1} where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
-    Words{ErrorCode::time_empty,
-          "{c0}: an empty cell where a number was expected; fill it in, or give --missing skip-row or break"},
-    Words{ErrorCode::time_missing,
-          "{c0}: {q1} where a number was expected; fill it in, or give --missing skip-row or break"},
-    Words{ErrorCode::number_with_point,
-          "{c0}: {q1} has a point; expected a decimal comma; correct the cell, or remove --decimal"},
-    Words{ErrorCode::number_with_comma,
-          "{c0}: {q1} is not a number; expected a decimal point; give --decimal , if this is a decimal comma"},
-    Words{ErrorCode::number_with_thousands,
-          "{c0}: {q1} is not a number; expected one without separators of thousands; remove them, or give "
-          "--decimal , if this is a decimal comma"},
-    Words{ErrorCode::number_too_large,
-          "{c0}: {q1} is not a finite double; expected less than 1.8e308 in size; correct the cell"},
-    Words{ErrorCode::several_numbers,
-          "{c0}: {q1} is not a number; expected one in each cell; give the delimiter with -d"},
-    Words{ErrorCode::not_a_number,
-          "{c0}: {q1} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell"},
-    Words{ErrorCode::decimal_comma_is_delimiter,
-          "--decimal , excludes the delimiter , ; expected another one; give it with -d, or remove --decimal"},
     // read/json
     Words{ErrorCode::text_options_on_json,
           "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; remove them, or "
@@ -277,51 +120,6 @@ constexpr Words all_words[]{
     Words{ErrorCode::setting_channels_expected, "{0}: expected an array of names in quotes; correct it"},
     Words{ErrorCode::setting_id_expected, "{0}: expected a text or a number; correct it"},
     // keys
-    Words{ErrorCode::equal_times,
-          "time {0} repeats the time {1} in line {2}; expected increasing times; remove one of them, or give "
-          "--duplicates first, last or break"},
-    Words{ErrorCode::equal_times_in_list,
-          "{3}: time {0} repeats the time {1} of {2}; expected increasing times; remove one of them, or give "
-          "--duplicates first, last or break"},
-    Words{ErrorCode::decreasing_times,
-          "time {0} is less than the time {1} in line {2}; expected increasing times; sort the rows by time, or "
-          "give --sort"},
-    Words{ErrorCode::decreasing_times_by_place,
-          "time {0} is less than the time {1} in line {2}; expected increasing times; sort the rows by time, give "
-          "--sort, or give --parameter uniform if the keys have no times"},
-    Words{ErrorCode::decreasing_times_in_list,
-          "{3}: time {0} is less than the time {1} of {2}; expected increasing times; sort the rows by time, or "
-          "give --sort"},
-    Words{ErrorCode::curves_interleaved,
-          "time {0} does not increase after {1} in line {2}, but it does for each value of \"{3}\"; expected the "
-          "rows of one curve; give --group {3} for one curve per value"},
-    Words{ErrorCode::curves_interleaved_in_list,
-          "{3}: time {0} does not increase after {1} of {2}, but it does for each value of \"{4}\"; expected the "
-          "keys of one curve; give --group {4} for one curve per value"},
-    Words{ErrorCode::sort_interleaves,
-          "--sort would mix rows with different values of \"{0}\" in one curve; expected the rows of one curve; "
-          "give --group {0} for one curve per value, or --columns carry={0} if it does not distinguish curves"},
-    Words{ErrorCode::sort_without_times,
-          "--sort orders rows by time, and there is no time column; remove it, or name the column with --columns "
-          "time=NAME"},
-    Words{ErrorCode::duplicates_without_times,
-          "--duplicates is about equal times, and there is no time column; remove it, or name the column with "
-          "--columns time=NAME"},
-    Words{ErrorCode::no_keys, "only 0 keys; a curve needs at least two; add keys"},
-    Words{ErrorCode::single_key, "only 1 key; a curve needs at least two; add keys"},
-    Words{ErrorCode::tcb_from_0_to_50,
-          "{0} is {1}, and 3ds Max and programs like it show 0 to 50 with 25 for 0; expected a number, usually "
-          "from -1 to 1; give --tcb-scale 3dsmax, or --tcb-scale none to take the number unchanged"},
-    Words{ErrorCode::tcb_in_percent,
-          "{0} is {1}, and the product shows percent; expected a number, usually from -1 to 1; divide by 100, or "
-          "give --tcb-scale none to take the number unchanged"},
-    Words{ErrorCode::ease_out_of_range, "{0} is {1}; expected 0 to 1; correct it, or give --no-ease"},
-    Words{ErrorCode::position_repeats,
-          "the position repeats that of line {0}; times are made from distances, and here the distance is 0; "
-          "remove one of the rows, or give --parameter uniform"},
-    Words{ErrorCode::parameter_step_lost,
-          "the distance makes a step of {0}, which is lost when it is added to the time {1}; expected times that "
-          "doubles distinguish; give a smaller exponent to --parameter"},
     // sample
     Words{ErrorCode::before_first_key,
           "{subject} {0} lies before the first key, at {1}; give one within the curve, or --extrapolate"},
@@ -462,61 +260,6 @@ constexpr Words all_words[]{
     Words{ErrorCode::seam_velocity_missing,
           "channel \"{0}\": a velocity is missing where the closed curve returns to its first key; expected the "
           "incoming one of the first key and the outgoing one of the last; fill them in"},
-    Words{ErrorCode::incoming_velocity_missing,
-          "the incoming velocity of channel \"{0}\" is missing; expected a number at every key but the first; fill "
-          "it in, or remove the row"},
-    Words{ErrorCode::outgoing_velocity_missing,
-          "the outgoing velocity of channel \"{0}\" is missing; expected a number at every key but the last; fill "
-          "it in, or remove the row"},
-    Words{ErrorCode::rotation_incomplete,
-          "the rotation of \"{0}\" lacks a number; expected all of them, or none; fill it in, or remove the row"},
-    Words{ErrorCode::rotation_not_unit,
-          "the quaternion of \"{0}\" has the norm {1}; expected 1, within 0.001; check its columns and their order, "
-          "or give --normalize to divide by the norm, or --rotation none for plain channels"},
-    Words{ErrorCode::rotation_zero,
-          "the quaternion of \"{0}\" is zero, which is no rotation; expected the norm 1; correct it, or give "
-          "--rotation none for plain channels"},
-    Words{ErrorCode::matrix_not_orthogonal,
-          "the matrix of \"{0}\" is {1} from orthogonal; expected rows of the norm 1 and at right angles, within "
-          "0.001; "
-          "check its columns and their order, or give --normalize for the nearest rotation, or --rotation none for "
-          "plain channels"},
-    Words{ErrorCode::matrix_no_rotation,
-          "the matrix of \"{0}\" has the determinant {1}, so that it is no rotation; expected 1; check its columns "
-          "and "
-          "their order, or give --rotation none for plain channels"},
-    Words{ErrorCode::angle_over_turn,
-          "\"{0}\" has an angle of {1} radians; expected no more than a whole turn, 6.2832; give degrees as its unit, "
-          "with --angles or --angle, or subtract whole turns"},
-    Words{ErrorCode::angle_too_large,
-          "\"{0}\" has an angle of {1} degrees; expected no more than 10000 turns; check its columns "
-          "and their order"},
-    Words{ErrorCode::axis_zero,
-          "the rotation of \"{0}\" has an angle of {1} around an axis of zero; expected an axis; correct it"},
-    Words{ErrorCode::half_turn_between_keys,
-          "the rotation of \"{0}\" is half a turn from the one on line {1}, around an axis that nothing gives; "
-          "expected less; add a key between them"},
-    Words{ErrorCode::whole_turns,
-          "the rotation of \"{0}\" makes whole turns, an angle of {1}; expected a curve that can; give "
-          "--rotation-curve squad or slerp"},
-    Words{ErrorCode::angle_missing,
-          "the angle \"{0}\" is missing; expected a number at every key; fill it in, or remove the row"},
-    Words{ErrorCode::half_turn_of_angle,
-          "the angle \"{0}\" is half a turn from the one on line {1}, which leaves the way open; expected less; add a "
-          "key "
-          "between them"},
-    Words{ErrorCode::equal_speed_with_velocities,
-          "{subject} would change velocities, which are given; expected one of the two; remove {subject}"},
-    Words{ErrorCode::segment_starts_elsewhere,
-          "this segment starts at {0}, and the one before it ends at {1}; expected segments without gaps, in "
-          "order; correct them, or divide the curves with --group"},
-    Words{ErrorCode::segment_jumps,
-          "this segment starts at the position {0}, and the one before it ends at {1}; expected the same; correct "
-          "one of the two"},
-    Words{ErrorCode::segment_without_duration,
-          "the duration is {0}; expected a positive number, and an end within the range of doubles; correct it"},
-    Words{ErrorCode::sort_of_segments,
-          "{subject}: the rows are segments, which are expected in order; remove {subject}"},
     Words{ErrorCode::closing_key_against_period,
           "this key repeats the position of line {0} and so ends the period, but {subject} differs; remove one of "
           "them"},
@@ -537,29 +280,9 @@ constexpr Words all_words[]{
           "the row at time {0} has a number that cannot be computed to so many digits; expected fewer; give a "
           "smaller number to --digits or --fixed"},
     // write
-    Words{ErrorCode::text_in_binary_format,
-          "column \"{0}\" holds text, and {1} holds only numbers; expected a format with text, such as csv; choose "
-          "another one, or remove the column"},
-    Words{ErrorCode::several_curves_in_one_table,
-          "there is more than one curve, and {0} holds one table of rows; expected one; choose another format, "
-          "such as csv"},
-    Words{ErrorCode::time_beyond_doubles,
-          "time {0} has more digits than a double; expected one that is a double, or a text format; choose one, "
-          "such as csv"},
     Words{ErrorCode::other_columns,
           "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an "
           "output for each file"},
-    Words{ErrorCode::file_column_taken,
-          "there is a column \"{0}\" already; expected another name for the column of files; give "
-          "--file-column=NAME"},
-    Words{ErrorCode::name_not_utf8,
-          "the byte {0} of the file's name is not UTF-8; expected UTF-8 for --file-column; rename the file"},
-    Words{ErrorCode::other_checksum,
-          "its SHA-256 is {0}; expected {1}, that of the keys that {2} was made from; give that file"},
-    Words{ErrorCode::made_from_fewer_inputs, "{0} was made from fewer files of keys, {1}; give as many"},
-    Words{ErrorCode::made_from_more_inputs, "{0} was made from more files of keys, {1}; give as many"},
-    Words{ErrorCode::no_provenance,
-          "no provenance: nothing in it shows how it was made; expected an output that was made with --meta"},
     // plot
     Words{ErrorCode::picture_beyond_doubles,
           "the differences of a channel are beyond the range of doubles; expected less than 1.8e308; correct them"},

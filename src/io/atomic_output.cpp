@@ -19,7 +19,7 @@
 #include <thread>
 #include <utility>
 
-#include "error.hpp"
+#include "io/errors.hpp"
 #include "io/input_file.hpp"
 #include "io/terminal.hpp"
 
@@ -158,7 +158,7 @@ std::string folder_of(const std::string& path) { return std::filesystem::path(pa
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) throw Error(Exit::usage, ErrorCode::cannot_make_folder, {error.message()}).in(path);
+  if (error) throw cannot_create_folder(error.message()).in(path);
 }
 
 Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
@@ -167,14 +167,14 @@ Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
   if (compression != Compression::none) compressor_.emplace(compression);
   if (!begins_last || (unfinished_ && !compressor_)) return;
   spool_.reset(std::tmpfile());
-  if (spool_ == nullptr) fail(ErrorCode::cannot_make_temporary);
+  if (spool_ == nullptr) throw cannot_create_temporary(std::strerror(errno)).in(shown_name());
 }
 
 void Output::open() {
   if (path_ == "-") return;
   if (const auto own = own_descriptor(path_)) {
     descriptor_ = ::dup(*own);
-    if (descriptor_ < 0) fail(ErrorCode::cannot_write);
+    if (descriptor_ < 0) fail_to_write();
     return;
   }
   std::error_code none;
@@ -184,19 +184,19 @@ void Output::open() {
   const bool device = kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found;
   if (device) {  // /dev/null or a pipe: written in place
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail(ErrorCode::cannot_write);
+    if (descriptor_ < 0) fail_to_write();
     return;
   }
   struct stat before {};
   const bool replaces = ::stat(path_.c_str(), &before) == 0;  // the new file gets the permissions of that file
   descriptor_ = create_unfinished(path_, replaces ? S_IRUSR | S_IWUSR : 0666, temporary_);
   unfinished_ = descriptor_ >= 0;
-  if (!unfinished_) fail(ErrorCode::cannot_write);
+  if (!unfinished_) fail_to_write();
   if (replaces && ::fchmod(descriptor_, before.st_mode & 07777U) != 0) {
     const int reason = errno;
     remove();
     errno = reason;
-    fail(ErrorCode::cannot_write);
+    fail_to_write();
   }
 }
 
@@ -208,10 +208,7 @@ void Output::remove() {
   if (descriptor_ > 2) ::close(std::exchange(descriptor_, -1));
 }
 
-void Output::fail(ErrorCode code) const {
-  const std::string name = path_ == "-" ? "standard output" : path_;
-  throw Error(Exit::usage, code, {std::string(std::strerror(errno))}).in(name);
-}
+void Output::fail_to_write() const { throw cannot_write(std::strerror(errno)).in(shown_name()); }
 
 void Output::write(std::string_view text) {
   if (!live_ && text.size() < write_size) {
@@ -240,7 +237,7 @@ void Output::send(int descriptor, std::string_view bytes) const {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
     if (count < 0 && is_to_repeat(descriptor, POLLOUT)) continue;
-    if (count < 0) fail(ErrorCode::cannot_write);
+    if (count < 0) fail_to_write();
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -248,18 +245,18 @@ void Output::send(int descriptor, std::string_view bytes) const {
 void Output::write_beginning(std::string_view bytes) {
   flush();
   const int descriptor = spool_ == nullptr ? descriptor_ : ::fileno(spool_.get());
-  if (::lseek(descriptor, 0, SEEK_SET) < 0) fail(ErrorCode::cannot_write);
+  if (::lseek(descriptor, 0, SEEK_SET) < 0) fail_to_write();
   send(descriptor, bytes);
-  if (::lseek(descriptor, 0, SEEK_END) < 0) fail(ErrorCode::cannot_write);
+  if (::lseek(descriptor, 0, SEEK_END) < 0) fail_to_write();
 }
 
 void Output::send_spooled() {
   const int spool = ::fileno(spool_.get());
-  if (::lseek(spool, 0, SEEK_SET) < 0) fail(ErrorCode::cannot_write);
+  if (::lseek(spool, 0, SEEK_SET) < 0) fail_to_write();
   std::string bytes(write_size, '\0');
   for (ssize_t count = 1; count != 0;) {
     count = ::read(spool, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) fail(ErrorCode::cannot_read_temporary);
+    if (count < 0 && errno != EINTR) throw cannot_read_temporary(std::strerror(errno)).in(shown_name());
     if (count > 0) send_compressed({bytes.data(), static_cast<std::size_t>(count)});
   }
   spool_.reset();
@@ -271,10 +268,10 @@ void Output::commit() {
   if (compressor_) send_compressed("", true);
   if (path_ == "-") return;
   if (unfinished_) {
-    if (!finish(descriptor_, temporary_, path_)) fail(ErrorCode::cannot_write);
+    if (!finish(descriptor_, temporary_, path_)) fail_to_write();
     temporary_.clear();
   }
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail(ErrorCode::cannot_write);
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail_to_write();
 }
 
 void end_when_interrupted() {

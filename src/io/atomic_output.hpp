@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "error.hpp"
 #include "io/compression.hpp"
 
 namespace tcb {
@@ -48,7 +47,8 @@ class Output {
   void remove();
   void send(int descriptor, std::string_view bytes) const;
   void send_spooled();
-  [[noreturn]] void fail(ErrorCode code) const;
+  [[noreturn]] void fail_to_write() const;
+  std::string shown_name() const { return path_ == "-" ? "standard output" : path_; }
 
   std::string path_;
   std::string temporary_;    ///< its name until it is complete, if it needs one

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "error.hpp"
+#include "io/errors.hpp"
 #include "text/file_ending.hpp"
 
 namespace tcb {
@@ -20,8 +20,6 @@ constexpr std::string_view gzip_magic = "\x1F\x8B", zstandard_magic = "\x28\xB5\
 constexpr int gzip_window = 15 + 16;  ///< the largest, in the format of gzip
 
 Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
-
-[[noreturn]] void refuse(ErrorCode code, const char* name) { throw Error(Exit::data, code, {std::string(name)}); }
 
 /// What is left of compressed bytes, and where decompressed ones go.
 struct Buffers {
@@ -119,9 +117,9 @@ Source<std::string> decoded(Source<std::string> bytes) {
       }
       const bool was_ended = state->decoder.ended();
       if (buffers.in.empty() && was_ended && state->at_end) return std::nullopt;
-      if (!state->decoder.step(buffers)) refuse(ErrorCode::compressed_data_broken, Decoder::name);
+      if (!state->decoder.step(buffers)) throw compressed_data_damaged(Decoder::name);
       const bool stuck = state->at_end && buffers.in.empty() && buffers.size == 0;
-      if (stuck && !state->decoder.ended()) refuse(ErrorCode::compressed_data_cut, Decoder::name);
+      if (stuck && !state->decoder.ended()) throw compressed_data_cut(Decoder::name);
     }
     state->left = buffers.in;
     buffers.out.resize(buffers.size);

@@ -14,7 +14,7 @@
 #include <memory>
 #include <optional>
 
-#include "error.hpp"
+#include "io/errors.hpp"
 
 namespace tcb {
 
@@ -43,15 +43,10 @@ bool is_same(const struct stat& a, const struct stat& b) {
   return a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
 }
 
-/// Throws: Error (usage) with the system's reason.
-[[noreturn]] void fail(const std::string& path, ErrorCode code) {
-  throw Error(Exit::usage, code, {std::string(std::strerror(errno))}).in(shown_name(path));
-}
-
 int open_for_reading(const std::string& path) {
   if (path == "-") return STDIN_FILENO;
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(path, ErrorCode::cannot_open);
+  if (descriptor < 0) throw cannot_open(std::strerror(errno)).in(shown_name(path));
   return descriptor;
 }
 
@@ -92,10 +87,10 @@ Source<std::string> read_file(const std::string& path) {
     do {
       count = ::read(file->number, bytes.data(), bytes.size());
     } while (count < 0 && is_to_repeat(file->number, POLLIN));
-    if (count < 0) fail(path, errno == EISDIR ? ErrorCode::input_is_folder : ErrorCode::cannot_read);
+    if (count < 0) throw(errno == EISDIR ? input_is_folder() : cannot_read(std::strerror(errno))).in(shown_name(path));
     if (count == 0) {
       const bool changed = S_ISREG(before.st_mode) && !is_same(before, status_of(file->number));
-      if (changed) throw Error(Exit::usage, ErrorCode::input_changed).in(shown_name(path));
+      if (changed) throw input_changed().in(shown_name(path));
       return std::nullopt;
     }
     bytes.resize(static_cast<std::size_t>(count));

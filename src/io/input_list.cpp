@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "error.hpp"
+#include "io/errors.hpp"
 #include "io/input_file.hpp"
 #include "text/file_ending.hpp"
 
@@ -16,10 +16,6 @@ namespace tcb {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse_file(ErrorCode code, const std::string& file, std::vector<ErrorValue> values = {}) {
-  throw Error(Exit::usage, code, std::move(values)).in(file);
-}
 
 std::optional<struct stat> status_of(const std::string& path) {
   struct stat status {};
@@ -34,7 +30,7 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
   const auto take = [&] {
     if (!options.nul && name.ends_with('\r')) name.pop_back();
     const bool blank = !options.nul && name.find_first_not_of(" \t") == std::string::npos;
-    if (name.find('\0') != std::string::npos) refuse_file(ErrorCode::nul_in_list, shown_name(options.list));
+    if (name.find('\0') != std::string::npos) throw nul_in_list().in(shown_name(options.list));
     if (!name.empty() && !blank) names.push_back(name);
     name.clear();
   };
@@ -72,7 +68,7 @@ void append_folder(Inputs& inputs, const std::string& folder, const InputListOpt
       ++inputs.others;
     }
   }
-  if (error) refuse_file(ErrorCode::cannot_read_folder, folder, {error.message()});
+  if (error) throw cannot_read_folder(error.message()).in(folder);
   std::sort(inputs.files.begin() + static_cast<std::ptrdiff_t>(begin), inputs.files.end(),
             [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
 }
@@ -90,7 +86,7 @@ void require_distinct_outputs(const std::vector<InputFile>& files, const OutputP
     for (std::size_t j = i; j-- > 0 && by_hash[j].first == by_hash[i].first;) {
       const InputFile& other = files[by_hash[j].second];
       if (const std::string path = output_path(file, outputs); path == output_path(other, outputs)) {
-        refuse_file(ErrorCode::same_output, file.path, {path, other.path});
+        throw same_output(path, other.path).in(file.path);
       }
     }
   }
@@ -106,7 +102,7 @@ void require_not_over_inputs(const std::vector<InputFile>& files, const std::vec
     const auto there = status_of(output);
     if (!there || !S_ISREG(there->st_mode)) return;
     if (!std::ranges::binary_search(sorted_identities, Identity(there->st_dev, there->st_ino))) return;
-    refuse_file(ErrorCode::output_is_input, input, {output});
+    throw output_is_input(output).in(input);
   };
   if (!outputs.folder) {
     check(outputs.file, files.front().path);
@@ -135,14 +131,14 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOpti
 }
 
 [[noreturn]] void refuse_none(const Inputs& inputs, const InputListOptions& options) {
-  if (inputs.others == 0 && !options.list.empty()) refuse_file(ErrorCode::empty_list, shown_name(options.list));
-  refuse_file(ErrorCode::no_inputs_in_folders, "", {inputs.others});
+  if (inputs.others == 0 && !options.list.empty()) throw empty_list().in(shown_name(options.list));
+  throw no_inputs_in_folders(inputs.others);
 }
 
 }  // namespace
 
 std::string output_path(const InputFile& file, const OutputPaths& outputs) {
-  if (file.path == "-") refuse_file(ErrorCode::input_without_name, "");
+  if (file.path == "-") throw standard_input_without_name();
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
   return (fs::path(*outputs.folder) / below / fs::path(without_compression(kept.native())).stem()) +=

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "error.hpp"
+#include "keys/errors.hpp"
 #include "tcb/spline/angle.hpp"
 
 namespace tcb {
@@ -21,7 +21,7 @@ class AngleChain {
     for (std::size_t key = 0; key < block.size(); ++key) {
       const double value = block.keys.position(key)[angle_.channel];
       const std::uint64_t line = block.lines[key];
-      if (std::isnan(value)) refuse(ErrorCode::angle_missing, line, {name_});
+      if (std::isnan(value)) throw angle_missing(name_).at({"", line, 0});
       require_angle(value, angle_.degrees, false, name_, line);
       if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);
       require_turn(value, line, line_);
@@ -40,7 +40,7 @@ class AngleChain {
     const spline::DoubleDouble chord = spline::exact_difference(value, before_);
     const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
     const bool is_half_turn = std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
-    if (is_half_turn) refuse(ErrorCode::half_turn_of_angle, line, {name_, other});
+    if (is_half_turn) throw half_turn_between_angles(name_, other).at({"", line, 0});
   }
 
   spline::AngleChannel angle_;
@@ -52,14 +52,11 @@ class AngleChain {
 
 }  // namespace
 
-void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values) {
-  throw Error(Exit::data, code, std::move(values)).at({"", line, 0});
-}
-
 void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line) {
   constexpr double turn = 6.283185307179586, most_turns = 1e4;
   if (std::abs(angle) <= (degrees ? 360 * most_turns : makes_turns ? turn * most_turns : turn)) return;
-  refuse(degrees || makes_turns ? ErrorCode::angle_too_large : ErrorCode::angle_over_turn, line, {name, angle});
+  const bool counts_turns = degrees || makes_turns;
+  throw(counts_turns ? angle_too_large(name, angle) : angle_over_one_turn(name, angle)).at({"", line, 0});
 }
 
 Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,

@@ -13,9 +13,6 @@
 
 namespace tcb {
 
-/// Throws: Error (data) at a line.
-[[noreturn]] void refuse(ErrorCode code, std::uint64_t line, std::vector<ErrorValue> values);
-
 /// Throws: Error (data) for an angle of more turns than its unit allows. `makes_turns`: they count.
 void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line);
 

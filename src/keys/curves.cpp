@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "error.hpp"
+#include "keys/errors.hpp"
 #include "keys/velocities.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
@@ -24,6 +24,8 @@ struct KeyLocation {
   spline::Time<double> time;
   std::uint64_t line = 0;
   std::string list_position;  ///< as KeyBlock::list_position()
+
+  ShownKey shown() const { return {time_text(time), line, list_position}; }
 };
 
 /// The stage of in_order().
@@ -104,21 +106,11 @@ class Order {
   }
 
   Error fault(const KeyBlock& block, std::size_t key, bool equal) const {
-    const bool in_list = !before_->list_position.empty();
-    std::vector<ErrorValue> values{time_text(block.keys.times[key]), time_text(before_->time)};
-    if (in_list) {
-      values.insert(values.end(), {before_->list_position, block.list_position(key)});
-    } else {
-      values.emplace_back(before_->line);
-    }
-    if (!column_.empty()) values.emplace_back(column_);
-    const ErrorCode interleaved = in_list ? ErrorCode::curves_interleaved_in_list : ErrorCode::curves_interleaved;
-    const ErrorCode code = !column_.empty() ? interleaved
-                           : equal          ? (in_list ? ErrorCode::equal_times_in_list : ErrorCode::equal_times)
-                           : in_list        ? ErrorCode::decreasing_times_in_list
-                           : labels_.channels.empty() ? ErrorCode::decreasing_times_by_place
-                                                      : ErrorCode::decreasing_times;
-    return Error(Exit::data, code, std::move(values)).at(block.text_position(key));
+    const ShownKey shown = location(block, key).shown(), before = before_->shown();
+    const Error error = !column_.empty() ? curves_interleaved(shown, before, column_)
+                        : equal          ? equal_times(shown, before)
+                                         : decreasing_times(shown, before, labels_.channels.empty());
+    return error.at(block.text_position(key));
   }
 
   Source<KeyBlock> blocks_;
@@ -182,10 +174,8 @@ Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks) {
 namespace {
 
 void require_times(const CurveOptions& options) {
-  if (options.sort) throw Error(Exit::data, ErrorCode::sort_without_times).about(Option::sort);
-  if (options.duplicates != Duplicates::error) {
-    throw Error(Exit::data, ErrorCode::duplicates_without_times).about(Option::duplicates);
-  }
+  if (options.sort) throw sort_without_times();
+  if (options.duplicates != Duplicates::error) throw duplicates_without_times();
 }
 
 /// The keys in order, without faults.
@@ -193,7 +183,7 @@ Source<KeyBlock> arranged(const Input& input, const CurveOptions& options, bool 
   Source<KeyBlock> blocks = input.timed ? with_time_digits(input.keys) : input.keys;
   const bool by_text = !input.groups.empty() && !input.own_curves;
   if (!input.timed) require_times(options);
-  if (input.has_segments && options.sort) throw Error(Exit::data, ErrorCode::sort_of_segments).about(Option::sort);
+  if (input.has_segments && options.sort) throw sort_of_segments();
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks), false),
                      {by_text ? input.groups.size() : 0, options.sort, input.own_curves,

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "error.hpp"
 #include "keys/curves.hpp"
+#include "keys/errors.hpp"
 #include "numbers/decimal_time.hpp"
 
 namespace tcb {
@@ -166,7 +166,7 @@ class Groups {
         if (runs == 0 || mark != before) ++runs;
         seen.insert(before = mark);
       }
-      if (runs > seen.size()) throw Error(Exit::data, ErrorCode::sort_interleaves, {grouping_.marks[i].column});
+      if (runs > seen.size()) throw sort_mixes_curves(grouping_.marks[i].column);
     }
   }
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "error.hpp"
+#include "keys/errors.hpp"
+#include "schema/errors.hpp"
 #include "schema/columns.hpp"
 #include "tcb/spline/scalar.hpp"
 
@@ -17,14 +18,10 @@ namespace {
 
 using spline::DoubleDouble;
 
-Error error_in_line(std::uint64_t line, ErrorCode code, std::vector<ErrorValue> values) {
-  return Error(Exit::data, code, std::move(values)).at({"", line, 0});
-}
-
 void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
   for (const auto& [name, value] : {std::pair{"ease_in", ease.in}, std::pair{"ease_out", ease.out}}) {
     if (value >= 0 && value <= 1) continue;
-    throw error_in_line(line, ErrorCode::ease_out_of_range, {name, value});
+    throw ease_out_of_range(name, value).at({"", line, 0});
   }
 }
 
@@ -49,10 +46,10 @@ class Parameterizer {
  private:
   void advance(std::span<const double> position, std::uint64_t line) {
     const double step = parameter_step<double, double>(before_, position, exponent_, metric_);
-    if (step == 0) throw error_in_line(line, ErrorCode::position_repeats, {line_});
+    if (step == 0) throw position_repeats(line_).at({"", line, 0});
     const double earlier = time_.hi;
     time_ = time_ + DoubleDouble(step);
-    if (time_.hi == earlier) throw error_in_line(line, ErrorCode::parameter_step_lost, {step, time_.hi});
+    if (time_.hi == earlier) throw parameter_step_lost(step, time_.hi).at({"", line, 0});
   }
 
   double exponent_;
@@ -96,7 +93,7 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
         before = now;
       }
       if (!is_clear && keys > 1 && (!block || keys == most)) {
-        throw Error(Exit::data, ErrorCode::times_unclear, {channel});
+        throw times_unclear(channel);
       }
       is_clear = is_clear || !block;
       if (block) held.push_back(std::move(*block));
@@ -108,11 +105,12 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
   };
 }
 
-Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ErrorCode code) {
-  return mapped(std::move(blocks), [code](KeyBlock block) {
+Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown) {
+  const auto fault = shown == ShownTcbScale::percent ? tcb_in_percent : tcb_from_0_to_50;
+  return mapped(std::move(blocks), [fault](KeyBlock block) {
     const auto require = [&](std::size_t key, Role role, double value) {
       if (std::abs(value) <= 5) return;
-      throw error_in_line(block.lines[key], code, {std::string(role_name(role)), value});
+      throw fault(role_name(role), value).at({"", block.lines[key], 0});
     };
     const std::size_t per_key = std::max<std::size_t>(block.keys.tcbs_per_key(), 1);
     for (std::size_t i = 0; i < block.size() * per_key; ++i) {
@@ -136,9 +134,7 @@ Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least) {
   return [blocks = std::move(blocks), least, count = std::size_t{0},
           line = std::uint64_t{0}]() mutable -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
-    if (!block && count < least) {
-      throw error_in_line(line, count == 0 ? ErrorCode::no_keys : ErrorCode::single_key, {});
-    }
+    if (!block && count < least) throw too_few_keys(count).at({"", line, 0});
     if (!block) return std::nullopt;
     for (std::size_t i = 0; i < block->keys.eases.size(); ++i) require_ease(block->keys.eases[i], block->lines[i]);
     if (count == 0 && block->keys.size() > 0) line = block->lines[0];

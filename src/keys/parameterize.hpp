@@ -57,9 +57,12 @@ S parameter_step(std::span<const P> a, std::span<const P> b, double exponent, st
   return distance.power(exponent);
 }
 
-/// The same keys. Throws: Error (data) `code` for tension, continuity or bias beyond 5 in size: they are on another
-/// scale.
-Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ErrorCode code);
+/// The scale on which a product shows tension, continuity and bias, where it is not from -1 to 1.
+enum class ShownTcbScale { from_0_to_50, percent };
+
+/// The same keys. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the scale
+/// on which the product shows them.
+Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
 
 /// The same keys, without their ease.
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks);

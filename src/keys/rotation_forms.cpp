@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "error.hpp"
 #include "keys/angles.hpp"
+#include "keys/errors.hpp"
 #include "keys/rotations.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
@@ -64,8 +64,7 @@ void keep_given(KeyBlock& block, std::span<const GivenRotation> rotations) {
     const auto has_velocity = [&](std::size_t channel) {
       return !block.keys.given.empty() && block.keys.given[channel];
     };
-    if (std::ranges::any_of(given.channels, has_velocity))
-      throw Error(Exit::data, ErrorCode::velocity_of_rotation, {given.columns[0]});
+    if (std::ranges::any_of(given.channels, has_velocity)) throw velocities_of_part_of_rotation(given.columns[0]);
   }
   for (std::size_t key = 0; key < block.size(); ++key) {
     for (const GivenRotation& given : rotations) {
@@ -159,7 +158,7 @@ class Conversion {
       for (const std::size_t channel : channels_) positions[channel] = std::numeric_limits<double>::quiet_NaN();
       return;
     }
-    if (lacking > 0) refuse(ErrorCode::rotation_incomplete, line, {given_.columns[0]});
+    if (lacking > 0) throw rotation_incomplete(given_.columns[0]).at({"", line, 0});
     check(numbers, line);
     spline::Quaternion<double> q = spline::quaternion_from(numbers, notation);
     if (given_.relative) {
@@ -183,7 +182,8 @@ class Conversion {
     const double angle = numbers[3];
     const bool is_whole = std::abs(angle) >= spline::whole_turn<double>(degrees).hi;
     if (!is_whole && std::abs(q.w) > half_turn_rounding) return;
-    if (is_whole && !has_whole_turns_) refuse(ErrorCode::whole_turns, block.lines[key], {given_.columns[0], angle});
+    if (is_whole && !has_whole_turns_)
+      throw whole_turns_of_rotation(given_.columns[0], angle).at({"", block.lines[key], 0});
     block.keys.turns[key * block.keys.turns_per_key() + *turn_] =
         spline::turn_vector_from(numbers, degrees, before_, in_parent_);
   }
@@ -195,14 +195,14 @@ class Conversion {
     for (const double angle : angles)
       require_angle(angle, given_.notation.degrees, given_.relative, given_.columns[0], line);
     const bool is_zero = std::ranges::all_of(numbers.begin(), numbers.begin() + 3, [](double n) { return n == 0; });
-    if (has_axis && is_zero && numbers[3] != 0) refuse(ErrorCode::axis_zero, line, {given_.columns[0], numbers[3]});
+    if (has_axis && is_zero && numbers[3] != 0) throw axis_is_zero(given_.columns[0], numbers[3]).at({"", line, 0});
   }
 
   void check_matrix(const GivenNumbers& numbers, std::uint64_t line) const {
     const RowsOfMatrix rows(numbers);
-    if (!(rows.volume() > 1e-6)) refuse(ErrorCode::matrix_no_rotation, line, {given_.columns[0], rows.determinant()});
+    if (!(rows.volume() > 1e-6)) throw matrix_not_a_rotation(given_.columns[0], rows.determinant()).at({"", line, 0});
     if (normalize_ || rows.deviation() <= 0.001) return;
-    refuse(ErrorCode::matrix_not_orthogonal, line, {given_.columns[0], rows.deviation()});
+    throw matrix_not_orthogonal(given_.columns[0], rows.deviation()).at({"", line, 0});
   }
 
   std::size_t number_;

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <utility>
 
-#include "error.hpp"
 #include "keys/angles.hpp"
+#include "keys/errors.hpp"
 #include "tcb/spline/rotation.hpp"
 
 namespace tcb {
@@ -39,10 +39,8 @@ class SignChain {
       return !block.keys.given.empty() && block.keys.given[channel];
     };
     const auto velocities = std::ranges::count_if(channels_, has_velocity);
-    if (velocities > 0 && velocities < 4) {
-      throw Error(Exit::data, ErrorCode::velocity_of_rotation, {name_});
-    }
-    if (velocities > 0 && !has_tangents_) throw Error(Exit::data, ErrorCode::velocity_with_slerp, {name_});
+    if (velocities > 0 && velocities < 4) throw velocities_of_part_of_rotation(name_);
+    if (velocities > 0 && !has_tangents_) throw velocities_with_slerp(name_);
     std::vector<bool> negated(block.size());
     for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
     if (is_quaternion_ && !block.decimals.empty() && std::ranges::count(negated, true) > 0)
@@ -58,18 +56,18 @@ class SignChain {
   /// The cosine of half the turn from the last key to another one.
   double cosine_to(const Numbers& q, std::uint64_t line, std::uint64_t other) const {
     const double cosine = dot(before_, q);
-    if (std::abs(cosine) <= half_turn_rounding) refuse(ErrorCode::half_turn_between_keys, line, {name_, other});
+    if (std::abs(cosine) <= half_turn_rounding) throw half_turn_between_rotations(name_, other).at({"", line, 0});
     return cosine;
   }
 
   double checked_norm(const Numbers& q, std::uint64_t line) const {
     const double largest = std::abs(*std::ranges::max_element(q, {}, [](double number) { return std::abs(number); }));
-    if (largest == 0) refuse(ErrorCode::rotation_zero, line, {name_});
+    if (largest == 0) throw quaternion_is_zero(name_).at({"", line, 0});
     Numbers scaled = q;
     for (double& number : scaled) number /= largest;
     const double norm = largest * std::sqrt(dot(scaled, scaled));
     const bool is_unit = norm >= 0.999 && norm <= 1.001;
-    if (!is_unit && !normalize_) refuse(ErrorCode::rotation_not_unit, line, {name_, norm});
+    if (!is_unit && !normalize_) throw quaternion_not_unit(name_, norm).at({"", line, 0});
     return norm;
   }
 
@@ -81,7 +79,7 @@ class SignChain {
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = positions[channels_[i]];
     const auto missing = std::ranges::count_if(q, [](double number) { return std::isnan(number); });
     if (missing == 4) return false;
-    if (missing > 0) refuse(ErrorCode::rotation_incomplete, line, {name_});
+    if (missing > 0) throw rotation_incomplete(name_).at({"", line, 0});
     const double norm = checked_norm(q, line);
     for (double& number : q) number /= norm;
     if (line_ != 0 && turn_) turn_before(block.keys.turns[key * block.keys.turns_per_key() + *turn_]);

@@ -8,7 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "error.hpp"
+#include "keys/errors.hpp"
+#include "schema/errors.hpp"
 #include "numbers/print_number.hpp"
 
 namespace tcb {
@@ -23,7 +24,7 @@ class VelocityCheck {
   KeyBlock operator()(KeyBlock block) {
     const Keys& keys = block.keys;
     if (keys.velocities.empty()) return block;
-    if (equal_speed_) throw Error(Exit::data, ErrorCode::equal_speed_with_velocities).about(Option::equal_speed);
+    if (equal_speed_) throw equal_speed_with_velocities();
     for (std::size_t i = 0; i < keys.velocities.size(); ++i) {
       const std::size_t channel = i % keys.channels;
       const bool is_key = !std::isnan(keys.positions[i]);
@@ -40,13 +41,14 @@ class VelocityCheck {
 
   void add(std::size_t channel, const spline::Velocity<double>& velocity, std::uint64_t line) {
     Before& before = before_[channel];
-    if (before.line != 0 && !before.has_outgoing) refuse(ErrorCode::outgoing_velocity_missing, channel, before.line);
-    if (before.line != 0 && std::isnan(velocity.in)) refuse(ErrorCode::incoming_velocity_missing, channel, line);
+    const bool has_before = before.line != 0;
+    if (has_before && !before.has_outgoing) {
+      throw outgoing_velocity_missing(channels_[channel]).at({"", before.line, 0});
+    }
+    if (has_before && std::isnan(velocity.in)) {
+      throw incoming_velocity_missing(channels_[channel]).at({"", line, 0});
+    }
     before = {line, !std::isnan(velocity.out)};
-  }
-
-  [[noreturn]] void refuse(ErrorCode code, std::size_t channel, std::uint64_t line) const {
-    throw Error(Exit::data, code, {channels_[channel]}).at({"", line, 0});
   }
 
   std::vector<std::string> channels_;
@@ -95,12 +97,12 @@ class Joiner {
     const Time &from = block.keys.times[start], &to = before.keys.times[end];
     const double distance = std::abs((from - to).hi);
     if (!(distance <= 0x1p-51 * std::max(size_, std::abs(from.hi)))) {
-      throw error(block, start, ErrorCode::segment_starts_elsewhere, {time_text(from), time_text(to)});
+      throw segment_starts_elsewhere(time_text(from), time_text(to)).at(block.text_position(start));
     }
     const std::size_t channels = block.keys.channels;
     for (std::size_t i = 0; i < channels; ++i) {
       const double here = block.keys.position(start)[i], there = before.keys.position(end)[i];
-      if (here != there) throw error(block, start, ErrorCode::segment_jumps, {here, there});
+      if (here != there) throw segment_jumps(here, there).at(block.text_position(start));
       block.keys.velocities[start * channels + i].in = before.keys.velocities[end * channels + i].in;
     }
   }
@@ -109,7 +111,7 @@ class Joiner {
   void require_duration(const KeyBlock& block, std::size_t start) {
     const Time &from = block.keys.times[start], &to = block.keys.times[start + 1];
     const double duration = (to - from).hi;
-    if (!(from < to)) throw error(block, start, ErrorCode::segment_without_duration, {duration});
+    if (!(from < to)) throw segment_without_duration(duration).at(block.text_position(start));
     size_ = std::max(std::abs(from.hi), duration);
   }
 
@@ -128,10 +130,6 @@ class Joiner {
       }
     }
     return texts;
-  }
-
-  static Error error(const KeyBlock& block, std::size_t key, ErrorCode code, std::vector<ErrorValue> values) {
-    return Error(Exit::data, code, std::move(values)).at(block.text_position(key));
   }
 
   Source<KeyBlock> ends_;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "error.hpp"
+#include "read/errors.hpp"
 #include "read/json/json_input.hpp"
 
 namespace tcb {
@@ -57,7 +57,7 @@ EarlierOutput read_earlier_output(const Source<std::string>& bytes) {
   } else {
     read_lines(output, text);
   }
-  if (output.program.empty() || output.inputs.empty()) throw Error(Exit::data, ErrorCode::no_provenance);
+  if (output.program.empty() || output.inputs.empty()) throw no_provenance();
   return output;
 }
 

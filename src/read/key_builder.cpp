@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "numbers/decimal_time.hpp"
+#include "schema/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -155,7 +156,7 @@ bool KeyBuilder::miss(const Columns::Column& column) {
 
 bool KeyBuilder::end_key() {
   if (!ends_.empty() && !std::isfinite((time_ + Time(duration_)).hi)) {
-    add_fault(Error(Exit::data, ErrorCode::segment_without_duration, {duration_}));
+    add_fault(segment_without_duration(duration_));
   }
   const bool is_faulty = block_.faults.size() > faults_;
   const bool is_gap = is_missing_ && rules_.missing == Missing::break_curve;

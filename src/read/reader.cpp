@@ -8,15 +8,12 @@
 
 #include "io/compression.hpp"
 #include "read/csv/delimited_text.hpp"
+#include "read/errors.hpp"
 #include "read/json/json_input.hpp"
 #include "schema/input.hpp"
 
 namespace tcb {
 namespace {
-
-Error at_first_byte(ErrorCode code, std::vector<ErrorValue> values = {}) {
-  return Error(Exit::data, code, std::move(values)).at({"", 1, 1});
-}
 
 using namespace std::string_view_literals;
 
@@ -58,22 +55,20 @@ constexpr std::array other_formats{
     OtherFormat{"<"sv, "XML or HTML"},
 };
 
+Error at_first_byte(const Error& error) { return error.at({"", 1, 1}); }
+
 /// Throws: Error (data) for a format that is not read.
 void require_known_format(std::string_view beginning) {
   const auto begins = [&](const auto& row) { return beginning.starts_with(row.bytes); };
   const auto compressed = std::ranges::find_if(compressions, begins);
-  if (compressed != compressions.end()) {
-    throw at_first_byte(ErrorCode::compressed_input, {std::string(compressed->name), std::string(compressed->command)});
-  }
+  if (compressed != compressions.end()) throw at_first_byte(compressed_input(compressed->name, compressed->command));
   const std::size_t text = std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size());
   const bool is_gltf = beginning.substr(text).starts_with('{') && beginning.find("\"asset\"") != std::string::npos &&
                        beginning.find("\"accessors\"") != std::string::npos;
-  if (is_gltf) throw at_first_byte(ErrorCode::input_of_other_format, {"a glTF scene"});
+  if (is_gltf) throw at_first_byte(input_in_other_format("a glTF scene"));
   beginning.remove_prefix(text);
   const auto other = std::ranges::find_if(other_formats, begins);
-  if (other != other_formats.end()) {
-    throw at_first_byte(ErrorCode::input_of_other_format, {std::string(other->name)});
-  }
+  if (other != other_formats.end()) throw at_first_byte(input_in_other_format(other->name));
 }
 
 /// Whether further bytes may complete the beginning of another format.
@@ -86,11 +81,11 @@ bool may_begin_other_format(std::string_view beginning) {
 
 /// Throws: Error (data) for a text in two or four bytes a character, and for what is not text.
 void require_bytes(std::string_view beginning) {
-  if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(ErrorCode::npy_as_input);
+  if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(input_is_npy());
   require_known_format(beginning);
   const bool four = beginning.starts_with("\xFF\xFE\0\0"sv) || beginning.starts_with("\0\0\xFE\xFF"sv);
   if (!four && !beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
-  throw at_first_byte(ErrorCode::not_in_utf8, {four ? "UTF-32" : "UTF-16"});
+  throw at_first_byte(text_not_in_utf8(four ? "UTF-32" : "UTF-16"));
 }
 
 /// Drops a UTF-8 byte order mark. Throws: Error (data) for two.
@@ -105,7 +100,7 @@ Source<std::string> without_mark(Source<std::string> bytes) {
   }
   require_bytes(beginning);
   if (beginning.starts_with(mark)) beginning.erase(0, mark.size());
-  if (beginning.starts_with(mark)) throw at_first_byte(ErrorCode::two_byte_order_marks);
+  if (beginning.starts_with(mark)) throw at_first_byte(two_byte_order_marks());
   return preceded_by(std::move(beginning), std::move(bytes));
 }
 
@@ -136,7 +131,7 @@ void gather(std::vector<Error>& faults, KeyBlock& block) {
 bool TextBytes::append_to(std::string& text, LinePosition position) {
   if (at_nul_) {
     const LinePosition nul = position_after(text, position);
-    throw Error(Exit::data, ErrorCode::nul_byte).at({"", nul.line, nul.column});
+    throw nul_in_text().at({"", nul.line, nul.column});
   }
   const std::optional<std::string> more = bytes_();
   if (!more) return false;

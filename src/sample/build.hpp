@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "keys/key_store.hpp"
+#include "keys/parameterize.hpp"
 #include "numbers/rational.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
@@ -52,8 +53,8 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
 /// The settings of an input, checked. Throws: Error (data) about a member, at its text position.
 const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input);
 
-/// What tension, continuity and bias beyond 5 are, where the preset's product shows another scale than the formulas.
-std::optional<ErrorCode> scale_fault(spline::Preset preset);
+/// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
+std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);
 
 /// What is used of the metric: lengths along the curve, or also distances and speeds.
 enum class MetricUse { nothing, lengths, path };

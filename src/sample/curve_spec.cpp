@@ -220,11 +220,11 @@ const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& 
   }
 }
 
-std::optional<ErrorCode> scale_fault(spline::Preset preset) {
+std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
   using enum spline::Preset;
   constexpr std::array with_0_to_50{max3ds, nel, gamebryo, lib3ds1, lib3ds2};
-  if (std::ranges::count(with_0_to_50, preset) > 0) return ErrorCode::tcb_from_0_to_50;
-  return preset == lightwave ? std::optional(ErrorCode::tcb_in_percent) : std::nullopt;
+  if (std::ranges::count(with_0_to_50, preset) > 0) return ShownTcbScale::from_0_to_50;
+  return preset == lightwave ? std::optional(ShownTcbScale::percent) : std::nullopt;
 }
 
 void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {

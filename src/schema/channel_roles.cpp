@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "schema/columns.hpp"
+#include "schema/errors.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -65,11 +66,11 @@ class RolesOfChannel {
   /// Throws: Error (data) for a velocity of one side alone, or two of one side, or with tension, continuity or bias.
   void require_whole_velocities() const {
     const auto both = name(Role::velocity), in = name(Role::velocity_in), out = name(Role::velocity_out);
-    if (both && (in || out)) refuse(ErrorCode::velocity_columns_overlap, *both, in ? *in : *out);
-    if (in && !out) refuse(ErrorCode::velocity_column_missing, *in, with_role(Role::velocity_out));
-    if (out && !in) refuse(ErrorCode::velocity_column_missing, *out, with_role(Role::velocity_in));
+    if (both && (in || out)) throw velocity_columns_overlap(*both, in ? *in : *out);
+    if (in && !out) throw velocity_column_missing(*in, with_role(Role::velocity_out));
+    if (out && !in) throw velocity_column_missing(*out, with_role(Role::velocity_in));
     for (const Role role : {Role::channel_tension, Role::channel_continuity, Role::channel_bias}) {
-      if (has_velocity() && name(role)) refuse(ErrorCode::velocity_with_tcb, both ? *both : *in, *name(role));
+      if (has_velocity() && name(role)) throw velocity_with_tcb(both ? *both : *in, *name(role));
     }
   }
   bool has_velocity() const { return name(Role::velocity) || name(Role::velocity_in); }
@@ -81,9 +82,6 @@ class RolesOfChannel {
       return column.role == role && column.channel == channel_;
     });
     return is_there ? std::optional(with_role(role)) : std::nullopt;
-  }
-  [[noreturn]] static void refuse(ErrorCode code, const std::string& first, const std::string& second) {
-    throw Error(Exit::data, code, {first, second});
   }
 
   const Columns& columns_;
@@ -102,9 +100,7 @@ void require_whole_velocities(const Columns& columns) {
     has_all = has_all && channel.has_velocity();
   }
   for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
-    if (has_all && columns.has(role)) {
-      throw Error(Exit::data, ErrorCode::tcb_with_all_velocities, {std::string(role_name(role))});
-    }
+    if (has_all && columns.has(role)) throw tcb_with_all_velocities(role_name(role));
   }
 }
 
@@ -150,7 +146,7 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
     for (std::size_t i = 0; i < header.size(); ++i) {
       if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
     }
-    throw Error(Exit::data, ErrorCode::column_of_unknown_channel, {header[cell], named[cell]->channel, channels});
+    throw column_of_unknown_channel(header[cell], named[cell]->channel, channels);
   }
   return roles;
 }
@@ -179,14 +175,11 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
   for (const auto& [cell, role, name, requested] : found) {
     const auto channel = channels.find(role.channel);
     if (!channel) {
-      throw Error(Exit::data, ErrorCode::role_of_unknown_channel, {role_name(role), role.channel, columns.channels})
-          .about(Option::columns);
+      throw role_of_unknown_channel(role_name(role), role.channel, columns.channels).about(option::columns);
     }
     const std::string known = role_name(ChannelRole{role.role, columns.channels[*channel]});
     const auto [other, is_first] = taken.emplace(known, requested);
-    if (!is_first && (requested || !other->second)) {
-      throw Error(Exit::data, ErrorCode::two_columns_for_role, {known, name});
-    }
+    if (!is_first && (requested || !other->second)) throw two_columns_for_role(known, name);
     columns.cells[cell] = {is_first ? role.role : Role::ignored, *channel};
   }
   if (!found.empty()) require_whole_velocities(columns);
@@ -218,16 +211,12 @@ bool assign_segments(Columns& columns, std::span<const std::string> header) {
     if (!header[cell].ends_with(endings[0].first) || columns.cells[cell].role == Role::unused) continue;
     const std::string channel = header[cell].substr(0, header[cell].size() - 3);
     const auto lacks = std::ranges::find_if(endings, [&](const auto& one) { return !names.find(channel + one.first); });
-    if (std::ranges::count(channels, channel) > 0) {
-      throw Error(Exit::data, ErrorCode::same_column_names, {header[cell]});
-    }
+    if (std::ranges::count(channels, channel) > 0) throw same_column_names(header[cell]);
     (lacks == endings.end() ? channels : incomplete).push_back(channel);
     if (lacks != endings.end()) incomplete.push_back(channel + lacks->first);
   }
   if (channels.empty()) return false;
-  if (!incomplete.empty()) {
-    throw Error(Exit::data, ErrorCode::segment_column_missing, {incomplete[0] + endings[0].first, incomplete[1]});
-  }
+  if (!incomplete.empty()) throw segment_column_missing(incomplete[0] + endings[0].first, incomplete[1]);
   for (const std::string& channel : channels) {
     for (const auto& ending : endings) {
       columns.cells[*names.find(channel + ending.first)] = {ending.second, columns.channels.size()};
@@ -248,7 +237,7 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
     const std::optional<Role> known = find_role(name);
     const std::optional<ChannelRole> of_channel = known ? std::nullopt : channel_role_of(name);
     if (equals == std::string::npos || equals + 1 == part.size() || !(known || of_channel)) {
-      throw Error(Exit::usage, ErrorCode::invalid_role_request, {std::string(part)}).about(Option::columns);
+      throw not_a_role_with_columns(part);
     }
     const auto columns = split(part.substr(equals + 1), ':');
     requests.push_back({known ? *known : of_channel->role, {columns.begin(), columns.end()}});
@@ -279,7 +268,7 @@ void require_no_near_miss(std::span<const std::string> header, const Columns& co
     if (columns.cells[cell].role != Role::position) continue;
     const auto near = near_miss(header[cell], columns, requests, timeless);
     if (!near) continue;
-    throw Error(Exit::data, ErrorCode::column_nearly_role, {header[cell], *near});
+    throw column_nearly_role(header[cell], *near);
   }
 }
 

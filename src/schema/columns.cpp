@@ -8,19 +8,16 @@
 #include <charconv>
 #include <unordered_set>
 
+#include "schema/errors.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-[[noreturn]] void refuse_same_names(const std::string& name) {
-  throw Error(Exit::data, ErrorCode::same_column_names, {name});
-}
-
 /// The cell of a requested column, by name or number.
-std::size_t find_cell(const std::string& wanted, Option option, std::span<const std::string> header,
+std::size_t find_cell(const std::string& wanted, std::string_view option, std::span<const std::string> header,
                       std::size_t cells) {
-  if (std::ranges::count(header, wanted) > 1) refuse_same_names(wanted);
+  if (std::ranges::count(header, wanted) > 1) throw same_column_names(wanted);
   const auto exact = std::ranges::find(header, wanted);
   if (exact != header.end()) return static_cast<std::size_t>(exact - header.begin());
   const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_in_any_case(name, wanted); });
@@ -29,20 +26,19 @@ std::size_t find_cell(const std::string& wanted, Option option, std::span<const 
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
   const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
   if (is_number && number >= 1 && number <= cells) return number - 1;
-  if (header.empty()) throw Error(Exit::data, ErrorCode::no_such_column_number, {wanted, std::uint64_t{cells}});
-  const std::vector<std::string> names(header.begin(), header.end());
-  throw Error(Exit::data, ErrorCode::no_such_column, {wanted, names}).about(option);
+  if (header.empty()) throw no_such_column_number(wanted, cells).about(option);
+  throw no_such_column(wanted, header).about(option);
 }
 
 /// Sets the role of a cell. Throws: Error if it has another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
-  if (columns.cells[cell].role != Role::ignored) throw Error(Exit::data, ErrorCode::column_with_two_roles, {name});
+  if (columns.cells[cell].role != Role::ignored) throw column_with_two_roles(name);
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.carried
                                                                    : nullptr;
   if (several == nullptr && !is_of_channel(role) && role != Role::unused && columns.has(role)) {
-    throw Error(Exit::data, ErrorCode::two_columns_for_role, {std::string(role_name(role)), name});
+    throw two_columns_for_role(role_name(role), name);
   }
   columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
   if (several != nullptr) several->push_back(name);
@@ -103,7 +99,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
     if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
     if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
-      refuse_same_names(header[cell]);
+      throw same_column_names(header[cell]);
     }
     assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
   }
@@ -193,9 +189,7 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     if (columns.marks.size() == most_marks) continue;
     columns.marks.push_back({header.empty() ? fmt::format("{}", cell + 1) : header[cell], !numeric[cell]});
   }
-  if (columns.channels.empty()) {
-    throw Error(Exit::data, ErrorCode::no_channel_column);
-  }
+  if (columns.channels.empty()) throw no_channel_column();
   return columns;
 }
 
@@ -278,7 +272,7 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   std::vector<std::string> header(given.begin(), given.end());
   for (const auto& [theirs, ours] : names.maps) {
     const auto found = std::ranges::find(given, theirs);
-    if (found == given.end()) throw Error(Exit::data, ErrorCode::no_such_column, {theirs, header}).about(Option::map);
+    if (found == given.end()) throw no_such_column(theirs, header).about(option::map);
     header[static_cast<std::size_t>(found - given.begin())] = ours;
   }
   SampleRequests samples(header, numeric, names);

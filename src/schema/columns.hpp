@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "error.hpp"
 #include "numbers/time_notation.hpp"
+#include "option_names.hpp"
 #include "tcb/spline/key.hpp"
 
 namespace tcb {
@@ -102,7 +102,7 @@ bool is_coordinate(std::string_view name);
 struct RoleRequest {
   Role role;
   std::vector<std::string> columns;
-  Option option = Option::columns;
+  std::string_view option = option::columns;
   std::string channel = {};  ///< of a role in one channel
 };
 
@@ -180,12 +180,13 @@ struct Renaming {
 
 /// The names that samples of a curve are expected to have.
 struct SampleNames {
-  std::string time;                       ///< of the time column, if it is not one of the usual names
-  std::vector<std::string> groups = {};   ///< of the group columns, if they are there
-  std::vector<std::string> labels = {};   ///< of columns to ignore
-  std::size_t time_place = 0;             ///< where columns have no names: how many are before the time, without groups
-  std::vector<Renaming> maps = {};        ///< of columns of the samples
-  std::optional<Option> times_only = {};  ///< nothing is read but the groups and `time`, which this option names
+  std::string time;                      ///< of the time column, if it is not one of the usual names
+  std::vector<std::string> groups = {};  ///< of the group columns, if they are there
+  std::vector<std::string> labels = {};  ///< of columns to ignore
+  std::size_t time_place = 0;            ///< where columns have no names: how many are before the time, without groups
+  std::vector<Renaming> maps = {};       ///< of columns of the samples
+  std::optional<std::string_view> times_only =
+      {};  ///< nothing is read but the groups and `time`, which this option names
 };
 
 /// The rotation that numbers of a record may be, where columns have no names: in a record of 8 numbers, a quaternion of

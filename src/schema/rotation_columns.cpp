@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "error.hpp"
 #include "schema/columns.hpp"
+#include "schema/errors.hpp"
 #include "schema/input.hpp"
 #include "text/suggest.hpp"
 
@@ -25,7 +25,7 @@ std::optional<std::size_t> column_number(const std::string& text) {
 
 /// The index of a channel of keys as they are read: by its name, in any case if none has it exactly, or else by the
 /// number of its column.
-std::size_t requested_channel(const std::string& name, const Input& input, Option option) {
+std::size_t requested_channel(const std::string& name, const Input& input, std::string_view option) {
   const std::vector<std::string>& channels = input.read_channels;
   const auto exact = std::ranges::find(channels, name);
   const auto found = exact != channels.end() ? exact : std::ranges::find_if(channels, [&](const std::string& channel) {
@@ -38,12 +38,12 @@ std::size_t requested_channel(const std::string& name, const Input& input, Optio
   if (number && *number >= 1 && *number <= input.column_count) {
     std::vector<std::string> others;
     for (const std::size_t other : input.read_columns) others.push_back(std::to_string(other));
-    throw Error(Exit::data, ErrorCode::column_without_channel, {name, others}).about(option);
+    throw column_without_channel(name, others).about(option);
   }
   if (number && !input.named) {
-    throw Error(Exit::data, ErrorCode::no_such_column_number, {name, std::uint64_t{input.column_count}}).about(option);
+    throw no_such_column_number(name, input.column_count).about(option);
   }
-  throw Error(Exit::data, ErrorCode::no_such_column, {name, channels}).about(option);
+  throw no_such_column(name, channels).about(option);
 }
 
 /// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, after a "q".
@@ -74,7 +74,7 @@ std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::s
     }
     std::string lacking = name;
     lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
-    throw Error(Exit::data, ErrorCode::rotation_column_missing, {lacking, others}).about(Option::rotation);
+    throw rotation_column_missing(lacking, others);
   }
   std::ranges::sort(rotations, {}, [](const spline::RotationChannels& rotation) { return std::ranges::min(rotation); });
   return rotations;
@@ -106,14 +106,13 @@ std::size_t rotation_with(const std::vector<GivenRotation>& rotations, std::size
 /// Throws: Error (data) where a column is in two rotations or angles.
 void require_own_columns(const Input& input) {
   std::vector<bool> taken(input.read_channels.size());
-  const auto take = [&](std::size_t channel, Option option) {
-    if (taken[channel])
-      throw Error(Exit::data, ErrorCode::rotation_columns_shared, {input.read_channels[channel]}).about(option);
+  const auto take = [&](std::size_t channel, std::string_view option) {
+    if (taken[channel]) throw column_in_two_rotations(input.read_channels[channel]).about(option);
     taken[channel] = true;
   };
-  for (const spline::AngleChannel& angle : input.angles) take(angle.channel, Option::angle);
+  for (const spline::AngleChannel& angle : input.angles) take(angle.channel, option::angle);
   for (const GivenRotation& given : input.given_rotations) {
-    for (const std::size_t channel : given.channels) take(channel, Option::rotation);
+    for (const std::size_t channel : given.channels) take(channel, option::rotation);
   }
 }
 
@@ -218,7 +217,7 @@ std::optional<spline::RotationForm> likely_rotation(std::span<const double> reco
 void set_rotations(Input& input, const RotationOptions& options) {
   input.normalize = options.normalize;
   for (const NamedAngle& angle : options.angles) {
-    input.angles.push_back({requested_channel(angle.channel, input, Option::angle), angle.degrees});
+    input.angles.push_back({requested_channel(angle.channel, input, option::angle), angle.degrees});
   }
   if (options.requests.empty() && !options.none) {
     for (const spline::RotationChannels& channels : rotations_by_name(input.read_channels)) {
@@ -228,14 +227,14 @@ void set_rotations(Input& input, const RotationOptions& options) {
   for (GivenRotation request : options.requests) {
     request.notation.degrees = options.degrees;
     for (const std::string& column : request.columns) {
-      request.channels.push_back(requested_channel(column, input, Option::rotation));
+      request.channels.push_back(requested_channel(column, input, option::rotation));
     }
     add_rotation(input, std::move(request));
   }
   require_own_columns(input);
   if (options.shown && input.rotations.empty()) {
     const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
-    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(form->name)}).about(Option::rotation_output);
+    throw no_rotation_to_show(form->name).about(option::rotation_output);
   }
   set_channels(input);
   input.rotation_names.resize(input.rotations.size());

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "error.hpp"
 #include "schema/columns.hpp"
+#include "schema/errors.hpp"
 #include "schema/input.hpp"
 #include "text/suggest.hpp"
 
@@ -22,13 +22,11 @@ bool is_converted(const InputOptions& options, const std::string& time) {
 void require_unit(const InputOptions& options, const std::string& time) {
   const auto named = unit_of_time(time);
   if (!named || options.samples) return;
-  const auto refuse = [&](Option option, TimeUnit unit) {
-    throw Error(Exit::data, ErrorCode::time_units_differ,
-                {time, std::string(row_of(*named).name), std::string(row_of(unit).name)})
-        .about(option);
+  const auto refuse = [&](std::string_view option, TimeUnit unit) {
+    throw time_units_differ(time, row_of(*named).name, row_of(unit).name).about(option);
   };
-  if (options.input_rate && *named != TimeUnit::frames) refuse(Option::input_fps, TimeUnit::frames);
-  if (options.time_unit && *options.time_unit != *named) refuse(Option::time_unit, *options.time_unit);
+  if (options.input_rate && *named != TimeUnit::frames) refuse(option::input_fps, TimeUnit::frames);
+  if (options.time_unit && *options.time_unit != *named) refuse(option::time_unit, *options.time_unit);
 }
 
 /// All names of an input.
@@ -53,12 +51,10 @@ std::vector<std::string*> names_of(Input& input) {
 }
 
 /// Throws: Error (data) about an option by which two columns have the same name.
-void require_other_names(Input& input, Option option) {
+void require_other_names(Input& input, std::string_view option) {
   std::vector<std::string> known;
   for (const std::string* name : names_of(input)) {
-    if (std::ranges::count(known, *name) > 0) {
-      throw Error(Exit::data, ErrorCode::same_column_names, {*name}).about(option);
-    }
+    if (std::ranges::count(known, *name) > 0) throw same_output_names(*name).about(option);
     known.push_back(*name);
   }
 }
@@ -71,12 +67,10 @@ void rename(Input& input, const std::vector<Renaming>& renamings) {
   for (const std::string* name : names) before.push_back(*name);
   for (const Renaming& renaming : renamings) {
     const auto found = std::ranges::find(before, renaming.from);
-    if (found == before.end()) {
-      throw Error(Exit::data, ErrorCode::no_such_column, {renaming.from, before}).about(Option::rename);
-    }
+    if (found == before.end()) throw no_such_column(renaming.from, before).about(option::rename);
     *names[static_cast<std::size_t>(found - before.begin())] = renaming.to;
   }
-  require_other_names(input, Option::rename);
+  require_other_names(input, option::rename);
 }
 
 }  // namespace
@@ -85,9 +79,7 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
   const bool is_timed = columns.has(Role::time);
   if (is_timed) rules.notation = find_notation(first_time).value_or(TimeNotation::seconds);
   rules.frame_rate = options.input_rate;
-  if (counts_frames(rules.notation) && !options.input_rate) {
-    throw Error(Exit::data, ErrorCode::timecode_without_rate, {columns.time});
-  }
+  if (counts_frames(rules.notation) && !options.input_rate) throw times_without_rate(columns.time);
   const bool is_number = rules.notation == TimeNotation::seconds;
   if (is_timed && is_number) require_unit(options, columns.time);
   const bool is_time_converted = is_timed && is_number && is_converted(options, columns.time);
@@ -98,7 +90,7 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
   for (const ChannelScale& scale : options.scales) {
     const auto channel = std::ranges::find(columns.channels, scale.channel);
     if (channel == columns.channels.end()) {
-      throw Error(Exit::data, ErrorCode::no_such_column, {scale.channel, columns.channels}).about(Option::scale);
+      throw no_such_column(scale.channel, columns.channels).about(option::scale);
     }
     rules.factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
   }
@@ -114,11 +106,10 @@ void set_units(KeyRules& rules, const InputOptions& options, const Columns& colu
 }
 
 void set_units_and_names(Input& input, const InputOptions& options) {
-  if (options.rotation.shown && !options.samples) require_other_names(input, Option::rotation_output);
+  if (options.rotation.shown && !options.samples) require_other_names(input, option::rotation_output);
   if (!input.timed) {
     if (options.input_rate || options.time_unit) {
-      throw Error(Exit::data, ErrorCode::unit_without_times)
-          .about(options.input_rate ? Option::input_fps : Option::time_unit);
+      throw times_without_column().about(options.input_rate ? option::input_fps : option::time_unit);
     }
   } else {
     const bool is_number = input.time_notation == TimeNotation::seconds;

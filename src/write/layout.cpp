@@ -9,9 +9,9 @@
 #include <limits>
 #include <utility>
 
-#include "error.hpp"
 #include "numbers/print_number.hpp"
 #include "schema/key_block.hpp"
+#include "write/errors.hpp"
 
 namespace tcb {
 
@@ -88,7 +88,7 @@ char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& not
     return write_cell(out, kind, cell);
   }
   if (!notation.is_text() && cell.lo != 0) {
-    throw Error(Exit::data, ErrorCode::time_beyond_doubles, {time_text(cell)});
+    throw time_not_a_double(time_text(cell));
   }
   return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
 }
@@ -214,9 +214,8 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
       groups_(columns.groups.size()),
       numbers_(columns.numbers.size()) {
   if (format_of(options.format).is_binary && groups_ + columns.labels.size() > 0) {
-    throw Error(
-        Exit::data, ErrorCode::text_in_binary_format,
-        {groups_ > 0 ? columns.groups.front() : columns.labels.front(), std::string(format_of(options.format).name)});
+    throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
+                                format_of(options.format).name);
   }
   std::vector<OutputColumn> all;
   for (const std::string& name : columns.names()) all.push_back({name});
@@ -242,7 +241,7 @@ std::string Frame::begin(std::span<const std::string> group, bool divided) {
   rows_.before[0] = cells + all_.before[groups_];
   if (!divided || !any_rows_) return "";
   if (format.divider.empty()) {
-    throw Error(Exit::data, ErrorCode::several_curves_in_one_table, {std::string(format_of(options_.format).name)});
+    throw several_curves_in_one_table(format_of(options_.format).name);
   }
   return all_.between_rows + std::string(format.divider);
 }

@@ -6,9 +6,9 @@
 #include <deque>
 #include <string_view>
 
-#include "error.hpp"
 #include "io/input_file.hpp"
 #include "text/utf8.hpp"
+#include "write/errors.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -85,19 +85,13 @@ Source<std::string> verified(const Source<std::string>& bytes, const std::string
     sha256.add(*more);
     parts.push_back(std::move(*more));
   }
-  if (std::string digest = sha256.digest(); digest != expected) {
-    throw Error(Exit::data, ErrorCode::other_checksum, {std::move(digest), expected, from});
-  }
+  if (const std::string digest = sha256.digest(); digest != expected) throw checksum_differs(digest, expected, from);
   return [parts = std::move(parts)]() mutable -> std::optional<std::string> {
     if (parts.empty()) return std::nullopt;
     std::string next = std::move(parts.front());
     parts.pop_front();
     return next;
   };
-}
-
-Error other_number_of_inputs(ErrorCode code, const ProvenanceRequest& request) {
-  return {Exit::usage, code, {request.from, std::uint64_t{request.earlier.inputs.size()}}};
 }
 
 }  // namespace
@@ -112,7 +106,7 @@ Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& name, S
   auto& inputs = tally_->provenance.inputs;
   const auto& earlier = request_->earlier.inputs;
   if (!earlier.empty()) {
-    if (inputs.size() == earlier.size()) throw other_number_of_inputs(ErrorCode::made_from_fewer_inputs, *request_);
+    if (inputs.size() == earlier.size()) throw made_from_fewer_inputs(request_->from, earlier.size());
     const auto& [first_name, digest] = earlier[inputs.size()];
     bytes = verified(bytes, digest, request_->from);
     inputs.emplace_back(first_name, "");  // the file may have another name now
@@ -177,7 +171,7 @@ std::string ProvenanceRecorder::before_rows(FormatId format) const {
 std::string ProvenanceRecorder::after_rows(FormatId format) const {
   if (tally_ == nullptr) return "";
   if (tally_->provenance.inputs.size() < request_->earlier.inputs.size()) {
-    throw other_number_of_inputs(ErrorCode::made_from_more_inputs, *request_);
+    throw made_from_more_inputs(request_->from, request_->earlier.inputs.size());
   }
   return text_after_rows(tally_->provenance, format);
 }

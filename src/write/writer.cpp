@@ -8,8 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "error.hpp"
+#include "schema/errors.hpp"
 #include "text/utf8.hpp"
+#include "write/errors.hpp"
 
 namespace tcb {
 
@@ -25,14 +26,9 @@ std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t
 
 /// Throws: Error (data) where the name is another column's, or the file's is not UTF-8.
 void add_file_column(OutputColumns& columns, const std::string& name, const std::string& file) {
-  if (std::ranges::count(columns.names(), name) > 0) {
-    throw Error(Exit::data, ErrorCode::file_column_taken, {name});
-  }
+  if (std::ranges::count(columns.names(), name) > 0) throw file_column_taken(name);
   const std::size_t invalid = find_invalid_utf8(file);
-  if (invalid != std::string::npos) {
-    throw Error(Exit::data, ErrorCode::name_not_utf8,
-                {fmt::format("{:02X}", static_cast<unsigned char>(file[invalid]))});
-  }
+  if (invalid != std::string::npos) throw file_name_not_utf8(file[invalid]);
   columns.groups.insert(columns.groups.begin(), name);
 }
 
@@ -122,7 +118,7 @@ void Writer::begin(const Input& input, bool live, Facts rules, const std::string
     recorder_.set_rules(std::move(rules));
     output_.write(recorder_.before_rows(format.id) + frame_.head());
   } else if (columns.names() != columns_.names()) {
-    throw Error(Exit::data, ErrorCode::other_columns, {columns.names(), columns_.names()});
+    throw columns_differ_from_before(columns.names(), columns_.names());
   }
   output_.set_live(live);
 }
@@ -140,7 +136,7 @@ void Writer::set_times(const Input& input) {
     if (!format_of(options_.format).is_binary) notation_ = input.time_notation;
     return;
   }
-  if (input.time_unit == TimeUnit::frames) throw Error(Exit::data, ErrorCode::timecode_without_rate, {input.time});
+  if (input.time_unit == TimeUnit::frames) throw times_without_rate(input.time);
   if (input.time_unit) unit_ = Rational(1) / units_per_second(*input.time_unit);
   const bool drops = given == TimeNotation::smpte && input.time_notation == TimeNotation::drop_frame;
   notation_ = drops ? TimeNotation::drop_frame : *given;
@@ -165,8 +161,7 @@ std::vector<std::string> Writer::texts(const Table& table) const {
     const auto text = time_in_words(seconds, notation_, rate, decimals);
     if (!text) {
       const auto name = std::ranges::find(time_notations, notation_, &TimeNotationName::notation);
-      throw Error(Exit::data, ErrorCode::no_time_in_words,
-                  {time_text(table.cells[i]), std::string(name == time_notations.end() ? "smpte" : name->name)});
+      throw time_not_in_notation(time_text(table.cells[i]), name == time_notations.end() ? "smpte" : name->name);
     }
     texts[i] = in_quotes ? json_text(*text) : *text;
   }

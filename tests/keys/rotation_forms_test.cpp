@@ -1,5 +1,5 @@
 // Rotations of keys in other forms than quaternions: their quaternions, channels and decimals, and what is refused.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstdint>
@@ -14,6 +14,8 @@
 
 namespace tcb {
 namespace {
+
+using testing::HasSubstr;
 
 /// Keys with a position x, and axes and angles in degrees, as quaternions.
 Numbers quaternions_of(const std::vector<Numbers>& keys, bool relative, bool in_parent) {
@@ -73,35 +75,34 @@ Numbers quaternion_of(const Numbers& matrix, bool normalize) {
   return with_quaternions(source_of(block), {{{{0, 1, 2, 3}}}, {given}, {0, 0, 0, 0, 3}, normalize})()->keys.positions;
 }
 
-ErrorCode refusal_of_matrix(const Numbers& matrix, bool normalize = false) {
+std::string refusal_of_matrix(const Numbers& matrix, bool normalize = false) {
   try {
     (void)quaternion_of(matrix, normalize);
   } catch (const Error& error) {
     EXPECT_EQ(error.position().line, 2U);
-    return error.code();
+    return error.message();
   }
   ADD_FAILURE() << "no error";
   return {};
 }
 
 TEST(Rotations, of_matrices_become_quaternions) {
-  using enum ErrorCode;
   const double root = std::sqrt(0.5);
   expect_near(quaternion_of({1, 0, 0, 0, 1, 0, 0, 0, 1}, false), {0, 0, 0, 1, 7});
   expect_near(quaternion_of({0, -1, 0, 1, 0, 0, 0, 0, 1}, false), {0, 0, root, root, 7});
   expect_near(quaternion_of({0, 0, 1, 1, 0, 0, 0, 1, 0}, false), {0.5, 0.5, 0.5, 0.5, 7});
   expect_near(quaternion_of({1, 0, 0, 0, -1, 0, 0, 0, -1}, false), {1, 0, 0, 0, 7});
   expect_near(quaternion_of({0, -1.0009, 0, 1, 0, 0, 0, 0, 1}, false), {0, 0, root, root, 7});
-  EXPECT_EQ(refusal_of_matrix({0, -1.0011, 0, 1, 0, 0, 0, 0, 1}), matrix_not_orthogonal);
-  EXPECT_EQ(refusal_of_matrix({1, 0.0011, 0, 0, 1, 0, 0, 0, 1}), matrix_not_orthogonal);
-  EXPECT_EQ(refusal_of_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, true), matrix_no_rotation);
-  EXPECT_EQ(refusal_of_matrix({1, 0, 0, 0, 1, 0, 0, 0, 0}, true), matrix_no_rotation);
-  EXPECT_EQ(refusal_of_matrix({0, 0, 0, 0, 0, 0, 0, 0, 0}, true), matrix_no_rotation);
+  EXPECT_THAT(refusal_of_matrix({0, -1.0011, 0, 1, 0, 0, 0, 0, 1}), HasSubstr("orthogonal"));
+  EXPECT_THAT(refusal_of_matrix({1, 0.0011, 0, 0, 1, 0, 0, 0, 1}), HasSubstr("orthogonal"));
+  EXPECT_THAT(refusal_of_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, true), HasSubstr("is no rotation"));
+  EXPECT_THAT(refusal_of_matrix({1, 0, 0, 0, 1, 0, 0, 0, 0}, true), HasSubstr("is no rotation"));
+  EXPECT_THAT(refusal_of_matrix({0, 0, 0, 0, 0, 0, 0, 0, 0}, true), HasSubstr("is no rotation"));
   for (const double size : {1e-200, 3.0, 1e300}) {
     expect_near(quaternion_of({0, -size, 0, size, 0, 0, 0, 0, size / 8}, true), {0, 0, root, root, 7});
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal_of_matrix({none, 0, 0, 0, 1, 0, 0, 0, 1}), rotation_incomplete);
+  EXPECT_THAT(refusal_of_matrix({none, 0, 0, 0, 1, 0, 0, 0, 1}), HasSubstr("lacks a number"));
   EXPECT_TRUE(std::isnan(quaternion_of(Numbers(9, none), false)[3]));
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "read/csv/errors.hpp"
+#include "read/errors.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -63,11 +65,10 @@ TEST(OpenInput, an_input_shorter_than_a_mark_is_read) {
 /// Blocks with faults on these lines.
 Source<KeyBlock> blocks(std::vector<std::vector<std::uint64_t>> lines, bool ends_badly = false) {
   return [lines, ends_badly, next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
-    if (next == lines.size() && ends_badly) throw Error(Exit::data, ErrorCode::nul_byte).at({"", 99, 1});
+    if (next == lines.size() && ends_badly) throw nul_in_text().at({"", 99, 1});
     if (next == lines.size()) return std::nullopt;
     KeyBlock block;
-    for (const std::uint64_t line : lines[next])
-      block.faults.push_back(Error(Exit::data, ErrorCode::quote_not_closed).at({"", line, 1}));
+    for (const std::uint64_t line : lines[next]) block.faults.push_back(quote_not_closed().at({"", line, 1}));
     ++next;
     return block;
   };

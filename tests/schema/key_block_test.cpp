@@ -101,7 +101,7 @@ TEST(KeyBlock, the_members_of_a_block_move_to_another_block) {
   from.keys.common_tcb = {1, 2, 3};
   from.break_after = from.unreadable = true;
   from.skipped = 4;
-  from.faults.emplace_back(Exit::data, ErrorCode::equal_times);
+  from.faults.emplace_back(Exit::data, "a fault");
   from.curve_info = std::make_shared<const CurveInfo>();
   to.take_block_data(from);
   EXPECT_TRUE(to.empty());

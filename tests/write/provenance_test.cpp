@@ -79,13 +79,13 @@ Source<std::string> bytes_of(const std::string& text) {
 /// SHA-256 of "abc", from FIPS 180-2.
 constexpr const char* abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
-ErrorCode code_of(const std::function<void()>& f) {
+std::string message_of(const std::function<void()>& f) {
   try {
     f();
   } catch (const Error& error) {
-    return error.code();
+    return error.message();
   }
-  return ErrorCode::unexpected;
+  return "";
 }
 
 TEST(ProvenanceRecorder, counts_what_is_read_and_the_rest) {
@@ -112,14 +112,15 @@ TEST(ProvenanceRecorder, requires_the_inputs_of_the_earlier_output) {
   request.earlier.inputs = {{"first.csv", abc}};
   const std::optional<ProvenanceRequest> made_from_one(request);
   ProvenanceRecorder recorder(made_from_one);
-  EXPECT_EQ(code_of([&] { (void)recorder.after_rows(FormatId::csv); }), ErrorCode::made_from_more_inputs);
+  EXPECT_THAT(message_of([&] { (void)recorder.after_rows(FormatId::csv); }), testing::StartsWith("fewer files"));
   EXPECT_EQ(recorder.observe_bytes("other name.csv", bytes_of("abc"))(), "abc");
   recorder.end_input();
   EXPECT_THAT(recorder.after_rows(FormatId::csv), testing::StartsWith("# input: first.csv\n"));
-  EXPECT_EQ(code_of([&] { (void)recorder.observe_bytes("second.csv", bytes_of("abc")); }),
-            ErrorCode::made_from_fewer_inputs);
+  EXPECT_THAT(message_of([&] { (void)recorder.observe_bytes("second.csv", bytes_of("abc")); }),
+              testing::StartsWith("more files"));
   ProvenanceRecorder another(made_from_one);
-  EXPECT_EQ(code_of([&] { (void)another.observe_bytes("first.csv", bytes_of("abd")); }), ErrorCode::other_checksum);
+  EXPECT_THAT(message_of([&] { (void)another.observe_bytes("first.csv", bytes_of("abd")); }),
+              testing::HasSubstr(std::string("expected ") + abc));
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // Reader of delimited text: from records to keys.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
-#include "error.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/csv/delimited_text.hpp"
+#include "read/csv/errors.hpp"
+#include "read/errors.hpp"
 #include "read/key_builder.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/suggest.hpp"
@@ -65,8 +68,7 @@ class RecordReader {
   void add_key() {
     const std::size_t expected = head_.columns.cells.size();
     if (cells_.size() != expected) {
-      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1], ErrorCode::wrong_number_of_cells,
-                {std::uint64_t{cells_.size()}, std::uint64_t{expected}});
+      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1], wrong_number_of_cells(cells_.size(), expected));
       return;
     }
     keys_.begin_key();
@@ -107,7 +109,7 @@ class RecordReader {
 
   void scale(std::string_view cell, const Columns::Column& column) {
     if (keys_.scale(column, decimals_.text(bare(cell)))) return;
-    add_fault(cell, ErrorCode::number_too_large, {head_.columns.name_of(column), unquoted(cell)});
+    add_fault(cell, number_beyond_doubles(head_.columns.name_of(column), unquoted(cell)));
   }
 
   /// A number such as -999 may be a sign of a missing one.
@@ -121,37 +123,34 @@ class RecordReader {
     if (!decimals_.number(bare(cell))) return;
     const auto i =
         static_cast<std::size_t>(std::ranges::find(cells_, cell.data(), &std::string_view::data) - cells_.begin());
-    add_fault(cell, ErrorCode::number_in_text_column, {std::uint64_t{i + 1}, unquoted(cell)});
+    add_fault(cell, number_in_text_column(fmt::format("column {}", i + 1), unquoted(cell)));
   }
 
   void read_no_number(std::string_view cell, const Columns::Column& column) {
     if (is_missing_sign(bare(cell), head_.rules.signs) && keys_.miss(column)) return;
     const std::string text = unquoted(cell);
-    ErrorCode why = why_not_number(text, head_.decimal, head_.rules.signs);
-    const bool is_wrong_notation = column.role == Role::time && why != ErrorCode::number_empty &&
-                                   why != ErrorCode::number_missing &&
-                                   (!keys_.has_times_as_numbers() || find_notation(text));
-    if (is_wrong_notation)
-      why = head_.rules.notation == find_notation(text) ? ErrorCode::no_such_time : ErrorCode::time_in_other_notation;
-    if (column.role == Role::time && why == ErrorCode::number_empty) why = ErrorCode::time_empty;
-    if (column.role == Role::time && why == ErrorCode::number_missing) why = ErrorCode::time_missing;
-    add_fault(cell, why, {head_.columns.name_of(column), text});
+    const std::string name = head_.columns.name_of(column);
+    const bool is_time = column.role == Role::time;
+    if (is_missing_sign(text, head_.rules.signs)) {
+      add_fault(cell, is_time ? time_is_missing(name, text) : number_is_missing(name, text));
+    } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
+      const bool has_notation = head_.rules.notation == find_notation(text);
+      add_fault(cell, has_notation ? no_such_time(name, text) : time_in_other_notation(name, text));
+    } else {
+      add_fault(cell, why_not_number(name, text, head_.decimal));
+    }
   }
 
   void read_text(std::string_view cell, const Columns::Column& column) {
     std::string text = text_of(cell);
     const std::size_t invalid = find_invalid_utf8(text);
-    if (invalid != std::string::npos) {
-      add_fault(cell, ErrorCode::cell_not_utf8, {unquoted(cell), hexadecimal(text[invalid])});
-    }
-    if (content(text).empty() && !keys_.miss(column)) {
-      add_fault(cell, ErrorCode::empty_group, {head_.columns.name_of(column)});
-    }
+    if (invalid != std::string::npos) add_fault(cell, cell_not_utf8(unquoted(cell), text[invalid]));
+    if (content(text).empty() && !keys_.miss(column)) add_fault(cell, group_is_empty(head_.columns.name_of(column)));
     keys_.set_text(column, std::move(text));
   }
 
-  void add_fault(std::string_view cell, ErrorCode code, std::vector<ErrorValue> values) {
-    if (!keys_.is_full()) keys_.add_fault(Error(Exit::data, code, std::move(values)).at(tokenizer_.position(cell)));
+  void add_fault(std::string_view cell, const Error& fault) {
+    if (!keys_.is_full()) keys_.add_fault(fault.at(tokenizer_.position(cell)));
   }
 
   const DelimitedHead& head_;
@@ -163,12 +162,6 @@ class RecordReader {
 };
 
 }  // namespace
-
-std::string hexadecimal(char byte) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  const auto code = static_cast<unsigned char>(byte);
-  return {digits[code / 16], digits[code % 16]};
-}
 
 bool has_thousands_separators(std::string_view text) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
@@ -182,18 +175,17 @@ bool has_thousands_separators(std::string_view text) {
   return digits.find_first_not_of(".0123456789") == std::string::npos && parse_number(digits);
 }
 
-ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<std::string>& signs) {
-  if (is_missing_sign(cell, signs)) return cell.empty() ? ErrorCode::number_empty : ErrorCode::number_missing;
+Error why_not_number(std::string_view column, std::string_view cell, char decimal) {
   if (looks_numeric(cell) || (decimal != '.' && looks_numeric(with_point(cell)))) {
     const bool has_point = decimal != '.' && cell.find('.') != std::string_view::npos;
-    return has_point ? ErrorCode::number_with_point : ErrorCode::number_too_large;
+    return has_point ? number_with_decimal_point(column, cell) : number_beyond_doubles(column, cell);
   }
   const bool has_comma = decimal == '.' && cell.find(',') != std::string_view::npos;
-  if (has_comma && has_thousands_separators(cell)) return ErrorCode::number_with_thousands;
-  if (has_comma && parse_number(with_point(cell))) return ErrorCode::number_with_comma;
+  if (has_comma && has_thousands_separators(cell)) return number_with_thousands(column, cell);
+  if (has_comma && parse_number(with_point(cell))) return number_with_decimal_comma(column, cell);
   const std::size_t blank = cell.find_first_of(" \t");
   const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
-  return several ? ErrorCode::several_numbers : ErrorCode::not_a_number;
+  return several ? several_numbers_in_cell(column, cell) : cell_is_not_a_number(column, cell);
 }
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
@@ -206,7 +198,7 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   if (!delimiter) beginning = find_delimiter(bytes, options);
   if (named) ++beginning.line;
   const Dialect dialect{beginning.delimiter, options.comment, options.samples.has_value()};
-  if (dialect.delimiter == options.decimal) throw Error(Exit::data, ErrorCode::decimal_comma_is_delimiter);
+  if (dialect.delimiter == options.decimal) throw decimal_comma_is_delimiter();
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;

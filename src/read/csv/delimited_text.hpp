@@ -69,14 +69,12 @@ struct DelimitedHead {
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
                         std::vector<Chunk>& rest);
 
-/// A byte as two digits.
-std::string hexadecimal(char byte);
-
 /// Whether a text is a number such as 1,234.5 or 1,234,567.
 bool has_thousands_separators(std::string_view text);
 
-/// Why a cell is not a number where one was expected. `decimal` is the decimal mark, `signs` those of missing numbers.
-ErrorCode why_not_number(std::string_view cell, char decimal, const std::vector<std::string>& signs = {});
+/// Why a cell of a column is not a number, which was expected. `decimal` is the decimal mark.
+/// Requires: it is not a sign of a missing number.
+Error why_not_number(std::string_view column, std::string_view cell, char decimal);
 
 /// In a column of text a number is a fault up to this line; in those after it, it is a text.
 inline constexpr std::uint64_t last_line_of_roles = 1000;

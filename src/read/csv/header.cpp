@@ -1,4 +1,6 @@
 // Header of delimited text: names and roles of the columns, from the first three records.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -6,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "error.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/csv/delimited_text.hpp"
+#include "read/csv/errors.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -113,7 +115,7 @@ void require_characters(const std::vector<std::string>& names, const TextPositio
   for (const std::string& name : names) {
     const std::size_t invalid = find_invalid_utf8(name);
     if (invalid == std::string::npos) continue;
-    throw Error(Exit::data, ErrorCode::column_not_utf8, {name, hexadecimal(name[invalid])}).at(position);
+    throw column_name_not_utf8(name, name[invalid]).at(position);
   }
 }
 
@@ -144,9 +146,8 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     constexpr std::string_view minus = "\xE2\x88\x92";  // U+2212
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
     if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
-    throw Error(Exit::data, why_not_number(cell, head.decimal, head.rules.signs), {std::uint64_t{i + 1}, cell})
-        .at(tokenizer.position(cells[i]))
-        .about(Option::columns);
+    throw in_possible_text_column(why_not_number(fmt::format("column {}", i + 1), cell, head.decimal))
+        .at(tokenizer.position(cells[i]));
   }
 }
 
@@ -160,7 +161,7 @@ void require_clear_header(const FirstRecords::Record& record, const DelimitedHea
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_number(cell, head); });
-  throw Error(Exit::data, ErrorCode::header_unclear, {*text, *number}).at({"", record.line, 1});
+  throw header_unclear(*text, *number).at({"", record.line, 1});
 }
 
 /// Throws: Error (data) where each record is one cell, with the same number of some other character that may delimit.
@@ -172,10 +173,7 @@ void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
     const auto cells = count(first.records[0]);
     if (cells == 0 || std::ranges::any_of(first.records, [&](const auto& record) { return count(record) != cells; }))
       continue;
-    const std::string shown = c < ' ' ? "\\x" + hexadecimal(c) : std::string(1, c);
-    const std::string name = c == '|' ? "pipe" : c < ' ' ? "$'" + shown + "'" : "'" + shown + "'";
-    throw Error(Exit::data, ErrorCode::single_column, {std::string(1, dialect.delimiter), shown, name})
-        .at({"", first.records[0].line, 1});
+    throw other_delimiter_likely(dialect.delimiter, c).at({"", first.records[0].line, 1});
   }
 }
 
@@ -183,8 +181,7 @@ void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
 [[noreturn]] void refuse_header_alone(const FirstRecords::Record& record) {
   const bool carriage_returns =
       std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
-  const ErrorCode code = carriage_returns ? ErrorCode::lines_end_in_carriage_returns : ErrorCode::header_without_rows;
-  throw Error(Exit::data, code).at({"", record.line, 1});
+  throw(carriage_returns ? lines_end_in_carriage_returns() : header_without_rows()).at({"", record.line, 1});
 }
 
 /// The rotation that both of the first two records may have.
@@ -214,7 +211,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
                         std::vector<Chunk>& rest) {
   FirstRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.key_rules(), options.decimal};
-  if (first.records.empty()) throw Error(Exit::data, ErrorCode::empty_input);
+  if (first.records.empty()) throw empty_input();
   if (!options.delimiter) require_delimiter(first, dialect);
   const bool header = options.header.value_or(is_header(first.records[0], head, options.samples));
   std::size_t data = header ? 1 : 0;
@@ -231,9 +228,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   }
   const auto& row = first.records[data];
   if (!names.empty() && names.size() != row.cells.size()) {
-    throw Error(Exit::data, ErrorCode::row_unlike_header,
-                {std::uint64_t{row.cells.size()}, std::uint64_t{names.size()}})
-        .at({"", row.line, 1});
+    throw row_unlike_header(row.cells.size(), names.size()).at({"", row.line, 1});
   }
   require_characters(names, position);
   rest.assign(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk), first.chunks.end());

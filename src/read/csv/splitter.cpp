@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "error.hpp"
 #include "read/csv/delimited_text.hpp"
+#include "read/csv/errors.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -223,7 +223,7 @@ std::optional<char> take_named_delimiter(Source<std::string>& bytes) {
   return delimiter;
 }
 
-void refuse_long_record(std::uint64_t line) { throw Error(Exit::data, ErrorCode::record_too_long).at({"", line, 1}); }
+void refuse_long_record(std::uint64_t line) { throw record_too_long().at({"", line, 1}); }
 
 Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line) {
   const auto splitter = std::make_shared<RecordSplitter>(std::move(bytes), dialect, line);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "read/csv/errors.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -99,7 +100,7 @@ bool Tokenizer::next(std::vector<std::string_view>& cells) {
 void Tokenizer::refuse_cells() {
   const TextPosition where = position({record_, 1});
   skip_line();
-  throw Error(Exit::data, ErrorCode::too_many_cells, {std::uint64_t{most_cells}}).at(where);
+  throw too_many_cells(most_cells).at(where);
 }
 
 std::string_view Tokenizer::take_cell() {
@@ -122,16 +123,14 @@ std::string_view Tokenizer::take_quoted() {
     if (at_ + 1 == end_ || at_[1] != '"') break;
     ++at_;
   }
-  if (at_ == end_) {
-    throw Error(Exit::data, ErrorCode::quote_not_closed).at(position({start, 1}));
-  }
+  if (at_ == end_) throw quote_not_closed().at(position({start, 1}));
   const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
   const bool blanks = dialect_.delimiter == ' ';  // blanks and tabs delimit
   while (!blanks && !at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
   if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
     const TextPosition where = position({at_, 1});
     skip_line();
-    throw Error(Exit::data, ErrorCode::text_after_quotes).at(where);
+    throw text_after_quotes().at(where);
   }
   return cell;
 }

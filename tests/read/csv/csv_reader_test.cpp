@@ -4,6 +4,7 @@
 #include <random>
 
 #include "read/csv/delimited_text.hpp"
+#include "read/csv/errors.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -195,19 +196,21 @@ TEST(Csv, random_texts_give_their_keys_in_pieces_of_any_size) {
   }
 }
 
-TEST(Csv, a_cell_that_is_not_a_number_has_the_code_of_its_remedy) {
-  EXPECT_EQ(why_not_number("", '.'), ErrorCode::number_empty);
-  EXPECT_EQ(why_not_number("NA", '.'), ErrorCode::number_missing);
-  EXPECT_EQ(why_not_number("0,5", '.'), ErrorCode::number_with_comma);
-  EXPECT_EQ(why_not_number("0,500", '.'), ErrorCode::number_with_comma);
-  EXPECT_EQ(why_not_number("1,234", '.'), ErrorCode::number_with_thousands);
-  EXPECT_EQ(why_not_number("-1,234,567.8", '.'), ErrorCode::number_with_thousands);
-  EXPECT_EQ(why_not_number("1234,567.8", '.'), ErrorCode::not_a_number);
-  EXPECT_EQ(why_not_number("1.234,5", '.'), ErrorCode::not_a_number) << "that is two marks";
-  EXPECT_EQ(why_not_number("1.5", ','), ErrorCode::number_with_point);
-  EXPECT_EQ(why_not_number("1,5e999", ','), ErrorCode::number_too_large);
-  EXPECT_EQ(why_not_number("1 2", '.'), ErrorCode::several_numbers);
-  EXPECT_EQ(why_not_number("0x1F", '.'), ErrorCode::not_a_number);
+TEST(Csv, a_cell_that_is_not_a_number_has_the_error_with_its_remedy) {
+  const auto why = [](std::string_view cell, char decimal) { return why_not_number("x", cell, decimal).message(); };
+  const auto expect = [&](std::string_view cell, char decimal, Error (*fault)(std::string_view, std::string_view)) {
+    EXPECT_EQ(why(cell, decimal), fault("x", cell).message());
+  };
+  expect("0,5", '.', number_with_decimal_comma);
+  expect("0,500", '.', number_with_decimal_comma);
+  expect("1,234", '.', number_with_thousands);
+  expect("-1,234,567.8", '.', number_with_thousands);
+  expect("1234,567.8", '.', cell_is_not_a_number);
+  expect("1.234,5", '.', cell_is_not_a_number);  // that is two marks
+  expect("1.5", ',', number_with_decimal_point);
+  expect("1,5e999", ',', number_beyond_doubles);
+  expect("1 2", '.', several_numbers_in_cell);
+  expect("0x1F", '.', cell_is_not_a_number);
 }
 
 }  // namespace

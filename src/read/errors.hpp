@@ -1,0 +1,27 @@
+// Errors of inputs in any format: what their bytes are, times that are not numbers, and earlier outputs.
+#pragma once
+
+#include <string_view>
+
+#include "error.hpp"
+
+namespace tcb {
+
+// The first bytes.
+Error compressed_input(std::string_view compression, std::string_view command);
+Error input_in_other_format(std::string_view format);
+Error input_is_npy();
+Error text_not_in_utf8(std::string_view encoding);
+Error two_byte_order_marks();
+
+// All bytes.
+Error nul_in_text();
+
+// Times in words. `column` is the name of the column or of the member of JSON.
+Error no_such_time(std::string_view column, std::string_view time);
+Error time_in_other_notation(std::string_view column, std::string_view time);
+
+// Earlier outputs.
+Error no_provenance();
+
+}  // namespace tcb

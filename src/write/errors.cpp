@@ -1,0 +1,72 @@
+// Errors of outputs: what a format cannot hold, columns, times in words, and provenance.
+#include "write/errors.hpp"
+
+#include <fmt/format.h>
+
+#include "option_names.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
+
+namespace tcb {
+
+Error text_in_binary_format(std::string_view column, std::string_view format) {
+  return {Exit::data, fmt::format("column {} holds text, but {} holds only numbers; expected a format with text; give "
+                                  "another one, such as csv, to {}, or remove the column",
+                                  in_quotes(column), format, option::output_format)};
+}
+
+Error several_curves_in_one_table(std::string_view format) {
+  return {Exit::data, fmt::format("there is more than one curve, but {} holds one table of rows; expected one curve; "
+                                  "give another format, such as csv, to {}",
+                                  format, option::output_format)};
+}
+
+Error time_not_a_double(std::string_view time) {
+  return {Exit::data, fmt::format("time {} has more digits than a double holds; expected a double, or a text format; "
+                                  "give another format, such as csv, to {}",
+                                  time, option::output_format)};
+}
+
+Error time_not_in_notation(std::string_view time, std::string_view notation) {
+  return {Exit::data,
+          fmt::format("the time {} of a row cannot be written as {}; expected a time that is not before 0 "
+                      "and is at a frame for timecode, and a year from 0 to 9999 for a date; give {} seconds",
+                      time, notation, option::time_format)};
+}
+
+Error columns_differ_from_before(std::span<const std::string> columns, std::span<const std::string> columns_before) {
+  return {Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give {} to write "
+                                  "an output for each file",
+                                  listed(columns), listed(columns_before), option::output_dir)};
+}
+
+Error file_column_taken(std::string_view name) {
+  return {Exit::data, fmt::format("there already is a column {}; expected another name for the column of files; give "
+                                  "{}=NAME",
+                                  in_quotes(name), option::file_column)};
+}
+
+Error file_name_not_utf8(char byte) {
+  return {Exit::data,
+          fmt::format("the name of the file has the byte {:02X}, which is not UTF-8; expected UTF-8 for {}; "
+                      "rename the file",
+                      static_cast<unsigned char>(byte), option::file_column)};
+}
+
+Error checksum_differs(std::string_view checksum, std::string_view expected, std::string_view output) {
+  return {Exit::data, fmt::format("its SHA-256 is {}; expected {}, that of the keys that {} was made from; give that "
+                                  "file",
+                                  checksum, expected, output)};
+}
+
+Error made_from_fewer_inputs(std::string_view output, std::size_t inputs) {
+  return {Exit::usage,
+          fmt::format("more files of keys are given than {} was made from; expected {}; give as many", output, inputs)};
+}
+
+Error made_from_more_inputs(std::string_view output, std::size_t inputs) {
+  return {Exit::usage, fmt::format("fewer files of keys are given than {} was made from; expected {}; give as many",
+                                   output, inputs)};
+}
+
+}  // namespace tcb

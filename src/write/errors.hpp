@@ -1,0 +1,29 @@
+// Errors of outputs: what a format cannot hold, columns, times in words, and provenance.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "error.hpp"
+
+namespace tcb {
+
+// What a format cannot hold.
+Error text_in_binary_format(std::string_view column, std::string_view format);
+Error several_curves_in_one_table(std::string_view format);
+Error time_not_a_double(std::string_view time);
+Error time_not_in_notation(std::string_view time, std::string_view notation);
+
+// The columns of several inputs in one output.
+Error columns_differ_from_before(std::span<const std::string> columns, std::span<const std::string> columns_before);
+Error file_column_taken(std::string_view name);
+Error file_name_not_utf8(char byte);
+
+// Provenance. `output` is the file that was made earlier.
+Error checksum_differs(std::string_view checksum, std::string_view expected, std::string_view output);
+Error made_from_fewer_inputs(std::string_view output, std::size_t inputs);
+Error made_from_more_inputs(std::string_view output, std::size_t inputs);
+
+}  // namespace tcb
