@@ -60,9 +60,10 @@ Error cannot_read_folder(std::string_view reason) {
 
 Error no_inputs_in_folders(std::uint64_t other_files) {
   if (other_files == 0) return {Exit::usage, "the folders hold no files; expected at least one; give other folders"};
-  return {Exit::usage, fmt::format("the folders hold {} other files, but no input; expected names that end in .csv, "
-                                   ".tsv, .ssv, .json or .jsonl; give {} to take all files",
-                                   other_files, option::input_format)};
+  return {Exit::usage,
+          fmt::format("the folders hold no input (other files: {}); expected names that end in .csv, .tsv, "
+                      ".ssv, .json or .jsonl; give {} to take all files",
+                      other_files, option::input_format)};
 }
 
 Error same_output(std::string_view output, std::string_view other_input) {

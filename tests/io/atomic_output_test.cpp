@@ -14,7 +14,7 @@ TEST_F(FileTest, folders_are_made_with_those_above) {
   EXPECT_EQ(error_of([&] { make_folder(path("a/b")); }), "no error") << "it is there already";
   made("file", "");
   EXPECT_EQ(error_of([&] { make_folder(path("file/a")); }),
-            "usage: " + path("file/a") + ": error: cannot be created: Not a directory");
+            "usage: " + path("file/a") + ": error: the folder cannot be created: Not a directory");
 }
 
 TEST_F(FileTest, an_output_appears_when_it_is_complete) {

@@ -43,9 +43,10 @@ TEST_F(FileTest, standard_input_gives_bytes_as_they_come) {
 TEST_F(FileTest, what_cannot_be_read_is_refused) {
   EXPECT_EQ(error_of([&] { read_file(path("none")); }),
             "usage: " + path("none") + ": error: cannot be opened: No such file or directory");
-  EXPECT_EQ(error_of([&] { read_file(folder_.string())(); }),
-            "usage: " + folder_.string() +
-                ": error: cannot be read: Is a directory; give --recursive and --output-dir for the files in it");
+  EXPECT_EQ(
+      error_of([&] { read_file(folder_.string())(); }),
+      "usage: " + folder_.string() +
+          ": error: this is a folder; expected a file; give --recursive and --output-dir to process the files in it");
 }
 
 TEST_F(FileTest, names_for_messages) {

@@ -71,7 +71,7 @@ TEST_F(Inputs, a_folder_is_mirrored) {
   options.files = {"./in//"};
   EXPECT_EQ(found(options).at(1), "./in//a/x.json -> out/a/x.csv");
   options.takes = nullptr;
-  EXPECT_NE(refusal(options).find("a/x.csv is also that of"), std::string::npos);
+  EXPECT_NE(refusal(options).find("a/x.csv is also the output of"), std::string::npos);
 }
 
 TEST_F(Inputs, a_file_that_is_named_keeps_its_name_only) {
@@ -124,7 +124,8 @@ TEST_F(Inputs, no_output_replaces_an_input) {
   options.outputs.folder = "out";
   options.outputs.ending = ".csv";
   EXPECT_EQ(refusal(options),
-            "a.csv: error: its output out/a.csv is also an input; expected two files; give another output");
+            "a.csv: error: its output out/a.csv is also an input, which it would replace; expected another file; give "
+            "another output");
 }
 
 }  // namespace

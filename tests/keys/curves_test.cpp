@@ -40,12 +40,12 @@ TEST(InOrder, increasing_times_stay_as_they_are) {
 TEST(InOrder, equal_times_are_refused_or_one_is_kept_or_a_curve_begins) {
   const std::string keys = "0 1\n1 2\n1 3\n1 4\n2 5\n";
   const std::string remedy =
-      "; expected increasing times; remove one of them, or give --duplicates first, last or break]";
+      "; expected increasing times; remove one of the keys, or give --duplicates first, last or break]";
   EXPECT_EQ(in_any_blocks([&](std::size_t size) {
               std::string all = shown_keys(in_order(keys_of(keys, size), Duplicates::error));
               return all.substr(all.find("[f:3"), all.find(']') - all.find("[f:3") + 1);
             }),
-            "[f:3: error: time 1 repeats the time 1 in line 2" + remedy);
+            "[f:3: error: time 1 repeats the time 1 on line 2" + remedy);
   EXPECT_EQ(ordered(keys, Duplicates::first), " 1:1 2:2 5:5");
   EXPECT_EQ(ordered(keys, Duplicates::last), " 1:1 4:4 5:5");
   EXPECT_EQ(ordered(keys, Duplicates::break_curve), " 1:1 2:2 / 3:3 / 4:4 5:5");
@@ -64,12 +64,12 @@ TEST(InOrder, the_last_of_equal_times_begins_the_curve_that_the_first_began) {
 
 TEST(InOrder, decreasing_times_are_refused_each_with_the_previous_key) {
   const std::string all = shown_keys(in_order(keys_of("0 1\n2 2\n1.5 3\n1 4\n3 5\n", 5), Duplicates::first));
-  const std::string remedy = "; expected increasing times; sort the rows by time, ";
-  const std::string unnamed = remedy + "give --sort, or give --parameter uniform if the keys have no times]";
-  EXPECT_EQ(all, " 1:1 2:2 3:3 4:4 5:5 [f:3: error: time 1.5 is less than the time 2 in line 2" + unnamed +
-                     " [f:4: error: time 1 is less than the time 1.5 in line 3" + unnamed);
+  const std::string remedy = "; expected increasing times; sort the keys by time, ";
+  const std::string unnamed = remedy + "or give --sort, or give --parameter uniform if the keys have no times]";
+  EXPECT_EQ(all, " 1:1 2:2 3:3 4:4 5:5 [f:3: error: time 1.5 is less than the time 2 on line 2" + unnamed +
+                     " [f:4: error: time 1 is less than the time 1.5 on line 3" + unnamed);
   const std::string named = shown_keys(in_order(keys_of("2 2\n1 3\n", 5), Duplicates::first, {{}, {"x"}}));
-  EXPECT_EQ(named, " 1:2 2:3 [f:2: error: time 1 is less than the time 2 in line 1" + remedy + "or give --sort]");
+  EXPECT_EQ(named, " 1:2 2:3 [f:2: error: time 1 is less than the time 2 on line 1" + remedy + "or give --sort]");
 }
 
 TEST(InOrder, keys_of_json_are_named_by_their_path) {
@@ -82,7 +82,7 @@ TEST(InOrder, keys_of_json_are_named_by_their_path) {
   };
   EXPECT_EQ(shown_keys(in_order(blocks, Duplicates::error)),
             " 1:0 [f:1: error: curves[2].keys[8]: time 3 repeats the time 3 of curves[2].keys[7]; expected increasing "
-            "times; remove one of them, or give --duplicates first, last or break]");
+            "times; remove one of the keys, or give --duplicates first, last or break]");
 }
 
 Input input_of(const std::string& lines, std::size_t size, std::vector<std::string> groups = {}) {
@@ -143,10 +143,10 @@ TEST(Curves, an_input_that_cannot_break_is_not_read_to_its_end) {
 
 TEST(Curves, faults_of_all_curves_are_one_error_in_the_order_of_their_lines) {
   EXPECT_EQ(refusal_of([] { curves_of(input_of("0 1 a\n5 2 b\n0 3 a\n4 4 b\n", 2, {"g"})); }),
-            "f:3: error: time 0 repeats the time 0 in line 1; expected increasing times; remove one of them, or "
+            "f:3: error: time 0 repeats the time 0 on line 1; expected increasing times; remove one of the keys, or "
             "give --duplicates first, last or break\n"
-            "f:4: error: time 4 is less than the time 5 in line 2; expected increasing times; sort the rows by "
-            "time, give --sort, or give --parameter uniform if the keys have no times");
+            "f:4: error: time 4 is less than the time 5 on line 2; expected increasing times; sort the keys by "
+            "time, or give --sort, or give --parameter uniform if the keys have no times");
 }
 
 TEST(Curves, sorting_without_times_is_refused) {
@@ -155,7 +155,7 @@ TEST(Curves, sorting_without_times_is_refused) {
   EXPECT_EQ(refusal_of([&] {
               Curves(input, {Duplicates::error, true}, false);
             }),
-            "f: error: --sort orders rows by time, and there is no time column; remove it, or name the column with "
+            "f: error: --sort orders rows by time, but there is no time column; remove it, or name the column with "
             "--columns time=NAME");
 }
 

@@ -37,7 +37,7 @@ TEST(Checked, requires_as_many_keys_as_the_request_needs) {
   EXPECT_EQ(refusal_of([] {
               drain(checked(blocks({{0, 1}}, 1), 2));
             }),
-            "f:1: error: only 1 key; a curve needs at least two; add keys");
+            "f:1: error: there is only one key; a curve needs at least two; add keys");
   EXPECT_EQ(refusal_of([] { drain(checked(blocks({{0, 1}}, 1), 1)); }), "nothing");
 }
 
@@ -51,7 +51,7 @@ TEST(Checked, requires_ease_from_0_to_1) {
   };
   EXPECT_EQ(refusal_of([&] { drain(checked(eased(1), 2)); }), "nothing");
   EXPECT_EQ(refusal_of([&] { drain(checked(eased(1.5), 2)); }),
-            "f:2: error: ease_in is 1.5; expected 0 to 1; correct it, or give --no-ease");
+            "f:2: error: ease_in is 1.5; expected a number from 0 to 1; correct it, or give --no-ease");
 }
 
 TEST(Parameterized, makes_times_from_distances) {
@@ -73,8 +73,8 @@ TEST(Parameterized, refuses_neighbours_at_the_same_position) {
       refusal_of([] {
         drain(parameterized(blocks({{0, 1}, {0, 1}}, 1, false), 1, {}));
       }),
-      "f:2: error: the position repeats that of line 1; times are made from distances, and here the distance is 0; "
-      "remove one of the rows, or give --parameter uniform");
+      "f:2: error: the position repeats the one on line 1, so the distance from which the time is made is 0; expected "
+      "different positions; remove one of the rows, or give --parameter uniform");
 }
 
 TEST(Parameterized, refuses_a_step_that_rounding_loses) {
@@ -82,7 +82,7 @@ TEST(Parameterized, refuses_a_step_that_rounding_loses) {
               drain(parameterized(blocks({{0, 0}, {0, 1e300}, {0, 0}, {0, 1}}, 1, false), 1, {}));
             }),
             "f:4: error: the distance makes a step of 1, which is lost when it is added to the time 2e+300; expected "
-            "times that doubles distinguish; give a smaller exponent to --parameter");
+            "times that doubles can distinguish; give a smaller exponent to --parameter");
 }
 
 TEST(WithoutEase, drops_the_ease_of_all_keys) {

@@ -60,7 +60,7 @@ TEST(Velocities, are_not_needed_where_a_channel_has_no_position) {
 
 TEST(Velocities, exclude_equal_speed) {
   EXPECT_EQ(error_with({1, 2}, {{1, 1}, {1, 1}}, true),
-            "f: error: --equal-speed would change velocities, which are given; expected one of the two; remove "
+            "f: error: the keys have velocities, which --equal-speed would change; expected one of the two; remove "
             "--equal-speed");
 }
 

@@ -63,14 +63,15 @@ TEST(ChannelRoles, a_velocity_of_no_channel_is_a_channel) {
   EXPECT_THAT(columns.channels, ElementsAre("q_v", "x", "x_v_v", "t_v"));
   EXPECT_THAT(find({"t", "q_v", "tension_q_v"}).channels, ElementsAre("q_v"));
   EXPECT_THAT(find({"t", "x", "x_v"}, "position=x:x_v").channels, ElementsAre("x", "x_v"));
-  EXPECT_THAT(error_in({"t", "x", "q_vin"}), HasSubstr("column \"q_vin\" is for a channel \"q\""));
+  EXPECT_THAT(error_in({"t", "x", "q_vin"}), HasSubstr("column \"q_vin\" belongs to a channel \"q\""));
 }
 
 TEST(ChannelRoles, velocities_are_whole_and_without_tension) {
-  EXPECT_THAT(error_in({"t", "x", "x_vin"}), HasSubstr("\"x_vin\" without \"x_vout\"; expected both"));
-  EXPECT_THAT(error_in({"t", "x", "x_vout"}), HasSubstr("\"x_vout\" without \"x_vin\"; expected both"));
-  EXPECT_THAT(error_in({"t", "x", "x_v", "x_vin"}), HasSubstr("\"x_v\" and \"x_vin\": two velocities of one side"));
-  EXPECT_THAT(error_in({"t", "x", "y", "x_v", "bias_x"}), HasSubstr("\"x_v\" and \"bias_x\": a given velocity"));
+  EXPECT_THAT(error_in({"t", "x", "x_vin"}), HasSubstr("there is no \"x_vout\" for the other side"));
+  EXPECT_THAT(error_in({"t", "x", "x_vout"}), HasSubstr("there is no \"x_vin\" for the other side"));
+  EXPECT_THAT(error_in({"t", "x", "x_v", "x_vin"}), HasSubstr("\"x_v\" and \"x_vin\" both give the velocity"));
+  EXPECT_THAT(error_in({"t", "x", "y", "x_v", "bias_x"}),
+              HasSubstr("\"x_v\" gives velocities, so \"bias_x\" has no effect"));
   EXPECT_THAT(error_in({"t", "x", "x_v", "C"}), HasSubstr("the column of continuity has no effect"));
   EXPECT_THAT(find({"t", "x", "y", "x_v", "C", "bias_y"}).channels, ElementsAre("x", "y"));
 }
@@ -103,13 +104,16 @@ TEST(ChannelRoles, a_channel_may_have_such_a_name_where_it_is_requested) {
 }
 
 TEST(ChannelRoles, an_unknown_channel_is_an_error) {
-  EXPECT_THAT(error_in({"t", "x", "y", "tension_q"}),
-              HasSubstr("column \"tension_q\" is for a channel \"q\", which does not exist; the channels are x, y"));
+  EXPECT_THAT(
+      error_in({"t", "x", "y", "tension_q"}),
+      HasSubstr(
+          "column \"tension_q\" belongs to a channel \"q\" by its name, but there is none; the channels are x, y"));
   EXPECT_THAT(error_in({"t", "x", "tension_t"}), HasSubstr("a channel \"t\""));
-  EXPECT_THAT(error_in({"t", "x", "k"}, "bias_q=k"), HasSubstr("bias_q is for a channel \"q\", which does not exist"));
+  EXPECT_THAT(error_in({"t", "x", "k"}, "bias_q=k"),
+              HasSubstr("the role bias_q belongs to a channel \"q\", but there is none"));
   EXPECT_THAT(error_in({"t", "x", "a", "b"}, "tension_x=a:b"),
-              HasSubstr("two columns could be the tension_x column, the second is \"b\""));
-  EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("two columns could be the tension_x column"));
+              HasSubstr("a second column, \"b\", has the role tension_x"));
+  EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("has the role tension_x"));
 }
 
 TEST(ChannelRoles, rows_may_be_segments) {
@@ -125,7 +129,7 @@ TEST(ChannelRoles, rows_may_be_segments) {
   EXPECT_FALSE(find({"start", "duration", "x_p0", "x_p1"}).are_segments);
   EXPECT_FALSE(find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1"}, "time=start").are_segments);
   const Names incomplete{"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "y_p0"};
-  EXPECT_THAT(error_in(incomplete), HasSubstr("\"y_p0\" without \"y_v0\"; expected both, where rows are segments"));
+  EXPECT_THAT(error_in(incomplete), HasSubstr("segments and have a column \"y_p0\", but no \"y_v0\"; expected both"));
   EXPECT_THAT(find(incomplete, "ignore=y_p0").channels, ElementsAre("x"));
   EXPECT_THAT(error_in({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "x_p0"}),
               HasSubstr("two columns are called \"x_p0\""));
@@ -136,7 +140,7 @@ TEST(ChannelRoles, near_misses_are_errors) {
                 const Names header{"t", "x", "tensoin_x"};
                 require_no_near_miss(header, find(header), {}, false);
               }),
-              HasSubstr("column \"tensoin_x\" is close to \"tension_x\""));
+              HasSubstr("column \"tensoin_x\" would be a channel, but its name is close to the role tension_x"));
   EXPECT_EQ(near_channel_role("x_tension", {"x"}), (ChannelRole{Role::channel_tension, "x"}));
   EXPECT_EQ(near_channel_role("Bais_Pos_X", {"y", "pos_x"}), (ChannelRole{Role::channel_bias, "pos_x"}));
   for (const char* name : {"tensor_x", "tensoin_y", "x_T", "x", "x_", "_x", "x_y", "time_x"}) {

@@ -99,7 +99,7 @@ TEST(Columns, role_requests_are_parsed) {
 TEST(Columns, role_requests_without_a_role_or_columns_are_errors) {
   for (const std::string part : {"time", "time=", "=x", "place=x", ""}) {
     EXPECT_EQ(error_of([&] { parse_roles("bias=b," + part); }),
-              "usage: f: error: --columns: \"" + part +
+              "usage: f: error: \"" + part +
                   "\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
                   "bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
                   "ease_out=, group=, carry= or ignore=; for example --columns time=frame,position=px:py");
@@ -108,21 +108,22 @@ TEST(Columns, role_requests_without_a_role_or_columns_are_errors) {
 
 TEST(Columns, missing_and_repeated_columns_are_errors_with_a_remedy) {
   EXPECT_FALSE(find({"a", "x"}).has(Role::time)) << "times may be made from positions";
-  EXPECT_EQ(error_of([] {
-              find({"t", "bias"});
-            }),
-            "f: error: no position column; expected at least one column of numbers besides the time; name it with "
-            "--columns position=NAME");
+  EXPECT_EQ(
+      error_of([] {
+        find({"t", "bias"});
+      }),
+      "f: error: there is no position column; expected at least one column of numbers besides the time; name it with "
+      "--columns position=NAME");
   EXPECT_EQ(error_of([] {
               find({"t", "x", "frame"});
             }),
-            "f: error: two columns could be the time column, the second is \"frame\"; expected one; choose with "
-            "--columns");
+            "f: error: a second column, \"frame\", has the role time; expected one column with it; choose one with "
+            "--columns time=NAME");
   EXPECT_EQ(error_of([] {
               find({"t", "x", "y"}, "tension=x:y");
             }),
-            "f: error: two columns could be the tension column, the second is \"y\"; expected one; choose with "
-            "--columns");
+            "f: error: a second column, \"y\", has the role tension; expected one column with it; choose one with "
+            "--columns tension=NAME");
   EXPECT_EQ(error_of([] {
               find({"t", "x"}, "position=x:x");
             }),
@@ -133,10 +134,11 @@ TEST(Columns, a_column_that_does_not_exist_is_an_error_with_those_that_do) {
   EXPECT_EQ(error_of([] {
               find({"t", "x"}, "position=y");
             }),
-            "f: error: no column \"y\"; the columns are t, x; correct --columns");
+            "f: error: --columns: there is no column \"y\"; expected one of t, x; correct the name");
   for (const char* number : {"0", "3", "-1", "1x"}) {
     EXPECT_EQ(error_of([&] { find_without_header(2, std::string("position=") + number); }),
-              std::string("f: error: no column ") + number + "; there are 2, without names; give numbers from 1 to 2");
+              std::string("f: error: --columns: there is no column \"") + number +
+                  "\"; the columns have no names; expected a number from 1 to 2; correct it");
   }
 }
 

@@ -42,7 +42,7 @@ TEST(RotationsByName, four_names_that_differ_in_a_letter_after_a_q) {
                 rotations("t,a,b,c,d,e,f,g,h",
                           {.requests = {{{}, false, {"a", "b", "c", "d"}}, {{}, false, {"d", "e", "f", "g"}}}});
               }),
-              HasSubstr("\"d\" is in two rotations"));
+              HasSubstr("column \"d\" is used twice"));
   EXPECT_THAT(error_of([&] {
                 rotations("t,a,b,c,d,e,f,g,h", {.requests = {{{}, false, {"a", "b", "c", "z"}}}});
               }),
@@ -58,7 +58,10 @@ TEST(RotationColumns, are_requested_by_the_numbers_of_columns) {
   EXPECT_EQ(input.rotations.at(0).channels, (spline::RotationChannels{3, 4, 5, 6}));
   EXPECT_THAT(input.given_rotations[0].columns, ElementsAre("p4", "p5", "p6", "p7"));
   EXPECT_THAT(error_of([&] { opened(tum, quaternion({"1", "6", "7", "8"})); }), HasSubstr("column 1 is the time"));
-  EXPECT_THAT(error_of([&] { opened(tum, quaternion({"5", "6", "7", "9"})); }), HasSubstr("no column 9; there are 8"));
+  EXPECT_THAT(error_of([&] {
+                opened(tum, quaternion({"5", "6", "7", "9"}));
+              }),
+              HasSubstr("no column \"9\"; expected one of"));
   EXPECT_EQ(opened(tum, {.angles = {{"8", true}}}).angles.at(0).channel, 6U);
   const std::string named = "6,t,a,b,c,d,e\n0,0,0,0,0,0,1\n0,1,0,0,0,0,1\n";
   EXPECT_EQ(opened(named, quaternion({"6", "3", "4", "7"})).rotations.at(0).channels,

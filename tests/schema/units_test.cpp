@@ -57,18 +57,19 @@ TEST(Units, channels_are_scaled_from_their_decimals) {
                 const auto keys = opened("t,x\n0,3\n1,2\n", options).keys();
                 throw keys->faults.at(0);
               }),
-              HasSubstr("x: \"3\" is not a finite double"));
+              HasSubstr("x: \"3\" is beyond the range of doubles"));
 }
 
 TEST(Units, that_contradict_the_name_are_refused) {
   InputOptions options;
   options.time_unit = TimeUnit::ms;
-  EXPECT_THAT(error_of([&] { opened("time_ns,x\n0,1\n1,2\n", options); }), HasSubstr("in ns by its name, but in ms"));
+  EXPECT_THAT(error_of([&] { opened("time_ns,x\n0,1\n1,2\n", options); }),
+              HasSubstr("in ms by this option, but in ns"));
   EXPECT_EQ(opened("t,x\n0,1\n1,2\n", options).time_unit, TimeUnit::ms);
   options = {};
   options.input_rate = 24;
   EXPECT_THAT(error_of([&] { opened("time_ns,x\n0,1\n1,2\n", options); }),
-              HasSubstr("in ns by its name, but in frames"));
+              HasSubstr("in frames by this option, but in ns"));
   options.timeless = true;
   EXPECT_THAT(error_of([&] { opened("x,y\n0,1\n1,2\n", options); }), HasSubstr("no time column"));
 }

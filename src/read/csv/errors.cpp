@@ -58,8 +58,8 @@ Error header_unclear(std::string_view text_cell, std::string_view number_cell) {
 }
 
 Error row_unlike_header(std::size_t cells, std::size_t names) {
-  return {Exit::data, fmt::format("the first row has {} cells, but the header has {} names; expected as many cells as "
-                                  "names; correct one of them, or give the delimiter with {}",
+  return {Exit::data, fmt::format("the number of cells in the first row is {}, but {} in the header; expected the same "
+                                  "number; correct one of them, or give the delimiter with {}",
                                   cells, names, option::delimiter)};
 }
 
@@ -90,8 +90,8 @@ Error text_after_quotes() {
 }
 
 Error wrong_number_of_cells(std::size_t cells, std::size_t expected) {
-  return {Exit::data, fmt::format("the number of cells in the row is {}, but {} in the rows above; expected as many; "
-                                  "complete or correct the row, or give the delimiter with {}",
+  return {Exit::data, fmt::format("the number of cells in the row is {}, but {} in the rows above; expected the same "
+                                  "number; complete or correct the row, or give the delimiter with {}",
                                   cells, expected, option::delimiter)};
 }
 

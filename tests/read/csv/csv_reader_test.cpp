@@ -49,12 +49,11 @@ TEST(Csv, a_cell_that_is_not_a_number_is_an_error_at_its_character) {
   EXPECT_EQ(
       read("t,x,C,B\n0,1,0,0\n1,1,c,0\n"),
       "f:3:5: error: continuity: \"c\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
-  EXPECT_EQ(
-      read("t,x,C,B\n0,1,0,0\n1,1,0,1e999\n"),
-      "f:3:7: error: bias: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
-  EXPECT_EQ(
-      read("frame,x\n0,1\nNaN,1\n"),
-      "f:3:1: error: frame: \"NaN\" where a number was expected; fill it in, or give --missing skip-row or break");
+  EXPECT_EQ(read("t,x,C,B\n0,1,0,0\n1,1,0,1e999\n"),
+            "f:3:7: error: bias: \"1e999\" is beyond the range of doubles; expected less than 1.8e308 in size; correct "
+            "the cell");
+  EXPECT_EQ(read("frame,x\n0,1\nNaN,1\n"),
+            "f:3:1: error: frame: \"NaN\" where a time was expected; fill it in, or give --missing skip-row or break");
 }
 
 TEST(Csv, a_tiny_number_is_not_too_large) { EXPECT_EQ(read("t,x\n0,1e-400\n1,2\n"), "t x\n2: 0 0\n3: 1 2\n"); }
@@ -67,22 +66,26 @@ TEST(Csv, long_text_is_cut_between_characters_in_messages) {
 }
 
 TEST(Csv, rows_of_another_length_are_errors) {
-  const std::string remedy = "; complete or correct the row, or give the delimiter with -d";
-  EXPECT_EQ(read("t,x\n0,1\n1,2,3\n"),
-            "f:3:5: error: the row has 3 where the rows above have 2; expected the same number of cells" + remedy);
-  EXPECT_EQ(read("t,x\n0,1\n1\n"),
-            "f:3:1: error: the row has 1 where the rows above have 2; expected the same number of cells" + remedy);
+  const std::string remedy = "; complete or correct the row, or give the delimiter with --delimiter";
+  EXPECT_EQ(
+      read("t,x\n0,1\n1,2,3\n"),
+      "f:3:5: error: the number of cells in the row is 3, but 2 in the rows above; expected the same number" + remedy);
+  EXPECT_EQ(
+      read("t,x\n0,1\n1\n"),
+      "f:3:1: error: the number of cells in the row is 1, but 2 in the rows above; expected the same number" + remedy);
   EXPECT_EQ(read("t,x\n\n0,1,2\n"),
-            "f:3:1: error: the first row has 3 where the header has 2; expected the same number; correct one of them, "
+            "f:3:1: error: the number of cells in the first row is 3, but 2 in the header; expected the same number; "
+            "correct one of them, "
             "or give the "
-            "delimiter with -d");
+            "delimiter with --delimiter");
 }
 
 TEST(Csv, one_cell_is_not_called_cells) {
   EXPECT_EQ(read("t,x\n0\n"),
-            "f:2:1: error: the first row has 1 where the header has 2; expected the same number; correct one of them, "
+            "f:2:1: error: the number of cells in the first row is 1, but 2 in the header; expected the same number; "
+            "correct one of them, "
             "or give the "
-            "delimiter with -d");
+            "delimiter with --delimiter");
 }
 
 // The result does not depend on how the bytes arrive.
@@ -101,9 +104,8 @@ TEST(Csv, missing_numbers_are_treated_as_requested) {
   options.missing = Missing::skip_cell;
   options.tcb = {0.25, 0, 0};
   EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n3: 1 nan nan [0.25 0 0]\n4: 2 3 nan [1 0 0]\n");
-  EXPECT_EQ(
-      read("t,x\n0,1\n,2\n", options),
-      "f:3:1: error: t: an empty cell where a number was expected; fill it in, or give --missing skip-row or break")
+  EXPECT_EQ(read("t,x\n0,1\n,2\n", options),
+            "f:3:1: error: t: an empty cell where a time was expected; fill it in, or give --missing skip-row or break")
       << "a time cannot be skipped alone";
 }
 
@@ -111,17 +113,18 @@ TEST(Csv, keys_have_the_texts_of_groups_and_labels) {
   EXPECT_EQ(read("id,t,x,l\n7,0,1,\"a \"\"b\"\"\"\n-07,1,2,\n", with_columns("group=id,carry=l")),
             "t x\n2: 0 1 <7> <\"a \"b\">\n3: 1 2 <\"-07> <\">\n")
       << "a whole number is no string";
-  EXPECT_EQ(
-      read("t,x,l\n0,1,\xFC\n", with_columns("carry=l")),
-      "f:2:5: error: \"\\xFC\": the byte FC is not UTF-8; expected UTF-8; convert the text, for example with iconv");
+  EXPECT_EQ(read("t,x,l\n0,1,\xFC\n", with_columns("carry=l")),
+            "f:2:5: error: \"\\xFC\" has the byte FC, which is not UTF-8; expected UTF-8; convert the text, for "
+            "example with iconv");
 }
 
 TEST(Csv, faults_do_not_end_the_reading) {
   EXPECT_EQ(read("t,x\n0,o\n1,2,3\n2,1\np,q\n"),
             "f:2:3: error: x: \"o\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
-            "f:3:5: error: the row has 3 where the rows above have 2; expected the same number of cells; complete or "
+            "f:3:5: error: the number of cells in the row is 3, but 2 in the rows above; expected the same number; "
+            "complete or "
             "correct the row, or give the "
-            "delimiter with -d\n"
+            "delimiter with --delimiter\n"
             "f:5:1: error: t: \"p\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
             "f:5:3: error: x: \"q\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
 }
@@ -178,11 +181,11 @@ class RandomCsv {
 TEST(Csv, the_text_before_a_nul_is_read_first) {
   using namespace std::string_literals;
   for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
-    EXPECT_EQ(
-        read("t,x\n0,1\n1,a\n2,\0"s, {}, piece),
-        "f:3:3: error: x: \"a\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
-        "f:4:3: error: a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t "
-        "UTF-8");
+    EXPECT_EQ(read("t,x\n0,1\n1,a\n2,\0"s, {}, piece),
+              "f:3:3: error: x: \"a\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
+              "f:4:3: error: this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f "
+              "UTF-16 -t "
+              "UTF-8");
   }
 }
 

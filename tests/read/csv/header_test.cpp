@@ -25,18 +25,19 @@ TEST(Header, without_a_header_time_comes_first) {
 
 TEST(Header, the_first_record_is_a_header_if_a_cell_in_it_is_not_a_number) {
   EXPECT_EQ(read("1,t\n2,3\n"), "t 1\n2: 3 2\n");
-  EXPECT_EQ(read("0,inf\n1,2\n"),
-            "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
+  EXPECT_EQ(
+      read("0,inf\n1,2\n"),
+      "f:1:3: error: x: \"inf\" is beyond the range of doubles; expected less than 1.8e308 in size; correct the cell");
   EXPECT_EQ(read("0,NA\n1,2\n"),
             "f:1:3: error: x: \"NA\" where a number was expected; fill it in, or give --missing skip-row, skip-cell or "
             "break");
 }
 
 TEST(Header, a_first_record_of_text_and_numbers_without_a_known_name_is_an_error) {
-  EXPECT_EQ(
-      read("0,1x\n1,2\n"),
-      "f:1:1: error: the first record has text, \"1x\", and a number, \"0\"; expected only names or only numbers; give "
-      "--header if they are names, --no-header if they are not");
+  EXPECT_EQ(read("0,1x\n1,2\n"),
+            "f:1:1: error: the first record has both text, \"1x\", and a number, \"0\"; expected only names or only "
+            "numbers; give "
+            "--header if they are names, --no-header if they are not");
   EXPECT_EQ(read("t,2019,2020\n0,1,2\n"), "t 2019 2020\n2: 0 1 2\n") << "years are names where there is a known one";
   EXPECT_EQ(read("a,2019\n0,1\n", with_columns("time=a")), "a 2019\n2: 0 1\n") << "or a requested one";
 }
@@ -44,8 +45,8 @@ TEST(Header, a_first_record_of_text_and_numbers_without_a_known_name_is_an_error
 TEST(Header, carriage_returns_alone_end_no_lines) {
   EXPECT_EQ(
       read("t,x\r0,1\r1,2\r"),
-      "f:1:1: error: no keys: there is one line, with carriage returns in it; expected a line for each key; change "
-      "them to line feeds, for example with tr");
+      "f:1:1: error: there are no keys, as the input is one line with carriage returns in it; expected a line for "
+      "each key; change them to line feeds, as in tr '\\r' '\\n'");
 }
 
 TEST(Header, a_header_may_be_forced_or_denied) {
@@ -91,18 +92,20 @@ TEST(Header, names_may_be_quoted_from_the_first_on) {
 
 TEST(Header, an_input_without_keys_is_an_error) {
   for (const char* text : {"", "\n \n", "# t,x\n", "\xEF\xBB\xBF"}) {
-    EXPECT_EQ(read(text), "f: error: no keys: the input is empty; expected a row for each key; see --help") << text;
+    EXPECT_EQ(read(text), "f: error: there are no keys, as the input is empty; expected a row for each key; see --help")
+        << text;
   }
   EXPECT_EQ(read("\nt,x\n"),
-            "f:2:1: error: no keys: there is a header and no row; expected a row for each key; see --help");
+            "f:2:1: error: there are no keys, as no row follows the header; expected a row for each key; see --help");
 }
 
 TEST(Header, missing_columns_are_errors) {
-  EXPECT_EQ(read("0\n1\n"),
-            "f:1: error: no position column; expected at least one column of numbers besides the time; name it with "
-            "--columns position=NAME");
+  EXPECT_EQ(
+      read("0\n1\n"),
+      "f:1: error: there is no position column; expected at least one column of numbers besides the time; name it with "
+      "--columns position=NAME");
   EXPECT_EQ(read("t,x\n0,1\n", with_columns("position=y")),
-            "f:1: error: no column \"y\"; the columns are t, x; correct --columns");
+            "f:1: error: --columns: there is no column \"y\"; expected one of t, x; correct the name");
 }
 
 TEST(Header, the_chunks_after_the_header_begin_with_the_first_key) {
@@ -119,8 +122,8 @@ TEST(Header, the_chunks_after_the_header_begin_with_the_first_key) {
 
 TEST(Header, two_columns_of_one_name_are_an_error_unless_they_are_chosen_by_number) {
   EXPECT_EQ(read("t,x,x\n0,1,2\n"),
-            "f:1: error: two columns are called \"x\"; expected different names; rename one, or choose by number with "
-            "--columns");
+            "f:1: error: two columns are called \"x\"; expected different names; rename one, or choose columns by "
+            "number with --columns");
   EXPECT_EQ(read("t,x,x\n0,1,2\n", with_columns("position=3")), "t x\n2: 0 2\n");
 }
 

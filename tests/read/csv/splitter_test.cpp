@@ -151,7 +151,7 @@ TEST(SplitDelimited, a_quote_left_open_is_an_error_at_64_mib) {
         while (source()) {
         }
       }),
-      "f:2:1: error: a record of more than 64 MiB; expected a line for each key; break the lines, or close a quote "
+      "f:2:1: error: a record has more than 64 MiB; expected a line for each key; break the lines, or close a quote "
       "that was left open");
 }
 

@@ -48,8 +48,8 @@ TEST(Tokenizer, a_record_of_too_many_cells_is_skipped) {
   EXPECT_TRUE(tokenizer.next(cells));
   EXPECT_EQ(cells.size(), most_cells);
   EXPECT_EQ(error_of([&] { tokenizer.next(cells); }),
-            "f:2:1: error: a record of more than 1048576 cells; expected fewer; correct the row, or give the delimiter "
-            "with -d");
+            "f:2:1: error: the record has more than 1048576 cells; expected at most 1048576; correct the row, or give "
+            "the delimiter with --delimiter");
   EXPECT_TRUE(tokenizer.next(cells));
   EXPECT_THAT(cells, ElementsAre("1", "2"));
 }
@@ -125,9 +125,10 @@ TEST(Tokenizer, lines_offsets_and_positions_count_from_the_chunk) {
 TEST(Tokenizer, misplaced_quotes_are_errors_at_their_position) {
   EXPECT_EQ(error_of([] { table("0,1\né,\"2\n3"); }),
             "f:2:3: error: a quoted cell is not closed; expected \" at its end; add it");
-  EXPECT_EQ(error_of([] { table("é,\"a\" b\n"); }),
-            "f:1:7: error: text after a quoted cell; expected the delimiter or the end of the line; double the quotes "
-            "inside a cell");
+  EXPECT_EQ(
+      error_of([] { table("é,\"a\" b\n"); }),
+      "f:1:7: error: text follows a quoted cell; expected the delimiter or the end of the line; double the quotes "
+      "inside a cell");
 }
 
 }  // namespace
