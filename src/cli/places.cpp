@@ -100,7 +100,7 @@ std::string text_of(const Rational& value) {
 GroupedPlaces read_places(const PlaceColumn& column, const Job& job) {
   InputOptions options;
   options.samples = SampleNames{column.name, group_names(job)};
-  options.samples->times_only = option_name(column.option);
+  options.samples->times_only = row_of(column.option).long_name();
   options.input_rate = job.input.input_rate;
   const Input input = open_input(column.path, read_file(column.path), options);
   const Source<KeyBlock> keys = without_faults(input.keys, false);

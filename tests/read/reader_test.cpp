@@ -51,7 +51,7 @@ TEST(OpenInput, a_byte_order_mark_is_not_part_of_the_first_cell) {
               "f:2:1: error: a quoted cell is not closed; expected \" at its end; add it");
     EXPECT_EQ(
         read(mark + "0,inf\n1,2\n", {}, piece),
-        "f:1:3: error: x: \"inf\" is beyond the range of doubles; expected less than 1.8e308 in size; correct the cell")
+        "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell")
         << "characters are counted without it";
   }
   EXPECT_NE(read("t," + mark + "x\n0,1\n"), csv_keys) << "it is one only at the beginning";

@@ -57,7 +57,7 @@ TEST(Units, channels_are_scaled_from_their_decimals) {
                 const auto keys = opened("t,x\n0,3\n1,2\n", options).keys();
                 throw keys->faults.at(0);
               }),
-              HasSubstr("x: \"3\" is beyond the range of doubles"));
+              HasSubstr("x: \"3\" is not a finite double"));
 }
 
 TEST(Units, that_contradict_the_name_are_refused) {

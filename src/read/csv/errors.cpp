@@ -144,7 +144,7 @@ Error number_with_thousands(std::string_view column, std::string_view cell) {
 }
 
 Error number_beyond_doubles(std::string_view column, std::string_view cell) {
-  return {Exit::data, fmt::format("{}: {} is beyond the range of doubles; expected less than 1.8e308 in size; correct "
+  return {Exit::data, fmt::format("{}: {} is not a finite double; expected less than 1.8e308 in size; correct "
                                   "the cell",
                                   column, in_quotes(cell))};
 }

@@ -50,7 +50,7 @@ TEST(Csv, a_cell_that_is_not_a_number_is_an_error_at_its_character) {
       read("t,x,C,B\n0,1,0,0\n1,1,c,0\n"),
       "f:3:5: error: continuity: \"c\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
   EXPECT_EQ(read("t,x,C,B\n0,1,0,0\n1,1,0,1e999\n"),
-            "f:3:7: error: bias: \"1e999\" is beyond the range of doubles; expected less than 1.8e308 in size; correct "
+            "f:3:7: error: bias: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct "
             "the cell");
   EXPECT_EQ(read("frame,x\n0,1\nNaN,1\n"),
             "f:3:1: error: frame: \"NaN\" where a time was expected; fill it in, or give --missing skip-row or break");
