@@ -1,4 +1,4 @@
-// Earlier outputs: their provenance in comment lines; that in JSON is read in read/json/settings.cpp.
+// Earlier outputs: their provenance in comment lines; that in JSON is read in read/json/provenance.cpp.
 #include "read/earlier_output.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "read/errors.hpp"
-#include "read/json/json_input.hpp"
+#include "read/json/provenance.hpp"
 
 namespace tcb {
 namespace {

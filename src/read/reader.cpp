@@ -9,7 +9,7 @@
 #include "io/compression.hpp"
 #include "read/csv/delimited_text.hpp"
 #include "read/errors.hpp"
-#include "read/json/json_input.hpp"
+#include "read/json/shapes.hpp"
 #include "schema/input.hpp"
 
 namespace tcb {

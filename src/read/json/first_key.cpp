@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
+#include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
 
 namespace tcb {
@@ -17,8 +18,8 @@ namespace {
 class FirstKeyReader : public JsonObjectReader {
  public:
   /// `texts` are the members that are requested as texts, `signs` those of missing numbers.
-  FirstKeyReader(const Chunk& chunk, std::vector<std::string> texts, std::vector<std::string> signs)
-      : JsonObjectReader(chunk), texts_(std::move(texts)), signs_(std::move(signs)) {}
+  FirstKeyReader(const JsonPart& part, std::vector<std::string> texts, std::vector<std::string> signs)
+      : JsonObjectReader(part), texts_(std::move(texts)), signs_(std::move(signs)) {}
   std::vector<FoundMember> members;
 
   /// Where the key begins.
@@ -26,7 +27,7 @@ class FirstKeyReader : public JsonObjectReader {
 
  private:
   bool on_member(const std::string& name) override {
-    if (!names_.insert(name).second) throw value_error(ErrorCode::json_member_repeats);
+    if (!names_.insert(name).second) throw at_value(json::member_repeats());
     members.push_back({.name = name, .path = path(), .position = value_position()});
     return true;
   }
@@ -38,7 +39,7 @@ class FirstKeyReader : public JsonObjectReader {
   }
   bool on_nested() override {
     if (!in_array() && !is_requested_text() && role_of_name(members.back().name) != Role::position) {
-      throw value_error(ErrorCode::json_single_number_expected);
+      throw at_value(json::single_number_expected());
     }
     members.back().nested = true;
     return note(false);
@@ -55,8 +56,7 @@ class FirstKeyReader : public JsonObjectReader {
     }
     if (has_role && is_sign && !in_array() && !is_requested_text()) return count();  // refused later, unless allowed
     const bool needs_number = has_role || (!is_sign && looks_numeric(text));
-    if (!in_array() && !is_requested_text() && needs_number)
-      throw value_error(ErrorCode::json_not_a_number, {std::string(text)});
+    if (!in_array() && !is_requested_text() && needs_number) throw at_value(json::not_a_number(text));
     return note(true);
   }
   bool on_key_start() override {
@@ -92,7 +92,7 @@ class FirstKeyReader : public JsonObjectReader {
 /// Finds members that are texts in the first key, but numbers in one of the first keys.
 class LaterKeys : public JsonObjectReader {
  public:
-  LaterKeys(const Chunk& chunk, const std::vector<std::string>& signs) : JsonObjectReader(chunk), signs_(signs) {}
+  LaterKeys(const JsonPart& part, const std::vector<std::string>& signs) : JsonObjectReader(part), signs_(signs) {}
 
   /// Whether it has a number in some key, or only signs of missing numbers.
   bool holds_numbers(const std::string& member) const {
@@ -127,9 +127,9 @@ class LaterKeys : public JsonObjectReader {
 };
 
 /// Members that are texts in the first key may hold numbers.
-void find_missing_numbers(std::vector<FoundMember>& members, const Chunk& chunk, const InputOptions& options) {
+void find_missing_numbers(std::vector<FoundMember>& members, const JsonPart& part, const InputOptions& options) {
   if (std::ranges::none_of(members, &FoundMember::text)) return;
-  LaterKeys keys(chunk, options.signs);
+  LaterKeys keys(part, options.signs);
   try {
     keys.parse();
   } catch (const Error&) {  // thrown again when the keys are read
@@ -165,9 +165,8 @@ void require_quaternion(const std::vector<FoundMember>& members) {
   if (first == members.end() || has_quaternion(members)) return;
   const bool is_array = first->array && !first->nested;
   if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
-  throw Error(Exit::data, is_array ? ErrorCode::json_rotation_size : ErrorCode::json_rotation_members,
-              {first->path, std::uint64_t{first->numbers}})
-      .at(first->position);
+  const Error fault = is_array ? json::rotation_size(first->numbers) : json::rotation_members();
+  throw fault.about(first->path).at(first->position);
 }
 
 std::vector<std::string> quaternion_columns(const FoundMember& member) {
@@ -178,16 +177,16 @@ std::vector<std::string> quaternion_columns(const FoundMember& member) {
   return names;
 }
 
-FirstKey read_first_key(const Chunk& chunk, const InputOptions& options) {
+FirstKey read_first_key(const JsonPart& part, const InputOptions& options) {
   std::vector<std::string> texts;
   for (const RoleRequest& role : options.roles) {
     if (role.role == Role::group || role.role == Role::carry) {
       texts.insert(texts.end(), role.columns.begin(), role.columns.end());
     }
   }
-  FirstKeyReader first(chunk, std::move(texts), options.signs);
+  FirstKeyReader first(part, std::move(texts), options.signs);
   first.parse();
-  find_missing_numbers(first.members, chunk, options);
+  find_missing_numbers(first.members, part, options);
   return {std::move(first.members), first.position()};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "read/json/splitter.hpp"
 #include "schema/input.hpp"
 
 namespace tcb {
@@ -47,8 +48,8 @@ void require_quaternion(const std::vector<FoundMember>& members);
 /// The columns of a member of a quaternion.
 std::vector<std::string> quaternion_columns(const FoundMember& member);
 
-/// Reads the first key of a chunk. A member with a text there holds numbers if one of the first keys has a number, or
+/// Reads the first key of a part. A member with a text there holds numbers if one of the first keys has a number, or
 /// all have signs of missing ones. Throws: Error (data).
-FirstKey read_first_key(const Chunk& chunk, const InputOptions& options);
+FirstKey read_first_key(const JsonPart& part, const InputOptions& options);
 
 }  // namespace tcb

@@ -1,13 +1,15 @@
 // Reader of JSON keys: from the members of key objects to keys.
+#include "read/json/key_reader.hpp"
+
 #include <algorithm>
 #include <utility>
 
-#include "error.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
-#include "read/json/json_input.hpp"
+#include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
 #include "read/key_builder.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -20,12 +22,12 @@ bool is_text(const Column& column) { return column.role == Role::group || column
 /// Passes the members of keys to the key builder, as cells.
 class KeyReader : public JsonObjectReader {
  public:
-  KeyReader(const Chunk& chunk, const JsonColumns& columns)
-      : JsonObjectReader(chunk),
+  KeyReader(const JsonPart& part, const JsonColumns& columns)
+      : JsonObjectReader(part),
         columns_(columns),
         signs_(columns.rules.signs),
         keys_(columns.columns, columns.rules),
-        path_(chunk.path),
+        path_(part.chunk.path),
         seen_(columns.members.size()) {}
 
   KeyBlock read() {
@@ -58,14 +60,14 @@ class KeyReader : public JsonObjectReader {
     }
     current_ = expected_ < members.size() ? &members[expected_] : nullptr;
     if (current_ == nullptr) return true;
-    if (seen_[expected_]) return add_value_fault(ErrorCode::json_member_repeats);
+    if (seen_[expected_]) return add_value_fault(json::member_repeats());
     seen_[expected_++] = true;
     return true;
   }
 
   bool on_number(const spline::Time<double>& value) override {
     if (current_ == nullptr) {  // an array is one fault
-      return (in_array() && element() > 0) || is_provenance_ || add_value_fault(ErrorCode::json_member_unknown);
+      return (in_array() && element() > 0) || is_provenance_ || add_value_fault(json::member_unknown());
     }
     if (current_->cells == 0) return true;
     if (current_->array != in_array()) return add_shape_fault();
@@ -86,13 +88,12 @@ class KeyReader : public JsonObjectReader {
     if (column->role == Role::time && is_quoted()) {
       if (keys_.set_time_in_words(*column, text)) return true;
       if (find_notation(text) || (!keys_.has_times_as_numbers() && !is_missing_sign(text, signs_))) {
-        return add_value_fault(columns_.rules.notation == find_notation(text) ? ErrorCode::no_such_time
-                                                                              : ErrorCode::time_in_other_notation,
-                               {std::string(text)});
+        return add_value_fault(columns_.rules.notation == find_notation(text) ? json::no_such_time(text)
+                                                                              : json::time_in_other_notation(text));
       }
     }
-    if (is_quoted() && is_missing_sign(text, signs_)) return on_missing(std::string(text));
-    return add_value_fault(ErrorCode::json_not_a_number, {std::string(text)});
+    if (is_quoted() && is_missing_sign(text, signs_)) return on_missing(text);
+    return add_value_fault(json::not_a_number(text));
   }
 
   bool on_null() override {
@@ -100,18 +101,15 @@ class KeyReader : public JsonObjectReader {
     if (column == nullptr || column->role == Role::carry) return true;
     if (current_->array && !in_array()) return add_shape_fault();
     if (keys_.miss(*column)) return true;
-    const bool is_time = column->role == Role::time;
-    return add_value_fault(is_text(*column) ? ErrorCode::json_null_group
-                           : is_time        ? ErrorCode::json_null_time
-                                            : ErrorCode::json_null_number);
+    return add_value_fault(is_text(*column) ? json::text_missing()
+                                            : json::number_missing("null", column->role == Role::time));
   }
 
   /// A sign of a missing number.
-  bool on_missing(const std::string& sign) {
+  bool on_missing(std::string_view sign) {
     const Column* const column = current_column();
     if (column == nullptr || keys_.miss(*column)) return true;
-    const bool is_time = column->role == Role::time;
-    return add_value_fault(is_time ? ErrorCode::json_missing_time : ErrorCode::json_missing_number, {sign});
+    return add_value_fault(json::number_missing(in_quotes(sign), column->role == Role::time));
   }
 
   std::string decimal_text(const spline::Time<double>& value) const {
@@ -130,7 +128,7 @@ class KeyReader : public JsonObjectReader {
     if (current_ == nullptr || current_->cells == 0) return true;
     if (!current_->array) return element() > 0 || add_shape_fault();
     if (element() == current_->cells) return true;
-    return add_value_fault(ErrorCode::json_array_size, {std::uint64_t{element()}, std::uint64_t{current_->cells}});
+    return add_value_fault(json::array_size(element(), current_->cells));
   }
 
   bool on_key_end() override {
@@ -170,7 +168,7 @@ class KeyReader : public JsonObjectReader {
 
   void store(const Column& column, const spline::Time<double>& value) {
     if (column.role == Role::time && !keys_.has_times_as_numbers()) {
-      add_value_fault(ErrorCode::time_in_other_notation, {decimal_text(value)});
+      add_value_fault(json::time_in_other_notation(decimal_text(value)));
       return;
     }
     switch (column.role) {
@@ -185,13 +183,13 @@ class KeyReader : public JsonObjectReader {
     }
     if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimal_text(value));
     if (keys_.scales() && !keys_.scale(column, decimal_text(value))) {
-      add_value_fault(ErrorCode::json_number_too_large, {decimal_text(value)});
+      add_value_fault(json::number_too_large(decimal_text(value)));
     }
   }
 
   /// Tension, continuity or bias: a member, or a number of "tcb", but not both.
   void store_once(unsigned number, const Column& column, double value) {
-    if (((tcb_given_ >> number) & 1U) != 0) add_value_fault(ErrorCode::json_tcb_twice);
+    if (((tcb_given_ >> number) & 1U) != 0) add_value_fault(json::also_in_tcb());
     tcb_given_ |= 1U << number;
     keys_.number(column) = value;
   }
@@ -201,23 +199,22 @@ class KeyReader : public JsonObjectReader {
     const auto end = begin + static_cast<std::ptrdiff_t>(member.cells);
     const auto may_miss = [&](const Column& column) { return keys_.miss(column); };
     if (std::all_of(begin, end, may_miss)) return;
-    const bool is_time = begin->role == Role::time;
-    add_fault(key_error(is_time ? ErrorCode::json_time_missing : ErrorCode::json_member_missing, {member.name}));
+    add_fault(at_key(json::member_missing(member.name, begin->role == Role::time)));
   }
 
   void add_fault(Error error) { keys_.add_fault(std::move(error)); }
 
   /// Adds a fault of the current value; true.
-  bool add_value_fault(ErrorCode code, std::vector<ErrorValue> values = {}) {
-    if (!keys_.is_full()) add_fault(value_error(code, std::move(values)));
+  bool add_value_fault(const Error& fault) {
+    if (!keys_.is_full()) add_fault(at_value(fault));
     return true;
   }
 
   bool add_shape_fault() {
     const bool text = is_text(columns_.columns.cells[current_->cell]);
-    return add_value_fault(current_->array ? ErrorCode::json_array_expected
-                           : text          ? ErrorCode::json_text_expected
-                                           : ErrorCode::json_number_expected);
+    return add_value_fault(current_->array ? json::array_expected()
+                           : text          ? json::text_expected()
+                                           : json::number_expected());
   }
 
   const JsonColumns& columns_;
@@ -235,6 +232,6 @@ class KeyReader : public JsonObjectReader {
 
 }  // namespace
 
-KeyBlock parse_json(const Chunk& chunk, const JsonColumns& columns) { return KeyReader(chunk, columns).read(); }
+KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) { return KeyReader(part, columns).read(); }
 
 }  // namespace tcb

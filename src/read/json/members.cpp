@@ -1,12 +1,13 @@
-// Members of JSON keys: columns by the names in the first key.
+// Members of JSON keys: their meaning, by the names and the values in the first key.
+#include "read/json/members.hpp"
+
 #include <algorithm>
 #include <array>
-#include <unordered_set>
+#include <string_view>
 #include <utility>
 
-#include "error.hpp"
+#include "read/json/errors.hpp"
 #include "read/json/first_key.hpp"
-#include "read/json/json_input.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -76,9 +77,7 @@ std::vector<std::string> velocity_names(const Found& array, const Arrays& arrays
       members, [&](const Found& member) { return arrays.has(member) && !arrays.is_rotation(member); });
   if (known == velocity_arrays.end() || positions == members.end() || array.nested) return {};
   if (array.numbers != positions->numbers) {
-    throw Error(Exit::data, ErrorCode::json_velocity_count,
-                {array.path, std::uint64_t{array.numbers}, std::uint64_t{positions->numbers}})
-        .at(array.position);
+    throw json::velocity_count(array.numbers, positions->numbers).about(array.path).at(array.position);
   }
   std::vector<std::string> names = names_in(*positions, arrays, members);
   for (std::string& name : names) name += known->ending;
@@ -117,8 +116,7 @@ std::vector<RoleRequest> requests_of(const std::vector<Found>& members, const Ar
 }
 
 void require_count(std::size_t names, std::size_t numbers) {
-  if (names == numbers) return;
-  throw Error(Exit::data, ErrorCode::json_channel_count, {std::uint64_t{names}, std::uint64_t{numbers}});
+  if (names != numbers) throw json::channel_count(names, numbers);
 }
 
 /// Tension, continuity and bias may be in any key, even if the first has none, each alone or in "tcb", unless the
@@ -155,16 +153,15 @@ void require_shape(const Found& member, const InputOptions& options) {
   const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
   if (std::ranges::any_of(options.roles, names_it)) return;
   if (!is_array && member.numbers == 1 && !member.array) return;  // it may be null
-  const ErrorCode code = is_array ? ErrorCode::json_tcb_array_expected : ErrorCode::json_single_number_expected;
-  throw Error(Exit::data, code, {member.path}).at(member.position);
+  const Error fault = is_array ? json::tcb_array_expected() : json::single_number_expected();
+  throw fault.about(member.path).at(member.position);
 }
 
 /// Throws: Error (data) for a number whose name is a near miss of a role's.
 void require_no_near_miss(const Found& member, const Columns& columns, const InputOptions& options) {
   if (member.array || member.text || member.numbers == 0) return;
   const auto near = near_miss(member.name, columns, options.roles, options.timeless);
-  if (!near) return;
-  throw Error(Exit::data, ErrorCode::json_member_nearly_role, {member.path, *near, member.name}).at(member.position);
+  if (near) throw json::nearly_role(member.name, *near).about(member.path).at(member.position);
 }
 
 bool is_required(const JsonColumns& columns, const Member& member) {
@@ -193,8 +190,8 @@ void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arr
     if (is_used(member) || has_role(member.name) || is_velocity(member) || !(is_array || member.deep_numbers)) continue;
     const bool is_position = !has_position && (is_array || is_usual_position(member.name));
     if (!is_position && (has_time || !is_time(member))) continue;
-    const ErrorCode code = is_array ? ErrorCode::json_array_unused : ErrorCode::json_object_unused;
-    throw Error(Exit::data, code, {member.path, member.name}).at(member.position);
+    const Error fault = is_array ? json::array_unused(member.name) : json::object_unused();
+    throw fault.about(member.path).at(member.position);
   }
 }
 
@@ -203,7 +200,7 @@ void require_no_lost_time(const std::vector<Found>& members, const Columns& colu
   for (const Found& member : members) {
     const bool is_number = !member.array && !member.text && member.numbers > 0;
     if (!is_number || std::ranges::count(columns.ignored, member.name) == 0 || is_coordinate(member.name)) continue;
-    throw Error(Exit::data, ErrorCode::times_unclear, {member.name}).at(member.position);
+    throw json::no_time(member.name).at(member.position);
   }
 }
 
@@ -274,8 +271,8 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
 
 }  // namespace
 
-JsonColumns find_members(const Chunk& chunk, const InputOptions& options, const std::vector<std::string>& channels) {
-  const FirstKey first = read_first_key(chunk, options);
+JsonColumns find_members(const JsonPart& part, const InputOptions& options, const std::vector<std::string>& channels) {
+  const FirstKey first = read_first_key(part, options);
   return at_position(first.position, [&] { return columns_of(first.members, options, channels); });
 }
 

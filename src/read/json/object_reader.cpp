@@ -4,35 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "numbers/parse_number.hpp"
+#include "read/json/errors.hpp"
 
 namespace tcb {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-ErrorCode syntax_code(const JsonFault& fault) {
-  if (fault.token.front() == '"' && !is_json_string(fault.token)) return ErrorCode::json_string_not_closed;
-  switch (fault.expected) {
-    case JsonExpected::value:
-    case JsonExpected::value_or_end: return ErrorCode::json_value_expected;
-    case JsonExpected::name:
-    case JsonExpected::name_or_end: return ErrorCode::json_name_expected;
-    case JsonExpected::colon: return ErrorCode::json_colon_expected;
-    case JsonExpected::comma_in_array: return ErrorCode::json_comma_or_bracket_expected;
-    case JsonExpected::comma_in_object: return ErrorCode::json_comma_or_brace_expected;
-    case JsonExpected::nothing: break;
-  }
-  return ErrorCode::json_end_expected;
-}
-
-/// A token without its quotes.
-std::string token_text(std::string_view token) {
-  if (is_json_string(token)) token.remove_suffix(1);
-  return std::string(token.substr(token.starts_with('"') ? 1 : 0));
+bool is_inside(const char* where, std::string_view text) {
+  return std::greater_equal<>()(where, text.data()) && std::less_equal<>()(where, text.data() + text.size());
 }
 
 }  // namespace
@@ -43,22 +28,22 @@ struct JsonObjectReader::Adapter {
 
   bool null() {
     reader.is_quoted_ = false;
-    if (reader.for_key() && reader.on_break()) return reader.has_breaks_ = true;
-    if (reader.for_key()) reader.refuse_value(ErrorCode::json_value_for_key, {"null"});
-    return reader.value([this] { return reader.on_null(); });
+    if (reader.is_for_key()) {
+      if (!reader.on_break()) reader.refuse_for_key("null");
+      if (reader.part_.kind == JsonPart::Kind::elements) ++reader.keys_;
+      return passed(Last::value, true);
+    }
+    return passed(Last::value, reader.value([this] { return reader.on_null(); }));
   }
   bool boolean(bool value) {
     reader.is_quoted_ = false;
     return text(value ? "true" : "false");
   }
-  bool number_integer(json::number_integer_t value) {
+  bool number_integer(Json::number_integer_t value) {
     return value != 0 ? whole(value) : number_float(-0.0, {});  // only a zero with a sign comes here
   }
-  bool number_unsigned(json::number_unsigned_t value) {
-    const auto number = std::exchange(reader.reading_.number, std::nullopt);
-    return number ? number_float(number->value, number->text) : whole(value);
-  }
-  bool number_float(json::number_float_t value, std::string_view written) {
+  bool number_unsigned(Json::number_unsigned_t value) { return whole(value); }
+  bool number_float(Json::number_float_t value, std::string_view written) {
     reader.decimal_ = written;
     return number(spline::Time<double>(value));
   }
@@ -66,37 +51,44 @@ struct JsonObjectReader::Adapter {
     reader.is_quoted_ = true;
     return text(value);
   }
-  bool binary(json::binary_t&) { return false; }
-  bool start_object(std::size_t) { return reader.open(true); }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return passed(Last::opening, reader.open(true)); }
   bool key(std::string& name) {
-    if (reader.depth_ != reader.member_depth()) return true;
+    if (reader.depth_ != reader.member_depth()) return passed(Last::name, true);
     if (reader.outer_depth_ == 1) {
-      reader.member_ = name;
+      reader.member_.swap(name);
     } else {
       reader.member_ = reader.outer_ + name;
     }
-    return reader.on_member(reader.member_);
+    return passed(Last::name, reader.on_member(reader.member_));
   }
-  bool end_object() { return reader.close(true); }
-  bool start_array(std::size_t) { return reader.open(false); }
-  bool end_array() { return reader.close(false); }
-  bool parse_error(std::size_t, const std::string&, const json::exception& error) const {
-    constexpr int out_of_range = 406;
-    if (error.id == out_of_range) reader.refuse_large_number();
-    reader.refuse_syntax();
+  bool end_object() { return passed(Last::value, reader.close(true)); }
+  bool start_array(std::size_t) { return passed(Last::opening, reader.open(false)); }
+  bool end_array() { return passed(Last::value, reader.close(false)); }
+  bool parse_error(std::size_t bytes, const std::string&, const Json::exception& error) const {
+    constexpr int number_overflow = 406;
+    if (error.id == number_overflow) {
+      const char* const begin = reader.value_begin();
+      const char* const last = reader.text_.byte(bytes - 1);
+      throw json::number_too_large({begin, static_cast<std::size_t>(last + 1 - begin)}).at(reader.position_of(begin));
+    }
+    reader.refuse_syntax(bytes);
   }
 
   bool text(std::string_view value) {
-    if (reader.for_key()) reader.refuse_value(ErrorCode::json_value_for_key, {std::string(value)});
+    if (reader.is_for_key()) reader.refuse_for_key(in_quotes(value));
     if (reader.is_deep()) reader.on_deep_value(false);
-    return reader.value([this, value] { return reader.on_text(value); });
+    return passed(Last::value, reader.value([this, value] { return reader.on_text(value); }));
   }
 
   bool number(const spline::Time<double>& value) {
     reader.is_quoted_ = false;
-    if (reader.for_key()) reader.refuse_value(ErrorCode::json_number_for_key);
+    if (reader.is_for_key()) reader.refuse_for_key("a number");
     if (reader.is_deep()) reader.on_deep_value(true);
-    return reader.value([this, &value] { return reader.on_number(value); });
+    const bool more = reader.value([this, &value] { return reader.on_number(value); });
+    reader.last_ = Last::value;
+    reader.passed_ = reader.text_.now() - 1;  // the parser has read one byte more, to find the end of the number
+    return more;
   }
 
   template <class Integer>
@@ -104,29 +96,39 @@ struct JsonObjectReader::Adapter {
     reader.decimal_ = {};
     return number(whole_time(value));
   }
+
+  bool passed(Last what, bool more) {
+    reader.last_ = what;
+    reader.passed_ = reader.text_.now();
+    return more;
+  }
 };
 
 void JsonObjectReader::parse() {
-  const char* const begin = chunk_.text.data();
-  const char* const end = begin + chunk_.text.size();
-  if (chunk_.text.starts_with('[')) {
-    key_depth_ = 1;
-    (void)parse_range(begin, end);
-    if (keys_ == 0 && !has_breaks_) fail_at(end - 1, ErrorCode::json_key_missing);
+  const std::string_view text = part_.chunk.text;
+  if (part_.kind == JsonPart::Kind::object) {
+    (void)parse_text({text, part_.after.text});
     return;
   }
-  for (const char* line = begin; line != end;) {
-    const char* const line_end = std::find(line, end, '\n');
-    if (!std::all_of(line, line_end, is_json_blank) && !parse_line(line, line_end)) return;
-    line = line_end == end ? end : line_end + 1;
+  if (part_.kind == JsonPart::Kind::elements) {
+    key_depth_ = 1;
+    (void)parse_text({"[", text, "]"});
+    if (keys_ == 0) throw json::no_key_between_commas().at({"", part_.chunk.line, part_.chunk.column});
+    return;
+  }
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    if (!is_json_blank(line) && !parse_line(line)) return;
+    begin = end + 1;
   }
 }
 
 /// Whether the next line is to be parsed.
-bool JsonObjectReader::parse_line(const char* begin, const char* end) {
+bool JsonObjectReader::parse_line(std::string_view line) {
   const std::size_t keys = keys_;
   try {
-    return parse_range(begin, end);
+    return parse_text({line});
   } catch (const Error& error) {
     if (!on_bad_line(error)) throw;
     keys_ = keys + 1;
@@ -134,18 +136,15 @@ bool JsonObjectReader::parse_line(const char* begin, const char* end) {
   }
 }
 
-void JsonObjectReader::parse_object() {
-  (void)parse_range(chunk_.text.data(), chunk_.text.data() + chunk_.text.size());
-}
-
 /// Whether all was parsed.
-bool JsonObjectReader::parse_range(const char* begin, const char* end) {
+bool JsonObjectReader::parse_text(const JsonText::Pieces& pieces) {
   depth_ = 0;
   outer_depth_ = 1;
-  range_ = {begin, static_cast<std::size_t>(end - begin)};
-  reading_ = {begin, {}};
+  text_ = JsonText(pieces);
+  passed_ = text_.now();
+  last_ = Last::nothing;
   Adapter adapter{*this};
-  return json::sax_parse(JsonCursor(begin, end, reading_), JsonCursor(end, end, reading_), &adapter);
+  return Json::sax_parse(JsonText::Iterator(text_), JsonText::Iterator(), &adapter);
 }
 
 /// Passes a value on, unless it is deep in another one.
@@ -169,11 +168,12 @@ bool JsonObjectReader::open(bool object) {
   } else if (depth_ == member_depth()) {
     element_ = 0;
     is_array_ = !object;
+    array_ = text_.now() - 1;
     if (object) more = on_nested();
   } else if (depth_ == key_depth_) {
-    if (!object) fail_at(reading_.now - 1, ErrorCode::json_array_for_key);
+    if (!object) refuse_for_key("an array");
     member_.clear();
-    key_ = reading_.now - 1;
+    key_ = text_.now() - 1;
     more = on_key_start();
   }
   ++depth_;
@@ -181,12 +181,16 @@ bool JsonObjectReader::open(bool object) {
 }
 
 bool JsonObjectReader::close(bool object) {
-  const bool array_of_member = !object && in_array();
-  const bool key = object && depth_ == key_depth_ + 1;
+  const bool is_array_of_member = !object && in_array();
+  const bool is_key = object && depth_ == key_depth_ + 1;
   --depth_;
   if (depth_ == key_depth_ + 1) outer_depth_ = 1;
-  if (key) ++keys_;
-  return array_of_member ? on_array_end() : key ? on_key_end() : true;
+  if (is_key) ++keys_;
+  if (!is_array_of_member) return !is_key || on_key_end();
+  is_array_end_ = true;
+  const bool more = on_array_end();
+  is_array_end_ = false;
+  return more;
 }
 
 LinePosition JsonObjectReader::key_position() {
@@ -195,69 +199,65 @@ LinePosition JsonObjectReader::key_position() {
   return counted_position_;
 }
 
-std::string JsonObjectReader::key_path() const {
-  return fmt::format("{}[{}]", chunk_.path.empty() ? "keys" : chunk_.path, key_number());
-}
-
 std::string JsonObjectReader::path() const {
-  const std::string list = key_depth_ == 0 && part_ != nullptr ? chunk_.path : key_path();
-  return fmt::format("{}{}{}{}", list, list.empty() ? "" : ".", member_,
+  const std::string& list = part_.chunk.path;
+  const std::string object =
+      part_.kind == JsonPart::Kind::object ? list : fmt::format("{}[{}]", list.empty() ? "keys" : list, key_number());
+  return fmt::format("{}{}{}{}", object, object.empty() ? "" : ".", member_,
                      in_array() ? fmt::format("[{}]", element_) : "");
 }
 
-TextPosition JsonObjectReader::value_position() const { return position_of(last_json_value(read_text())); }
-
-Error JsonObjectReader::value_error(ErrorCode code, std::vector<ErrorValue> values) const {
-  values.insert(values.begin(), path());
-  return Error(Exit::data, code, std::move(values)).at(value_position());
+/// Where the value or the name begins that the parser passes on now.
+const char* JsonObjectReader::value_begin() const {
+  if (is_array_end_) return array_;
+  std::string_view rest = text_.rest(passed_);
+  if (rest.starts_with(',') || rest.starts_with(':')) rest = text_.rest(rest.data() + 1);
+  return rest.data();
 }
 
-Error JsonObjectReader::key_error(ErrorCode code, std::vector<ErrorValue> values) const {
-  return Error(Exit::data, code, std::move(values)).at(position_of(key_));
+/// Throws: Error (data) for a value in the place of a key.
+void JsonObjectReader::refuse_for_key(std::string_view what) const {
+  throw json::key_is_no_object(what).at(position_of(value_begin()));
 }
 
-/// The text that was read of the current range.
-std::string_view JsonObjectReader::read_text() const {
-  return {range_.data(), static_cast<std::size_t>(reading_.now - range_.data())};
+/// Throws: Error (data) for the last one of the bytes that the parser has read, which breaks the grammar of JSON.
+void JsonObjectReader::refuse_syntax(std::size_t bytes) const {
+  const bool is_list = part_.kind == JsonPart::Kind::elements;
+  const bool is_end = bytes > text_.size() - (is_list ? 1 : 0);
+  const char* const last = text_.byte(bytes - 1);
+  const std::string_view next = text_.rest(passed_);
+  const bool is_separated = (next.starts_with(',') || next.starts_with(':')) && next.data() != last;
+  const std::string_view found = is_separated ? text_.rest(next.data() + 1) : next;
+  const char* const begin = found.data();
+  const bool may_be_string = is_separated || last_ == Last::nothing || last_ == Last::opening;
+  if (found.starts_with('"') && is_end) throw json::string_not_closed().at(position_of(begin));
+  const bool is_key_expected = is_list && depth_ == 1 && may_be_string;
+  if (is_key_expected && (is_end || *last == ',')) throw json::no_key_between_commas().at(position_of(last));
+  if (is_end) throw json::ends_early().at(position_of(last));
+  const std::string_view token(begin, static_cast<std::size_t>(last + 1 - begin));
+  if (found.starts_with('"') && may_be_string) throw json::character_in_string(token.substr(1)).at(position_of(last));
+  throw json::unexpected(token, expected(is_separated)).at(position_of(begin));
 }
 
-void JsonObjectReader::refuse_value(ErrorCode code, std::vector<ErrorValue> values) const {
-  fail_at(last_json_value(read_text()), code, std::move(values));
-}
-
-void JsonObjectReader::refuse_large_number() const {
-  const std::string_view text = read_text();
-  const char* const begin = last_json_value(text);
-  const std::string number(JsonTokens(text.substr(static_cast<std::size_t>(begin - text.data()))).next());
-  fail_at(begin, ErrorCode::json_number_too_large, {number});
-}
-
-void JsonObjectReader::refuse_syntax() const {
-  JsonFault fault = find_json_fault(range_);
-  const bool has_more = reading_.now != range_.data() + range_.size();
-  if (has_more &&
-      fault.token.data() >= reading_.now) {  // a string's characters, which find_json_fault() does not check
-    fault = find_json_fault(read_text());
-    fail_at(reading_.now - 1, ErrorCode::json_character_in_string, {token_text(fault.token)});
+/// What may follow what the parser has passed on, and a comma or colon after that.
+json::Expected JsonObjectReader::expected(bool is_separated) const {
+  using enum json::Expected;
+  switch (last_) {
+    case Last::nothing: return value;
+    case Last::opening: return passed_[-1] == '{' ? name : value;
+    case Last::name: return is_separated ? value : colon;
+    case Last::value: break;
   }
-  const bool value_expected = fault.expected == JsonExpected::value || fault.expected == JsonExpected::value_or_end;
-  const bool at_key = key_depth_ == 1 && depth_ == 1 && value_expected && (fault.token == "," || fault.token == "]");
-  if (at_key) fail_at(fault.token.data(), ErrorCode::json_key_missing);
-  if (fault.token.empty()) fail_at(fault.token.data(), ErrorCode::json_ends_early);
-  fail_at(fault.token.data(), syntax_code(fault), {token_text(fault.token)});
-}
-
-void JsonObjectReader::fail_at(const char* where, ErrorCode code, std::vector<ErrorValue> values) const {
-  throw Error(Exit::data, code, std::move(values)).at(position_of(where));
+  if (depth_ == 0) return nothing;
+  return is_separated ? after_comma : comma;
 }
 
 TextPosition JsonObjectReader::position_of(const char* where) const {
-  const std::string_view before(chunk_.text.data(), static_cast<std::size_t>(where - chunk_.text.data()));
-  if (part_ != nullptr && before.size() >= part_->gap) {
-    const std::string_view after = before.substr(part_->gap);
-    return {"", part_->line + count_lines(after), column_after(after, part_->column)};
-  }
-  return {"", chunk_.line + count_lines(before), column_after(before, chunk_.column)};
+  const bool is_after = !part_.after.text.empty() && is_inside(where, part_.after.text);
+  const Chunk& chunk = is_after ? part_.after : part_.chunk;
+  std::string_view before = chunk.text;  // to the end of the keys, for the bracket after them
+  if (is_inside(where, before)) before = before.substr(0, static_cast<std::size_t>(where - before.data()));
+  return {"", chunk.line + count_lines(before), column_after(before, chunk.column)};
 }
 
 }  // namespace tcb

@@ -5,38 +5,32 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "error.hpp"
-#include "read/json/json_input.hpp"
-#include "read/json/scanner.hpp"
-#include "schema/input.hpp"
+#include "read/json/errors.hpp"
+#include "read/json/json_text.hpp"
+#include "read/json/splitter.hpp"
+#include "tcb/spline/key.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 
 /// Receives events about key objects, or any other objects on the same level. Returning false ends the parsing.
 /// A value is a member's own, or an element of the array that the member is; deeper values are ignored. The members of
-/// an object "tcb" or "rotation" are members of the key, as "tcb.x".
+/// an object "tcb" or "rotation" are members of the key, as "tcb.x". nlohmann-json parses the text through its events,
+/// so no document is kept in memory.
 class JsonObjectReader {
  public:
-  explicit JsonObjectReader(const Chunk& chunk)
-      : chunk_(chunk),
-        reading_{chunk.text.data(), {}},
-        counted_(chunk.text.data()),
-        counted_position_{chunk.line, chunk.column} {}
-  /// The object around keys.
-  explicit JsonObjectReader(const JsonPart& part) : JsonObjectReader(part.chunk) { part_ = &part; }
+  /// Requires: `part` outlives it.
+  explicit JsonObjectReader(const JsonPart& part)
+      : part_(part), counted_(part.chunk.text.data()), counted_position_{part.chunk.line, part.chunk.column} {}
   JsonObjectReader(const JsonObjectReader&) = delete;
   JsonObjectReader& operator=(const JsonObjectReader&) = delete;
   virtual ~JsonObjectReader() = default;
 
-  /// Parses the chunk: an array of objects, or an object per line.
+  /// Parses the part: the elements of an array, or an object per line, or one object.
   /// Throws: Error (data) with its position, if the text is not JSON or holds something else than objects.
   void parse();
-
-  /// Parses the chunk as one object, over as many lines as it has.
-  void parse_object();
 
  protected:
   virtual bool on_key_start() { return true; }
@@ -59,7 +53,7 @@ class JsonObjectReader {
   /// A line of JSON Lines is not a key. True: the next line follows; false: the error is thrown.
   virtual bool on_bad_line(const Error&) { return false; }
 
-  /// The current number as written, unless it is a whole number. Requires: in on_number().
+  /// The current number as written, unless it is a whole number below 2^64. Requires: in on_number().
   std::string_view decimal() const { return decimal_; }
   /// The current text is a string. Requires: in on_text().
   bool is_quoted() const { return is_quoted_; }
@@ -68,48 +62,49 @@ class JsonObjectReader {
   std::size_t element() const { return element_; }
   /// Where the current key begins. Requires: calls come in the order of the text.
   LinePosition key_position();
-  /// The position of the current value.
-  TextPosition value_position() const;
-  /// An error at the current value; its first value is path().
-  Error value_error(ErrorCode code, std::vector<ErrorValue> values = {}) const;
+  /// The position of the current value, or of the name of the current member; at the end of an array, of its bracket.
+  TextPosition value_position() const { return position_of(value_begin()); }
+  /// An error about the current value.
+  Error at_value(const Error& error) const { return error.about(path()).at(value_position()); }
   /// An error at the beginning of the current key.
-  Error key_error(ErrorCode code, std::vector<ErrorValue> values = {}) const;
+  Error at_key(const Error& error) const { return error.at(position_of(key_)); }
   /// The number of the current key in its list.
-  std::uint64_t key_number() const { return chunk_.first + keys_; }
-  /// The current key, as in "curves[2].keys[17]".
-  std::string key_path() const;
-  /// The current member, as in "keys[17].position[1]".
+  std::uint64_t key_number() const { return part_.chunk.first + keys_; }
+  /// The current member, as in "curves[2].keys[17].position[1]".
   std::string path() const;
 
  private:
   struct Adapter;
-  bool parse_line(const char* begin, const char* end);
-  bool parse_range(const char* begin, const char* end);
+  /// What the parser has passed on last.
+  enum class Last { nothing, opening, name, value };
+
+  bool parse_line(std::string_view line);
+  bool parse_text(const JsonText::Pieces& pieces);
   template <class F>
   bool value(F event);
   std::size_t member_depth() const { return key_depth_ + outer_depth_; }
   bool is_deep() const { return depth_ != member_depth() && !in_array(); }  ///< the current value is in another one
-  bool for_key() const { return depth_ <= key_depth_; }  ///< the current value is in the place of a key
-  [[noreturn]] void refuse_value(ErrorCode code, std::vector<ErrorValue> values = {}) const;
+  bool is_for_key() const { return depth_ <= key_depth_; }  ///< the current value is in the place of a key
   bool open(bool object);
   bool close(bool object);
-  [[noreturn]] void refuse_syntax() const;
-  [[noreturn]] void refuse_large_number() const;
-  std::string_view read_text() const;
+  [[noreturn]] void refuse_syntax(std::size_t bytes) const;
+  json::Expected expected(bool is_separated) const;
+  [[noreturn]] void refuse_for_key(std::string_view what) const;
+  const char* value_begin() const;
   TextPosition position_of(const char* where) const;
-  [[noreturn]] void fail_at(const char* where, ErrorCode code, std::vector<ErrorValue> values = {}) const;
 
-  const Chunk& chunk_;
-  const JsonPart* part_ = nullptr;  ///< that the chunk is, where it is the object around keys
-  std::string_view range_;          ///< the text that is being parsed,
-  JsonReading reading_;             ///< and how far it was read
-  const char* key_ = nullptr;       ///< where the current key begins
-  const char* counted_;             ///< a place in the text,
-  LinePosition counted_position_;   ///< and its position
-  std::size_t key_depth_ = 0;       ///< the number of brackets around a key object
+  const JsonPart& part_;
+  JsonText text_;                  ///< that is being parsed
+  const char* passed_ = nullptr;   ///< the end of what the parser has passed on,
+  Last last_ = Last::nothing;      ///< and what that was
+  const char* key_ = nullptr;      ///< where the current key begins
+  const char* array_ = nullptr;    ///< where the current member begins, if it is an array
+  bool is_array_end_ = false;      ///< in on_array_end()
+  const char* counted_;            ///< a place in the text,
+  LinePosition counted_position_;  ///< and its position
+  std::size_t key_depth_ = 0;      ///< the number of brackets around a key object
   std::size_t depth_ = 0;
-  std::size_t keys_ = 0;
-  bool has_breaks_ = false;
+  std::size_t keys_ = 0;  ///< whole keys, and nulls in their place in a list
   std::size_t element_ = 0;
   bool is_quoted_ = false;
   bool is_array_ = false;  ///< the current member is an array, not an object

@@ -1,31 +1,25 @@
-// Settings in JSON: the members around keys, which are settings of the curve, channel names and an id; provenance.
+// Settings in JSON: the members around keys, which are settings of the curve, channel names and an id.
+#include "read/json/settings.hpp"
+
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
-#include "error.hpp"
 #include "numbers/print_number.hpp"
-#include "read/json/json_input.hpp"
+#include "option_names.hpp"
+#include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
+#include "schema/columns.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Options that are not members.
-constexpr std::array options_only{
-    std::pair{std::string_view("equal-speed"), Option::equal_speed},
-    std::pair{std::string_view("parameter"), Option::parameter},
-    std::pair{std::string_view("metric"), Option::metric},
-    std::pair{std::string_view("extrapolate"), Option::extrapolate},
-    std::pair{std::string_view("no-ease"), Option::no_ease},
-    std::pair{std::string_view("rotation-curve"), Option::rotation_curve},
-    std::pair{std::string_view("rotation-output"), Option::rotation_output},
-    std::pair{std::string_view("angles"), Option::angles},
-    std::pair{std::string_view("normalize"), Option::normalize},
-};
+constexpr std::array options_only{option::equal_speed,     option::parameter, option::metric,
+                                  option::extrapolate,     option::no_ease,   option::rotation_curve,
+                                  option::rotation_output, option::angles,    option::normalize};
 
 class SettingsReader : public JsonObjectReader {
  public:
@@ -40,11 +34,11 @@ class SettingsReader : public JsonObjectReader {
     known_ = std::ranges::find(known, name) != known.end();
     require_no_loss(name);
     if (!known_) {
-      if (nearest_name(name, known).empty()) return true;
-      const std::vector<std::string> names(known.begin(), known.end());
-      throw Error(Exit::data, ErrorCode::setting_nearly_known, {name, names, path()}).at(value_position());
+      const std::string nearest = nearest_name(name, known);
+      if (nearest.empty()) return true;
+      throw at_value(json::no_setting(nearest));
     }
-    if (std::ranges::find(members_, name) != members_.end()) throw value_error(ErrorCode::setting_repeats);
+    if (std::ranges::find(members_, name) != members_.end()) throw at_value(json::setting_repeats());
     members_.push_back(name);
     return true;
   }
@@ -55,12 +49,12 @@ class SettingsReader : public JsonObjectReader {
     const auto of_channel = channel_role_of(name);
     const bool is_tcb = of_channel && of_channel->role < Role::velocity;
     if (name == "tcb" || is_tcb || std::ranges::count(of_keys, role_of_name(name)) > 0) {
-      throw value_error(ErrorCode::setting_of_keys);
+      throw at_value(json::setting_of_keys());
     }
-    std::string option = name;
+    std::string option = "--" + name;
     std::ranges::replace(option, '_', '-');
-    const auto known = std::ranges::find(options_only, option, [](const auto& row) { return row.first; });
-    if (known != options_only.end()) throw value_error(ErrorCode::setting_is_option).about(known->second);
+    const auto known = std::ranges::find(options_only, option);
+    if (known != options_only.end()) throw at_value(json::setting_is_option(*known));
   }
 
   bool on_number(const spline::Time<double>& value) override {
@@ -72,7 +66,7 @@ class SettingsReader : public JsonObjectReader {
   }
   bool on_null() override { return take("null"); }
   bool on_nested() override {
-    if (member_ == "id") throw value_error(ErrorCode::setting_id_expected);
+    if (member_ == "id") throw at_value(json::id_expected());
     return take("an object");
   }
   bool on_text(std::string_view text) override {
@@ -98,19 +92,19 @@ class SettingsReader : public JsonObjectReader {
     if (member_ == "ends") settings.ends = settings.ends && in_array() ? *settings.ends + "," + value : value;
     if (member_ == "period") settings.period = value;
     if (member_ == "id") {
-      if (in_array()) throw value_error(ErrorCode::setting_id_expected);
+      if (in_array()) throw at_value(json::id_expected());
       found.curve_info.id = value == "null" ? "" : value;
     }
     if (member_ != "closed") return true;
     if (is_quoted() || (text != "true" && text != "false")) {
-      throw value_error(ErrorCode::setting_closed_expected, {value});
+      throw at_value(json::true_or_false_expected(value));
     }
     settings.closed = text == "true";
     return true;
   }
 
   void take_channel(const std::string& name) {
-    if (!in_array() || !is_quoted()) throw value_error(ErrorCode::setting_channels_expected);
+    if (!in_array() || !is_quoted()) throw at_value(json::channel_names_expected());
     found.channels.push_back(name);
   }
 
@@ -119,61 +113,23 @@ class SettingsReader : public JsonObjectReader {
   std::vector<std::string> members_;
 };
 
-/// The text without its rows.
-Json without_rows(std::string_view text) {
-  const auto keep = [](int, Json::parse_event_t event, Json& parsed) {
-    return event != Json::parse_event_t::key || (parsed != "rows" && parsed != "curves");
-  };
-  return Json::parse(text, keep, false);
-}
-
-std::string_view last_line(std::string_view text) {
-  const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;
-  const std::size_t before = text.substr(0, end).find_last_of('\n');
-  return text.substr(0, end).substr(before == std::string_view::npos ? 0 : before + 1);
-}
-
-std::string text_of(const Json& object, const char* name) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 }  // namespace
 
 JsonCurveInfo read_curve_info(const JsonPart& part) {
   SettingsReader reader(part);
-  reader.parse_object();
+  reader.parse();
   reader.found.path = part.chunk.path;
   reader.found.position = {"", part.chunk.line, part.chunk.column};
   return std::move(reader.found);
 }
 
-std::vector<std::string> channels_before_keys(const JsonPart& part) {
-  JsonPart whole = part;
-  if (whole.gap != std::string::npos) whole.chunk.text.resize(whole.gap - 2);
-  whole.gap = std::string::npos;
-  whole.chunk.text += "[]}";
+std::vector<std::string> channels_before_keys(const Chunk& text) {
+  if (text.text.empty()) return {};
   try {
-    return read_curve_info(whole).channels;
+    return read_curve_info({JsonPart::Kind::object, text, {"]}"}}).channels;
   } catch (const Error&) {
     return {};  // thrown again when the whole object is read
   }
-}
-
-EarlierOutput json_provenance(std::string_view text) {
-  Json whole = without_rows(text);
-  if (whole.is_discarded()) whole = without_rows(last_line(text));
-  if (!whole.is_object() || !whole.contains("meta") || !whole["meta"].is_object()) return {};
-  const Json& object = whole["meta"];
-  EarlierOutput provenance;
-  provenance.program = text_of(object, "program");
-  for (const Json& option : object.value("options", Json::array())) {
-    if (option.is_string()) provenance.options.push_back(option.get<std::string>());
-  }
-  for (const Json& input : object.value("inputs", Json::array())) {
-    if (input.is_object()) provenance.inputs.emplace_back(text_of(input, "name"), text_of(input, "sha256"));
-  }
-  return provenance;
 }
 
 }  // namespace tcb

@@ -1,11 +1,17 @@
-// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves.
+// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves, JSON Lines.
+#include "read/json/shapes.hpp"
+
 #include <algorithm>
 #include <deque>
 #include <memory>
 #include <utility>
 
-#include "error.hpp"
-#include "read/json/json_input.hpp"
+#include "option_names.hpp"
+#include "read/json/errors.hpp"
+#include "read/json/key_reader.hpp"
+#include "read/json/members.hpp"
+#include "read/json/settings.hpp"
+#include "read/json/splitter.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {
@@ -28,8 +34,8 @@ struct Parsed {
 
 /// A pure function. Throws: Error (data) for the members around keys.
 Parsed parse_part(const Task& task) {
-  if (task.part.is_object) return {{}, read_curve_info(task.part), task.columns};
-  return {parse_json(task.part.chunk, *task.columns), {}, task.columns};
+  if (task.part.kind == JsonPart::Kind::object) return {{}, read_curve_info(task.part), task.columns};
+  return {parse_json(task.part, *task.columns), {}, task.columns};
 }
 
 /// The parts of the text with the meaning of their keys, which the first key of each list determines.
@@ -37,10 +43,10 @@ Source<Task> tasks(const std::shared_ptr<JsonSplitter>& splitter, const InputOpt
   return [splitter, options, columns = SharedColumns()]() mutable -> std::optional<Task> {
     std::optional<JsonPart> part = splitter->next();
     if (!part) return std::nullopt;
-    if (part->is_object) return Task{std::move(*part), std::exchange(columns, nullptr)};
+    if (part->kind == JsonPart::Kind::object) return Task{std::move(*part), std::exchange(columns, nullptr)};
     if (columns == nullptr) {
       const auto channels = channels_before_keys(splitter->before_keys());
-      columns = std::make_shared<const JsonColumns>(find_members(part->chunk, options, channels));
+      columns = std::make_shared<const JsonColumns>(find_members(*part, options, channels));
     }
     return Task{std::move(*part), columns};
   };
@@ -97,8 +103,7 @@ void require_same_columns(const Columns& first, const Curve& curve) {
   if (columns.channels == first.channels && columns.time == first.time &&
       columns.has(Role::time) == first.has(Role::time))
     return;
-  throw Error(Exit::data, ErrorCode::json_curves_differ,
-              {curve.path, columns.time, columns.channels, first.time, first.channels});
+  throw json::curves_differ(columns.time, columns.channels, first.time, first.channels).about(curve.path);
 }
 
 /// It is the object around all curves, which comes last. Throws: Error (data) for settings there.
@@ -106,12 +111,12 @@ bool is_around_curves(const Curve& curve) {
   if (!curve.blocks.empty() || !curve.members.path.empty()) return false;
   const auto& places = curve.members.curve_info.places;
   if (places.empty()) return true;
-  throw Error(Exit::data, ErrorCode::setting_outside_curves, {places[0].first}).at(places[0].second);
+  throw json::setting_outside_curves().about(places[0].first).at(places[0].second);
 }
 
 Error no_keys(const JsonCurveInfo& members) {
-  if (members.path.empty()) return Error(Exit::data, ErrorCode::json_without_keys).at(members.position);
-  return Error(Exit::data, ErrorCode::json_curve_without_keys, {members.path}).at(members.position);
+  if (members.path.empty()) return json::no_keys().at(members.position);
+  return json::curve_without_keys().about(members.path).at(members.position);
 }
 
 /// The blocks of a curve with its information.
@@ -141,8 +146,6 @@ Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
   };
 }
 
-[[noreturn]] void refuse_empty() { throw Error(Exit::data, ErrorCode::empty_json); }
-
 void describe(Input& input, const JsonColumns& meaning, JsonShape shape) {
   Columns columns = meaning.columns;
   columns.cells.resize(meaning.found);
@@ -154,10 +157,10 @@ void describe(Input& input, const JsonColumns& meaning, JsonShape shape) {
 
 Input open_list(Source<Task> source, JsonShape shape, unsigned threads) {
   std::optional<Task> first = source();
-  if (!first) refuse_empty();
+  if (!first) throw json::no_text();
   Input input;
   describe(input, *first->columns, shape);
-  const auto parse = [](const Task& task) { return parse_json(task.part.chunk, *task.columns); };
+  const auto parse = [](const Task& task) { return parse_json(task.part, *task.columns); };
   input.keys = ordered_map(preceded_by(std::move(*first), std::move(source)), parse, threads);
   return input;
 }
@@ -166,12 +169,12 @@ Input open_list(Source<Task> source, JsonShape shape, unsigned threads) {
 
 Input open_json(Source<std::string> bytes, const InputOptions& options) {
   if (options.delimiter || options.header || options.decimal != '.' || options.comment != "#") {
-    throw Error(Exit::usage, ErrorCode::text_options_on_json);
+    throw json::options_of_delimited_text();
   }
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
   Source<Task> source = tasks(splitter, options);
   std::optional<Task> first = source();
-  if (!first) refuse_empty();
+  if (!first) throw json::no_text();
   const JsonShape shape = splitter->shape();
   source = preceded_by(std::move(*first), std::move(source));
   const bool curves = shape == JsonShape::curves;
@@ -181,7 +184,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
   } else {
     Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
     std::optional<Curve> curve = read_curve(parts);
-    if (!curve) refuse_empty();
+    if (!curve) throw json::no_text();
     if (curve->columns.members.empty()) throw no_keys(curve->members);
     describe(input, curve->columns, shape);
     input.ignored.insert(input.ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
@@ -189,7 +192,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
       input.curve_info = std::move(curve->members.curve_info);
       input.keys = blocks_of(std::move(curve->blocks));
     } else {
-      if (!input.groups.empty()) throw Error(Exit::data, ErrorCode::groups_of_curves).about(Option::group);
+      if (!input.groups.empty()) throw json::groups_of_curves();
       input.groups = {"id"};
       input.own_curves = true;
       input.keys = keys_of_curves(std::move(parts), std::move(*curve));

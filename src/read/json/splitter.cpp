@@ -1,18 +1,21 @@
-// Splitter of JSON text: it is cut between key objects, without parsing them.
-#include "read/json/json_input.hpp"
+// JSON splitter: a JSON text is cut into whole records, by its strings and brackets alone.
+#include "read/json/splitter.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
-#include "error.hpp"
-#include "text/utf8.hpp"
+#include "read/json/errors.hpp"
 
 namespace tcb {
 namespace {
 
-bool is_blank(std::string_view text) { return std::ranges::all_of(text, is_json_blank); }
+constexpr std::size_t longest_part = 64UL * 1024 * 1024;
+
+/// Names that are longer than those of lists are kept up to here.
+constexpr std::size_t longest_name = 16;
 
 }  // namespace
 
@@ -22,39 +25,11 @@ std::string JsonSplitter::path(const char* list) const {
   return fmt::format("curves[{}]{}{}", curve_, *list == '\0' ? "" : ".", list);
 }
 
-/// The keys or the curves begin after the current bracket.
-void JsonSplitter::start_list(JsonShape shape) {
-  if (!shape_) shape_ = shape;
-  Chunk before = scanner_.take(scanner_.at);
-  depth_ = 0;
-  if (shape == JsonShape::curves) {
-    outer_ = {std::move(before), true};
-    (void)scanner_.take(1);
-    stage_ = Stage::between;
-    return;
-  }
-  if (shape != JsonShape::list) object_ = {std::move(before), true};
-  stage_ = Stage::list;
-  listed_ = first_cut_ = true;
-  list_closed_ = false;
-  records_ = records_cut_ = 0;
-}
-
-/// All keys are cut off.
-void JsonSplitter::end_list() {
-  stage_ = shape_ == JsonShape::list ? Stage::after_list : Stage::object;
-  depth_ = 1;
-  object_.chunk.text += "[]";
-  object_.gap = object_.chunk.text.size();
-  object_.line = scanner_.line;
-  object_.column = scanner_.column;
-}
-
 bool JsonSplitter::scan_start() {
   scanner_.skip_blanks();
   if (scanner_.at_end()) return false;
   if (scanner_.now() == '[') {
-    start_list(JsonShape::list);
+    begin_list_of(JsonShape::list);
   } else if (scanner_.now() == '{') {
     stage_ = Stage::object;
   } else {
@@ -66,10 +41,46 @@ bool JsonSplitter::scan_start() {
 
 /// Begins a list, if the array that begins here is that of the keys or of the curves.
 bool JsonSplitter::begin_list() {
-  const bool keys = !listed_ && (member_ == "keys\"" || member_ == "rows\"");
-  const bool curves = !shape_ && member_ == "curves\"";
-  if (keys || curves) start_list(keys ? JsonShape::object : JsonShape::curves);
+  const bool keys = !has_list_ && (name_ == "keys" || name_ == "rows");
+  const bool curves = !shape_ && name_ == "curves";
+  if (keys || curves) begin_list_of(keys ? JsonShape::object : JsonShape::curves);
   return keys || curves;
+}
+
+/// The keys or the curves begin after the current bracket.
+void JsonSplitter::begin_list_of(JsonShape shape) {
+  if (!shape_) shape_ = shape;
+  Chunk before = scanner_.take(scanner_.at + 1);
+  depth_ = 0;
+  if (shape == JsonShape::curves) {
+    before_curves_ = std::move(before);
+    stage_ = Stage::between_curves;
+    return;
+  }
+  if (shape == JsonShape::object) before_ = std::move(before);
+  stage_ = Stage::list;
+  has_list_ = is_first_cut_ = true;
+  is_list_closed_ = false;
+  records_ = records_cut_ = 0;
+}
+
+/// All elements are cut off, up to the closing bracket.
+void JsonSplitter::end_list() {
+  if (shape_ == JsonShape::list) {
+    (void)scanner_.take(1);
+    stage_ = Stage::after_list;
+  } else {
+    stage_ = Stage::object;
+    depth_ = 2;
+  }
+}
+
+void JsonSplitter::end_curves() {
+  before_ = std::move(before_curves_);
+  has_list_ = true;
+  shape_ = JsonShape::object;  // from here on
+  stage_ = Stage::object;
+  depth_ = 2;
 }
 
 /// Scans an object for its keys or curves, and to its end.
@@ -78,14 +89,15 @@ bool JsonSplitter::scan_object() {
     const char c = scanner_.now();
     if (scanner_.in_string) {
       const std::size_t begin = scanner_.at;
-      const bool whole = scanner_.skip_string();
-      if (depth_ == 1) member_.append(scanner_.view().substr(begin, std::min<std::size_t>(scanner_.at - begin, 16)));
-      if (!whole) return false;
+      const bool is_whole = scanner_.skip_string();
+      const std::size_t end = scanner_.at - (is_whole ? 1 : 0);
+      if (depth_ == 1) name_.append(scanner_.view().substr(begin, std::min(end - begin, longest_name)));
+      if (!is_whole) return false;
       continue;
     }
     if (c == '"') {
       scanner_.in_string = true;
-      member_.clear();
+      name_.clear();
     } else if (c == '[' && depth_ == 1 && begin_list()) {
       return true;
     } else if (c == '{' || c == '[') {
@@ -107,139 +119,173 @@ bool JsonSplitter::scan_object() {
   return false;
 }
 
-/// Scans keys to the end of the text, or of their list.
-bool JsonSplitter::scan_keys() {
-  const bool listed = stage_ == Stage::list;
+/// Scans elements to the end of the text, or of their list.
+bool JsonSplitter::scan_list() {
   for (; !scanner_.at_end(); ++scanner_.at) {
     if (!scanner_.skip_to_structure()) return false;
     switch (scanner_.now()) {
       case '{':
-        if (depth_ == (listed ? 1U : 0U)) scanner_.skip_plain_object();
+        if (depth_ == 0) scanner_.skip_plain_object();
         [[fallthrough]];
       case '[': ++depth_; break;
       case ',':
-        if (!listed || depth_ != 1) break;
+        if (depth_ != 0) break;
         boundary_ = scanner_.at;
         ++records_;
         break;
-      case '\n':
-        if (!listed && depth_ == 0) boundary_ = scanner_.at + 1;
+      case ']':
+        if (depth_ == 0) {
+          boundary_ = scanner_.at;
+          ++records_;
+          is_list_closed_ = true;
+          return true;
+        }
+        --depth_;
         break;
-      default:  // a bracket is closed
+      case '}':  // one that nothing opened stays in its element, where the parser finds it
         if (depth_ > 0) --depth_;
-        if (depth_ != 0) break;
-        ++records_;
-        if (!listed) break;
-        list_closed_ = true;
-        boundary_ = ++scanner_.at;
-        return true;
+        break;
+      default: break;
+    }
+  }
+  return false;
+}
+
+bool JsonSplitter::scan_lines() {
+  for (; !scanner_.at_end(); ++scanner_.at) {
+    if (!scanner_.skip_to_structure()) return false;
+    switch (scanner_.now()) {
+      case '{':
+        if (depth_ == 0) scanner_.skip_plain_object();
+        [[fallthrough]];
+      case '[': ++depth_; break;
+      case ']':
+      case '}':
+        if (depth_ > 0) --depth_;
+        if (depth_ == 0) ++records_;
+        break;
+      case '\n':
+        if (depth_ == 0) boundary_ = scanner_.at + 1;
+        break;
+      default: break;
     }
   }
   return false;
 }
 
 /// Between curves: nothing but commas, up to the next one or the end of their list.
-bool JsonSplitter::scan_between() {
+bool JsonSplitter::scan_between_curves() {
   scanner_.skip_blanks();
   (void)scanner_.take(scanner_.at);
   if (scanner_.at_end()) return false;
   const char c = scanner_.now();
-  if (c == '{' && comma_) {
+  if (c == '{' && has_comma_) {
     stage_ = Stage::object;
-    listed_ = comma_ = false;
-    object_ = {};
+    has_list_ = has_comma_ = false;
+    before_ = {};
     return true;
   }
-  if (c == ']' && (curve_ == 0 || !comma_)) {
-    (void)scanner_.take(1);
-    stage_ = Stage::object;
-    depth_ = 1;
-    listed_ = true;
-    object_ = std::move(outer_);
-    shape_ = JsonShape::object;  // from here on
-    end_list();
+  if (c == ']' && (curve_ == 0 || !has_comma_)) {
+    end_curves();
     return true;
   }
-  if (c != ',' || comma_) {
-    scanner_.refuse(comma_ ? ErrorCode::json_curve_expected : ErrorCode::json_comma_after_curve_expected);
+  if (c != ',' || has_comma_) {
+    throw at_scanner(has_comma_ ? json::curve_expected() : json::comma_between_curves_expected());
   }
   (void)scanner_.take(1);
-  comma_ = true;
+  has_comma_ = true;
   return true;
 }
 
-/// Continues in the current text.
+void JsonSplitter::require_end() {
+  scanner_.skip_blanks();
+  (void)scanner_.take(scanner_.at);
+  if (!scanner_.at_end()) throw at_scanner(json::text_after_list());
+}
+
+/// Continues in the current text; false if more must be read.
 bool JsonSplitter::scan() {
   switch (stage_) {
     case Stage::start: return scan_start();
     case Stage::object: return scan_object();
-    case Stage::list:
-    case Stage::lines: return scan_keys();
-    case Stage::between: return scan_between();
-    case Stage::after_list: break;
-    case Stage::end: return false;
+    case Stage::list: return scan_list();
+    case Stage::lines: return scan_lines();
+    case Stage::between_curves: return scan_between_curves();
+    case Stage::after_list: require_end(); return false;
+    case Stage::unclosed_list:
+    case Stage::end: break;
   }
-  scanner_.skip_blanks();
-  (void)scanner_.take(scanner_.at);
-  if (!scanner_.at_end()) scanner_.refuse(ErrorCode::json_text_after_array);
   return false;
 }
 
 /// The object that ends at `end`, without its keys.
-JsonPart JsonSplitter::take_object(std::size_t end) {
-  boundary_ = 0;
-  Chunk rest = scanner_.take(end);
-  if (!object_.chunk.text.empty()) object_.chunk.text += rest.text;
-  if (object_.chunk.text.empty()) object_ = {std::move(rest), true};
-  object_.chunk.path = path("");
+JsonPart JsonSplitter::cut_object(std::size_t end) {
+  JsonPart part{JsonPart::Kind::object, std::exchange(before_, {})};
+  (has_list_ ? part.after : part.chunk) = scanner_.take(end);
+  part.chunk.path = path("");
   ++curve_;
-  return std::exchange(object_, {});
+  return part;
 }
 
-/// The records up to the last boundary, as a JSON array or as lines; `at_end`, the whole rest.
-std::optional<JsonPart> JsonSplitter::cut(bool at_end) {
-  const std::size_t end = at_end ? scanner_.size() : boundary_;
-  if (stage_ == Stage::object && shape_) {
-    JsonPart part = take_object(end);
-    if (shape_ == JsonShape::curves) stage_ = Stage::between;
-    return part;
+JsonPart JsonSplitter::cut_lines(std::size_t end) {
+  JsonPart part{JsonPart::Kind::lines, scanner_.take(end)};
+  part.chunk.first = std::exchange(records_cut_, records_);
+  part.chunk.path = path("keys");
+  return part;
+}
+
+/// The elements before `end`, and the comma or the bracket after them; nothing in an empty list.
+std::optional<JsonPart> JsonSplitter::cut_elements(std::size_t end) {
+  JsonPart part{JsonPart::Kind::elements, scanner_.take(end)};
+  part.chunk.first = std::exchange(records_cut_, records_);
+  part.chunk.path = path("keys");
+  const bool is_empty_list = std::exchange(is_first_cut_, false) && is_list_closed_ && is_json_blank(part.chunk.text);
+  if (is_list_closed_) {
+    end_list();
+  } else if (scanner_.size() != 0) {
+    (void)scanner_.take(1);
   }
-  if (end == 0) return std::nullopt;
-  boundary_ = 0;
-  Chunk chunk = scanner_.take(end);
-  chunk.first = std::exchange(records_cut_, records_);
-  chunk.path = path("keys");
-  if (stage_ != Stage::list) return JsonPart{std::move(chunk)};
-  // The text begins with the bracket or comma before its first record, and ends after its last or with the bracket.
-  const bool empty_list = first_cut_ && list_closed_ && is_blank(std::string_view(chunk.text).substr(1, end - 2));
-  chunk.text[0] = '[';
-  if (!list_closed_ && !at_end) chunk.text += ']';
-  first_cut_ = false;
-  if (list_closed_) end_list();
-  return empty_list ? std::nullopt : std::optional(JsonPart{std::move(chunk)});
+  return is_empty_list ? std::nullopt : std::optional(std::move(part));
+}
+
+/// The records up to the last boundary.
+std::optional<JsonPart> JsonSplitter::cut() {
+  const std::size_t end = *std::exchange(boundary_, std::nullopt);
+  if (stage_ == Stage::list) return cut_elements(end);
+  if (stage_ == Stage::lines) return cut_lines(end);
+  JsonPart part = cut_object(end);
+  stage_ = Stage::between_curves;
+  return part;
+}
+
+/// What is left at the end of the input.
+std::optional<JsonPart> JsonSplitter::cut_rest() {
+  if (stage_ == Stage::list) {
+    stage_ = Stage::unclosed_list;
+    if (!is_json_blank(scanner_.view())) return cut_elements(scanner_.size());
+    throw at_scanner(json::ends_early());
+  }
+  if (stage_ == Stage::between_curves) end_curves();
+  const Stage stage = std::exchange(stage_, Stage::end);
+  if (stage == Stage::object && shape_) return cut_object(scanner_.size());
+  if (is_json_blank(scanner_.view())) return std::nullopt;
+  return cut_lines(scanner_.size());
+}
+
+bool JsonSplitter::read_more() {
+  if (scanner_.size() > longest_part) {
+    throw at_scanner(stage_ == Stage::object ? json::object_too_long() : json::key_too_long());
+  }
+  return scanner_.read_more();
 }
 
 std::optional<JsonPart> JsonSplitter::next() {
+  if (stage_ == Stage::unclosed_list) throw at_scanner(json::ends_early());
   while (stage_ != Stage::end) {
-    while (scan()) {
-      if (boundary_ == 0) continue;
-      if (auto part = cut(false)) return part;
-    }
-    if (boundary_ != 0) {
-      if (auto part = cut(false)) return part;
-      continue;
-    }
-    if (scanner_.read_more(stage_ == Stage::object ? ErrorCode::json_object_too_long : ErrorCode::json_key_too_long)) {
-      continue;
-    }
-    if (stage_ == Stage::between) {
-      object_ = std::move(outer_);
-      stage_ = Stage::object;
-    }
-    const bool inside = stage_ == Stage::object || !scanner_.is_blank();
-    auto part = inside ? cut(true) : std::nullopt;
-    stage_ = Stage::end;
-    return part;
+    const bool more = scan();
+    if (!more && !boundary_ && !read_more()) return cut_rest();
+    if (!boundary_) continue;
+    if (auto part = cut()) return part;
   }
   return std::nullopt;
 }

@@ -1,7 +1,8 @@
 // Reader of JSON keys: numbers, texts, missing values, and every error with its position.
+#include "read/json/key_reader.hpp"
+
 #include <gmock/gmock.h>
 
-#include "read/json/json_input.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -36,29 +37,30 @@ TEST(JsonKeys, members_may_come_in_another_order_in_every_key) {
 TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
   const std::string first = R"({"t":0,"x":1})";
   EXPECT_EQ(second(first, R"({"t":1,"x":null})"),
-            "f:2:12: error: keys[1].x: null where a number was expected; fill it in, or give --missing skip-row, "
-            "skip-cell or break");
+            "f:2:12: error: keys[1].x: null in place of a number; expected a number; fill it in, or give --missing "
+            "skip-row, skip-cell or break");
   EXPECT_EQ(second(first, R"({"t":"é","x":1})"),
             "f:2:6: error: keys[1].t: \"é\" is not a number; expected one without quotes; correct it");
   EXPECT_EQ(second(first, R"({"é":"ü","t":1,"x":true})"),
             "f:2:20: error: keys[1].x: \"true\" is not a number; expected one without quotes; correct it");
   EXPECT_EQ(read(R"([{"t":0,"x":null}])"),
-            "f:1:13: error: keys[0].x: null where a number was expected; fill it in, or give --missing skip-row, "
-            "skip-cell or break");
+            "f:1:13: error: keys[0].x: null in place of a number; expected a number; fill it in, or give --missing "
+            "skip-row, skip-cell or break");
   EXPECT_EQ(read(R"([{"t":0,"position":[1,"2",3]}])"),
             "f:1:23: error: keys[0].position[1]: \"2\" is not a number; expected one without quotes; correct it");
 }
 
 TEST(JsonKeys, a_missing_new_or_repeated_member_is_an_error) {
   const std::string first = R"({"t":0,"x":1})";
-  EXPECT_EQ(second(first, R"({"t":1})"),
-            "f:2:1: error: a key without \"x\"; expected the members of the first key; add it, or give --missing "
-            "skip-row, skip-cell or "
-            "break");
+  EXPECT_EQ(
+      second(first, R"({"t":1})"),
+      "f:2:1: error: the key has no member \"x\"; expected the members of the first key; add it, or give --missing "
+      "skip-row, skip-cell or break");
   EXPECT_EQ(second(first, R"({"t":1,"x":2,"y":3})"),
-            "f:2:18: error: keys[1].y: not in the first key; expected the same members in every key; add it there");
+            "f:2:18: error: keys[1].y: the first key has no such number; expected the same members in every key; add "
+            "it there");
   EXPECT_EQ(second(first, R"({"t":1,"x":2,"x":3})"),
-            "f:2:14: error: keys[1].x: repeated in one key; expected once; remove one");
+            "f:2:14: error: keys[1].x: the key has this member twice; expected it once; remove one");
 }
 
 TEST(JsonKeys, tension_continuity_and_bias_are_never_dropped_silently) {
@@ -69,13 +71,13 @@ TEST(JsonKeys, tension_continuity_and_bias_are_never_dropped_silently) {
 TEST(JsonKeys, an_array_of_another_length_and_a_value_of_another_shape_are_errors) {
   const std::string first = R"({"t":0,"position":[1,2]})";
   EXPECT_EQ(second(first, R"({"t":1,"position":[1,2,3]})"),
-            "f:2:24: error: keys[1].position: an array of 3; expected 2 numbers, as in the first key; correct it");
+            "f:2:19: error: keys[1].position: the array has 3 elements; expected 2, as in the first key; correct it");
   EXPECT_EQ(second(first, R"({"t":1,"position":[1]})"),
-            "f:2:20: error: keys[1].position: an array of 1; expected 2 numbers, as in the first key; correct it");
+            "f:2:19: error: keys[1].position: the array has 1 element; expected 2, as in the first key; correct it");
   EXPECT_EQ(second(first, R"({"t":1,"position":5})"),
-            "f:2:19: error: keys[1].position: expected an array of numbers, as in the first key; correct it");
+            "f:2:19: error: keys[1].position: not an array; expected one of numbers, as in the first key; correct it");
   EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":[2]})"),
-            "f:2:13: error: keys[1].x[0]: expected a number, as in the first key; correct it");
+            "f:2:13: error: keys[1].x[0]: not a number; expected one, as in the first key; correct it");
 }
 
 TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
@@ -83,8 +85,8 @@ TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
   for (const char* element : {"3", "null", R"("a")", "[3]"}) {
     EXPECT_THAT(
         second(first, R"({"t":1,"position":[1,2,)" + std::string(element) + R"(],"T":0})"),
-        testing::MatchesRegex("f:2:[0-9]+: error: keys.1..position: an array of 3; expected 2 numbers, as in the "
-                              "first key; correct it"))
+        testing::MatchesRegex("f:2:19: error: keys.1..position: the array has 3 elements; expected 2, as in the first "
+                              "key; correct it"))
         << element;
   }
 }
@@ -98,7 +100,7 @@ TEST(JsonKeys, missing_numbers_are_treated_as_requested) {
   EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 1 nan 3\n1: 2 nan 4\n1: 3 5 6\n");
   EXPECT_EQ(read(R"([{"t":0,"position":[1,null]},{"t":1,"position":[null,2]}])", options),
             "t x y\n1: 0 1 nan\n1: 1 nan 2\n");
-  EXPECT_THAT(read(R"([{"t":0,"x":1},{"t":null,"x":1}])", options), HasSubstr("keys[1].t: null where a number"));
+  EXPECT_THAT(read(R"([{"t":0,"x":1},{"t":null,"x":1}])", options), HasSubstr("keys[1].t: null in place of a number"));
 }
 
 TEST(JsonKeys, keys_have_the_texts_of_groups_and_labels) {
@@ -106,18 +108,20 @@ TEST(JsonKeys, keys_have_the_texts_of_groups_and_labels) {
                  with_columns("group=id,carry=l")),
             "t x\n1: 0 1 <7> <\"a\"b>\n1: 1 2 <\"7> <>\n1: 1 3 <true> <>\n");
   EXPECT_THAT(read(R"([{"id":7,"t":0,"x":1},{"t":1,"x":2}])", with_columns("group=id")),
-              HasSubstr("a key without \"id\""));
+              HasSubstr("the key has no member \"id\""));
 }
 
 TEST(JsonKeys, faults_do_not_end_the_reading) {
-  EXPECT_EQ(read("[{\"t\":0,\"x\":1},\n{\"t\":\"a\",\"x\":\"b\"},\n{\"t\":2,\"x\":3},\n{\"t\":4,\"y\":5}]"),
-            "f:2:6: error: keys[1].t: \"a\" is not a number; expected one without quotes; correct it\n"
-            "f:2:14: error: keys[1].x: \"b\" is not a number; expected one without quotes; correct it\n"
-            "f:4:1: error: a key without \"x\"; expected the members of the first key; add it, or give --missing "
-            "skip-row, skip-cell or break\n"
-            "f:4:12: error: keys[3].y: not in the first key; expected the same members in every key; add it there");
+  EXPECT_EQ(
+      read("[{\"t\":0,\"x\":1},\n{\"t\":\"a\",\"x\":\"b\"},\n{\"t\":2,\"x\":3},\n{\"t\":4,\"y\":5}]"),
+      "f:2:6: error: keys[1].t: \"a\" is not a number; expected one without quotes; correct it\n"
+      "f:2:14: error: keys[1].x: \"b\" is not a number; expected one without quotes; correct it\n"
+      "f:4:1: error: the key has no member \"x\"; expected the members of the first key; add it, or give --missing "
+      "skip-row, skip-cell or break\n"
+      "f:4:12: error: keys[3].y: the first key has no such number; expected the same members in every key; add it "
+      "there");
   EXPECT_THAT(read("{\"t\":0,\"x\":1}\n{\"t\":1 \"x\":2}\n{\"t\":2}\n"),
-              testing::AllOf(HasSubstr("f:2:8: error: not JSON"), HasSubstr("f:3:1: error: a key without")));
+              testing::AllOf(HasSubstr("f:2:8: error: not JSON"), HasSubstr("f:3:1: error: the key has no")));
 }
 
 TEST(JsonKeys, a_zero_keeps_its_sign) {
@@ -130,9 +134,9 @@ TEST(JsonKeys, tcb_and_its_parts_may_alternate_but_not_be_in_one_key) {
   EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]},{"t":1,"x":2,"tension":5}])"),
             "t x\n1: 0 1 [1 2 3]\n1: 1 2 [5 0 0]\n");
   EXPECT_THAT(second(R"({"t":0,"x":1})", R"({"t":1,"x":2,"bias":1,"tcb":[1,2,3]})"),
-              HasSubstr("keys[1].tcb[2]: also in \"tcb\"; expected one of them"));
+              HasSubstr("keys[1].tcb[2]: this parameter is given twice"));
   EXPECT_THAT(second(R"({"t":0,"x":1,"tension":0})", R"({"t":1,"x":2,"tcb":[1,2]})"),
-              HasSubstr("keys[1].tcb: an array of 2; expected 3 numbers"));
+              HasSubstr("keys[1].tcb: the array has 2 elements; expected 3"));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // Members of JSON keys: roles and names, as the first key has them.
+#include "read/json/members.hpp"
+
 #include <gmock/gmock.h>
 
-#include "read/json/json_input.hpp"
+#include "read/json/key_reader.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -14,7 +16,7 @@ TEST(JsonMembers, channels_name_the_positions_before_or_after_the_keys) {
   EXPECT_EQ(read(R"({"channels":["a","b"],"keys":[{"t":0,"position":[1,2]}]})"), expected);
   EXPECT_EQ(read(R"({"keys":[{"t":0,"position":[1,2]}],"channels":["a","b"]})"), expected);
   EXPECT_EQ(read(R"({"channels":["a","b","c"],"keys":[{"t":0,"position":[1,2]}]})"),
-            "f:1:35: error: \"channels\" names 3; expected 2, one for each number of \"position\"; correct it");
+            "f:1:35: error: \"channels\" has 3 names; expected 2, one for each number of \"position\"; correct it");
 }
 
 TEST(JsonMembers, requested_columns_have_priority) {
@@ -77,10 +79,11 @@ TEST(JsonMembers, keys_may_have_velocities) {
             "[nan nan][3 3][nan nan][4 4]-+");
   EXPECT_EQ(velocities(R"([{"t":0,"position":[1,2],"x_v":3,"q_v":5},{"t":1,"position":[1,2],"x_v":4,"q_v":5}])"),
             "[3 3][nan nan][4 4][nan nan]+-");
-  EXPECT_THAT(velocities(R"([{"t":0,"position":[1,2],"velocity":[3]}])"),
-              HasSubstr("f:1:26: error: keys[0].velocity: an array of 1; expected 2 numbers, as in \"position\""));
+  EXPECT_THAT(
+      velocities(R"([{"t":0,"position":[1,2],"velocity":[3]}])"),
+      HasSubstr("f:1:26: error: keys[0].velocity: the array has 1 number; expected 2, as in the array of positions"));
   EXPECT_THAT(velocities(R"([{"t":0,"x":1,"x_v":1},{"t":1,"x":1,"x_v":1,"T":0}])"),
-              HasSubstr("keys[1].T: not in the first key"));
+              HasSubstr("keys[1].T: the first key has no such number"));
 }
 
 TEST(JsonMembers, tension_of_channels_has_errors_of_its_own) {
@@ -89,29 +92,30 @@ TEST(JsonMembers, tension_of_channels_has_errors_of_its_own) {
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":[1,0,0]},"tension_x":1}])"),
               HasSubstr("has the role tension_x"));
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":1}}])"),
-              HasSubstr("keys[0].tcb.x: expected an array [T,C,B]; correct it"));
+              HasSubstr("keys[0].tcb.x: not an array; expected [T,C,B]; correct it"));
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":[1,0,0]}},{"t":1,"x":2,"tcb":{"x":[1,0]}}])"),
               HasSubstr("keys[1].tcb.x: "));
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1},{"t":1,"x":2,"tcb":{"x":[1,0,0]}}])"),
-              HasSubstr("keys[1].tcb.x[0]: not in the first key"));
+              HasSubstr("keys[1].tcb.x[0]: the first key has no such number"));
   EXPECT_THAT(channel_tcbs(R"({"tension_x":1,"keys":[{"t":0,"x":1},{"t":1,"x":2}]})"),
-              HasSubstr("tension_x: not in a key"));
+              HasSubstr("tension_x: this member is outside the keys"));
 }
 
 TEST(JsonMembers, a_repeated_member_in_the_first_key_is_an_error) {
-  EXPECT_THAT(read(R"([{"t":0,"x":1,"x":2}])"), HasSubstr("keys[0].x: repeated in one key; expected once; remove one"));
+  EXPECT_THAT(read(R"([{"t":0,"x":1,"x":2}])"),
+              HasSubstr("keys[0].x: the key has this member twice; expected it once; remove one"));
 }
 
 TEST(JsonMembers, the_first_key_determines_the_members) {
-  const Chunk chunk{R"([{"t":0,"position":[1,2],"name":"a","T":1}])"};
-  const JsonColumns columns = find_members(chunk, {}, {"a", "b"});
+  const JsonPart part{JsonPart::Kind::elements, {R"({"t":0,"position":[1,2],"name":"a","T":1})"}};
+  const JsonColumns columns = find_members(part, {}, {"a", "b"});
   ASSERT_GE(columns.members.size(), 4U);
   EXPECT_TRUE(columns.members[1].array);
   EXPECT_EQ(columns.members[1].cells, 2U);
   EXPECT_EQ(columns.columns.cells[columns.members[2].cell].role, Role::ignored);
   EXPECT_TRUE(columns.members[0].required && columns.members[1].required);
   EXPECT_FALSE(columns.members[2].required || columns.members[3].required);
-  EXPECT_EQ(shown_key(parse_json(chunk, columns), 0), "1: 0 1 2 [1 0 0]\n");
+  EXPECT_EQ(shown_key(parse_json(part, columns), 0), "1: 0 1 2 [1 0 0]\n");
 }
 
 TEST(JsonMembers, a_text_is_an_error_where_the_name_or_the_text_is_that_of_a_number) {
@@ -125,7 +129,8 @@ TEST(JsonMembers, a_text_is_an_error_where_the_name_or_the_text_is_that_of_a_num
 
 TEST(JsonMembers, a_near_miss_of_a_known_member_is_an_error) {
   const std::string what =
-      ": close to \"tension\", but its name makes it a channel; expected tension, or another name; rename it";
+      ": this name is close to \"tension\", but makes the member a channel; expected \"tension\" or a name unlike it; "
+      "rename it";
   EXPECT_THAT(read(R"([{"t":0,"position":[1],"tensoin":0.5}])"),
               testing::StartsWith("f:1:24: error: keys[0].tensoin" + what));
   EXPECT_THAT(read(R"([{"t":0,"tensoin":0.5}])"), testing::StartsWith("f:1:9: error: keys[0].tensoin" + what));

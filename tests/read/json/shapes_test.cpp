@@ -1,9 +1,10 @@
 // Shapes of JSON inputs: the same keys in every shape, in pieces of any size.
+#include "read/json/shapes.hpp"
+
 #include <gmock/gmock.h>
 
 #include <random>
 
-#include "read/json/json_input.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -37,7 +38,7 @@ TEST(Json, an_input_without_keys_is_an_error) {
   InputOptions json;
   json.format = FormatId::json;
   for (const char* text : {"", " \n", "[]", "[ ]\n"}) {
-    EXPECT_EQ(read(text, json), "f: error: no keys: the input is empty; expected an object for each key; see --help");
+    EXPECT_EQ(read(text, json), "f: error: the input has no keys; expected a JSON object for each key; see --help");
   }
   EXPECT_EQ(read("{\"keys\":[]}", json), "f:1:1: error: no keys; expected at least two; add them");
 }
@@ -49,8 +50,8 @@ TEST(Json, faults_after_the_keys_have_their_position) {
 }
 
 TEST(Json, a_list_that_is_cut_off_is_an_error_at_its_end) {
-  EXPECT_THAT(read("[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:7: error: not JSON"));
-  EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:7: error: not JSON"));
+  EXPECT_THAT(read("[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:8: error: not JSON"));
+  EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:8: error: not JSON"));
 }
 
 TEST(Json, settings_before_the_keys_do_not_change_their_positions) {
@@ -114,7 +115,7 @@ TEST(Json, curves_have_their_own_keys_and_settings) {
 
 TEST(Json, settings_outside_curves_are_errors) {
   EXPECT_EQ(read(R"({"preset":"vtk","curves":[{"keys":[{"t":0,"x":1}]}]})"),
-            "f:1:11: error: preset: outside the curves; expected in each of them; move it there");
+            "f:1:11: error: preset: this setting is outside the curves; expected it in each curve; move it there");
 }
 
 /// Keys in one of the three shapes, freely laid out, and what they mean.
@@ -167,16 +168,16 @@ TEST(Json, the_text_before_a_nul_is_read_first) {
 
 TEST(Json, a_text_that_looks_like_a_message_is_shown_as_text) {
   EXPECT_THAT(read("[{\"'; expected \xFF\":1}]"),
-              testing::StartsWith("f:1:16: error: not JSON: the last character of \"'; expected \\xFF\" may not"));
+              testing::StartsWith("f:1:16: error: not JSON: the last character of \"'; expected \\xFF\" is not"));
   EXPECT_THAT(read("[{\"a\":\"'; expected \xFF\"}]"),
-              testing::StartsWith("f:1:20: error: not JSON: the last character of \"'; expected \\xFF\" may not"));
+              testing::StartsWith("f:1:20: error: not JSON: the last character of \"'; expected \\xFF\" is not"));
 }
 
 TEST(Json, nothing_where_a_key_was_expected) {
   for (const std::size_t piece : {std::size_t{1}, std::string::npos}) {
     const auto refusal = [](int column) {
       return "f:1:" + std::to_string(column) +
-             ": error: nothing where a key was expected; expected an object; remove the comma";
+             ": error: no key before or after a comma; expected an object; remove the comma";
     };
     EXPECT_EQ(read(R"([,{"t":0,"x":1}])", {}, piece), refusal(2));
     EXPECT_EQ(read(R"([{"t":0,"x":1},,{"t":1,"x":1}])", {}, piece), refusal(16));

@@ -1,5 +1,5 @@
-// Splitting JSON: chunks of whole keys in every shape, with their places, however the bytes arrive.
-#include "read/json/json_input.hpp"
+// JSON splitter: parts of whole keys in every shape, with their places, however the bytes arrive.
+#include "read/json/splitter.hpp"
 
 #include <gmock/gmock.h>
 
@@ -24,7 +24,7 @@ Split split(const std::string& text, std::size_t piece = std::string::npos) {
   while (const auto part = splitter.next()) {
     const Chunk& chunk = part->chunk;
     if (!result.shape) result.shape = splitter.shape();
-    if (part->is_object) {
+    if (part->kind == JsonPart::Kind::object) {
       result.objects.push_back(*part);
       continue;
     }
@@ -35,33 +35,33 @@ Split split(const std::string& text, std::size_t piece = std::string::npos) {
   return result;
 }
 
-/// The object around keys, as "TEXT|LINE:COLUMN" with the position of the text after the keys.
+/// The object around keys, as "TEXT|LINE:COLUMN TEXT" with the position of the text after the keys.
 std::string shown_object(const JsonPart& part) {
-  return fmt::format("{}|{}:{}", part.chunk.text, part.line, part.column);
+  return fmt::format("{}|{}:{} {}", part.chunk.text, part.after.line, part.after.column, part.after.text);
 }
 
-TEST(JsonSplit, an_array_is_cut_into_arrays) {
-  EXPECT_THAT(split("[{\"t\":0},{\"t\":1}]").texts, ElementsAre("[{\"t\":0},{\"t\":1}]"));
+TEST(JsonSplit, an_array_is_cut_into_elements) {
+  EXPECT_THAT(split("[{\"t\":0},{\"t\":1}]").texts, ElementsAre("{\"t\":0},{\"t\":1}"));
   const Split cut = split(" [{\"t\":0},\n é{\"t\":1}, {}]", 1);
-  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[\n é{\"t\":1}]", "[ {}]"));
-  EXPECT_THAT(cut.places, ElementsAre("1:2 #0", "1:10 #1", "2:10 #2")) << "of the bracket or comma, in characters";
+  EXPECT_THAT(cut.texts, ElementsAre("{\"t\":0}", "\n é{\"t\":1}", " {}"));
+  EXPECT_THAT(cut.places, ElementsAre("1:3 #0", "1:11 #1", "2:11 #2")) << "in characters";
   EXPECT_EQ(cut.shape, JsonShape::list);
 }
 
 TEST(JsonSplit, keys_in_an_object_leave_the_members_around_them) {
   const Split cut = split("{\"a\":[1,{}],\n\"keys\": [{\"t\":0},{\"t\":1}],\"b\":2}\n", 1);
-  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]", "[{\"t\":1}]"));
-  EXPECT_THAT(cut.places, ElementsAre("2:9 #0", "2:17 #1"));
+  EXPECT_THAT(cut.texts, ElementsAre("{\"t\":0}", "{\"t\":1}"));
+  EXPECT_THAT(cut.places, ElementsAre("2:10 #0", "2:18 #1"));
   EXPECT_EQ(cut.shape, JsonShape::object);
   ASSERT_EQ(cut.objects.size(), 1U);
-  EXPECT_EQ(shown_object(cut.objects[0]), "{\"a\":[1,{}],\n\"keys\": [],\"b\":2}\n|2:26");
+  EXPECT_EQ(shown_object(cut.objects[0]), "{\"a\":[1,{}],\n\"keys\": [|2:25 ],\"b\":2}\n");
 }
 
 TEST(JsonSplit, what_follows_the_keys_keeps_its_position) {
   const std::pair<const char*, const char*> places[] = {
-      {"{\"keys\":[\n{\"t\":0},\n{\"t\":1}\n ] ,\"b\":2}", "{\"keys\":[] ,\"b\":2}|4:3"},
-      {"{\"keys\":[{\"t\":0}],\"b\":2}", "{\"keys\":[],\"b\":2}|1:18"},
-      {"{\n\"keys\":[{\"t\":0},\n{}],\"b\":2}", "{\n\"keys\":[],\"b\":2}|3:4"}};
+      {"{\"keys\":[\n{\"t\":0},\n{\"t\":1}\n ] ,\"b\":2}", "{\"keys\":[|4:2 ] ,\"b\":2}"},
+      {"{\"keys\":[{\"t\":0}],\"b\":2}", "{\"keys\":[|1:17 ],\"b\":2}"},
+      {"{\n\"keys\":[{\"t\":0},\n{}],\"b\":2}", "{\n\"keys\":[|3:3 ],\"b\":2}"}};
   for (const auto& [text, expected] : places) {
     for (std::size_t piece = 1; piece <= std::string(text).size(); ++piece) {
       const auto objects = split(text, piece).objects;
@@ -78,16 +78,16 @@ TEST(JsonSplit, each_curve_has_its_keys_and_the_members_around_them) {
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
     const Split cut = split(text, piece);
     std::string keys;
-    for (const std::string& part : cut.texts) keys += part;
-    EXPECT_THAT(keys, testing::AnyOf("[{\"t\":0}][{\"t\":1}][{\"t\":5}]", "[{\"t\":0},{\"t\":1}][{\"t\":5}]"));
-    EXPECT_EQ(cut.places.front(), "2:19 curves[0].keys #0");
-    EXPECT_EQ(cut.places.back(), "3:9 curves[1].keys #0");
+    for (const std::string& part : cut.texts) keys += part + ";";
+    EXPECT_THAT(keys, testing::AnyOf("{\"t\":0};{\"t\":1};{\"t\":5};", "{\"t\":0},{\"t\":1};{\"t\":5};"));
+    EXPECT_EQ(cut.places.front(), "2:20 curves[0].keys #0");
+    EXPECT_EQ(cut.places.back(), "3:10 curves[1].keys #0");
     ASSERT_EQ(cut.objects.size(), 4U);
-    EXPECT_EQ(shown_object(cut.objects[0]), "{\"id\":\"a\",\"keys\":[],\"closed\":true}|2:36");
-    EXPECT_EQ(shown_object(cut.objects[1]), "{\"keys\":[]}|3:18");
+    EXPECT_EQ(shown_object(cut.objects[0]), "{\"id\":\"a\",\"keys\":[|2:35 ],\"closed\":true}");
+    EXPECT_EQ(shown_object(cut.objects[1]), "{\"keys\":[|3:17 ]}");
     EXPECT_EQ(cut.objects[2].chunk.text, "{\"id\":2}");
     EXPECT_EQ(cut.objects[2].chunk.path, "curves[2]");
-    EXPECT_EQ(shown_object(cut.objects[3]), "{\"v\":{\"curves\":[1]},\"curves\":[],\"w\":[]}\n|3:29");
+    EXPECT_EQ(shown_object(cut.objects[3]), "{\"v\":{\"curves\":[1]},\"curves\":[|3:28 ],\"w\":[]}\n");
   }
 }
 
@@ -117,43 +117,58 @@ TEST(JsonSplit, brackets_commas_and_quotes_in_strings_have_no_effect) {
   const std::string key = R"({"l":"],[}{,\"\\","t":[0,{"a":[1]}]})";
   for (std::size_t piece = 1; piece <= key.size(); ++piece) {
     const auto texts = split("[" + key + "," + key + "]", piece).texts;
-    const bool whole = texts == std::vector<std::string>{"[" + key + "," + key + "]"};
-    const bool in_two = texts == std::vector<std::string>{"[" + key + "]", "[" + key + "]"};
+    const bool whole = texts == std::vector<std::string>{key + "," + key};
+    const bool in_two = texts == std::vector<std::string>{key, key};
     EXPECT_TRUE(whole || in_two) << piece;
   }
 }
 
 TEST(JsonSplit, a_member_that_only_holds_the_word_keys_is_not_the_list) {
   const Split cut = split(R"({"a":"keys","b":[{}],"c":{"keys":[1]},"keys":[{"t":0}]})", 1);
-  EXPECT_THAT(cut.texts, ElementsAre("[{\"t\":0}]"));
+  EXPECT_THAT(cut.texts, ElementsAre("{\"t\":0}"));
   EXPECT_EQ(cut.shape, JsonShape::object);
 }
 
-TEST(JsonSplit, every_byte_of_an_array_is_in_a_chunk_at_its_position) {
+TEST(JsonSplit, every_byte_of_an_array_is_in_a_part_at_its_position) {
   for (const std::string text : {"[{\"a\":1},{\"b\":[2,3]}\n,{\"é\":\"x,]\"},\n\n {\"c\":4} ]", "[1,,2]", "[{},]",
-                                 "[{} {}]", "[{},{\"a\":", "[{},{\"a\":\"", "[{},"}) {
+                                 "[{} {}]", "[{}},{}]", "[,{}]"}) {
     for (std::size_t piece = 1; piece <= text.size(); ++piece) {
       const Split cut = split(text, piece);
       std::string joined = "[";
       for (std::size_t i = 0; i < cut.texts.size(); ++i) {
-        const auto before = static_cast<std::size_t>(joined.rfind('\n') + 1);
+        if (i > 0) joined += ',';
+        const auto line_begin = static_cast<std::size_t>(joined.rfind('\n') + 1);
         const auto line = 1 + std::ranges::count(joined, '\n');
-        const auto column = std::ranges::count_if(joined.substr(before), [](char c) { return (c & 0xC0) != 0x80; });
-        EXPECT_THAT(cut.places[i], testing::StartsWith(fmt::format("{}:{} ", line, i == 0 ? 1 : column))) << text;
-        const bool closed_here = i + 1 < cut.texts.size();
-        joined += cut.texts[i].substr(1, cut.texts[i].size() - (closed_here ? 2 : 1)) + (closed_here ? "," : "");
+        const auto column =
+            1 + std::ranges::count_if(joined.substr(line_begin), [](char c) { return (c & 0xC0) != 0x80; });
+        EXPECT_THAT(cut.places[i], testing::StartsWith(fmt::format("{}:{} ", line, column))) << text;
+        joined += cut.texts[i];
       }
-      EXPECT_EQ(joined, text) << "in pieces of " << piece;
+      EXPECT_EQ(joined + "]", text) << "in pieces of " << piece;
     }
   }
+}
+
+TEST(JsonSplit, an_array_that_is_not_closed_is_an_error_after_its_last_element) {
+  for (const std::string text : {"[{},{\"a\":", "[{},{\"a\":\"", "[{},", "[{},{}", "[", "{\"keys\":[{}"}) {
+    for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+      EXPECT_EQ(error_of([&] { split(text, piece); }),
+                fmt::format("f:1:{}: error: not JSON: the text ends too early; expected the rest of the last value; "
+                            "complete it",
+                            text.size() + 1));
+    }
+  }
+  JsonSplitter splitter(pieces("[{},{}", 4));
+  EXPECT_EQ(splitter.next()->chunk.text, "{}");
+  EXPECT_EQ(splitter.next()->chunk.text, "{}");
 }
 
 TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
   for (std::size_t piece = 1; piece < 20; ++piece) {
     EXPECT_EQ(error_of([&] { split("[{\"é\":0}]\n \t]x", piece); }),
-              "f:2:3: error: text after the end of the JSON array; expected nothing more; remove it");
+              "f:2:3: error: text after the end of the array of keys; expected nothing more; remove it");
     EXPECT_EQ(error_of([&] { split("[{\"é\":0}] [", piece); }),
-              "f:1:11: error: text after the end of the JSON array; expected nothing more; remove it");
+              "f:1:11: error: text after the end of the array of keys; expected nothing more; remove it");
   }
 }
 

@@ -1,0 +1,17 @@
+// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves, JSON Lines.
+//
+// Source: RFC 8259.
+#pragma once
+
+#include <string>
+
+#include "schema/input.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// Opens JSON of any shape: an array of keys, an object with "keys", one with "curves", or JSON Lines. Keys of an
+/// object are held until its settings are known. Requires: the bytes have no byte order mark. Throws: Error (data).
+Input open_json(Source<std::string> bytes, const InputOptions& options);
+
+}  // namespace tcb
