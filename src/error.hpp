@@ -387,7 +387,7 @@ class Error : public std::exception {
   const std::string& member() const { return member_; }
   const std::vector<Error>& others() const { return others_; }
 
-  /// Not for people: error_text() in cli/remedies is.
+  /// Not for people: error_text() in io/terminal.hpp is.
   const char* what() const noexcept override { return "tcb::Error"; }
 
   /// What else is wrong with the same input.
@@ -441,6 +441,9 @@ class Error : public std::exception {
   std::string member_;
   std::vector<Error> others_;
 };
+
+/// The message of an error, or the words of its code.
+std::string error_message(const Error& error);
 
 /// Runs f; the errors that it throws are in this file.
 template <class F>

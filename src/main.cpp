@@ -5,7 +5,6 @@
 
 #include "check/report.hpp"
 #include "cli/options.hpp"
-#include "cli/remedies.hpp"
 #include "error.hpp"
 #include "fit/fit_picture.hpp"
 #include "io/atomic_output.hpp"
@@ -32,21 +31,20 @@ int main(int argc, char** argv) {
   tcb::keep_standard_streams();
   tcb::end_when_interrupted();
   const bool colored = tcb::colors_messages(tcb::color_of(argc, argv));
-  const auto words = colored ? tcb::colored_error_text : tcb::error_text;
   try {
     const tcb::Invocation invocation = tcb::parse(argc, argv);
     if (invocation.job.writes_files()) tcb::remove_unfinished_when_interrupted();
-    if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job, tcb::error_message));
+    if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job));
     const bool draws = tcb::format_of(invocation.job.output_format).is_picture;
     if (!invocation.text && invocation.job.sampling.mode == tcb::Mode::fit && draws) {
-      return static_cast<int>(tcb::draw_fit(invocation.job, {words, tcb::note_text}));
+      return static_cast<int>(tcb::draw_fit(invocation.job));
     }
-    if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job, {words, tcb::note_text}));
+    if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job));
     if (invocation.exit != tcb::Exit::done) return refuse(invocation.exit, *invocation.text);
     print(*invocation.text);
     return static_cast<int>(tcb::Exit::done);
   } catch (const tcb::Error& error) {
-    return refuse(error.exit(), words(error));
+    return refuse(error.exit(), tcb::error_text(error, colored));
   } catch (const std::bad_alloc&) {
     return refuse(tcb::Exit::usage, "tcbsample: error: out of memory");
   } catch (const std::exception& error) {

@@ -8,9 +8,12 @@
 #include <limits>
 #include <utility>
 
+#include "check/errors.hpp"
+#include "check/problems.hpp"
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "sample/index.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
@@ -49,15 +52,14 @@ Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
       break;
     }
     if (rows.size() == 0)
-      result.problems.push_back({Exit::data, ErrorCode::curve_without_rows, {group_title(names, curve.group)}});
+      result.problems.push_back(curve_without_rows(group_title(names, curve.group)));
     else
       result.pairs.push_back({&curve, std::move(rows)});
   }
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) continue;
     const SampleRows& rows = table.curves[i];
-    result.problems.push_back(
-        {Exit::data, ErrorCode::rows_without_keys, {group_title(names, rows.group), rows.lines.at(0)}});
+    result.problems.push_back(rows_without_curve(group_title(names, rows.group), rows.lines.at(0)));
   }
   return result;
 }
@@ -77,7 +79,7 @@ Pairs pair_up(const KeptCurves& kept, SampleTable& table) {
   const std::size_t both = std::min(kept.curves.size(), table.curves.size());
   for (std::size_t i = 0; i < both; ++i) result.pairs.push_back({&kept.curves[i], std::move(table.curves[i])});
   if (kept.curves.size() != table.curves.size()) {
-    result.problems.push_back({Exit::data, ErrorCode::curve_counts, {table.curves.size(), kept.curves.size(), both}});
+    result.problems.push_back(curve_counts_differ(table.curves.size(), kept.curves.size(), both));
   }
   return result;
 }
@@ -113,12 +115,10 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
   }
   if (off_curve > 0) {
     const auto& [row, place] = first_off;
-    const bool missing = !(place == place);
-    result.off_curve = Error(Exit::data,
-                             missing             ? ErrorCode::rows_without_place
-                             : columns.by_length ? ErrorCode::lengths_off_curve
-                                                 : ErrorCode::times_off_curve,
-                             {off_curve, rows.lines[row], time_text(place), time_text(place < first ? first : last)});
+    const bool has_place = place == place;
+    result.off_curve = has_place ? rows_off_curve(off_curve, rows.lines[row], columns.by_length, time_text(place),
+                                                  time_text(place < first ? first : last))
+                                 : rows_without_place(off_curve, rows.lines[row]);
   }
   return result;
 }
@@ -216,12 +216,12 @@ class Checker {
 void require_columns(const Comparison& comparison, const ComparisonInputs& inputs) {
   std::vector<std::string> known{inputs.place_name()};
   for (const MatchedColumn& column : inputs.columns.compared) known.push_back(column.name);
-  for (const auto& [option, tolerances] :
-       {std::pair{Option::abs, &comparison.abs}, std::pair{Option::rel, &comparison.rel},
-        std::pair{Option::ulp, &comparison.ulp}}) {
+  for (const auto& [name, tolerances] :
+       {std::pair{option::abs, &comparison.abs}, std::pair{option::rel, &comparison.rel},
+        std::pair{option::ulp, &comparison.ulp}}) {
     for (const Tolerance& tolerance : *tolerances) {
       if (tolerance.column.empty() || std::ranges::count(known, tolerance.column) > 0) continue;
-      throw Error(Exit::usage, ErrorCode::tolerance_of_other_column, {tolerance.column, known}).about(option);
+      throw tolerance_of_unknown_column(tolerance.column, known).about(name);
     }
   }
 }

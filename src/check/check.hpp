@@ -49,7 +49,7 @@ struct ComparisonSummary {
   std::string file, keys;            ///< names of the files of samples and of keys
   bool by_length = false;            ///< the samples are at arc lengths
   std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
-  std::vector<Error> problems;       ///< of columns, curves and rows, besides the numbers
+  std::vector<std::string> problems;       ///< of columns, curves and rows, besides the numbers
 };
 
 /// The result of a check for one column.
@@ -75,7 +75,7 @@ struct Pair {
 
 struct Pairs {
   std::vector<Pair> pairs;
-  std::vector<Error> problems;  ///< curves without rows, rows without a curve
+  std::vector<std::string> problems;  ///< curves without rows, rows without a curve
 };
 
 /// Pairs curves and rows by their groups if both have them, else by their order; a single curve takes all rows.
@@ -88,7 +88,7 @@ ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs);
 struct Places {
   std::vector<std::size_t> rows;
   std::vector<Time> places;        ///< of these rows
-  std::optional<Error> off_curve;  ///< if other rows are not on the curve: how many, and the first of them
+  std::optional<std::string> off_curve;  ///< if other rows are not on the curve: how many, and the first of them
 };
 
 /// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "check/errors.hpp"
 #include "error.hpp"
 #include "numbers/print_number.hpp"
 
@@ -59,7 +60,7 @@ void CheckPicture::begin(const ComparisonInputs& inputs) {
     given_.push_back(column->given);
     scene_.channels.push_back(channels[channel]);
   }
-  if (channels_.empty()) throw Error(Exit::data, ErrorCode::no_position_column, {channels});
+  if (channels_.empty()) throw no_position_column(channels);
   scene_.path = path_axes(scene_.channels, job_.picture.axes);
   for (std::size_t i = 0; i < channels_.size(); ++i) scene_.channels.push_back(scene_.channels[i] + ", difference");
   scene_.time = inputs.kept.input.time;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "check/ranking.hpp"
+#include "option_names.hpp"
 #include "sample/cells.hpp"
 #include "tcb/spline/rules.hpp"
 
@@ -194,10 +195,12 @@ std::string ends_of(const Convention& convention) {
 }
 
 CurveSettings settings_of(const Convention& convention, CurveSettings others, const ComparedParts& parts) {
-  others.tangents = name_of(convention.tangents);
-  if (!parts.closed) others.ends = ends_of(convention);
+  others.tangents = {std::string(name_of(convention.tangents)), {option::tangents}};
+  if (!parts.closed) others.ends = {ends_of(convention), {option::ends}};
   others.equal_speed = convention.equal_speed;
-  if (convention.rotation_curve) others.rotation_curve = name_of(*convention.rotation_curve);
+  if (convention.rotation_curve) {
+    others.rotation_curve = {std::string(name_of(*convention.rotation_curve)), {option::rotation_curve}};
+  }
   others.rotation_preset = convention.rotation_preset;
   return others;
 }

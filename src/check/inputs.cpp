@@ -5,10 +5,13 @@
 #include <numeric>
 #include <utility>
 
+#include "check/errors.hpp"
+#include "check/problems.hpp"
 #include "error.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
+#include "option_names.hpp"
 #include "sample/fields.hpp"
 #include "schema/input.hpp"
 #include "stream/source.hpp"
@@ -143,7 +146,7 @@ class Matcher {
       if (field != field_of("time") && !(result_.by_length && field == field_of("s"))) match_field(field);
     }
     if (result_.compared.empty()) {
-      throw Error(Exit::data, ErrorCode::nothing_to_compare, {table_.columns, names_of(candidates, keys_)});
+      throw nothing_to_compare(table_.columns, names_of(candidates, keys_));
     }
     classify_other_columns();
     return std::move(result_);
@@ -152,7 +155,7 @@ class Matcher {
  private:
   void require_distinct_names() const {
     for (const std::string& name : table_.columns) {
-      if (std::ranges::count(table_.columns, name) > 1) throw Error(Exit::data, ErrorCode::repeated_column, {name});
+      if (std::ranges::count(table_.columns, name) > 1) throw samples_have_same_column(name);
     }
   }
 
@@ -163,7 +166,7 @@ class Matcher {
     result_.by_length = s && (wants_s || !table_.timed);
     if (result_.by_length) result_.place = s;
     if (table_.timed || result_.by_length) return;
-    throw Error(Exit::data, ErrorCode::samples_without_places, {table_.columns, keys_.time});
+    throw samples_without_places(table_.columns, keys_.time);
   }
 
   bool is_compared(std::size_t column) const {
@@ -185,7 +188,7 @@ class Matcher {
     const bool found = result_.compared.size() > before;
     if (found) result_.fields.push_back(field);
     if (missing.empty() || (given_.empty() && !found)) return;
-    result_.problems.push_back({Exit::data, ErrorCode::missing_columns, {missing}});
+    result_.problems.push_back(columns_missing(missing));
   }
 
   /// The columns of the samples that match none of the curve are ignored if fields are given.
@@ -198,7 +201,7 @@ class Matcher {
     if (!given_.empty())
       result_.ignored.insert(result_.ignored.end(), unknown.begin(), unknown.end());
     else if (!unknown.empty())
-      result_.problems.push_back({Exit::data, ErrorCode::unknown_columns, {unknown}});
+      result_.problems.push_back(columns_of_no_field(unknown));
   }
 
   const SampleTable& table_;
@@ -215,10 +218,10 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
   result.fields = chosen;
   const std::size_t columns = table.columns.size() + (table.timed ? 1 : 0);
   if (names.size() != columns)
-    throw Error(Exit::data, ErrorCode::unnamed_sample_columns, {columns, names.size(), names});
+    throw unnamed_sample_columns(columns, names);
   const auto time = place_of_time(chosen, keys);
   const auto length = time ? std::nullopt : find(names, "s");
-  if (!time && !length) throw Error(Exit::usage, ErrorCode::fields_without_places).about(Option::fields);
+  if (!time && !length) throw fields_without_places().about(option::fields);
   result.place = length;
   result.by_length = length.has_value();
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -83,7 +83,7 @@ struct MatchedColumns {
   std::optional<std::size_t> place;  ///< index into SampleTable::columns: the places of the samples, if not the times
   bool by_length = false;            ///< the places are arc lengths
   std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
-  std::vector<Error> problems;       ///< of columns that are missing or unknown
+  std::vector<std::string> problems;       ///< of columns that are missing or unknown
 
   /// Negates computed quaternions and turns computed angles by whole turns where that is nearer to the given row, as
   /// these are the same.

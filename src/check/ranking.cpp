@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "check/errors.hpp"
 #include "error.hpp"
 #include "sample/build.hpp"
 #include "stream/ordered_map.hpp"
@@ -130,7 +131,7 @@ void compare_positions_only(ComparisonInputs& inputs) {
     std::ranges::transform(numbers, numbers.begin(), [&](auto i) { return places[i]; });
   for (auto& angle : columns.angles) angle.first = places[angle.first];
   columns.compared = std::move(positions);
-  if (columns.compared.empty()) throw Error(Exit::data, ErrorCode::no_position_column, {inputs.kept.input.channels});
+  if (columns.compared.empty()) throw no_position_column(inputs.kept.input.channels);
 }
 
 /// Counts the rows on the curves; adds a problem for rows off them, which are off them with every convention.
@@ -140,13 +141,6 @@ void find_rows(const Comparer& comparer, const std::vector<GivenSamples>& sample
     result.rows += places.rows.size();
     if (places.off_curve) result.problems.emplace_back(*places.off_curve);
   }
-}
-
-/// The error that no row is on a curve, with all problems as reasons.
-Error no_samples(const Identification& result) {
-  Error error(Exit::data, ErrorCode::no_samples_on_curve);
-  for (const Error& problem : result.problems) error.add(problem);
-  return error;
 }
 
 /// Compares all conventions with samples, on all threads.
@@ -206,7 +200,7 @@ void rank(Identification& result, const Job& job, const ComparisonInputs& inputs
           const std::vector<GivenSamples>& samples) {
   const Comparer comparer(job, inputs, result.orders, result.parts);
   find_rows(comparer, samples, result);
-  if (result.rows == 0) throw no_samples(result).in(inputs.file);
+  if (result.rows == 0) throw no_row_on_curve(result.problems).in(inputs.file);
   const Subset subset = subset_of(samples, inputs, result.parts);
   const auto rank_by = [&](const std::vector<GivenSamples>& rows, const std::vector<Convention>& some) {
     return ranked(compared(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows), result.parts);
@@ -220,7 +214,7 @@ void rank(Identification& result, const Job& job, const ComparisonInputs& inputs
   result.conventions = all.size();
   result.ranking = rank_some(all);
   if (!result.ranking.candidates.front().worst) {
-    throw Error(Exit::data, ErrorCode::no_sample_numbers).in(inputs.file);
+    throw no_number_in_samples().in(inputs.file);
   }
   if (result.fits() || result.parts.closed) return;
   const std::vector<Convention> more = mixed(result.ranking);

@@ -43,17 +43,10 @@ std::string list_json(const std::vector<std::string>& texts) {
   return "[" + list + "]";
 }
 
-std::vector<std::string> texts(const std::vector<Error>& problems, ErrorWords words) {
-  std::vector<std::string> all;
-  all.reserve(problems.size());
-  for (const Error& problem : problems) all.push_back(words(problem));
-  return all;
-}
-
 /// The last lines that all reports have.
-std::string remarks(const ComparisonSummary& summary, ErrorWords words) {
+std::string remarks(const ComparisonSummary& summary) {
   std::string out;
-  for (const std::string& problem : texts(summary.problems, words)) out += fmt::format("problem: {}\n", problem);
+  for (const std::string& problem : summary.problems) out += fmt::format("problem: {}\n", problem);
   if (!summary.ignored.empty()) out += fmt::format("not compared: {}\n", fmt::join(summary.ignored, ", "));
   return out;
 }
@@ -146,7 +139,7 @@ std::string row_json(const Identification& found, const Candidate& candidate, bo
 
 }  // namespace
 
-std::string text(const Check& check, ErrorWords words) {
+std::string text(const Check& check) {
   std::string out =
       fmt::format("check: {}\nfile: {}\nkeys: {}\nsamples: at its {}\n", check.passed() ? "passed" : "failed",
                   check.file, check.keys, samples_at(check.by_length));
@@ -156,10 +149,10 @@ std::string text(const Check& check, ErrorWords words) {
   for (const ColumnCheck& column : check.columns) {
     out += fmt::format("column {}: mismatches {}, largest {}\n", column.name, column.mismatches, text(column.largest));
   }
-  return out + remarks(check, words);
+  return out + remarks(check);
 }
 
-std::string json(const Check& check, ErrorWords words) {
+std::string json(const Check& check) {
   std::string columns;
   for (const ColumnCheck& column : check.columns) {
     columns += fmt::format("{}\n{{\"name\":{},\"mismatches\":{},{}}}", columns.empty() ? "" : ",",
@@ -170,14 +163,14 @@ std::string json(const Check& check, ErrorWords words) {
       "\"first\":{},\n\"worst\":{},\n\"columns\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       check.passed(), json_text(check.file), json_text(check.keys), samples_at(check.by_length), check.rows,
       check.values, check.mismatches, json(check.first), json(check.worst), columns,
-      list_json(texts(check.problems, words)), list_json(check.ignored));
+      list_json(check.problems), list_json(check.ignored));
 }
 
-std::string text(const Identification& found, ErrorWords words) {
+std::string text(const Identification& found) {
   std::string out = verdict(found) + same_orders(found);
   out += fmt::format("file: {}\nkeys: {}\nsamples: at its {}\nrows: {}\nconventions: {}\n", found.file, found.keys,
                      samples_at(found.by_length), found.rows, found.conventions);
-  out += remarks(found, words);
+  out += remarks(found);
   out += "rank  largest error           rows off  convention\n";
   for (std::size_t i = 0; i < std::min(found.ranking.candidates.size(), most_ranked); ++i) {
     const Candidate& candidate = found.ranking.candidates[i];
@@ -187,7 +180,7 @@ std::string text(const Identification& found, ErrorWords words) {
   return out;
 }
 
-std::string json(const Identification& found, ErrorWords words) {
+std::string json(const Identification& found) {
   const Ranking& ranking = found.ranking;
   std::string rows;
   for (std::size_t i = 0; i < std::min(ranking.candidates.size(), std::max(ranking.fitting, most_ranked)); ++i) {
@@ -200,7 +193,7 @@ std::string json(const Identification& found, ErrorWords words) {
       found.fits(), ranking.precision ? json_text(name_of(*ranking.precision)) : "null", json_text(found.file),
       json_text(found.keys), samples_at(found.by_length), found.rows, found.conventions,
       list_json(order_of(found, best).same), json(best.first), json(best.worst), rows,
-      list_json(texts(found.problems, words)), list_json(found.ignored));
+      list_json(found.problems), list_json(found.ignored));
 }
 
 namespace {
@@ -240,19 +233,19 @@ Exit draw(const Job& job, FileProgress* progress) {
 
 }  // namespace
 
-Exit compare(const Job& job, ErrorWords words) {
+Exit compare(const Job& job) {
   const ThreadPool pool(job.threads());
-  Report report(job.verbosity, {words, nullptr});
+  Report report(job.verbosity);
   report.expect(1, 0);
   const auto progress = report.begin_file(job.files[0], 0);
   const bool as_json = job.output_format == FormatId::json;
   if (format_of(job.output_format).is_picture) return draw(job, progress.get());
   if (job.comparison->identify) {
     const Identification result = identify(job, read_positions(job, progress.get()));
-    return write(job, as_json ? json(result, words) : text(result, words), result.fits());
+    return write(job, as_json ? json(result) : text(result), result.fits());
   }
   const Check result = check(job, {}, progress.get());
-  return write(job, as_json ? json(result, words) : text(result, words), result.passed());
+  return write(job, as_json ? json(result) : text(result), result.passed());
 }
 
 }  // namespace tcb

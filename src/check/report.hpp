@@ -8,19 +8,16 @@
 
 namespace tcb {
 
-/// Turns problems into words.
-using ErrorWords = std::string (*)(const Error&);
-
 /// The report as text.
-std::string text(const Check& check, ErrorWords words);
-std::string text(const Identification& found, ErrorWords words);
+std::string text(const Check& check);
+std::string text(const Identification& found);
 
 /// The report as a JSON object.
-std::string json(const Check& check, ErrorWords words);
-std::string json(const Identification& found, ErrorWords words);
+std::string json(const Check& check);
+std::string json(const Identification& found);
 
 /// Compares and writes the report. Returns Exit::data if the samples do not agree with the curve.
 /// Requires: job.comparison. Throws: Error, naming the file.
-Exit compare(const Job& job, ErrorWords words);
+Exit compare(const Job& job);
 
 }  // namespace tcb

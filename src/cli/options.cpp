@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "option_names.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
 #include "tcb/spline/rules.hpp"
@@ -127,43 +128,43 @@ constexpr std::array<OptionRow, option_count> option_rows{{
      recorded, [](Typed& to, Text) { to.job.curves.sort = true; }},
 
     {Option::preset, "--preset", "NAME", curve_group, "The rules of a product for tangents and ends; see --list-presets", "gte", name,
-     recorded, [](Typed& to, Text text) { to.job.curve.preset = named_row(spline::presets, text).name; },
+     recorded, [](Typed& to, Text text) { to.job.curve.preset = {std::string(named_row(spline::presets, text).name), {option::preset}}; },
      names_in<spline::presets>},
     {Option::tangents, "--tangents", "RULE", curve_group,
      "The rule for the tangents at inner keys, instead of the preset's", "", name, recorded,
-     [](Typed& to, Text text) { to.job.curve.tangents = named_row(spline::tangent_rules<double>, text).name; },
+     [](Typed& to, Text text) { to.job.curve.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}}; },
      names_in<spline::tangent_rules<double>>},
     {Option::ends, "--ends", "RULE[,RULE]", curve_group,
      "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's; "
      "velocity=V:V... gives a velocity, a number for each channel",
-     "", names, recorded, [](Typed& to, Text text) { to.job.curve.ends = text; }, names_in<spline::end_rules<double>>},
+     "", names, recorded, [](Typed& to, Text text) { to.job.curve.ends = {text, {option::ends}}; }, names_in<spline::end_rules<double>>},
     {Option::closed, "--closed", "", curve_group,
      "The curve continues from the last key to the first; a last key that repeats the first position gives the time of "
      "the return only",
-     "", flag, recorded, [](Typed& to, Text) { to.job.curve.closed = true; }},
+     "", flag, recorded, [](Typed& to, Text) { to.job.curve.closed = {true, {option::closed}}; }},
     {Option::period, "--period", "P", curve_group,
      "The time that a closed curve takes to return to its first key; implies --closed", "", other, recorded,
-     [](Typed& to, Text text) { to.job.curve.period = text; }},
+     [](Typed& to, Text text) { to.job.curve.period = {text, {option::period}}; }},
     {Option::equal_speed, "--equal-speed", "", curve_group,
      "Gives both tangents of a key the same speed, also where C is not 0", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.equal_speed = true; }},
     {Option::parameter, "--parameter", "NAME", curve_group,
      "Makes times for keys without any: uniform, chordal, centripetal, or an exponent of the distances", "uniform",
-     name, recorded, [](Typed& to, Text text) { to.job.curve.parameter = text; }, names_in<parameter_names>},
+     name, recorded, [](Typed& to, Text text) { to.job.curve.parameter = {text, {option::parameter}}; }, names_in<parameter_names>},
     {Option::metric, "--metric", "CHANNEL,...", curve_group,
      "The channels that lengths and speeds are measured over, by name or number; by default all. rotation: lengths are the "
      "angles that rotations turn through, in radians",
      "", columns, recorded,
-     [](Typed& to, Text text) { to.job.curve.metric = text; }},
+     [](Typed& to, Text text) { to.job.curve.metric = {text, {option::metric}}; }},
     {Option::rotation_curve, "--rotation-curve", "NAME", curve_group,
      "The curve between rotations, instead of the preset's: squad, casteljau, components or slerp", "", name, recorded,
-     [](Typed& to, Text text) { to.job.curve.rotation_curve = named_row(spline::rotation_curves, text).name; },
+     [](Typed& to, Text text) { to.job.curve.rotation_curve = {std::string(named_row(spline::rotation_curves, text).name), {option::rotation_curve}}; },
      names_in<spline::rotation_curves>},
     {Option::no_ease, "--no-ease", "", curve_group, "Ignores the columns ease_in and ease_out", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.no_ease = true; }},
     {Option::extrapolate, "--extrapolate", "RULE", curve_group,
      "Times outside the curve: error rejects them; hold, linear, repeat, offset and oscillate extend the curve", "error", name,
-     recorded, [](Typed& to, Text text) { to.job.curve.extrapolate = named_row(extrapolations, text).name; },
+     recorded, [](Typed& to, Text text) { to.job.curve.extrapolate = {std::string(named_row(extrapolations, text).name), {option::extrapolate}}; },
      names_in<extrapolations>},
 
     {Option::step, "-s,--step", "H", sampling_group,

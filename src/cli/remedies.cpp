@@ -509,22 +509,6 @@ struct AddNamed {
   }
 };
 
-std::string line_of(const Error& error, bool colored) {
-  const TextPosition& position = error.position();
-  std::string where = position.file.empty() ? "tcbsample" : in_one_line(position.file);
-  if (!position.file.empty() && position.line != 0) where += fmt::format(":{}", position.line);
-  if (!position.file.empty() && position.line != 0 && position.column != 0)
-    where += fmt::format(":{}", position.column);
-  return message_head(where, MessageKind::error, colored) + in_one_line(error_message(error));
-}
-
-/// A line for the error, and one for each that it holds.
-std::string lines_of(const Error& error, bool colored) {
-  std::string text = line_of(error, colored);
-  for (const Error& other : error.others()) text += "\n" + lines_of(other, colored);
-  return text;
-}
-
 }  // namespace
 
 std::span<const Words> remedies() { return all_words; }
@@ -543,66 +527,6 @@ std::string error_message(const Error& error) {
   const bool shows_subject = words->text.find("{subject}") != std::string_view::npos;
   const bool columns_help = error.option() == Option::columns && !shows_subject;
   return fmt::vformat(words->text, values) + (columns_help ? columns_remedy : "");
-}
-
-std::string error_text(const Error& error) { return lines_of(error, false); }
-
-std::string colored_error_text(const Error& error) { return lines_of(error, true); }
-
-namespace {
-
-/// {0}, {1}, … are the values of the note, lists joined by ", ".
-struct NoteWords {
-  NoteCode code;
-  std::string_view text;
-};
-
-constexpr std::array note_words{
-    NoteWords{NoteCode::reads_terminal, "keys are read from the terminal; end them with Ctrl-D, or name a file"},
-    NoteWords{NoteCode::no_time_column, "no time column; the times of the keys are 0, 1, 2, ..."},
-    NoteWords{NoteCode::ignored_columns,
-              "ignored: {0}; --columns gives them roles, as in carry=NAME or position=NAME:NAME"},
-    NoteWords{NoteCode::unchosen_columns, "ignored, as --columns chooses others: {0}"},
-    NoteWords{NoteCode::remainder, "the last key is {0} after the last row; --end keep or --end fit includes it"},
-    NoteWords{NoteCode::range_remainder,
-              "the end of the range is {0} after the last row; --end keep or --end fit includes it"},
-    NoteWords{NoteCode::more_remainders, "the same in {0} more curves, with their own distances"},
-    NoteWords{NoteCode::rate_of_frames,
-              "the times in column \"{0}\" count frames, so --rate is per frame; --input-fps HZ makes them seconds"},
-    NoteWords{NoteCode::step, "the step is {0}"},
-    NoteWords{NoteCode::skipped_rows, "rows skipped for missing numbers: {0}"},
-    NoteWords{NoteCode::made_times, "none; made with --parameter {0}"},
-    NoteWords{NoteCode::fitted,
-              "{0} samples, {1} keys, {2} times fewer; at most {3} from a sample, on line {4}; no fewer than {5} keys "
-              "can do"},
-    NoteWords{NoteCode::rotations_not_fitted, "rotations not fitted: {0}; --fit D,0.5deg fits them"},
-    NoteWords{NoteCode::labels_not_fitted, "ignored: {0}; the keys of a fit have no labels"},
-    NoteWords{NoteCode::likely_quaternion,
-              "columns 5 to 8 may be a quaternion; --rotation quaternion=5:6:7:8 resamples them as a rotation, "
-              "--rotation none leaves out this note"},
-    NoteWords{NoteCode::likely_matrix,
-              "the columns may be poses, matrices of 3 rows and 4 columns; --parameter uniform "
-              "--rotation matrix=1:2:3:5:6:7:9:10:11 resamples them as such, --rotation none leaves out this note"},
-    NoteWords{NoteCode::other_program, "made by {0}; this is {1}, whose last digits may differ"},
-};
-
-}  // namespace
-
-std::string note_text(const Note& note) {
-  const auto words = std::ranges::find(note_words, note.code, &NoteWords::code);
-  fmt::dynamic_format_arg_store<fmt::format_context> values;
-  for (const ErrorValue& value : note.values) {
-    if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
-      values.push_back(fmt::format("{}", fmt::join(*list, ", ")));
-    } else if (const auto* text = std::get_if<std::string>(&value)) {
-      values.push_back(*text);
-    } else if (const auto* number = std::get_if<double>(&value)) {
-      values.push_back(*number);
-    } else {
-      values.push_back(std::get<std::uint64_t>(value));
-    }
-  }
-  return fmt::vformat(words->text, values);
 }
 
 }  // namespace tcb

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "error.hpp"
-#include "run/progress.hpp"
 
 namespace tcb {
 
@@ -21,19 +20,7 @@ struct Words {
 /// A row for each code.
 std::span<const Words> remedies();
 
-/// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" if there is no file; a line for each error.
-std::string error_text(const Error& error);
-
-/// The same with the place and the word "error" in color.
-std::string colored_error_text(const Error& error);
-
-/// The fault, what was expected, and the remedy, separated by "; ".
-std::string error_message(const Error& error);
-
 /// The long name of an option, with its dashes.
 std::string_view option_name(Option option);
-
-/// A note as a sentence.
-std::string note_text(const Note& note);
 
 }  // namespace tcb

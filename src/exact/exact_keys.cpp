@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "exact/errors.hpp"
 #include "exact/rounding.hpp"
 #include "numbers/decimal_time.hpp"
 
@@ -35,7 +36,7 @@ class Numbers {
     if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
     if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
     if (const auto number = parse_rational(text)) return *number;
-    throw Error(Exit::data, ErrorCode::decimal_too_long).at({"", block_.lines[key_], 0});
+    throw decimal_too_long().at({"", block_.lines[key_], 0});
   }
 
   const KeyBlock& block_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "exact/errors.hpp"
 #include "exact/level.hpp"
 #include "numbers/print_number.hpp"
 
@@ -59,7 +60,7 @@ class ExactRows::Evaluation {
     try {
       cells = cells_from(1, row, chosen, columns, float_values(0, row, chosen));
     } catch (const std::range_error&) {
-      throw Error(Exit::data, ErrorCode::row_needs_more_digits, {time_text(row.sample.t)});
+      throw row_needs_more_digits(time_text(row.sample.t));
     }
     for (Printed& printed : cells) {
       if (!is_empty(printed.cell) && !std::isfinite(printed.cell.hi)) refuse_overflow(row.sample);

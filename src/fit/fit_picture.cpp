@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/check_picture.hpp"
+#include "fit/errors.hpp"
 #include "fit/fitting.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
@@ -56,12 +57,12 @@ ComparisonInputs fitted_inputs(const Job& job, FitReport& report) {
 
 }  // namespace
 
-Exit draw_fit(const Job& job, const Wording& wording) {
+Exit draw_fit(const Job& job) {
   if (job.files.size() != 1 || job.output_folder || job.batch.recursive) {
-    throw Error(Exit::usage, ErrorCode::fit_picture_of_several_files).about(Option::fit);
+    throw fit_picture_of_several_files();
   }
   const ThreadPool pool(job.threads());
-  Report notes(job.verbosity, wording);
+  Report notes(job.verbosity);
   FitReport report;
   CheckPicture picture(job);
   Job check_job = job;

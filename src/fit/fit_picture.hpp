@@ -9,6 +9,6 @@ namespace tcb {
 
 /// Fits the recordings of the one input of a job, and writes the picture.
 /// Throws: Error, naming the file.
-Exit draw_fit(const Job& job, const Wording& wording);
+Exit draw_fit(const Job& job);
 
 }  // namespace tcb

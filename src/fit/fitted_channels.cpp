@@ -4,7 +4,10 @@
 #include <algorithm>
 
 #include "error.hpp"
+#include "fit/errors.hpp"
+#include "option_names.hpp"
 #include "sample/build.hpp"
+#include "sample/errors.hpp"
 #include "tcb/spline/angle.hpp"
 
 namespace tcb {
@@ -49,8 +52,7 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
     }
     const auto channel = find_channel(tolerance.column, channels);
     if (!channel || kinds[*channel] == LimitKind::rotation) {
-      throw Error(Exit::data, ErrorCode::unknown_name, {tolerance.column, without_rotations(channels, kinds)})
-          .about(Option::fit);
+      throw tolerance_of_unknown_channel(tolerance.column, without_rotations(channels, kinds)).about(option::fit);
     }
     named[*channel] = true;
     groups.push_back({{*channel}, tolerance.most});
@@ -58,7 +60,7 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (named[i] || kinds[i] == LimitKind::rotation) continue;
     const bool has_limit = others.tolerance > 0 && kinds[i] == LimitKind::distance;
-    if (!has_limit) throw Error(Exit::data, ErrorCode::fit_without_tolerance, {channels[i]});
+    if (!has_limit) throw channel_without_tolerance(channels[i]);
     others.channels.push_back(i);
   }
   if (!others.channels.empty()) groups.push_back(others);
@@ -82,11 +84,11 @@ FittedChannels fitted_channels(const Input& input, const Job& job) {
   }
   fitted.groups = groups_of(fitted.names, kinds, options);
   if (!options.angle) return fitted;
-  if (input.rotations.empty()) throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::fit);
+  if (input.rotations.empty()) throw tolerance_without_rotation().about(option::fit);
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
     const GivenRotation& given = input.given_rotations[i];
     if (given.notation.form != spline::RotationForm::quaternion) {
-      throw Error(Exit::data, ErrorCode::fit_of_other_form, {given.columns[0]}).about(Option::fit);
+      throw fit_of_other_form(given.columns[0]);
     }
     fitted.groups.push_back(rotation_group(fitted.numbers, input.rotations[i].channels, *options.angle, options.keys));
   }

@@ -9,12 +9,16 @@
 #include <utility>
 
 #include "error.hpp"
+#include "fit/errors.hpp"
 #include "fit/fit.hpp"
 #include "keys/angles.hpp"
 #include "keys/rotations.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
+#include "sample/errors.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/angle.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -72,12 +76,12 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
       }
       constexpr double most = 1e150, spacing = 0x1p-46;
       if (largest > most || group.tolerance < 1 / most) {
-        throw Error(Exit::data, ErrorCode::fit_beyond_doubles, {channels[channel]}).about(Option::fit);
+        throw fit_beyond_doubles(channels[channel]);
       }
       if (group.tolerance < largest * spacing) {
-        throw Error(Exit::data, ErrorCode::fit_below_doubles,
-                    {group.angle.value_or(group.tolerance), channels[channel], largest, largest * spacing})
-            .about(Option::fit);
+        throw tolerance_below_doubles(group.angle.value_or(group.tolerance), channels[channel], largest,
+                                      largest * spacing)
+            .about(option::fit);
       }
     }
   }
@@ -108,7 +112,7 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
     const Time time = nearest_time(place);
     const auto found = std::ranges::lower_bound(samples, time);
     if (found == samples.end() || *found != time) {
-      throw Error(Exit::data, ErrorCode::kept_time_without_sample, {time_text(time)}).about(Option::keep_times);
+      throw no_sample_to_keep(time_text(time)).about(option::keep_times);
     }
     kept.push_back(static_cast<std::size_t>(found - samples.begin()));
   }
@@ -118,12 +122,12 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
 }  // namespace
 
 Input columns_of_fit(const Input& samples, const Job& job) {
-  if (!samples.timed) throw Error(Exit::data, ErrorCode::fit_without_times).about(Option::fit);
-  if (!samples.facts.roles.empty()) throw Error(Exit::data, ErrorCode::fit_of_keys, {samples.facts.roles[0]});
+  if (!samples.timed) throw fit_without_times();
+  if (!samples.facts.roles.empty()) throw fit_of_keys(samples.facts.roles[0]);
   Input result = samples;
   result.named = true;  // names tell positions from tension and bias
   const FittedChannels fitted = fitted_channels(samples, job);
-  if (fitted.names.empty()) throw Error(Exit::data, ErrorCode::only_rotations);
+  if (fitted.names.empty()) throw only_rotations();
   result.channels = fitted.names;
   for (const SlopeColumn& column : slope_columns(fitted, job.fit)) result.channels.push_back(column.name);
   result.rotations.clear();
@@ -138,7 +142,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
                          const Job& job) {
   if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
     const auto& [name, place] = curve.curve_info->places[0];
-    throw Error(Exit::data, ErrorCode::fit_of_setting, {name}).about(Option::fit).at(place);
+    throw fit_of_setting(name).at(place);
   }
   Samples samples{curve.group, {}, {}, {}, {}, {}};
   samples.fitted = fitted_channels(input, job);
@@ -155,7 +159,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
       for (const std::size_t channel : channels) {
         recording.positions.push_back(block->keys.position(key)[channel]);
         if (!std::isnan(recording.positions.back())) continue;
-        throw Error(Exit::data, ErrorCode::fit_of_missing, {input.channels[channel]}).at({"", block->lines[key], 0});
+        throw sample_without_number(input.channels[channel]).at({"", block->lines[key], 0});
       }
     }
   }
@@ -165,7 +169,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
   }
   if (samples.times.size() < 2) {
     const std::uint64_t line = samples.lines.empty() ? 0 : samples.lines[0];
-    throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit).at({"", line, 0});
+    throw too_few_samples().at({"", line, 0});
   }
   require_resolution(recording, names);
   samples.kept = kept_samples(samples.times, kept_times);
@@ -174,7 +178,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
 
 FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done) {
   const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done});
-  if (!result) throw Error(Exit::data, ErrorCode::fit_impossible).about(Option::fit);
+  if (!result) throw no_fit_found();
   return *result;
 }
 
@@ -226,14 +230,26 @@ void FitReport::add(const FitReport& other) {
   line = other.line;
 }
 
+namespace {
+
+Note labels_not_fitted(const std::vector<std::string>& names) {
+  return {fmt::format("ignored: {}; the keys of a fit have no labels", listed(names)), true};
+}
+
+Note rotations_not_fitted(const std::vector<std::string>& names) {
+  return {fmt::format("rotations not fitted: {}; {} D,0.5deg fits them", listed(names), option::fit), true};
+}
+
+}  // namespace
+
 std::vector<Note> notes_of_columns(const Input& input, const FitOptions& options) {
   std::vector<Note> notes;
-  if (!input.carried.empty()) notes.push_back({NoteCode::labels_not_fitted, {input.carried}});
+  if (!input.carried.empty()) notes.push_back(labels_not_fitted(input.carried));
   std::vector<std::string> names;
   for (const GivenRotation& rotation : input.given_rotations) {
     names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
   }
-  if (!options.angle && !names.empty()) notes.push_back({NoteCode::rotations_not_fitted, {names}});
+  if (!options.angle && !names.empty()) notes.push_back(rotations_not_fitted(names));
   return notes;
 }
 
@@ -242,8 +258,10 @@ Note note_of(const FitReport& report, const FitOptions& options) {
   const std::string largest = is_distance ? fmt::format("{:.4g}", report.largest * options.tolerances[0].most)
                                           : fmt::format("{:.4g} of the tolerance", report.largest);
   const double ratio = static_cast<double>(report.samples) / static_cast<double>(report.keys);
-  return {NoteCode::fitted,
-          {report.samples, report.keys, fmt::format("{:.3g}", ratio), largest, report.line, report.least_keys}};
+  return {fmt::format("{} samples, {} keys, {:.3g} times fewer; at most {} from a sample, on line {}; no fewer than {} keys "
+                      "can do",
+                      report.samples, report.keys, ratio, largest, report.line, report.least_keys),
+          true};
 }
 
 }  // namespace tcb

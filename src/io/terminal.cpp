@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "error.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -55,6 +56,18 @@ std::string message_head(std::string_view where, MessageKind kind, bool colored)
   const std::string place(where);
   if (!colored) return place + ": " + std::string(word) + " ";
   return "\x1b[1m" + place + ":\x1b[0m " + std::string(style) + std::string(word) + "\x1b[0m ";
+}
+
+std::string error_text(const Error& error, bool colored) {
+  const TextPosition& position = error.position();
+  std::string where = position.file.empty() ? "tcbsample" : in_one_line(position.file);
+  if (!position.file.empty() && position.line != 0) {
+    where += ":" + std::to_string(position.line);
+    if (position.column != 0) where += ":" + std::to_string(position.column);
+  }
+  std::string text = message_head(where, MessageKind::error, colored) + in_one_line(error_message(error));
+  for (const Error& other : error.others()) text += "\n" + error_text(other, colored);
+  return text;
 }
 
 }  // namespace tcb

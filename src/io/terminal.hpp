@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "error.hpp"
+
 namespace tcb {
 
 /// When the program is interrupted, the last line on standard error, which has so many characters, is erased; 0: none.
@@ -25,5 +27,9 @@ enum class MessageKind { error, warning, note };
 
 /// "WHERE: error: ", or with the place bold and the kind in its color.
 std::string message_head(std::string_view where, MessageKind kind, bool colored);
+
+/// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" if there is no file; a line for the error, and one
+/// for each that it holds.
+std::string error_text(const Error& error, bool colored = false);
 
 }  // namespace tcb

@@ -11,6 +11,8 @@
 
 #include "error.hpp"
 #include "io/input_file.hpp"
+#include "option_names.hpp"
+#include "plot/errors.hpp"
 #include "run/pipeline.hpp"
 #include "sample/fields.hpp"
 
@@ -73,7 +75,7 @@ void append_rotation_rules(std::vector<std::string>& words, const RuleFacts& fac
 
 }  // namespace
 
-Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
+Facts rules_in_words(const RuleFacts& facts) {
   const spline::CurveRules<double>& rules = facts.spec.rules;
   Facts words{{"tangents", std::string(name_of(rules.tangents))}};
   if (facts.spec.closed) {
@@ -89,7 +91,8 @@ Facts rules_in_words(const RuleFacts& facts, const Wording& wording) {
     if (ends && !facts.spec.closed) words.emplace_back("rotation ends", std::string(name_of(*ends)));
   }
   if (!facts.timed) {
-    words.emplace_back("times", wording.note({NoteCode::made_times, {facts.spec.parameter_name.value_or("uniform")}}));
+    const std::string_view made = facts.spec.parameter_name ? std::string_view(*facts.spec.parameter_name) : "uniform";
+    words.emplace_back("times", fmt::format("none; made with {} {}", option::parameter, made));
   }
   return words;
 }
@@ -122,7 +125,7 @@ void Drawing::begin(const std::string& path, const Input& input, const RuleFacts
     columns_ = std::move(columns);
     begin_scene(input, rules.spec);
   } else if (columns != columns_) {
-    throw Error(Exit::data, ErrorCode::other_columns, {columns, columns_});
+    throw columns_of_other_picture(columns, columns_);
   }
 }
 
@@ -218,10 +221,10 @@ Sink::Sink(const Job& job, const WriterOptions& options, const std::string& path
   }
 }
 
-void Sink::begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording) {
+void Sink::begin(const std::string& path, const Input& input, const RuleFacts& rules) {
   if (drawing) return drawing->begin(path, input, rules);
   Facts facts{{"preset", std::string(spline::name_of(rules.spec.preset))}};
-  const Facts more = rules_in_words(rules, wording);
+  const Facts more = rules_in_words(rules);
   facts.insert(facts.end(), more.begin(), more.end());
   writer->begin(input, is_live(path), std::move(facts), shown_name(path));
 }

@@ -60,7 +60,7 @@ struct Sink {
   /// The options outlive the sink.
   Sink(const Job& job, const WriterOptions& options, const std::string& path);
   /// Begins the curves of the next file; `rules` are those of its first curve.
-  void begin(const std::string& path, const Input& input, const RuleFacts& rules, const Wording& wording);
+  void begin(const std::string& path, const Input& input, const RuleFacts& rules);
   void commit();
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "option_names.hpp"
+#include "plot/errors.hpp"
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/segment.hpp"
@@ -133,7 +135,7 @@ void include_sample(SceneExtent& extent, const SceneSample& sample) {
 
 void require_finite(const Interval& interval) {
   if (std::isfinite(interval.length())) return;
-  throw Error(Exit::data, ErrorCode::picture_beyond_doubles);
+  throw picture_beyond_doubles();
 }
 
 }  // namespace
@@ -168,10 +170,8 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
   if (!requested.empty()) axes.clear();
   for (const std::string& name : requested) {
     const auto channel = find_channel(name, channels);
-    if (!channel) throw Error(Exit::usage, ErrorCode::unknown_axis, {name, channels}).about(Option::axes);
-    if (!axes.empty() && axes[0] == *channel) {
-      throw Error(Exit::usage, ErrorCode::same_axes, {name}).about(Option::axes);
-    }
+    if (!channel) throw no_channel_for_axis(name, channels).about(option::axes);
+    if (!axes.empty() && axes[0] == *channel) throw axes_are_same(name).about(option::axes);
     axes.push_back(*channel);
   }
   return axes.size() < 2 ? std::nullopt : std::optional(std::array{axes[0], axes[1]});

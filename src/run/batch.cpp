@@ -3,6 +3,7 @@
 #include <new>
 #include <optional>
 
+#include "run/errors.hpp"
 #include "run/pipeline.hpp"
 #include "stream/ordered_map.hpp"
 
@@ -25,9 +26,9 @@ FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& c
   } catch (const Error& error) {
     return {0, error.in(file.path)};
   } catch (const std::bad_alloc&) {
-    return {0, Error(Exit::usage, ErrorCode::out_of_memory).in(file.path)};
+    return {0, out_of_memory().in(file.path)};
   } catch (const std::exception& error) {
-    return {0, Error(Exit::usage, ErrorCode::unexpected, {error.what()}).in(file.path)};
+    return {0, unexpected_failure(error.what()).in(file.path)};
   }
 }
 

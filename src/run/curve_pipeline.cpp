@@ -8,15 +8,26 @@
 #include "exact/precision_levels.hpp"
 #include "keys/parameterize.hpp"
 #include "keys/velocities.hpp"
+#include "option_names.hpp"
+#include "run/errors.hpp"
 #include "sample/build.hpp"
 
 namespace tcb {
+namespace {
+
+/// Settings of the input that those of the command line replace are checked as well.
+CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, const Input& input) {
+  (void)make_spec(of_input, input.channels, input.rotations, input.angles);
+  return make_spec(merged(settings, of_input), input.channels, input.rotations, input.angles);
+}
+
+}  // namespace
+
 CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings& settings,
                              std::vector<std::size_t> fields, const std::optional<GoldenOptions>& golden,
                              const Input& input, const CurveInfo& curve_info)
     : request_(request),
-      spec_(make_spec(merged(settings, checked_settings(curve_info, input)), input.channels, input.rotations,
-                      input.angles)),
+      spec_(spec_of(settings, curve_info.settings, input)),
       fields_(std::move(fields)),
       golden_(golden),
       timed_(input.timed),
@@ -41,7 +52,7 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
   const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
   if (is_in_seconds) request_.step *= units_per_second(*input.time_unit);
   if (timed_ && spec_.parameter) {
-    throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);
+    throw parameter_with_times(input.time).about(option::parameter);
   }
   require_rotations(spec_, fields_, request_);
   require_fitting_rotations(spec_, metric_use(), request_.mode == Mode::emit);
@@ -169,7 +180,7 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
 
 /// The first and the last time of the curve.
 Extent CurvePipeline::extent(KeyStore& keys) const {
-  if (keys.are_sparse() && !keys.key(0).eases.empty()) throw Error(Exit::data, ErrorCode::ease_with_missing_cells);
+  if (keys.are_sparse() && !keys.key(0).eases.empty()) throw ease_with_missing_cells();
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
   extent.last = spec_.closed ? close(keys, spec_, timed_) : keys.key(keys.size() - 1).times[0];
   if (spec_.closed) require_seam_velocities(keys, channels_);

@@ -151,14 +151,14 @@ std::string range_text(const CurveOutcome& outcome) {
 }
 
 /// A single curve, in several lines.
-Facts lines_of(const CurveOutcome& outcome, const Wording& wording) {
+Facts lines_of(const CurveOutcome& outcome) {
   Facts lines{{"keys", fmt::format("{}", outcome.keys)}};
   if (outcome.first) lines.emplace_back("curve", range_text(outcome));
   if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
   if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
   lines.emplace_back("rows", fmt::format("{}", outcome.rows));
   if (outcome.remainder)
-    lines.emplace_back("note", wording.note(remainder_note(*outcome.remainder, outcome.ends_at_key)));
+    lines.emplace_back("note", remainder_note(nearest_time(*outcome.remainder).hi, outcome.ends_at_key).text);
   return lines;
 }
 
@@ -178,13 +178,13 @@ std::string line_of(const CurveOutcome& outcome) {
 /// Counts of all curves of an input, and a line for each of the first ones.
 class Explainer {
  public:
-  Explainer(const Input& input, const Job& job, const Wording& wording) : input_(input), job_(job), wording_(wording) {}
+  Explainer(const Input& input, const Job& job) : input_(input), job_(job) {}
 
   void add(const CurveKeys& curve) {
     CurvePipeline pipeline(sampling_of(curve, input_, job_), job_.curve, job_.fields, job_.golden, input_,
                            *curve.curve_info);
     if (count_ == 0) {
-      append(intended_, rules_in_words(pipeline.facts(), wording_));
+      append(intended_, rules_in_words(pipeline.facts()));
       append(intended_, intentions(job_, input_));
     }
     last_ = outcome_of(pipeline, curve);
@@ -198,7 +198,7 @@ class Explainer {
   Facts lines() const {
     Facts lines = intended_;
     if (count_ == 1 && input_.groups.empty()) {
-      append(lines, lines_of(last_, wording_));
+      append(lines, lines_of(last_));
       return lines;
     }
     lines.emplace_back("curves", fmt::format("{}", count_));
@@ -214,7 +214,6 @@ class Explainer {
 
   const Input& input_;
   const Job& job_;
-  const Wording wording_;
   Facts intended_, curves_;
   CurveOutcome last_;
   std::size_t count_ = 0, keys_ = 0;
@@ -261,14 +260,10 @@ std::string samples_in_words(const SamplingRequest& request) {
   return "";
 }
 
-Note remainder_note(const Rational& remainder, bool at_key) {
-  return {at_key ? NoteCode::remainder : NoteCode::range_remainder, {nearest_time(remainder).hi}};
-}
-
-std::string explanation(const std::string& path, const Job& job, const Wording& wording) {
+std::string explanation(const std::string& path, const Job& job) {
   const Input input = open_input(path, read_file(path), job.input);
   Curves curves(input, job.curves, is_live(path));
-  Explainer explainer(input, job, wording);
+  Explainer explainer(input, job);
   while (const std::optional<CurveKeys> curve = curves.next()) explainer.add(*curve);
   Facts lines{{"file", shown_name(path)}};
   const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };

@@ -8,11 +8,14 @@
 #include <optional>
 #include <utility>
 
+#include "fit/errors.hpp"
 #include "fit/fitting.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "plot/drawing.hpp"
+#include "run/errors.hpp"
 #include "schema/input.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
@@ -48,18 +51,17 @@ InputListOptions input_list_options(const Job& job) {
 /// One file on its way into an output.
 class FileRun {
  public:
-  FileRun(const InputFile& file, const Job& job, const Wording& wording, Report& report, Sink& sink)
+  FileRun(const InputFile& file, const Job& job, Report& report, Sink& sink)
       : path_(file.path),
         live_(is_live(path_)),
         job_(job),
-        wording_(wording),
         report_(report),
         progress_(report.begin_file(path_, file.size)),
         sink_(sink) {}
 
   /// The stages of the flow, with their observers. Returns the number of rows.
   std::uint64_t run(unsigned threads) {
-    if (is_terminal(path_)) report_.note(path_, {NoteCode::reads_terminal});
+    if (is_terminal(path_)) report_.note(path_, reads_terminal());
     Source<std::string> bytes = progress_->observe_bytes(read_file(path_));
     if (sink_.writer) bytes = sink_.writer->recorder().observe_bytes(shown_name(path_), std::move(bytes));
     const Input input = open_input(path_, bytes, input_options(job_, threads, live_));  // split, parse
@@ -74,8 +76,8 @@ class FileRun {
       }
     }
     if (sink_.writer) sink_.writer->recorder().end_input();
-    if (remainders_ > 1) report_.note(path_, {NoteCode::more_remainders, {remainders_ - 1}});
-    if (curves.skipped() > 0) report_.note(path_, {NoteCode::skipped_rows, {curves.skipped()}});
+    if (remainders_ > 1) report_.note(path_, more_remainders(remainders_ - 1));
+    if (curves.skipped() > 0) report_.note(path_, skipped_rows(curves.skipped()));
     return rows_;
   }
 
@@ -86,7 +88,7 @@ class FileRun {
       pipeline_.emplace(sampling_of(curve, input, job_), job_.curve, job_.fields, job_.golden, input,
                         *curve.curve_info);
     }
-    if (curve_info_ == nullptr) sink_.begin(path_, input, pipeline_->facts(), wording_);
+    if (curve_info_ == nullptr) sink_.begin(path_, input, pipeline_->facts());
     curve_info_ = curve.curve_info;
     if (sink_.writer) sink_.writer->begin_curve(curve.group);
   }
@@ -112,20 +114,20 @@ class FileRun {
       if (!curve) return std::nullopt;
       const Format& format = format_of(job_.output_format);
       if (expected > 0 && curve->group.empty() && format.has_header && format.delimiter != ' ') {
-        throw Error(Exit::data, ErrorCode::fit_of_sequence, {std::string(format.name)}).about(Option::fit);
+        throw fit_of_sequence(format.name);
       }
       curve->keys = provenance.observe_keys(std::move(curve->keys));
       Samples read = recorded_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
       progress_->expect_rows(expected += static_cast<double>(read.times.size()));
       return read;
     };
-    sink_.begin(path_, columns_of_fit(input, job_), RuleFacts{{}, true}, wording_);
+    sink_.begin(path_, columns_of_fit(input, job_), RuleFacts{{}, true});
     const FitReport report = write_fits(samples, job_.fit, writer, *progress_, input.threads);
     rows_ = report.keys;
     if (report.keys == 0) return;
     const Note note = note_of(report, job_.fit);
     report_.note(path_, note);
-    provenance.set_results({{"fit", wording_.note(note)}});
+    provenance.set_results({{"fit", note.text}});
   }
 
   /// The stages from the keys of a curve to its part of a picture.
@@ -169,30 +171,29 @@ class FileRun {
     const bool takes_likely = !job_.input.rotation.none && job_.input.rotation.requests.empty();
     if (takes_likely && input.likely_rotation) {
       const bool is_matrix = input.likely_rotation == spline::RotationForm::matrix;
-      report_.note(path_, {is_matrix ? NoteCode::likely_matrix : NoteCode::likely_quaternion});
+      report_.note(path_, is_matrix ? likely_matrix() : likely_quaternion());
     }
-    if (!input.timed && !job_.curve.parameter) report_.note(path_, {NoteCode::no_time_column});
+    if (!input.timed && !job_.curve.parameter) report_.note(path_, no_time_column());
     if (job_.sampling.is_rate && input.time_unit == TimeUnit::frames) {
-      report_.note(path_, {NoteCode::rate_of_frames, {input.time}});
+      report_.note(path_, rate_of_frames(input.time));
     }
     const bool chosen = std::ranges::count(job_.input.roles, Role::position, &RoleRequest::role) > 0;
     if (input.ignored.empty()) return;
-    report_.note(path_, {chosen ? NoteCode::unchosen_columns : NoteCode::ignored_columns, {input.ignored}});
+    report_.note(path_, chosen ? unchosen_columns(input.ignored) : ignored_columns(input.ignored));
   }
 
   void note_curve(const PlacedCurve& placed) {
-    const auto remainder = placed.remainder();
+    const auto distance = placed.remainder();
     const bool ends_at_key = !job_.sampling.to && !pipeline_->facts().spec.closed;
-    if (remainder && remainders_++ == 0) report_.note(path_, remainder_note(*remainder, ends_at_key));
+    if (distance && remainders_++ == 0) report_.note(path_, remainder_note(nearest_time(*distance).hi, ends_at_key));
     if (placed.facts.step && job_.sampling.end != EndPolicy::drop) {
-      report_.note(path_, {NoteCode::step, {time_text(*placed.facts.step)}});
+      report_.note(path_, step_is(time_text(*placed.facts.step)));
     }
   }
 
   const std::string& path_;
   const bool live_;
   const Job& job_;
-  const Wording& wording_;
   Report& report_;
   const std::shared_ptr<FileProgress> progress_;
   Sink& sink_;
@@ -205,20 +206,19 @@ class FileRun {
 /// The files of a job, and what they share.
 class JobRun {
  public:
-  JobRun(const Job& job, const Wording& wording)
+  JobRun(const Job& job)
       : job_(job),
-        wording_(wording),
         options_(writer_options(job)),
         threads_(job.threads()),
         pool_(threads_),
         files_(input_list_options(job)),
         inputs_(find_inputs(files_)),
-        report_(job.verbosity, wording) {}
+        report_(job.verbosity) {}
 
   void explain() const {
     Output output("-");
     for (const InputFile& file : inputs_.files) {
-      in_file(shown_name(file.path), [&] { output.write(explanation(file.path, job_, wording_)); });
+      in_file(shown_name(file.path), [&] { output.write(explanation(file.path, job_)); });
     }
     output.commit();
   }
@@ -241,7 +241,7 @@ class JobRun {
       const std::string path = output_path(file, files_.outputs);
       if (file.inside > 0) make_folder(folder_of(path));
       Sink sink(job_, options_, path);
-      const std::uint64_t rows = FileRun(file, job_, wording_, report_, sink).run(threads);
+      const std::uint64_t rows = FileRun(file, job_, report_, sink).run(threads);
       sink.commit();
       return rows;
     };
@@ -259,7 +259,7 @@ class JobRun {
   void resample_together() {
     Sink sink(job_, options_, job_.output);
     for (const InputFile& file : inputs_.files) {
-      in_file(shown_name(file.path), [&] { FileRun(file, job_, wording_, report_, sink).run(threads_); });
+      in_file(shown_name(file.path), [&] { FileRun(file, job_, report_, sink).run(threads_); });
     }
     sink.commit();
   }
@@ -268,11 +268,10 @@ class JobRun {
   void warn_of_other_program() {
     if (!job_.meta || job_.meta->from.empty()) return;
     const std::string &earlier = job_.meta->earlier.program, &current = job_.meta->meta.program;
-    if (earlier != current) report_.warning(job_.meta->from, {NoteCode::other_program, {earlier, current}});
+    if (earlier != current) report_.warning(job_.meta->from, other_program(earlier, current));
   }
 
   const Job& job_;
-  const Wording& wording_;
   const WriterOptions options_;
   const unsigned threads_;
   const ThreadPool pool_;
@@ -288,15 +287,15 @@ SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Jo
   if (job.grouped_places.empty()) return request;
   const auto places = job.grouped_places.find(contents(curve.group));
   if (places == job.grouped_places.end()) {
-    throw Error(Exit::data, ErrorCode::group_without_places, {group_title(input.groups, curve.group)})
-        .about(request.mode == Mode::at ? Option::at : Option::arc_at);
+    throw group_without_places(group_title(input.groups, curve.group))
+        .about(request.mode == Mode::at ? option::at : option::arc_at);
   }
   request.places = places->second;
   return request;
 }
 
-Exit resample(const Job& job, const Wording& wording) {
-  JobRun run(job, wording);
+Exit resample(const Job& job) {
+  JobRun run(job);
   if (!job.explain) return run.resample();
   run.explain();
   return Exit::done;

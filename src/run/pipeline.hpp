@@ -16,7 +16,7 @@ namespace tcb {
 /// Reads the keys of every file and writes the samples of their curves. Returns the exit code of the program, which is
 /// not Exit::done where a file of a batch failed and was reported.
 /// Throws: Error, with the file. An incomplete output does not get its name.
-Exit resample(const Job& job, const Wording& wording);
+Exit resample(const Job& job);
 
 /// Writes the output of one file with a number of threads, and returns the number of its rows.
 /// Throws: Error, in which case there is no new output. Threads: any number at once.
@@ -28,16 +28,13 @@ Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Repo
 
 /// What was detected in a file and will be done with it, one fact per line: reads the keys and places the samples, but
 /// evaluates none. Throws: Error as resample() does.
-std::string explanation(const std::string& path, const Job& job, const Wording& wording);
+std::string explanation(const std::string& path, const Job& job);
 
 /// The rules of a curve in words: names and values.
-Facts rules_in_words(const RuleFacts& facts, const Wording& wording);
+Facts rules_in_words(const RuleFacts& facts);
 
 /// The requested samples in words, as in "every 0.5 of time".
 std::string samples_in_words(const SamplingRequest& request);
-
-/// How far the end of the range is from the last row. `at_key`: it is the last key.
-Note remainder_note(const Rational& remainder, bool at_key);
 
 /// The samples that the job requests of a curve. Throws: Error (data) for a group without places.
 SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Job& job);

@@ -108,20 +108,15 @@ std::string progress_text(const Progress& progress, std::size_t width) {
 Report::~Report() { clear(); }
 
 void Report::note(const std::string& path, const Note& note) {
-  constexpr std::array important{
-      NoteCode::ignored_columns,   NoteCode::remainder,    NoteCode::range_remainder,      NoteCode::more_remainders,
-      NoteCode::rate_of_frames,    NoteCode::fitted,       NoteCode::rotations_not_fitted, NoteCode::labels_not_fitted,
-      NoteCode::likely_quaternion, NoteCode::likely_matrix};
-  const bool is_important = std::ranges::count(important, note.code) > 0;
-  if (is_important ? !verbosity_.quiet : verbosity_.notes)
-    print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + wording_.note(note));
+  if (note.is_important ? !verbosity_.quiet : verbosity_.notes)
+    print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + note.text);
 }
 
 void Report::warning(const std::string& path, const Note& note) {
-  if (!verbosity_.quiet) print(message_head(path, MessageKind::warning, verbosity_.color) + wording_.note(note));
+  if (!verbosity_.quiet) print(message_head(path, MessageKind::warning, verbosity_.color) + note.text);
 }
 
-void Report::error(const Error& error) { print(wording_.error(error)); }
+void Report::error(const Error& error) { print(error_text(error, verbosity_.color)); }
 
 void Report::expect(std::uint64_t files, std::uintmax_t bytes) {
   all_files_ = files;

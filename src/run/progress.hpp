@@ -13,42 +13,11 @@
 
 #include "error.hpp"
 #include "run/job.hpp"
+#include "run/notes.hpp"
 #include "sample/rows.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
-
-/// A fact about an input or its curves that a user may not expect, with values as in errors.
-enum class NoteCode {
-  reads_terminal,
-  no_time_column,
-  ignored_columns,       ///< names
-  unchosen_columns,      ///< the same, where the positions were chosen
-  remainder,             ///< distance of the end from the last row
-  range_remainder,       ///< the same, where the range does not end at a key
-  more_remainders,       ///< number of further curves with one
-  rate_of_frames,        ///< name of the time column
-  step,                  ///< the step, as text
-  skipped_rows,          ///< number
-  made_times,            ///< the parameterization, as given
-  other_program,         ///< the program of the earlier output, this program
-  fitted,                ///< number of samples, of keys, their ratio, largest distance, its line, least number of keys
-  rotations_not_fitted,  ///< names of the columns of rotations
-  labels_not_fitted,     ///< names of their columns
-  likely_quaternion,
-  likely_matrix,
-};
-
-struct Note {
-  NoteCode code;
-  std::vector<ErrorValue> values = {};
-};
-
-/// The functions that turn errors and notes into words.
-struct Wording {
-  std::string (*error)(const Error& error);
-  std::string (*note)(const Note& note);
-};
 
 /// Counts of the files of a batch.
 struct Summary {
@@ -76,7 +45,7 @@ class FileProgress;
 /// Writes on standard error. Threads: any number at once.
 class Report {
  public:
-  Report(const Verbosity& verbosity, const Wording& wording) : verbosity_(verbosity), wording_(wording) {}
+  explicit Report(const Verbosity& verbosity) : verbosity_(verbosity) {}
   Report(const Report&) = delete;
   Report& operator=(const Report&) = delete;
   /// Removes the progress from the terminal.
@@ -109,7 +78,6 @@ class Report {
   void clear();
 
   const Verbosity verbosity_;
-  const Wording wording_;
   std::mutex mutex_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::seconds(1);

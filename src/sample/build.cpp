@@ -10,6 +10,7 @@
 #include "keys/parameterize.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "sample/errors.hpp"
 #include "sample/keyed_curve.hpp"
 #include "sample/segment_length.hpp"
 #include "stream/ordered_map.hpp"
@@ -27,8 +28,7 @@ void measure(SegmentBlock& block, const Rules& rules) {
   for (std::size_t i = 0; i < block.segments.size(); ++i) {
     arc.assign(block.segments[i], block.segments.rotations_of(i), rules.metric);
     if (!std::isfinite(arc.total().value)) {
-      throw Error(Exit::data, ErrorCode::tangents_beyond_doubles,
-                  {time_text(block.segments.times[i]), time_text(block.segments.times[i + 1])});
+      throw tangents_beyond_doubles(time_text(block.segments.times[i]), time_text(block.segments.times[i + 1]));
     }
     block.lengths.push_back(arc.total());
   }
@@ -102,25 +102,23 @@ bool same_position(const Keys& a, const Keys& b) { return std::ranges::equal(a.p
 Time end_by_period(const Keys& first, const Keys& last, const Rational& period, int decimals) {
   const Time end = nearest_time(exact_time(first.times[0]) + period, decimals);
   if (end > last.times[0]) return end;
-  throw Error(Exit::data, ErrorCode::period_too_short, {time_text(last.times[0])}).about(Option::period);
+  throw period_too_short(time_text(last.times[0]));
 }
 
 /// The time of a last key that repeats the first one. Throws: Error (data) if they differ in anything else.
 Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, const std::optional<Time>& end) {
   const TextPosition position{"", keys.last_line(), 0};
   if (last.tcbs != first.tcbs) {
-    throw Error(Exit::data, ErrorCode::closing_key_differs, {keys.first_line()}).at(position);
+    throw closing_key_differs(keys.first_line()).at(position);
   }
   for (std::size_t i = 0; i < last.velocities.size(); ++i) {
     const auto &a = first.velocities[i], &b = last.velocities[i];
     const auto differs = [](double x, double y) { return !std::isnan(x) && !std::isnan(y) && x != y; };
     if (!differs(a.in, b.in) && !differs(a.out, b.out)) continue;
-    throw Error(Exit::data, ErrorCode::closing_velocity_differs, {keys.first_line()}).at(position);
+    throw closing_velocity_differs(keys.first_line()).at(position);
   }
   if (end && *end != last.times[0]) {
-    throw Error(Exit::data, ErrorCode::closing_key_against_period, {keys.first_line()})
-        .about(Option::period)
-        .at(position);
+    throw closing_key_against_period(keys.first_line()).at(position);
   }
   return last.times[0];
 }
@@ -136,7 +134,7 @@ void require_positions(const Keys& keys, const std::vector<bool>& missing, const
   for (std::size_t i = 0; i < keys.channels; ++i) {
     bool any = false;
     for (std::size_t key = 0; key < keys.size() && !any; ++key) any = !missing[key * keys.channels + i];
-    if (!any) throw Error(Exit::data, ErrorCode::channel_without_numbers, {channels[i]});
+    if (!any) throw channel_without_numbers(channels[i]);
   }
 }
 
@@ -160,8 +158,8 @@ Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
                                                        spec.rules.metric);
     end = Time((last.times[0] + Time(step)).hi);
   }
-  if (keys.size() < 2) throw Error(Exit::data, ErrorCode::too_few_closed_keys);
-  if (!end) throw Error(Exit::data, ErrorCode::no_period);
+  if (keys.size() < 2) throw too_few_closed_keys();
+  if (!end) throw no_period();
   return *end;
 }
 
@@ -175,7 +173,7 @@ void require_seam_velocities(const KeyStore& keys, const std::vector<std::string
     while (last > first && is_missing(last)) --last;
     const bool has_both =
         !std::isnan(keys.key(first).velocities[i].in) && !std::isnan(keys.key(last).velocities[i].out);
-    if (given[i] && !has_both) throw Error(Exit::data, ErrorCode::seam_velocity_missing, {channels[i]});
+    if (given[i] && !has_both) throw seam_velocity_missing(channels[i]);
   }
 }
 
@@ -218,7 +216,7 @@ Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::opti
 
 void require_length(const DoubleDouble& length, const Time& end) {
   if (std::isfinite(length.hi)) return;
-  throw Error(Exit::data, ErrorCode::length_beyond_doubles, {time_text(end)});
+  throw length_beyond_doubles(time_text(end));
 }
 
 Lengths all_lengths(const Source<SegmentBlock>& measured) {

@@ -40,18 +40,15 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input);
 /// The index of a channel by its name, or by its number from 1.
 std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels);
 
-/// Throws: Error (usage), about its option, for an unknown name, or for settings that contradict each other.
+/// Throws: Error about a setting for an unknown name, or for settings that contradict each other.
 CurveSpec make_spec(const CurveSettings& settings);
 
-/// The same for keys with these channels: with the metric, to which rotations and angles do not belong. Throws: Error
-/// (usage), about its option, also for a metric channel that does not exist or belongs to a rotation, or a velocity
-/// with another number of channels.
+/// The curve of keys with these channels, with the metric, to which rotations and angles do not belong. Throws: Error
+/// about a setting, also for a metric channel that does not exist or belongs to a rotation, or a velocity with another
+/// number of channels.
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
                     const std::vector<spline::RotationColumns>& rotations = {},
                     const std::vector<spline::AngleChannel>& angles = {});
-
-/// The settings of an input, checked. Throws: Error (data) about a member, at its text position.
-const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input);
 
 /// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
 std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);

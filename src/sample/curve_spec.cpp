@@ -10,6 +10,8 @@
 
 #include "error.hpp"
 #include "numbers/parse_number.hpp"
+#include "option_names.hpp"
+#include "sample/errors.hpp"
 #include "sample/fields.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
@@ -19,43 +21,44 @@ namespace {
 
 using spline::EndChoice;
 
-[[noreturn]] void refuse(Option option, ErrorCode code, std::vector<ErrorValue> values = {}) {
-  throw Error(Exit::usage, code, std::move(values)).about(option);
-}
-
-/// The row with this name.
+/// The row with the name that a setting gives.
 template <class Table>
-const typename Table::value_type& named(Option option, const Table& table, std::string_view name) {
+const typename Table::value_type& named(const SettingOrigin& origin, const Table& table, std::string_view name) {
   const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
   if (found != table.end()) return *found;
   std::vector<std::string_view> known;
   std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
-  refuse(option, ErrorCode::unknown_rule, {std::string(name), std::vector<std::string>(known.begin(), known.end())});
+  throw unknown_rule(origin, name, known);
+}
+
+/// The row with the name that is a setting.
+template <class Table>
+const typename Table::value_type& row_of(const TextSetting& setting, const Table& table) {
+  return named(setting.origin, table, setting.value);
 }
 
 /// One rule: a name, or name=V:V:… for one that takes a velocity.
-EndChoice<double> end_choice(std::string_view text) {
+EndChoice<double> end_choice(std::string_view text, const SettingOrigin& origin) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  const auto& row = named(Option::ends, spline::end_rules<double>, text.substr(0, equals));
+  const auto& row = named(origin, spline::end_rules<double>, text.substr(0, equals));
   EndChoice<double> choice{row.id, {}};
   const bool takes_velocity = row.takes_velocity;
   if (takes_velocity != (equals < text.size())) {
-    refuse(Option::ends, takes_velocity ? ErrorCode::velocity_missing : ErrorCode::unexpected_rule_value,
-           {std::string(text)});
+    throw takes_velocity ? end_velocity_missing(origin, text) : end_velocity_unexpected(origin, text);
   }
   if (!takes_velocity) return choice;
   for (const std::string_view part : split(text.substr(equals + 1), ':')) {
     const auto value = parse_number(part);
-    if (!value) refuse(Option::ends, ErrorCode::velocity_not_a_number, {std::string(text), std::string(part)});
+    if (!value) throw end_velocity_not_a_number(origin, text, part);
     choice.velocity.push_back(*value);
   }
   return choice;
 }
 
 /// RULE or RULE,RULE. A comma before a number separates channels, like a colon.
-void set_ends(spline::CurveRules<double>& rules, const std::string& text) {
+void set_ends(spline::CurveRules<double>& rules, const TextSetting& setting) {
   std::vector<std::string> ends;
-  for (const std::string_view part : split(text, ',')) {
+  for (const std::string_view part : split(setting.value, ',')) {
     if (!ends.empty() && parse_number(part)) {
       ends.back() += ':';
       ends.back() += part;
@@ -63,12 +66,12 @@ void set_ends(spline::CurveRules<double>& rules, const std::string& text) {
       ends.emplace_back(part);
     }
   }
-  if (ends.size() > 2) refuse(Option::ends, ErrorCode::too_many_end_rules, {text, std::uint64_t{ends.size()}});
-  rules.start = end_choice(ends.front());
-  rules.end = end_choice(ends.back());
+  if (ends.size() > 2) throw too_many_end_rules(setting.origin, ends.size());
+  rules.start = end_choice(ends.front(), setting.origin);
+  rules.end = end_choice(ends.back(), setting.origin);
 }
 
-/// Those of the preset, but for what is given for all channels or for rotations alone.
+/// Sets the rules of rotations: those of the preset, unless rules are given for all channels or for rotations alone.
 void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetRow& preset,
                         const CurveSettings& settings) {
   spline::RotationRules& own = rules.rotation_rules;
@@ -77,11 +80,12 @@ void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetR
   if (settings.ends) own.ends.reset();
   if (settings.rotation_preset) own = spline::row_of(*settings.rotation_preset).rotations;
   if (settings.rotation_curve) {
-    own.curve = named(Option::rotation_curve, spline::rotation_curves, *settings.rotation_curve).id;
+    own.curve = row_of(*settings.rotation_curve, spline::rotation_curves).id;
   }
 }
 
-double parse_exponent(const std::string& text) {
+double parse_exponent(const TextSetting& setting) {
+  const std::string& text = setting.value;
   struct Named {
     std::string_view name;
     double exponent;
@@ -89,14 +93,15 @@ double parse_exponent(const std::string& text) {
   constexpr std::array exponents{Named{"uniform", 0}, Named{"chordal", 1}, Named{"centripetal", 0.5}};
   if (const auto value = parse_number(text); value && *value >= 0 && *value <= 16) return *value;
   const bool is_number = !text.empty() && (text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
-  if (is_number) refuse(Option::parameter, ErrorCode::exponent_out_of_range, {text});
-  return named(Option::parameter, exponents, text).exponent;
+  if (is_number) throw exponent_out_of_range(setting.origin, text);
+  return row_of(setting, exponents).exponent;
 }
 
-Rational parse_period(const std::string& text) {
+Rational parse_period(const TextSetting& setting) {
+  const auto& [text, origin] = setting;
   const auto period = parse_rational(text);
-  if (!period || *period <= 0) refuse(Option::period, ErrorCode::period_not_positive, {text});
-  if (!within_doubles(*period)) refuse(Option::period, ErrorCode::period_beyond_doubles, {text});
+  if (!period || *period <= 0) throw period_not_positive(origin, text);
+  if (!within_doubles(*period)) throw period_beyond_doubles(origin, text);
   return *period;
 }
 
@@ -124,7 +129,7 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
   if (!closed_given) {
     settings.closed = of_input.closed;
     settings.period = of_input.period;
-  } else if (settings.closed.value_or(true)) {
+  } else if (!settings.closed || settings.closed->value) {
     fill(settings.period, of_input.period);
   }
   return settings;
@@ -132,23 +137,31 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
 
 CurveSpec make_spec(const CurveSettings& settings) {
   CurveSpec spec;
-  const auto& preset = named(Option::preset, spline::presets, settings.preset.value_or("gte"));
+  const auto& preset = settings.preset ? row_of(*settings.preset, spline::presets) : spline::row_of(spline::Preset::gte);
   spec.preset = preset.id;
   spec.rules.tangents = preset.tangents;
   if (settings.tangents) {
-    spec.rules.tangents = named(Option::tangents, spline::tangent_rules<double>, *settings.tangents).id;
+    spec.rules.tangents = row_of(*settings.tangents, spline::tangent_rules<double>).id;
   }
   set_rotation_rules(spec.rules, preset, settings);
-  if (settings.period && !settings.closed.value_or(true)) refuse(Option::closed, ErrorCode::period_of_open_curve);
-  spec.closed = settings.period || settings.closed.value_or(false);
-  if (settings.ends && spec.closed) refuse(Option::ends, ErrorCode::ends_of_closed_curve);
-  set_ends(spec.rules, settings.ends.value_or(std::string(name_of(preset.ends))));
+  const bool is_open = settings.closed && !settings.closed->value;
+  if (settings.period && is_open) throw period_of_open_curve(settings.closed->origin);
+  spec.closed = settings.period || (settings.closed && settings.closed->value);
+  if (settings.ends && spec.closed) {
+    const SettingOrigin& closed = settings.closed ? settings.closed->origin : settings.period->origin;
+    throw ends_of_closed_curve(settings.ends->origin, closed);
+  }
+  if (settings.ends) {
+    set_ends(spec.rules, *settings.ends);
+  } else {
+    spec.rules.start = spec.rules.end = {preset.ends, {}};
+  }
   spec.rules.equal_speed = settings.equal_speed;
   if (settings.period) spec.period = parse_period(*settings.period);
   if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
-  spec.parameter_name = settings.parameter;
+  if (settings.parameter) spec.parameter_name = settings.parameter->value;
   if (settings.extrapolate) {
-    spec.extrapolation = named(Option::extrapolate, extrapolations, *settings.extrapolate).kind;
+    spec.extrapolation = row_of(*settings.extrapolate, extrapolations).kind;
   }
   spec.ease = !settings.no_ease;
   return spec;
@@ -172,19 +185,19 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     spec.lacks_metric = metric.empty();
     return;
   }
-  if (settings.metric == "rotation" && !find_channel("rotation", channels)) {
-    if (rotations.empty()) refuse(Option::metric, ErrorCode::no_rotation, {*settings.metric});
+  const auto& [text, origin] = *settings.metric;
+  if (text == "rotation" && !find_channel("rotation", channels)) {
+    if (rotations.empty()) throw metric_without_rotations(origin);
     metric = {spline::turn_metric};
     return;
   }
-  for (const std::string_view part : split(*settings.metric, ',')) {
+  for (const std::string_view part : split(text, ',')) {
     const std::string name(part);
     const auto channel = find_channel(name, channels);
-    if (!channel) refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
-    if (spline::is_in_rotation(rotations, *channel))
-      refuse(Option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
-    if (is_angle(*channel)) refuse(Option::metric, ErrorCode::angle_in_metric, {channels[*channel]});
-    if (std::ranges::count(metric, *channel) > 0) refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
+    if (!channel) throw no_channel_of_metric(origin, name, channels);
+    if (spline::is_in_rotation(rotations, *channel)) throw rotation_in_metric(origin, channels[*channel]);
+    if (is_angle(*channel)) throw angle_in_metric(origin, channels[*channel]);
+    if (std::ranges::count(metric, *channel) > 0) throw repeated_metric_channel(origin, name);
     metric.push_back(*channel);
   }
 }
@@ -200,24 +213,11 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   set_metric(spec, settings, channels);
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
-    if (!rotations.empty()) refuse(Option::ends, ErrorCode::end_velocity_of_rotation);
+    if (!rotations.empty()) throw end_velocity_of_rotation(settings.ends->origin);
     if (end->velocity.size() == channels.size()) continue;
-    refuse(Option::ends, ErrorCode::velocity_of_other_size,
-           {std::uint64_t{end->velocity.size()}, std::uint64_t{channels.size()}, channels});
+    throw end_velocity_of_other_size(settings.ends->origin, end->velocity.size(), channels);
   }
   return spec;
-}
-
-const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input) {
-  try {
-    (void)make_spec(curve_info.settings, input.channels, input.rotations, input.angles);
-    return curve_info.settings;
-  } catch (const Error& error) {
-    const std::string member(setting_member(error.option()));
-    const Error in_data = error.about_member(Exit::data, member);
-    const auto place = std::ranges::find(curve_info.places, member, [](const auto& one) { return one.first; });
-    throw place == curve_info.places.end() ? in_data : in_data.at(place->second);
-  }
 }
 
 std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
@@ -228,19 +228,19 @@ std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
 }
 
 void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {
-  if (spec.lacks_metric && use != MetricUse::nothing) throw Error(Exit::data, ErrorCode::only_rotations);
+  if (spec.lacks_metric && use != MetricUse::nothing) throw only_rotations();
   if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
-    refuse(Option::metric, ErrorCode::path_of_rotations);
+    throw path_of_rotations();
   }
   const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
-  if (emits && !spec.rules.angles.empty()) throw Error(Exit::data, ErrorCode::emit_of_angle).about(Option::emit);
+  if (emits && !spec.rules.angles.empty()) throw pieces_of_angles();
   if (emits && curve == spline::RotationCurve::components &&
       !std::ranges::all_of(spec.rules.rotations, is_quaternion)) {
-    throw Error(Exit::data, ErrorCode::emit_of_angles).about(Option::emit);
+    throw pieces_of_other_form();
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
-    throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(Option::emit);
+    throw pieces_of_rotations(name_of(curve));
   }
 }
 
@@ -249,14 +249,14 @@ void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& ch
   const auto of_rotations =
       std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
   if (!has_rotations && of_rotations != chosen.end()) {
-    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(fields()[*of_rotations].name)}).about(Option::fields);
+    throw field_without_rotations(fields()[*of_rotations].name).about(option::fields);
   }
   if (!has_rotations && request.tolerance.limits_angle()) {
-    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::tolerance);
+    throw tolerance_without_rotation().about(option::tolerance);
   }
   const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
   if (has_rotations && spec.lacks_metric && is_near_path) {
-    throw Error(Exit::data, ErrorCode::tolerance_of_rotations).about(Option::tolerance);
+    throw tolerance_of_rotations().about(option::tolerance);
   }
 }
 

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
+#include "sample/errors.hpp"
 #include "tcb/spline/double_pair.hpp"
 
 namespace tcb {
@@ -54,8 +56,8 @@ std::string shown(const Rational& rows) {
   return fmt::format("{}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
 }
 
-[[noreturn]] void refuse(Option option, const Rational& value, const Bound& bound) {
-  throw Error(Exit::usage, bound.code, {text(value), text(bound.value)}).about(option);
+[[noreturn]] void refuse(std::string_view option, const Rational& value, const Bound& bound) {
+  throw bound.fault(text(value), text(bound.value)).about(option);
 }
 
 }  // namespace
@@ -162,8 +164,7 @@ Rational steps_between(const Rational& from, const Rational& to, const Rational&
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
   const Rational rows = floor(steps) + 1;
   if (rows <= max_rows) return;
-  throw Error(Exit::usage, at_least ? ErrorCode::too_many_rows_or_more : ErrorCode::too_many_rows,
-              {shown(rows), max_rows});
+  throw too_many_rows(shown(rows), max_rows, at_least);
 }
 
 Rational SamplingRequest::exact(const Time& time) const {
@@ -178,16 +179,16 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   const Rational from = request.from.value_or(arc ? Rational(0) : request.exact(extent.first));
   std::optional<Rational> to = request.to;
   if (to && *to < from) {  // a start that was given is before it
-    throw Error(Exit::usage, ErrorCode::end_before_start, {text(*to), text(from)}).about(Option::to);
+    throw end_before_start(text(*to), text(from)).about(option::to);
   }
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
   if (!to && !arc && extent.last) to = request.exact(*extent.last);
   if (to && *to < from && request.count != 1) {
-    if (arc) require_not_after(Option::from, from, curve_length(*extent.length));
-    throw Error(Exit::usage, ErrorCode::start_after_end, {text(from), text(*to)}).about(Option::from);
+    if (arc) require_not_after(option::from, from, curve_length(*extent.length));
+    throw start_after_end(text(from), text(*to)).about(option::from);
   }
   if (to && !std::isfinite(nearest_double(*to - from))) {
-    throw Error(Exit::data, ErrorCode::samples_beyond_doubles);
+    throw samples_beyond_doubles();
   }
   if (request.mode == Mode::step || request.mode == Mode::arc_step) {
     if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
@@ -211,22 +212,22 @@ std::string text(const Rational& value) {
   return time.lo == 0 ? fmt::format("{}", time.hi) : whole_text(Rational(time.hi) + Rational(time.lo));
 }
 
-Bound first_key(const Time& time) { return {ErrorCode::before_first_key, exact_time(time)}; }
-Bound last_key(const Time& time) { return {ErrorCode::after_last_key, exact_time(time)}; }
-Bound curve_start() { return {ErrorCode::before_curve_start, 0}; }
-Bound curve_length(double length) { return {ErrorCode::beyond_curve_length, exact_time({length})}; }
+Bound first_key(const Time& time) { return {before_first_key, exact_time(time)}; }
+Bound last_key(const Time& time) { return {after_last_key, exact_time(time)}; }
+Bound curve_start() { return {below_length, 0}; }
+Bound curve_length(double length) { return {beyond_length, exact_time({length})}; }
 
-void require_not_before(Option option, const Rational& value, const Bound& bound) {
+void require_not_before(std::string_view option, const Rational& value, const Bound& bound) {
   if (value < bound.value) refuse(option, value, bound);
 }
 
-void require_not_after(Option option, const Rational& value, const Bound& bound) {
+void require_not_after(std::string_view option, const Rational& value, const Bound& bound) {
   if (value > bound.value) refuse(option, value, bound);
 }
 
 void require_resolution(const Grid& grid, const Time& end, int decimals) {
   if (grid.resolves(end, decimals)) return;
-  throw Error(Exit::usage, ErrorCode::step_too_small, {text(grid.step()), text(exact_time(end))});
+  throw step_too_small(text(grid.step()), text(exact_time(end)));
 }
 
 }  // namespace tcb

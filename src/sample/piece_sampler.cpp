@@ -3,6 +3,8 @@
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
+#include "sample/errors.hpp"
 #include "sample/sampler.hpp"
 
 namespace tcb {
@@ -38,15 +40,15 @@ class PieceSampler : public Sampler {
 
 /// Throws: Error where the range leaves the curve.
 void PieceSampler::require_bounds(const CurveSegment& segment) const {
-  const auto require = [&](Option option, const std::optional<Rational>& given) {
+  const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
     if (!given) return;
-    const Bound first{ErrorCode::before_curve_start, request_.exact(segment.start)};
-    const Bound last{ErrorCode::beyond_curve_end, request_.exact(segment.end)};
+    const Bound first{before_first_piece, request_.exact(segment.start)};
+    const Bound last{after_last_piece, request_.exact(segment.end)};
     if (segment.number == 0) require_not_before(option, *given, first);
     if (segment.last) require_not_after(option, *given, last);
   };
-  require(Option::from, request_.from);
-  require(Option::to, request_.to);
+  require(option::from, request_.from);
+  require(option::to, request_.to);
 }
 
 Run PieceSampler::place(const CurveSegment& segment) {
@@ -55,11 +57,10 @@ Run PieceSampler::place(const CurveSegment& segment) {
   done_ = request_.to && nearest_time(*request_.to, segment.decimals) <= segment.end;
   const bool has_row = start < end;
   if (has_row && !segment.warp.is_identity()) {
-    throw Error(Exit::data, ErrorCode::piece_with_ease,
-                {segment.number, time_text(segment.start), time_text(segment.end)});
+    throw piece_with_ease(segment.number, time_text(segment.start), time_text(segment.end));
   }
   if (has_row && ++rows_ > request_.max_rows) require_rows(Rational(rows_ - 1), request_.max_rows, !segment.last);
-  if (rows_ == 0 && (done_ || segment.last)) throw Error(Exit::usage, ErrorCode::no_piece_in_range);
+  if (rows_ == 0 && (done_ || segment.last)) throw no_piece_in_range();
   return {segment.number, segment.number + (has_row ? 1 : 0)};
 }
 

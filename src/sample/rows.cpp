@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "sample/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -97,7 +98,7 @@ class Placer {
 }  // namespace
 
 void refuse_overflow(const Sample& sample) {
-  throw Error(Exit::data, ErrorCode::row_beyond_doubles, {time_text(sample.t)});
+  throw row_beyond_doubles(time_text(sample.t));
 }
 
 std::uint64_t SampleBlock::rows() const {

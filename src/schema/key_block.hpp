@@ -65,38 +65,37 @@ class Texts {
 using Keys = spline::Keys<double>;
 using Time = spline::Time<double>;
 
+/// Where a setting comes from: an option, or a member of JSON at a text position.
+struct SettingOrigin {
+  std::string_view subject;  ///< the name of the option or the member
+  TextPosition position = {};
+
+  /// The exit code of an error about the setting.
+  Exit exit() const { return position.line == 0 ? Exit::usage : Exit::data; }
+};
+
+template <class T>
+struct Setting {
+  T value;
+  SettingOrigin origin = {};
+};
+using TextSetting = Setting<std::string>;
+
 /// Settings of a curve as values of options or JSON members, before names are looked up.
 struct CurveSettings {
-  std::optional<std::string> preset;
-  std::optional<std::string> tangents;
-  std::optional<std::string> ends;  ///< RULE[,RULE]
-  std::optional<bool> closed;
-  std::optional<std::string> period;     ///< a decimal or a ratio; implies closed
-  std::optional<std::string> parameter;  ///< for keys without times: uniform, chordal, centripetal, or an exponent
-  std::optional<std::string> extrapolate;
-  std::optional<std::string> metric;  ///< names or numbers of channels, separated by commas
-  std::optional<std::string> rotation_curve = {};
+  std::optional<TextSetting> preset;
+  std::optional<TextSetting> tangents;
+  std::optional<TextSetting> ends;  ///< RULE[,RULE]
+  std::optional<Setting<bool>> closed;
+  std::optional<TextSetting> period;     ///< a decimal or a ratio; implies closed
+  std::optional<TextSetting> parameter;  ///< for keys without times: uniform, chordal, centripetal, or an exponent
+  std::optional<TextSetting> extrapolate;
+  std::optional<TextSetting> metric;  ///< names or numbers of channels, separated by commas
+  std::optional<TextSetting> rotation_curve = {};
   std::optional<spline::Preset> rotation_preset = {};  ///< whose rules of rotations replace tangents and ends for these
   bool equal_speed = false;
   bool no_ease = false;
 };
-
-/// The member of a JSON object that has the value of an option.
-struct SettingMember {
-  Option option;
-  std::string_view name;
-};
-inline constexpr std::array setting_members{
-    SettingMember{Option::preset, "preset"}, SettingMember{Option::tangents, "tangents"},
-    SettingMember{Option::ends, "ends"},     SettingMember{Option::closed, "closed"},
-    SettingMember{Option::period, "period"},
-};
-constexpr std::string_view setting_member(Option option) {
-  for (const SettingMember& member : setting_members) {
-    if (member.option == option) return member.name;
-  }
-  return "";
-}
 
 /// The information of an input about a curve, besides its keys.
 struct CurveInfo {

@@ -75,6 +75,10 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
   return "; did you mean " + std::string(known[index]) + "?";
 }
 
+std::string did_you_mean(std::string_view name, std::span<const std::string> known) {
+  return did_you_mean(name, std::vector<std::string_view>(known.begin(), known.end()));
+}
+
 std::string listed(std::span<const std::string> names) { return joined(names); }
 std::string listed(std::span<const std::string_view> names) { return joined(names); }
 

@@ -18,6 +18,7 @@ std::string_view likely_name(std::string_view name, std::span<const std::string_
 
 /// "; did you mean NAME?" with the known name that is probably meant, whatever the case of its letters, or "".
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
+std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
 /// Names separated by ", ": all of them, or the first 20 and the number of the others.
 std::string listed(std::span<const std::string> names);

@@ -87,10 +87,14 @@ class SettingsReader : public JsonObjectReader {
     CurveSettings& settings = found.curve_info.settings;
     if (member_ != "id") found.curve_info.places.emplace_back(member_, value_position());
     if (member_ == "channels") take_channel(value);
-    if (member_ == "preset") settings.preset = value;
-    if (member_ == "tangents") settings.tangents = value;
-    if (member_ == "ends") settings.ends = settings.ends && in_array() ? *settings.ends + "," + value : value;
-    if (member_ == "period") settings.period = value;
+    if (member_ == "preset") settings.preset = {value, {"preset", value_position()}};
+    if (member_ == "tangents") settings.tangents = {value, {"tangents", value_position()}};
+    if (member_ == "ends" && settings.ends && in_array()) {
+      settings.ends->value += "," + value;
+    } else if (member_ == "ends") {
+      settings.ends = {value, {"ends", value_position()}};
+    }
+    if (member_ == "period") settings.period = {value, {"period", value_position()}};
     if (member_ == "id") {
       if (in_array()) throw at_value(json::id_expected());
       found.curve_info.id = value == "null" ? "" : value;
@@ -99,7 +103,7 @@ class SettingsReader : public JsonObjectReader {
     if (is_quoted() || (text != "true" && text != "false")) {
       throw at_value(json::true_or_false_expected(value));
     }
-    settings.closed = text == "true";
+    settings.closed = {text == "true", {"closed", value_position()}};
     return true;
   }
 

@@ -1,0 +1,33 @@
+// Errors of the pipeline, in the order of its stages.
+#include "run/errors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "option_names.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+
+Error parameter_with_times(std::string_view time) {
+  return {Exit::data, fmt::format("column \"{}\" has times already; expected keys without times; remove {}, or choose "
+                                  "the columns with {}",
+                                  time, option::parameter, option::columns)};
+}
+
+Error ease_with_missing_cells() {
+  return {Exit::data, fmt::format("some numbers were skipped by {} skip-cell, but ease_in and ease_out need a number "
+                                  "in every channel; fill them in, or give {}",
+                                  option::missing, option::no_ease)};
+}
+
+Error group_without_places(const std::vector<std::string>& curve) {
+  return {Exit::data, fmt::format("the file has no places for the curve {}; expected some for each curve; add rows",
+                                  fmt::join(curve, ", "))};
+}
+
+Error out_of_memory() { return {Exit::usage, "out of memory"}; }
+
+Error unexpected_failure(const char* what) { return {Exit::usage, what}; }
+
+}  // namespace tcb

@@ -1,0 +1,63 @@
+// Notes about inputs and curves, in the order of the flow.
+#include "run/notes.hpp"
+
+#include <fmt/format.h>
+
+#include "option_names.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+
+Note reads_terminal() { return {"keys are read from the terminal; end them with Ctrl-D, or name a file"}; }
+
+Note no_time_column() { return {"there is no time column; the times of the keys are 0, 1, 2, ..."}; }
+
+Note ignored_columns(const std::vector<std::string>& names) {
+  return {fmt::format("ignored: {}; {} gives them roles, as in carry=NAME or position=NAME:NAME",
+                      listed(names), option::columns),
+          true};
+}
+
+Note unchosen_columns(const std::vector<std::string>& names) {
+  return {fmt::format("ignored, as {} chooses others: {}", option::columns, listed(names))};
+}
+
+Note likely_quaternion() {
+  return {fmt::format("columns 5 to 8 may be a quaternion; {0} quaternion=5:6:7:8 resamples them as a rotation, {0} "
+                      "none leaves out this note",
+                      option::rotation),
+          true};
+}
+
+Note likely_matrix() {
+  return {fmt::format("the columns may be poses, matrices of 3 rows and 4 columns; {0} uniform {1} "
+                      "matrix=1:2:3:5:6:7:9:10:11 resamples them as poses, {1} none leaves out this note",
+                      option::parameter, option::rotation),
+          true};
+}
+
+Note rate_of_frames(std::string_view time) {
+  return {fmt::format("the times in column \"{}\" count frames, so {} is per frame; {} HZ converts them to seconds",
+                      time, option::rate, option::input_fps),
+          true};
+}
+
+Note remainder_note(double distance, bool at_key) {
+  return {fmt::format("{0} is {1} after the last row; {2} keep or {2} fit includes it",
+                      at_key ? "the last key" : "the end of the range", distance, option::end),
+          true};
+}
+
+Note more_remainders(std::uint64_t curves) {
+  return {fmt::format("the same in {} more curves, with their own distances", curves), true};
+}
+
+Note step_is(std::string_view step) { return {fmt::format("the step is {}", step)}; }
+
+Note skipped_rows(std::uint64_t rows) { return {fmt::format("rows skipped for missing numbers: {}", rows)}; }
+
+Note other_program(std::string_view earlier, std::string_view current) {
+  return {fmt::format("made by {}; this is {}, whose last digits may differ", earlier, current)};
+}
+
+}  // namespace tcb

@@ -1,0 +1,33 @@
+// Notes: facts about an input or its curves that a user may not expect, as texts; one function for each.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tcb {
+
+struct Note {
+  std::string text;
+  bool is_important = false;  ///< printed unless it is quiet; other notes only on a terminal
+};
+
+Note reads_terminal();
+Note no_time_column();
+Note ignored_columns(const std::vector<std::string>& names);
+/// Columns that are ignored as the positions were chosen.
+Note unchosen_columns(const std::vector<std::string>& names);
+Note likely_quaternion();
+Note likely_matrix();
+/// A rate is given, and the times in the column `time` count frames.
+Note rate_of_frames(std::string_view time);
+/// The end of the range, which is that of the curve if `at_key`, is not a row.
+Note remainder_note(double distance, bool at_key);
+Note more_remainders(std::uint64_t curves);
+Note step_is(std::string_view step);
+Note skipped_rows(std::uint64_t rows);
+/// An earlier output is made again by another version.
+Note other_program(std::string_view earlier, std::string_view current);
+
+}  // namespace tcb
