@@ -40,6 +40,6 @@ std::string samples_in_words(const SamplingRequest& request);
 Note remainder_note(const Rational& remainder, bool at_key);
 
 /// The samples that the job requests of a curve. Throws: Error (data) for a group without places.
-SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Job& job);
+SamplingRequest sampling_of(const CurveKeys& curve, const Schema& schema, const Job& job);
 
 }  // namespace tcb

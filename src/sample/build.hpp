@@ -11,7 +11,8 @@
 #include "numbers/rational.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
-#include "schema/input.hpp"
+#include "schema/key_block.hpp"
+#include "schema/schema.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/window.hpp"
@@ -51,7 +52,7 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
                     const std::vector<spline::AngleChannel>& angles = {});
 
 /// The settings of an input, checked. Throws: Error (data) about a member, at its text position.
-const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input);
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const Schema& schema);
 
 /// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
 std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);

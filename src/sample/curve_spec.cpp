@@ -208,9 +208,9 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   return spec;
 }
 
-const CurveSettings& checked_settings(const CurveInfo& curve_info, const Input& input) {
+const CurveSettings& checked_settings(const CurveInfo& curve_info, const Schema& schema) {
   try {
-    (void)make_spec(curve_info.settings, input.channels, input.rotations, input.angles);
+    (void)make_spec(curve_info.settings, schema.channels, schema.rotations.columns, schema.angles);
     return curve_info.settings;
   } catch (const Error& error) {
     const std::string member(setting_member(error.option()));

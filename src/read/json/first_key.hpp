@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "error.hpp"
-#include "schema/input.hpp"
+#include "read/chunk.hpp"
+#include "read/input_options.hpp"
 
 namespace tcb {
 

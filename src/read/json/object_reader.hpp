@@ -10,7 +10,6 @@
 #include "error.hpp"
 #include "read/json/json_input.hpp"
 #include "read/json/scanner.hpp"
-#include "schema/input.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

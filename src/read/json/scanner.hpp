@@ -11,7 +11,8 @@
 #include <string_view>
 
 #include "error.hpp"
-#include "schema/input.hpp"
+#include "read/chunk.hpp"
+#include "read/text_bytes.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
