@@ -10,7 +10,7 @@
 
 #include "cli/remedies.hpp"
 #include "error.hpp"
-#include "schema/input.hpp"
+#include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

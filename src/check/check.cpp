@@ -39,7 +39,7 @@ SampleRows concatenated(const std::vector<SampleRows>& parts) {
 }
 
 Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
-  const std::vector<std::string>& names = kept.input.groups;
+  const std::vector<std::string>& names = kept.schema.groups;
   Pairs result;
   std::vector<bool> taken(table.curves.size());
   for (const KeptCurve& curve : kept.curves) {
@@ -232,7 +232,8 @@ void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs
   const MatchedColumns& columns = inputs.columns;
   SamplingRequest request = job.sampling;
   request.mode = columns.by_length ? Mode::arc_at : Mode::at;
-  CurvePipeline pipeline(request, job.curve, columns.fields, std::nullopt, inputs.kept.input, *pair.curve->curve_info);
+  CurvePipeline pipeline(request, job.curve, columns.fields, std::nullopt, inputs.kept.schema, inputs.kept.traits,
+                         *pair.curve->curve_info, inputs.threads);
   const IndexedCurve curve = pipeline.whole(pair.curve->keys());
   const Places places =
       places_of(pair.rows, inputs.table, columns, curve, limits_of(*job.comparison, inputs.place_name()));

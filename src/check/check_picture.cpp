@@ -52,7 +52,7 @@ std::string file_name(const std::string& path) { return path.substr(path.rfind('
 }  // namespace
 
 void CheckPicture::begin(const ComparisonInputs& inputs) {
-  const std::vector<std::string>& channels = inputs.kept.input.channels;
+  const std::vector<std::string>& channels = inputs.kept.schema.channels;
   for (std::size_t channel = 0; channel < channels.size(); ++channel) {
     const auto column = std::ranges::find(inputs.columns.compared, channels[channel], &MatchedColumn::name);
     if (column == inputs.columns.compared.end()) continue;
@@ -63,7 +63,7 @@ void CheckPicture::begin(const ComparisonInputs& inputs) {
   if (channels_.empty()) throw no_position_column(channels);
   scene_.path = path_axes(scene_.channels, job_.picture.axes);
   for (std::size_t i = 0; i < channels_.size(); ++i) scene_.channels.push_back(scene_.channels[i] + ", difference");
-  scene_.time = inputs.kept.input.time;
+  scene_.time = inputs.kept.schema.time.name;
   scene_.names = {file_name(inputs.keys), file_name(inputs.file)};
 }
 
@@ -92,7 +92,7 @@ void CheckPicture::add_curve(const CheckedPair& pair) {
 void CheckPicture::add_samples(const CheckedPair& pair) {
   MatchedColumns columns = pair.inputs.columns;
   columns.fields = {field_of("time"), field_of("position")};
-  const std::vector<std::string>& names = pair.inputs.kept.input.channels;
+  const std::vector<std::string>& names = pair.inputs.kept.schema.channels;
   for (MatchedColumn& column : columns.compared) {
     column.computed = 1 + static_cast<std::size_t>(std::ranges::find(names, column.name) - names.begin());
   }

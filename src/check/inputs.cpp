@@ -12,8 +12,8 @@
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "option_names.hpp"
+#include "read/reader.hpp"
 #include "sample/fields.hpp"
-#include "schema/input.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -69,8 +69,9 @@ KeptCurves keep(const Job& job, FileProgress* progress) {
   const std::string& path = job.files[0];
   InputOptions options = job.input;
   options.threads = job.threads();
-  KeptCurves kept{open_input(path, observed(path, progress), options), {}};
-  Curves curves(kept.input, job.curves, false);
+  const Input input = open_input(path, observed(path, progress), options);
+  KeptCurves kept{input.schema, input.keys.traits, {}};
+  Curves curves(input.schema, input.keys, job.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
     KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
     while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
@@ -78,22 +79,22 @@ KeptCurves keep(const Job& job, FileProgress* progress) {
   return kept;
 }
 
-SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place,
+SampleTable read_samples(const Job& job, const Schema& keys, std::optional<std::size_t> time_place,
                          FileProgress* progress) {
   const std::string& path = job.comparison->file;
   Source<std::string> bytes = observed(path, progress);
   std::string beginning = bytes().value_or("");
   InputOptions options;
-  options.samples = SampleNames{keys.time, keys.groups, keys.carried, time_place.value_or(0), job.comparison->maps};
+  options.samples = SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), job.comparison->maps};
   options.missing = Missing::skip_cell;
   options.timeless = !time_place;
   options.threads = job.threads();
   options.input_rate = job.input.input_rate;
   options.decimal = decimal_mark_of(beginning);
-  Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
-  SampleTable table{input.named, input.timed, input.time, input.channels, input.ignored, {}};
-  input.timed = false;  // rows may come in any order
-  Curves curves(input, {}, false);
+  const Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
+  const Schema& schema = input.schema;
+  SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};
+  Curves curves(schema, input.keys, {.any_order = true}, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
     SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
     while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
@@ -106,7 +107,7 @@ namespace {
 using Names = std::vector<std::string>;
 using Fields = std::vector<std::size_t>;
 
-Names names_of(const Fields& chosen, const Input& keys) {
+Names names_of(const Fields& chosen, const Schema& keys) {
   Names names;
   for (const auto& column : output_columns(chosen, keys)) names.push_back(column.name);
   return names;
@@ -119,7 +120,7 @@ std::optional<std::size_t> find(const Names& names, const std::string& name) {
 }
 
 /// How many columns the fields have before the time; nothing: the time is not among them.
-std::optional<std::size_t> place_of_time(const Fields& chosen, const Input& keys) {
+std::optional<std::size_t> place_of_time(const Fields& chosen, const Schema& keys) {
   const auto time = std::ranges::find(chosen, field_of("time"));
   if (chosen.empty()) return 0;
   if (time == chosen.end()) return std::nullopt;
@@ -131,7 +132,7 @@ bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(ch
 /// Matches columns by name.
 class Matcher {
  public:
-  Matcher(const SampleTable& table, const Input& keys, const Fields& given)
+  Matcher(const SampleTable& table, const Schema& keys, const Fields& given)
       : table_(table), keys_(keys), given_(given) {}
 
   MatchedColumns match() {
@@ -166,7 +167,7 @@ class Matcher {
     result_.by_length = s && (wants_s || !table_.timed);
     if (result_.by_length) result_.place = s;
     if (table_.timed || result_.by_length) return;
-    throw samples_without_places(table_.columns, keys_.time);
+    throw samples_without_places(table_.columns, keys_.time.name);
   }
 
   bool is_compared(std::size_t column) const {
@@ -205,13 +206,13 @@ class Matcher {
   }
 
   const SampleTable& table_;
-  const Input& keys_;
+  const Schema& keys_;
   const Fields& given_;
   MatchedColumns result_;
 };
 
 /// Matches columns by their order.
-MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const Fields& given) {
+MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, const Fields& given) {
   const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
   const Names names = names_of(chosen, keys);
   MatchedColumns result;
@@ -246,14 +247,14 @@ void MatchedColumns::align(std::span<Cell> computed, std::span<const double> giv
   }
 }
 
-MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given) {
+MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given) {
   MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
   for (const spline::AngleChannel& angle : keys.angles) {
     const auto found = std::ranges::find(columns.compared, keys.channels[angle.channel], &MatchedColumn::name);
     if (found == columns.compared.end()) continue;
     columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
   }
-  for (const spline::RotationColumns& rotation : keys.rotations) {
+  for (const spline::RotationColumns& rotation : keys.rotations.columns) {
     if (rotation.shown.form != spline::RotationForm::quaternion) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -273,9 +274,9 @@ ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& cho
   inputs.threads = job.threads();
   inputs.kept = in_file(inputs.keys, [&] { return keep(job, progress); });
   in_file(inputs.file, [&] {
-    const auto time_place = place_of_time(chosen, inputs.kept.input);
-    inputs.table = read_samples(job, inputs.kept.input, time_place, progress);
-    inputs.columns = match_columns(inputs.table, inputs.kept.input, chosen);
+    const auto time_place = place_of_time(chosen, inputs.kept.schema);
+    inputs.table = read_samples(job, inputs.kept.schema, time_place, progress);
+    inputs.columns = match_columns(inputs.table, inputs.kept.schema, chosen);
   });
   return inputs;
 }

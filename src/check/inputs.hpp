@@ -14,7 +14,8 @@
 #include "error.hpp"
 #include "run/job.hpp"
 #include "run/progress.hpp"
-#include "schema/input.hpp"
+#include "schema/input_keys.hpp"
+#include "schema/schema.hpp"
 
 namespace tcb {
 
@@ -30,7 +31,8 @@ struct KeptCurve {
 };
 
 struct KeptCurves {
-  Input input;
+  Schema schema;
+  KeyTraits traits;
   std::vector<KeptCurve> curves;
 };
 
@@ -65,7 +67,7 @@ struct SampleTable {
 /// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `time_place`: in
 /// a file without names, how many columns are before the time, without groups; nothing: none is the time. Throws:
 /// Error.
-SampleTable read_samples(const Job& job, const Input& keys, std::optional<std::size_t> time_place,
+SampleTable read_samples(const Job& job, const Schema& keys, std::optional<std::size_t> time_place,
                          FileProgress* progress = nullptr);
 
 /// A column of the samples that is also one of the curve's rows.
@@ -93,7 +95,7 @@ struct MatchedColumns {
 /// Matches columns with the given fields, or if none are given, with all fields whose columns the table names. A
 /// table without names has the columns of the given fields, or else the time and the positions.
 /// Throws: Error (data) if nothing can be compared.
-MatchedColumns match_columns(const SampleTable& table, const Input& keys, const std::vector<std::size_t>& given);
+MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given);
 
 /// Both files of a comparison.
 struct ComparisonInputs {
@@ -105,7 +107,7 @@ struct ComparisonInputs {
   FileProgress* progress = nullptr;  ///< of both files, if it is shown
 
   /// The column that holds the places of the samples.
-  std::string place_name() const { return columns.by_length ? "s" : kept.input.time; }
+  std::string place_name() const { return columns.by_length ? "s" : kept.schema.time.name; }
 };
 
 /// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.

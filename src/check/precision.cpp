@@ -151,8 +151,8 @@ std::uint64_t count_rows(const std::vector<GivenSamples>& samples) {
 
 std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonInputs& inputs) {
   const std::size_t width = inputs.columns.compared.size();
-  const Input& keys = inputs.kept.input;
-  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), keys.rotations);
+  const Schema& keys = inputs.kept.schema;
+  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), keys.rotations.columns);
   std::vector<GivenSamples> samples;
   for (Pair& pair : pairs) {
     GivenSamples& sample = samples.emplace_back(GivenSamples{pair.curve, std::move(pair.rows), {}, {}});
@@ -173,8 +173,9 @@ std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonIn
 
 Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, const ComparedParts& parts) {
   Subset subset{samples, {}, true};
-  const Input& keys = inputs.kept.input;
-  const bool cuttable = !parts.closed && keys.timed && !keys.may_miss && !inputs.columns.by_length;
+  const KeptCurves& kept = inputs.kept;
+  const bool cuttable =
+      !parts.closed && kept.schema.time.is_given && !kept.traits.may_miss && !inputs.columns.by_length;
   subset.curves.reserve(samples.size());
   for (GivenSamples& sample : subset.samples) {
     if (!cuttable || sample.curve->key_count() <= most_keys) continue;

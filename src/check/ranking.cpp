@@ -45,8 +45,8 @@ class Comparer {
 
   IndexedCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
     const CurveSettings settings = settings_of(convention, job_.curve, parts_);
-    CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.input,
-                           *curve.curve_info);
+    CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.schema,
+                           inputs_.kept.traits, *curve.curve_info, inputs_.threads);
     const TcbOrder& order = orders_[convention.order].order;
     if (order.is_plain()) return pipeline.whole(curve.keys());
     return pipeline.whole(mapped(curve.keys(), [&order](KeyBlock block) {
@@ -113,7 +113,7 @@ std::vector<bool> fitting(const std::vector<Candidate>& candidates, std::size_t 
 void compare_positions_only(ComparisonInputs& inputs) {
   MatchedColumns& columns = inputs.columns;
   columns.fields = {field_of("position")};
-  const std::vector<OutputColumn> cells = output_columns(columns.fields, inputs.kept.input);
+  const std::vector<OutputColumn> cells = output_columns(columns.fields, inputs.kept.schema);
   std::vector<MatchedColumn> positions;
   std::vector<std::size_t> places(columns.compared.size());  // of columns among those that are kept
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -131,7 +131,7 @@ void compare_positions_only(ComparisonInputs& inputs) {
     std::ranges::transform(numbers, numbers.begin(), [&](auto i) { return places[i]; });
   for (auto& angle : columns.angles) angle.first = places[angle.first];
   columns.compared = std::move(positions);
-  if (columns.compared.empty()) throw no_position_column(inputs.kept.input.channels);
+  if (columns.compared.empty()) throw no_position_column(inputs.kept.schema.channels);
 }
 
 /// Counts the rows on the curves; adds a problem for rows off them, which are off them with every convention.

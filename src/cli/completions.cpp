@@ -11,8 +11,8 @@
 #include "cli/completion_scripts.hpp"
 #include "cli/options.hpp"
 #include "io/input_file.hpp"
+#include "read/reader.hpp"
 #include "schema/columns.hpp"
-#include "schema/input.hpp"
 
 namespace tcb {
 namespace {
@@ -170,8 +170,9 @@ std::string columns_text(const std::vector<std::string>& files) {
   for (const std::string& file : files.empty() ? std::vector<std::string>{"-"} : files) {
     try {
       const Input input = open_input(file, read_file(file), {});
-      if (input.timed) names.push_back(input.time);
-      for (const auto* group : {&input.channels, &input.groups, &input.carried, &input.ignored}) {
+      const Schema& schema = input.schema;
+      if (schema.time.is_given) names.push_back(schema.time.name);
+      for (const auto* group : {&schema.channels, &schema.groups, &schema.labels, &input.facts.ignored}) {
         names.insert(names.end(), group->begin(), group->end());
       }
       names.insert(names.end(), input.facts.roles.begin(), input.facts.roles.end());

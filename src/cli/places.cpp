@@ -12,7 +12,8 @@
 #include "io/input_file.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "schema/input.hpp"
+#include "read/reader.hpp"
+#include "schema/faults.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -103,14 +104,14 @@ GroupedPlaces read_places(const PlaceColumn& column, const Job& job) {
   options.samples->times_only = row_of(column.option).long_name();
   options.input_rate = job.input.input_rate;
   const Input input = open_input(column.path, read_file(column.path), options);
-  const Source<KeyBlock> keys = without_faults(input.keys, false);
+  const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
   SamplingRequest request;
-  request.frame_rate = input.frame_rate;
+  request.frame_rate = input.schema.time.frame_rate;
   GroupedPlaces places;
   while (const std::optional<KeyBlock> block = keys()) {
     for (std::size_t key = 0; key < block->size(); ++key) {
       std::vector<std::string> group;
-      for (std::size_t i = 0; i < input.groups.size(); ++i) group.emplace_back(content(block->text(key, i)));
+      for (std::size_t i = 0; i < input.schema.groups.size(); ++i) group.emplace_back(content(block->text(key, i)));
       places[group].push_back(request.exact(block->keys.times[key]));
     }
   }

@@ -11,7 +11,7 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
 #include "sample/extrapolation.hpp"
-#include "schema/input.hpp"
+#include "schema/key_block.hpp"
 #include "tcb/spline/window.hpp"
 
 namespace tcb {

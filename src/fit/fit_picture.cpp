@@ -12,6 +12,7 @@
 #include "fit/fitting.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
+#include "read/reader.hpp"
 #include "run/pipeline.hpp"
 
 namespace tcb {
@@ -31,27 +32,22 @@ ComparisonInputs fitted_inputs(const Job& job, FitReport& report) {
   inputs.keys = "keys";
   inputs.threads = job.threads();
   const Input input = open_input(job.files[0], read_file(job.files[0]), job.input);
-  inputs.kept.input = columns_of_fit(input, job);
-  if (job.fit.angle) inputs.kept.input.given_rotations = input.given_rotations;
-  Curves curves(input, job.curves, false);
+  Schema& keys = inputs.kept.schema;
+  keys = curve_of_fit(input, job);
+  Curves curves(input.schema, input.keys, job.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
-    Samples samples = recorded_samples(*curve, input, sampling_of(*curve, input, job).places, job);
+    Samples samples = recorded_samples(*curve, input.schema, sampling_of(*curve, input.schema, job).places, job);
     FitResult result = fitted(samples, job.fit);
     report.add(rows_of(samples, result, job.fit).report);
-    inputs.kept.input.channels.resize(samples.recording.channels);  // without what keys carry besides
-    inputs.kept.input.rotations.clear();
-    for (const FitGroup& group : samples.recording.groups) {
-      if (group.angle) inputs.kept.input.rotations.push_back({group.rotation()});
-    }
     inputs.kept.curves.push_back(
         {curve->group, std::make_shared<const CurveInfo>(), {block_of(std::move(result.keys))}});
     inputs.table.curves.push_back(
         {curve->group, std::move(samples.times), std::move(samples.recording.positions), std::move(samples.lines)});
   }
   inputs.table.named = inputs.table.timed = true;
-  inputs.table.time = input.time;
-  inputs.table.columns = inputs.kept.input.channels;
-  inputs.columns = match_columns(inputs.table, inputs.kept.input, {});
+  inputs.table.time = keys.time.name;
+  inputs.table.columns = keys.channels;
+  inputs.columns = match_columns(inputs.table, keys, {});
   return inputs;
 }
 

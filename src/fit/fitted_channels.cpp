@@ -69,28 +69,29 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
 
 }  // namespace
 
-FittedChannels fitted_channels(const Input& input, const Job& job) {
+FittedChannels fitted_channels(const Schema& schema, const Job& job) {
   const FitOptions& options = job.fit;
-  const auto metric = make_spec(job.curve, input.channels, input.rotations, input.angles).rules.metric;
+  const auto metric = make_spec(job.curve, schema.channels, schema.rotations.columns, schema.angles).rules.metric;
   FittedChannels fitted;
   std::vector<LimitKind> kinds;
-  for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    const bool is_of_rotation = spline::is_in_rotation(input.rotations, i);
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    const bool is_of_rotation = spline::is_in_rotation(schema.rotations.columns, i);
     if (is_of_rotation && !options.angle) continue;
     const bool is_metric = metric.empty() || std::ranges::count(metric, i) > 0;
     kinds.push_back(is_of_rotation ? LimitKind::rotation : is_metric ? LimitKind::distance : LimitKind::own);
     fitted.numbers.push_back(i);
-    fitted.names.push_back(input.channels[i]);
+    fitted.names.push_back(schema.channels[i]);
   }
   fitted.groups = groups_of(fitted.names, kinds, options);
   if (!options.angle) return fitted;
-  if (input.rotations.empty()) throw tolerance_without_rotation().about(option::fit);
-  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const GivenRotation& given = input.given_rotations[i];
+  if (schema.rotations.columns.empty()) throw tolerance_without_rotation().about(option::fit);
+  for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
+    const GivenRotation& given = schema.rotations.given[i];
     if (given.notation.form != spline::RotationForm::quaternion) {
       throw fit_of_other_form(given.columns[0]);
     }
-    fitted.groups.push_back(rotation_group(fitted.numbers, input.rotations[i].channels, *options.angle, options.keys));
+    fitted.groups.push_back(
+        rotation_group(fitted.numbers, schema.rotations.columns[i].channels, *options.angle, options.keys));
   }
   return fitted;
 }

@@ -7,7 +7,7 @@
 
 #include "fit/recording.hpp"
 #include "run/job.hpp"
-#include "schema/input.hpp"
+#include "schema/schema.hpp"
 
 namespace tcb {
 
@@ -20,6 +20,6 @@ struct FittedChannels {
 
 /// Throws: Error (data) for rotations that are no quaternions, for limits of channels or rotations that are not there,
 /// and for a channel without a limit; Error (usage) for a metric that does not exist.
-FittedChannels fitted_channels(const Input& input, const Job& job);
+FittedChannels fitted_channels(const Schema& schema, const Job& job);
 
 }  // namespace tcb

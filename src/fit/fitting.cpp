@@ -88,12 +88,12 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
 }
 
 /// The samples of a curve, whose rotations and angles are checked.
-Source<KeyBlock> checked_samples(Source<KeyBlock> blocks, const Input& input, const FitOptions& options) {
+Source<KeyBlock> checked_samples(Source<KeyBlock> blocks, const Schema& schema, const FitOptions& options) {
   if (options.angle) {
-    blocks = with_quaternions(std::move(blocks),
-                              {input.rotations, input.given_rotations, input.channel_sources, input.normalize});
+    blocks = with_quaternions(std::move(blocks), {schema.rotations.columns, schema.rotations.given,
+                                                  schema.rotations.sources, schema.rotations.normalize});
   }
-  return with_clear_angles(std::move(blocks), input.angles, input.channels);
+  return with_clear_angles(std::move(blocks), schema.angles, schema.channels);
 }
 
 /// Makes an angle go the shorter way from sample to sample.
@@ -121,36 +121,40 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
 
 }  // namespace
 
-Input columns_of_fit(const Input& samples, const Job& job) {
-  if (!samples.timed) throw fit_without_times();
+Schema curve_of_fit(const Input& samples, const Job& job) {
+  if (!samples.schema.time.is_given) throw fit_without_times();
   if (!samples.facts.roles.empty()) throw fit_of_keys(samples.facts.roles[0]);
-  Input result = samples;
-  result.named = true;  // names tell positions from tension and bias
-  const FittedChannels fitted = fitted_channels(samples, job);
+  const FittedChannels fitted = fitted_channels(samples.schema, job);
   if (fitted.names.empty()) throw only_rotations();
-  result.channels = fitted.names;
-  for (const SlopeColumn& column : slope_columns(fitted, job.fit)) result.channels.push_back(column.name);
-  result.rotations.clear();
-  result.given_rotations.clear();
-  result.rotation_names.clear();
-  result.angles.clear();
-  result.carried.clear();
-  return result;
+  Schema schema = with_channels(samples.schema, fitted.names);
+  for (const FitGroup& group : fitted.groups) {
+    if (group.angle) schema.rotations.columns.push_back({group.rotation()});
+  }
+  if (job.fit.angle) schema.rotations.given = samples.schema.rotations.given;
+  return schema;
 }
 
-Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+Schema keys_of_fit(const Input& samples, const Job& job) {
+  std::vector<std::string> channels = curve_of_fit(samples, job).channels;
+  for (const SlopeColumn& column : slope_columns(fitted_channels(samples.schema, job), job.fit)) {
+    channels.push_back(column.name);
+  }
+  return with_channels(samples.schema, std::move(channels));
+}
+
+Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const std::vector<Rational>& kept_times,
                          const Job& job) {
   if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
     const auto& [name, place] = curve.curve_info->places[0];
     throw fit_of_setting(name).at(place);
   }
   Samples samples{curve.group, {}, {}, {}, {}, {}};
-  samples.fitted = fitted_channels(input, job);
+  samples.fitted = fitted_channels(schema, job);
   const auto& [channels, names, groups] = samples.fitted;
   Recording& recording = samples.recording;
   recording.channels = channels.size();
   recording.groups = groups;
-  const Source<KeyBlock> blocks = checked_samples(curve.keys, input, job.fit);
+  const Source<KeyBlock> blocks = checked_samples(curve.keys, schema, job.fit);
   while (const std::optional<KeyBlock> block = blocks()) {
     for (std::size_t key = 0; key < block->size(); ++key) {
       samples.times.push_back(block->keys.times[key]);
@@ -159,11 +163,11 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
       for (const std::size_t channel : channels) {
         recording.positions.push_back(block->keys.position(key)[channel]);
         if (!std::isnan(recording.positions.back())) continue;
-        throw sample_without_number(input.channels[channel]).at({"", block->lines[key], 0});
+        throw sample_without_number(schema.channels[channel]).at({"", block->lines[key], 0});
       }
     }
   }
-  for (const spline::AngleChannel& angle : input.angles) {
+  for (const spline::AngleChannel& angle : schema.angles) {
     const auto found = std::ranges::find(channels, angle.channel);
     unwrap(recording, static_cast<std::size_t>(found - channels.begin()), angle.degrees);
   }
@@ -242,11 +246,11 @@ Note rotations_not_fitted(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<Note> notes_of_columns(const Input& input, const FitOptions& options) {
+std::vector<Note> notes_of_columns(const Schema& schema, const FitOptions& options) {
   std::vector<Note> notes;
-  if (!input.carried.empty()) notes.push_back(labels_not_fitted(input.carried));
+  if (!schema.labels.empty()) notes.push_back(labels_not_fitted(schema.labels));
   std::vector<std::string> names;
-  for (const GivenRotation& rotation : input.given_rotations) {
+  for (const GivenRotation& rotation : schema.rotations.given) {
     names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
   }
   if (!options.angle && !names.empty()) notes.push_back(rotations_not_fitted(names));

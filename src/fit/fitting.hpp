@@ -8,10 +8,10 @@
 
 #include "fit/fitted_channels.hpp"
 #include "keys/curves.hpp"
+#include "read/input.hpp"
 #include "run/job.hpp"
 #include "run/progress.hpp"
 #include "sample/rows.hpp"
-#include "schema/input.hpp"
 #include "write/writer.hpp"
 
 namespace tcb {
@@ -38,7 +38,7 @@ struct FitReport {
 };
 
 /// Notes of columns that a fit has no keys for.
-std::vector<Note> notes_of_columns(const Input& input, const FitOptions& options);
+std::vector<Note> notes_of_columns(const Schema& schema, const FitOptions& options);
 
 /// The report in numbers of the input.
 Note note_of(const FitReport& report, const FitOptions& options);
@@ -50,13 +50,17 @@ struct FittedRows {
   FitReport report;
 };
 
-/// The columns of the keys that fit samples, as those of an input. Throws: Error (data) for an input that has no times
-/// or is one of keys, and for a tolerance of a channel that it does not have.
-Input columns_of_fit(const Input& samples, const Job& job);
+/// The meaning of the curve that fits samples: that of its positions. Throws: Error (data) for an input that has no
+/// times or is one of keys, and for a tolerance of a channel that it does not have.
+Schema curve_of_fit(const Input& samples, const Job& job);
+
+/// The meaning of the keys of that curve as rows, which also have slopes, or tension, continuity and bias. Throws:
+/// Error as curve_of_fit().
+Schema keys_of_fit(const Input& samples, const Job& job);
 
 /// The samples of a curve. Throws: Error (data) for missing numbers, fewer than two samples, a tolerance near the
 /// spacing of doubles, and a time to keep that no sample has.
-Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::vector<Rational>& kept_times,
+Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const std::vector<Rational>& kept_times,
                          const Job& job);
 
 /// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.

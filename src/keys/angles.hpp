@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "schema/input.hpp"
+#include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

@@ -12,7 +12,7 @@
 #include "keys/velocities.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "schema/input.hpp"
+#include "schema/faults.hpp"
 #include "schema/key_block.hpp"
 
 namespace tcb {
@@ -179,20 +179,21 @@ void require_times(const CurveOptions& options) {
 }
 
 /// The keys in order, without faults.
-Source<KeyBlock> arranged(const Input& input, const CurveOptions& options, bool live) {
-  Source<KeyBlock> blocks = input.timed ? with_time_digits(input.keys) : input.keys;
-  const bool by_text = !input.groups.empty() && !input.own_curves;
-  if (!input.timed) require_times(options);
-  if (input.has_segments && options.sort) throw sort_of_segments();
+Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live) {
+  const KeyTraits& traits = keys.traits;
+  const bool is_ordered = schema.time.is_given && !options.any_order;
+  Source<KeyBlock> blocks = is_ordered ? with_time_digits(keys.blocks) : keys.blocks;
+  const bool by_text = !schema.groups.empty() && !traits.own_curves;
+  if (!schema.time.is_given) require_times(options);
+  if (traits.are_segments && options.sort) throw sort_of_segments();
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks), false),
-                     {by_text ? input.groups.size() : 0, options.sort, input.own_curves,
-                      by_text ? std::vector<Mark>{} : input.marks});
+                     {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves,
+                      by_text ? std::vector<Mark>{} : traits.marks});
   }
   blocks = without_gaps(std::move(blocks));
-  if (input.has_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
-  const CurveLabels labels{input.marks, input.named ? input.read_channels : std::vector<std::string>{}};
-  if (input.timed) blocks = in_order(std::move(blocks), options.duplicates, labels);
+  if (traits.are_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
+  if (is_ordered) blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels});
   return without_faults(std::move(blocks), live);
 }
 
@@ -201,12 +202,12 @@ Source<KeyBlock> arranged(const Input& input, const CurveOptions& options, bool 
 /// Splits blocks of keys where curves begin.
 class Curves::Splitter {
  public:
-  Splitter(const Input& input, const CurveOptions& options, bool live)
-      : blocks_(arranged(input, options, live)),
-        may_break_(input.may_break || !input.groups.empty() || options.duplicates == Duplicates::break_curve),
-        groups_(input.own_curves ? 0 : input.groups.size()),
-        curve_info_(std::make_shared<const CurveInfo>(input.curve_info)),
-        own_curves_(input.own_curves) {}
+  Splitter(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
+      : blocks_(arranged(schema, keys, options, live)),
+        may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve),
+        groups_(keys.traits.own_curves ? 0 : schema.groups.size()),
+        curve_info_(std::make_shared<const CurveInfo>(keys.curve_info)),
+        own_curves_(keys.traits.own_curves) {}
 
   /// Skips the rest of the current curve; whether there is another one.
   bool begin() {
@@ -269,8 +270,8 @@ class Curves::Splitter {
   bool started_ = false;  ///< the next key is the first of the current curve
 };
 
-Curves::Curves(const Input& input, const CurveOptions& options, bool live)
-    : splitter_(std::make_shared<Splitter>(input, options, live)) {}
+Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
+    : splitter_(std::make_shared<Splitter>(schema, keys, options, live)) {}
 
 std::optional<CurveKeys> Curves::next() {
   if (!splitter_->begin()) return std::nullopt;

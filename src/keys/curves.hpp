@@ -9,8 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "schema/input.hpp"
+#include "schema/input_keys.hpp"
 #include "schema/key_block.hpp"
+#include "schema/schema.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -65,6 +66,7 @@ Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveL
 struct CurveOptions {
   Duplicates duplicates = Duplicates::error;
   bool sort = false;
+  bool any_order = false;  ///< keys stay in the order of the input, whatever their times
 };
 
 /// The keys of one curve.
@@ -78,7 +80,7 @@ struct CurveKeys {
 class Curves {
  public:
   /// `live`: an error has only the faults in the bytes that were read, as more may take long to arrive.
-  Curves(const Input& input, const CurveOptions& options, bool live);
+  Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live);
 
   /// The next curve. It ends the previous one, whose remaining keys are skipped.
   /// Throws: Error (data) with all faults of the keys.

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "schema/input.hpp"
+#include "schema/key_block.hpp"
+#include "schema/rotation_options.hpp"
+#include "schema/schema.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/rules.hpp"
 

@@ -116,29 +116,29 @@ std::string short_rules(const RuleFacts& facts) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void Drawing::begin(const std::string& path, const Input& input, const RuleFacts& rules) {
+void Drawing::begin(const std::string& path, const Schema& schema, const RuleFacts& rules) {
   const std::string name = shown_name(path);
   files_.push_back(name.substr(name.rfind('/') + 1));
-  std::vector<std::string> columns{input.time};
-  columns.insert(columns.end(), input.channels.begin(), input.channels.end());
+  std::vector<std::string> columns{schema.time.name};
+  columns.insert(columns.end(), schema.channels.begin(), schema.channels.end());
   if (columns_.empty()) {
     columns_ = std::move(columns);
-    begin_scene(input, rules.spec);
+    begin_scene(schema, rules.spec);
   } else if (columns != columns_) {
     throw columns_of_other_picture(columns, columns_);
   }
 }
 
 /// A rotation has one strip, for its angle, instead of those of its numbers, and the first one has axes along the path.
-void Drawing::begin_scene(const Input& input, const CurveSpec& spec) {
-  scene_.time = input.time;
-  scene_.channels = input.channels;
+void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
+  scene_.time = schema.time.name;
+  scene_.channels = schema.channels;
   if (!spec.lacks_metric || !job_.picture.axes.empty()) {
-    scene_.path = path_axes(input.channels, job_.picture.axes, spec.rules.metric);
+    scene_.path = path_axes(schema.channels, job_.picture.axes, spec.rules.metric);
   }
   rotations_ = spec.rules.rotations;
   if (rotations_.empty()) return;
-  for (std::size_t i = 0; i < input.channels.size(); ++i) {
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
     if (!spline::is_in_rotation(rotations_, i)) scene_.strips.push_back(i);
   }
   const auto place_in_space = [&](std::size_t channel) {
@@ -150,7 +150,7 @@ void Drawing::begin_scene(const Input& input, const CurveSpec& spec) {
       scene_.frame = {rotations_[0].channels, axes};
     }
   }
-  for (const GivenRotation& rotation : input.given_rotations) {
+  for (const GivenRotation& rotation : schema.rotations.given) {
     scene_.strips.push_back(scene_.channels.size());
     scene_.channels.push_back(fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.columns, ", ")));
   }
@@ -221,12 +221,12 @@ Sink::Sink(const Job& job, const WriterOptions& options, const std::string& path
   }
 }
 
-void Sink::begin(const std::string& path, const Input& input, const RuleFacts& rules) {
-  if (drawing) return drawing->begin(path, input, rules);
+void Sink::begin(const std::string& path, const Schema& schema, const RuleFacts& rules) {
+  if (drawing) return drawing->begin(path, schema, rules);
   Facts facts{{"preset", std::string(spline::name_of(rules.spec.preset))}};
   const Facts more = rules_in_words(rules);
   facts.insert(facts.end(), more.begin(), more.end());
-  writer->begin(input, is_live(path), std::move(facts), shown_name(path));
+  writer->begin(schema, is_live(path), std::move(facts), shown_name(path));
 }
 
 void Sink::commit() { drawing ? drawing->commit() : writer->commit(); }

@@ -12,7 +12,7 @@
 #include "run/curve_pipeline.hpp"
 #include "run/job.hpp"
 #include "run/progress.hpp"
-#include "schema/input.hpp"
+#include "schema/schema.hpp"
 #include "write/writer.hpp"
 
 namespace tcb {
@@ -24,7 +24,7 @@ class Drawing {
 
   /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) if they have other
   /// columns than the previous curves, or lack the requested axes.
-  void begin(const std::string& path, const Input& input, const RuleFacts& rules);
+  void begin(const std::string& path, const Schema& schema, const RuleFacts& rules);
 
   /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
   void add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules);
@@ -33,7 +33,7 @@ class Drawing {
   void commit();
 
  private:
-  void begin_scene(const Input& input, const CurveSpec& spec);
+  void begin_scene(const Schema& schema, const CurveSpec& spec);
   std::size_t name_of(const std::vector<std::string>& group);
   std::string title() const;
   std::string subtitle() const;
@@ -60,7 +60,7 @@ struct Sink {
   /// The options outlive the sink.
   Sink(const Job& job, const WriterOptions& options, const std::string& path);
   /// Begins the curves of the next file; `rules` are those of its first curve.
-  void begin(const std::string& path, const Input& input, const RuleFacts& rules);
+  void begin(const std::string& path, const Schema& schema, const RuleFacts& rules);
   void commit();
 };
 

@@ -12,7 +12,10 @@
 
 #include "error.hpp"
 #include "numbers/rational.hpp"
-#include "schema/input.hpp"
+#include "schema/columns.hpp"
+#include "schema/faults.hpp"
+#include "schema/key_block.hpp"
+#include "schema/key_rules.hpp"
 
 namespace tcb {
 

@@ -1,8 +1,9 @@
-// Reader: opens an input in its format; bytes up to a NUL; faults of an input gathered into one error.
+// Reader: opens an input in its format.
+#include "read/reader.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -10,7 +11,7 @@
 #include "read/csv/delimited_text.hpp"
 #include "read/errors.hpp"
 #include "read/json/shapes.hpp"
-#include "schema/input.hpp"
+#include "schema/rotation_columns.hpp"
 
 namespace tcb {
 namespace {
@@ -112,54 +113,14 @@ FormatId detect(const std::string& path, const std::string& beginning) {
   return json ? FormatId::json : FormatId::csv;
 }
 
-Input open_as(FormatId format, Source<std::string> bytes, InputOptions options) {
+Records open_as(FormatId format, Source<std::string> bytes, InputOptions options) {
   const char delimiter = format_of(format).delimiter;
   if (delimiter == '\0') return open_json(std::move(bytes), options);
   if (!options.delimiter && format != FormatId::csv) options.delimiter = delimiter;  // csv: any, to be found
   return open_delimited(std::move(bytes), options);
 }
 
-/// Takes the faults of a block, in the order of their positions.
-void gather(std::vector<Error>& faults, KeyBlock& block) {
-  std::ranges::stable_sort(
-      block.faults, {}, [](const Error& fault) { return std::pair(fault.position().line, fault.position().column); });
-  std::ranges::move(block.faults, std::back_inserter(faults));
-}
-
 }  // namespace
-
-bool TextBytes::append_to(std::string& text, LinePosition position) {
-  if (at_nul_) {
-    const LinePosition nul = position_after(text, position);
-    throw nul_in_text().at({"", nul.line, nul.column});
-  }
-  const std::optional<std::string> more = bytes_();
-  if (!more) return false;
-  const std::size_t nul = more->find('\0');
-  at_nul_ = nul != std::string::npos;
-  text.append(*more, 0, nul);
-  return true;
-}
-
-void Input::set_columns(const Columns& columns) {
-  named = columns.named;
-  timed = columns.has(Role::time);
-  time = columns.time;
-  channels = read_channels = columns.channels;
-  column_count = columns.cells.size();
-  read_columns.resize(channels.size());
-  for (std::size_t cell = 0; cell < column_count; ++cell) {
-    if (columns.cells[cell].role == Role::position) read_columns[columns.cells[cell].channel] = cell + 1;
-  }
-  groups = columns.groups;
-  carried = columns.carried;
-  ignored = columns.ignored;
-  marks = columns.marks;
-  may_be_timed = columns.may_be_timed;
-  likely_rotation = columns.likely_rotation;
-  has_segments = columns.are_segments;
-  facts.roles = columns.shape_roles();
-}
 
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options) {
   bytes = without_mark(decompressed(std::move(bytes)));
@@ -172,40 +133,22 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
     if (beginning.size() > longest_record) refuse_long_record(1);
   }
   const FormatId format = options.format ? *options.format : detect(path, beginning);
-  Input input = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
-  input.threads = options.threads;
+  Records records = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
+  const Columns& columns = records.columns;
+  Input input{schema_of(columns, records.time_notation), std::move(records.facts), std::move(records.keys)};
+  if (!options.samples) input.schema = with_rotations(std::move(input.schema), columns, options.rotation);
+  input.schema = renamed(with_unit(std::move(input.schema), options.units()), options.renamings);
   input.facts.format = format;
-  input.has_tcb_scale = options.tcb_scale != TcbScale::unknown;
-  if (!options.samples) set_rotations(input, options.rotation);
-  set_units_and_names(input, options);
+  input.facts.roles = columns.shape_roles();
+  input.facts.ignored = columns.ignored;
+  input.facts.likely_rotation = columns.likely_rotation;
+  KeyTraits& traits = input.keys.traits;
+  traits.are_segments = columns.are_segments;
+  traits.may_miss = options.missing == Missing::skip_cell;
+  traits.has_tcb_scale = options.tcb_scale != TcbScale::unknown;
+  traits.marks = columns.marks;
+  if (columns.named) traits.channels = columns.channels;
   return input;
-}
-
-void refuse(std::vector<Error> faults) {
-  if (faults.size() > most_faults) faults.erase(faults.begin() + most_faults, faults.end());
-  Error first = faults[0];
-  for (std::size_t i = 1; i < faults.size(); ++i) first.add(std::move(faults[i]));
-  throw first;
-}
-
-Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
-  return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
-    std::optional<KeyBlock> block = blocks();
-    if (!block || block->faults.empty()) return block;
-    std::vector<Error> faults;
-    for (bool more = true; more;) {
-      gather(faults, *block);
-      more = faults.size() < most_faults && !block->unreadable && !live;
-      try {
-        if (more) block = blocks();
-      } catch (const Error& error) {
-        faults.push_back(error);
-        more = false;
-      }
-      more = more && block;
-    }
-    refuse(std::move(faults));
-  };
 }
 
 }  // namespace tcb

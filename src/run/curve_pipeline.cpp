@@ -16,43 +16,44 @@ namespace tcb {
 namespace {
 
 /// Settings of the input that those of the command line replace are checked as well.
-CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, const Input& input) {
-  (void)make_spec(of_input, input.channels, input.rotations, input.angles);
-  return make_spec(merged(settings, of_input), input.channels, input.rotations, input.angles);
+CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, const Schema& schema) {
+  (void)make_spec(of_input, schema.channels, schema.rotations.columns, schema.angles);
+  return make_spec(merged(settings, of_input), schema.channels, schema.rotations.columns, schema.angles);
 }
 
 }  // namespace
 
 CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings& settings,
                              std::vector<std::size_t> fields, const std::optional<GoldenOptions>& golden,
-                             const Input& input, const CurveInfo& curve_info)
+                             const Schema& schema, const KeyTraits& traits, const CurveInfo& curve_info,
+                             unsigned threads)
     : request_(request),
-      spec_(spec_of(settings, curve_info.settings, input)),
+      spec_(spec_of(settings, curve_info.settings, schema)),
       fields_(std::move(fields)),
       golden_(golden),
-      timed_(input.timed),
-      may_be_timed_(input.may_be_timed),
-      has_tcb_scale_(input.has_tcb_scale),
-      threads_(input.threads),
-      may_miss_(input.may_miss),
-      channels_(input.channels),
-      rotations_{input.rotations,
-                 input.given_rotations,
-                 input.channel_sources,
-                 input.normalize,
+      timed_(schema.time.is_given),
+      may_be_timed_(schema.time.may_be_first_channel),
+      has_tcb_scale_(traits.has_tcb_scale),
+      threads_(threads),
+      may_miss_(traits.may_miss),
+      channels_(schema.channels),
+      rotations_{schema.rotations.columns,
+                 schema.rotations.given,
+                 schema.rotations.sources,
+                 schema.rotations.normalize,
                  spec_.rules.rotation_rules.curve,
                  spec_.preset == spline::Preset::nel,
                  spec_.closed} {
-  request_.frame_rate = input.frame_rate;
+  request_.frame_rate = schema.time.frame_rate;
   for (auto* const bound : {&request_.from, &request_.to}) {
     // The printed time of a frame is the frame.
     const Time nearest = *bound ? nearest_time(**bound) : Time();
     if (*bound && request_.exact(nearest) != exact_time(nearest)) *bound = request_.exact(nearest);
   }
-  const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
-  if (is_in_seconds) request_.step *= units_per_second(*input.time_unit);
+  const bool is_in_seconds = request_.is_rate && schema.time.unit && *schema.time.unit != TimeUnit::frames;
+  if (is_in_seconds) request_.step *= units_per_second(*schema.time.unit);
   if (timed_ && spec_.parameter) {
-    throw parameter_with_times(input.time).about(option::parameter);
+    throw parameter_with_times(schema.time.name).about(option::parameter);
   }
   require_rotations(spec_, fields_, request_);
   require_fitting_rotations(spec_, metric_use(), request_.mode == Mode::emit);

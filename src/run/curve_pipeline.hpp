@@ -18,7 +18,8 @@
 #include "sample/request.hpp"
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"
-#include "schema/input.hpp"
+#include "schema/input_keys.hpp"
+#include "schema/schema.hpp"
 
 namespace tcb {
 
@@ -70,7 +71,8 @@ class CurvePipeline {
   /// Throws: Error if the settings of the job and of the input contradict each other,
   /// or do not fit the input.
   CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, std::vector<std::size_t> fields,
-                const std::optional<GoldenOptions>& golden, const Input& input, const CurveInfo& curve_info);
+                const std::optional<GoldenOptions>& golden, const Schema& schema, const KeyTraits& traits,
+                const CurveInfo& curve_info, unsigned threads = 1);
 
   /// Throws: Error (data) for keys that make no curve.
   PlacedCurve place(Source<KeyBlock> blocks);

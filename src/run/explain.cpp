@@ -9,11 +9,12 @@
 
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
+#include "read/reader.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/pipeline.hpp"
 #include "sample/fields.hpp"
-#include "schema/input.hpp"
 #include "schema/key_block.hpp"
+#include "schema/schema.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -54,44 +55,44 @@ Facts input_facts(const Input& input) {
     add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
     add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
     add("decimal", std::string(1, input.facts.decimal));
-    add("header", input.named ? "yes" : "no");
+    add("header", input.schema.named ? "yes" : "no");
   } else {
     add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
   }
-  if (!input.own_curves) list("group", input.groups);
-  if (input.timed) add("time", input.time);
+  if (!input.keys.traits.own_curves) list("group", input.schema.groups);
+  if (input.schema.time.is_given) add("time", input.schema.time.name);
   std::vector<std::string> positions;
-  for (const OutputColumn& column : output_columns(std::array{field_of("position")}, input)) {
+  for (const OutputColumn& column : output_columns(std::array{field_of("position")}, input.schema)) {
     positions.push_back(column.name);
   }
   list("position", positions);
   for (const std::string& role : input.facts.roles) add(role, "in a column");
-  list("carry", input.carried);
-  list("ignored", input.ignored);
+  list("carry", input.schema.labels);
+  list("ignored", input.facts.ignored);
   return facts;
 }
 
 /// What will be done with every curve of an input.
-Facts intentions(const Job& job, const Input& input) {
+Facts intentions(const Job& job, const Schema& schema) {
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
   add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.missing)));
   const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates);
-  if (input.timed) add("duplicates", std::string(duplicates));
+  if (schema.time.is_given) add("duplicates", std::string(duplicates));
   if (job.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
-  for (const spline::AngleChannel& angle : input.angles) {
-    add("angle", input.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
+  for (const spline::AngleChannel& angle : schema.angles) {
+    add("angle", schema.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
   }
-  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const auto& [notation, relative, columns, channels] = input.given_rotations[i];
-    const auto& shown = input.rotations[i].shown;
+  for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
+    const auto& [notation, relative, columns, channels] = schema.rotations.given[i];
+    const auto& shown = schema.rotations.columns[i].shown;
     const std::string rows = shown == notation ? "" : ", in rows " + in_words(shown);
     add(i == 0 ? "rotation" : fmt::format("rotation {}", i + 1),
         fmt::format("{}{} {}{}", relative ? "relative " : "", in_words(notation), fmt::join(columns, " "), rows));
   }
-  const std::string_view others = input.rotations.empty() && input.angles.empty() ? "" : "other ";
+  const std::string_view others = schema.rotations.columns.empty() && schema.angles.empty() ? "" : "other ";
   add("metric", job.curve.metric.value_or(fmt::format("all {}channels", others)));
   add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));
@@ -100,15 +101,15 @@ Facts intentions(const Job& job, const Input& input) {
   for (const std::size_t field : job.fields) names.push_back(fields()[field].name);
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
   const Format& output = format_of(job.output_format);
-  const std::string_view header = job.output_header.value_or(input.named) ? " with a header" : " without a header";
+  const std::string_view header = job.output_header.value_or(schema.named) ? " with a header" : " without a header";
   add("output", fmt::format("{}{}", output.name, output.has_header ? header : ""));
   return facts;
 }
 
 /// The group of a curve, as in "curve id=a", or its number.
-std::string title(const Input& input, const CurveKeys& curve, std::size_t number) {
-  if (input.groups.empty()) return fmt::format("curve {}", number);
-  return fmt::format("curve {}", fmt::join(group_title(input.groups, curve.group), " "));
+std::string title(const Schema& schema, const CurveKeys& curve, std::size_t number) {
+  if (schema.groups.empty()) return fmt::format("curve {}", number);
+  return fmt::format("curve {}", fmt::join(group_title(schema.groups, curve.group), " "));
 }
 
 /// Counts and facts of one curve.
@@ -181,23 +182,23 @@ class Explainer {
   Explainer(const Input& input, const Job& job) : input_(input), job_(job) {}
 
   void add(const CurveKeys& curve) {
-    CurvePipeline pipeline(sampling_of(curve, input_, job_), job_.curve, job_.fields, job_.golden, input_,
-                           *curve.curve_info);
+    CurvePipeline pipeline(sampling_of(curve, input_.schema, job_), job_.curve, job_.fields, job_.golden, input_.schema,
+                           input_.keys.traits, *curve.curve_info, job_.input.threads);
     if (count_ == 0) {
       append(intended_, rules_in_words(pipeline.facts()));
-      append(intended_, intentions(job_, input_));
+      append(intended_, intentions(job_, input_.schema));
     }
     last_ = outcome_of(pipeline, curve);
     last_.ends_at_key = !job_.sampling.to && !pipeline.facts().spec.closed;
     keys_ += last_.keys;
     rows_ += last_.rows;
-    if (count_ < most_curves) curves_.emplace_back(title(input_, curve, count_), line_of(last_));
+    if (count_ < most_curves) curves_.emplace_back(title(input_.schema, curve, count_), line_of(last_));
     ++count_;
   }
 
   Facts lines() const {
     Facts lines = intended_;
-    if (count_ == 1 && input_.groups.empty()) {
+    if (count_ == 1 && input_.schema.groups.empty()) {
       append(lines, lines_of(last_));
       return lines;
     }
@@ -262,7 +263,7 @@ std::string samples_in_words(const SamplingRequest& request) {
 
 std::string explanation(const std::string& path, const Job& job) {
   const Input input = open_input(path, read_file(path), job.input);
-  Curves curves(input, job.curves, is_live(path));
+  Curves curves(input.schema, input.keys, job.curves, is_live(path));
   Explainer explainer(input, job);
   while (const std::optional<CurveKeys> curve = curves.next()) explainer.add(*curve);
   Facts lines{{"file", shown_name(path)}};

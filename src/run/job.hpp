@@ -10,9 +10,9 @@
 #include "keys/curves.hpp"
 #include "numbers/print_number.hpp"
 #include "plot/scene.hpp"
+#include "read/input_options.hpp"
 #include "sample/request.hpp"
 #include "schema/formats.hpp"
-#include "schema/input.hpp"
 #include "stream/ordered_map.hpp"
 #include "write/provenance.hpp"
 

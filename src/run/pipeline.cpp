@@ -15,8 +15,8 @@
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "plot/drawing.hpp"
+#include "read/reader.hpp"
 #include "run/errors.hpp"
-#include "schema/input.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
 
@@ -64,15 +64,16 @@ class FileRun {
     if (is_terminal(path_)) report_.note(path_, reads_terminal());
     Source<std::string> bytes = progress_->observe_bytes(read_file(path_));
     if (sink_.writer) bytes = sink_.writer->recorder().observe_bytes(shown_name(path_), std::move(bytes));
-    const Input input = open_input(path_, bytes, input_options(job_, threads, live_));  // split, parse
+    const InputOptions options = input_options(job_, threads, live_);
+    const Input input = open_input(path_, bytes, options);  // split, parse
     note_input(input);
-    Curves curves(input, job_.curves, live_);  // order, group, split into curves
+    Curves curves(input.schema, input.keys, job_.curves, live_);  // order, group, split into curves
     if (job_.sampling.mode == Mode::fit) {
-      fit(input, curves, *sink_.writer);
+      fit(input, curves, *sink_.writer, options.threads);
     } else {
       while (const std::optional<CurveKeys> curve = curves.next()) {
-        begin(input, *curve);
-        sink_.writer ? print(input, *curve, *sink_.writer) : draw(*curve, *sink_.drawing);
+        begin(input, *curve, options.threads);
+        sink_.writer ? print(input, *curve, *sink_.writer, options.threads) : draw(*curve, *sink_.drawing);
       }
     }
     if (sink_.writer) sink_.writer->recorder().end_input();
@@ -83,31 +84,31 @@ class FileRun {
 
  private:
   /// Begins the output of the next curve. Curves with the same information share their rules.
-  void begin(const Input& input, const CurveKeys& curve) {
+  void begin(const Input& input, const CurveKeys& curve, unsigned threads) {
     if (curve.curve_info != curve_info_ || !job_.grouped_places.empty()) {
-      pipeline_.emplace(sampling_of(curve, input, job_), job_.curve, job_.fields, job_.golden, input,
-                        *curve.curve_info);
+      pipeline_.emplace(sampling_of(curve, input.schema, job_), job_.curve, job_.fields, job_.golden, input.schema,
+                        input.keys.traits, *curve.curve_info, threads);
     }
-    if (curve_info_ == nullptr) sink_.begin(path_, input, pipeline_->facts());
+    if (curve_info_ == nullptr) sink_.begin(path_, input.schema, pipeline_->facts());
     curve_info_ = curve.curve_info;
     if (sink_.writer) sink_.writer->begin_curve(curve.group);
   }
 
   /// The stages from the keys of a curve to its rows.
-  void print(const Input& input, const CurveKeys& curve, Writer& writer) {
+  void print(const Input& input, const CurveKeys& curve, Writer& writer, unsigned threads) {
     ProvenanceRecorder& provenance = writer.recorder();
     const auto labels = labels_of(input);
     Source<KeyBlock> keys = provenance.observe_keys(curve.keys);
     if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
     PlacedCurve placed = pipeline_->place(std::move(keys));  // segments, measure, place
     placed.blocks = provenance.observe_rows(counted(placed));
-    writer.write(printed(writer, placed, labels, input.threads));  // evaluate, print
+    writer.write(printed(writer, placed, labels, threads));  // evaluate, print
     provenance.end_curve();
     note_curve(placed);
   }
 
   /// From the samples of each recording to its keys.
-  void fit(const Input& input, Curves& curves, Writer& writer) {
+  void fit(const Input& input, Curves& curves, Writer& writer, unsigned threads) {
     ProvenanceRecorder& provenance = writer.recorder();
     const Source<Samples> samples = [&, expected = 0.0]() mutable -> std::optional<Samples> {
       std::optional<CurveKeys> curve = curves.next();
@@ -117,12 +118,12 @@ class FileRun {
         throw fit_of_sequence(format.name);
       }
       curve->keys = provenance.observe_keys(std::move(curve->keys));
-      Samples read = recorded_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
+      Samples read = recorded_samples(*curve, input.schema, sampling_of(*curve, input.schema, job_).places, job_);
       progress_->expect_rows(expected += static_cast<double>(read.times.size()));
       return read;
     };
-    sink_.begin(path_, columns_of_fit(input, job_), RuleFacts{{}, true});
-    const FitReport report = write_fits(samples, job_.fit, writer, *progress_, input.threads);
+    sink_.begin(path_, keys_of_fit(input, job_), RuleFacts{{}, true});
+    const FitReport report = write_fits(samples, job_.fit, writer, *progress_, threads);
     rows_ = report.keys;
     if (report.keys == 0) return;
     const Note note = note_of(report, job_.fit);
@@ -145,8 +146,8 @@ class FileRun {
 
   /// The labels of a curve, which are the texts of its keys after those of groups; null if there are none.
   static std::shared_ptr<Labels> labels_of(const Input& input) {
-    if (input.carried.empty()) return nullptr;
-    return std::make_shared<Labels>(input.own_curves ? 0 : input.groups.size());
+    if (input.schema.labels.empty()) return nullptr;
+    return std::make_shared<Labels>(input.keys.traits.own_curves ? 0 : input.schema.groups.size());
   }
 
   /// The rows of a curve as text.
@@ -166,20 +167,20 @@ class FileRun {
 
   void note_input(const Input& input) {
     if (job_.sampling.mode == Mode::fit) {
-      for (const Note& note : notes_of_columns(input, job_.fit)) report_.note(path_, note);
+      for (const Note& note : notes_of_columns(input.schema, job_.fit)) report_.note(path_, note);
     }
     const bool takes_likely = !job_.input.rotation.none && job_.input.rotation.requests.empty();
-    if (takes_likely && input.likely_rotation) {
-      const bool is_matrix = input.likely_rotation == spline::RotationForm::matrix;
+    if (takes_likely && input.facts.likely_rotation) {
+      const bool is_matrix = input.facts.likely_rotation == spline::RotationForm::matrix;
       report_.note(path_, is_matrix ? likely_matrix() : likely_quaternion());
     }
-    if (!input.timed && !job_.curve.parameter) report_.note(path_, no_time_column());
-    if (job_.sampling.is_rate && input.time_unit == TimeUnit::frames) {
-      report_.note(path_, rate_of_frames(input.time));
+    if (!input.schema.time.is_given && !job_.curve.parameter) report_.note(path_, no_time_column());
+    if (job_.sampling.is_rate && input.schema.time.unit == TimeUnit::frames) {
+      report_.note(path_, rate_of_frames(input.schema.time.name));
     }
     const bool chosen = std::ranges::count(job_.input.roles, Role::position, &RoleRequest::role) > 0;
-    if (input.ignored.empty()) return;
-    report_.note(path_, chosen ? unchosen_columns(input.ignored) : ignored_columns(input.ignored));
+    if (input.facts.ignored.empty()) return;
+    report_.note(path_, chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));
   }
 
   void note_curve(const PlacedCurve& placed) {
@@ -282,12 +283,12 @@ class JobRun {
 
 }  // namespace
 
-SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Job& job) {
+SamplingRequest sampling_of(const CurveKeys& curve, const Schema& schema, const Job& job) {
   SamplingRequest request = job.sampling;
   if (job.grouped_places.empty()) return request;
   const auto places = job.grouped_places.find(contents(curve.group));
   if (places == job.grouped_places.end()) {
-    throw group_without_places(group_title(input.groups, curve.group))
+    throw group_without_places(group_title(schema.groups, curve.group))
         .about(request.mode == Mode::at ? option::at : option::arc_at);
   }
   request.places = places->second;

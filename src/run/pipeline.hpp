@@ -37,6 +37,6 @@ Facts rules_in_words(const RuleFacts& facts);
 std::string samples_in_words(const SamplingRequest& request);
 
 /// The samples that the job requests of a curve. Throws: Error (data) for a group without places.
-SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Job& job);
+SamplingRequest sampling_of(const CurveKeys& curve, const Schema& schema, const Job& job);
 
 }  // namespace tcb

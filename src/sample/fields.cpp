@@ -176,41 +176,41 @@ std::string column_suffix(const Field& field, std::size_t column) {
 }
 
 /// The channels that are not numbers of a rotation.
-std::vector<std::string> moving_channels(const Input& input) {
+std::vector<std::string> moving_channels(const Schema& schema) {
   std::vector<std::string> channels;
-  for (std::size_t i = 0; i < input.channels.size(); ++i) {
-    if (!spline::is_in_rotation(input.rotations, i)) channels.push_back(input.channels[i]);
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    if (!spline::is_in_rotation(schema.rotations.columns, i)) channels.push_back(schema.channels[i]);
   }
   return channels;
 }
 
 /// The names of the cells of a position.
-std::vector<std::string> position_names(const Input& input) {
+std::vector<std::string> position_names(const Schema& schema) {
   std::vector<std::string> names;
-  for (const PositionCell& cell : position_cells(input.channels.size(), input.rotations)) {
-    names.push_back(cell.channel != PositionCell::none ? input.channels[cell.channel]
-                                                       : input.rotation_names[cell.rotation][cell.number]);
+  for (const PositionCell& cell : position_cells(schema.channels.size(), schema.rotations.columns)) {
+    names.push_back(cell.channel != PositionCell::none ? schema.channels[cell.channel]
+                                                       : schema.rotations.names[cell.rotation][cell.number]);
   }
   return names;
 }
 
 }  // namespace
 
-std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Input& input) {
+std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Schema& schema) {
   std::vector<OutputColumn> columns;
   for (const std::size_t index : chosen) {
     const Field& field = fields()[index];
     if (field.shows_rotations) {
-      for (std::string& name : position_names(input)) columns.push_back({std::move(name), field.kind});
+      for (std::string& name : position_names(schema)) columns.push_back({std::move(name), field.kind});
     } else if (field.per_channel) {
-      for (const std::string& channel : field.of_motion ? moving_channels(input) : input.channels) {
+      for (const std::string& channel : field.of_motion ? moving_channels(schema) : schema.channels) {
         for (std::size_t i = 0; i < field.columns; ++i)
           columns.push_back({channel + column_suffix(field, i), field.kind});
       }
     } else if (field.per_rotation) {
-      for (std::size_t rotation = 0; rotation < input.rotations.size(); ++rotation) {
+      for (std::size_t rotation = 0; rotation < schema.rotations.columns.size(); ++rotation) {
         std::string name(field.name);
-        if (input.rotations.size() > 1) name += std::to_string(rotation + 1);
+        if (schema.rotations.columns.size() > 1) name += std::to_string(rotation + 1);
         if (field.columns == 1) columns.push_back({name, field.kind});
         for (std::size_t i = 0; field.columns > 1 && i < field.columns; ++i) {
           columns.push_back({(name + '_').append(1, "xyz"[i]), field.kind});
@@ -218,7 +218,7 @@ std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, co
       }
     } else {
       const bool is_time_of_sample = field.kind == CellKind::time && !field.of_piece;
-      columns.push_back({is_time_of_sample ? input.time : std::string(field.name), field.kind});
+      columns.push_back({is_time_of_sample ? schema.time.name : std::string(field.name), field.kind});
     }
   }
   return columns;

@@ -16,7 +16,7 @@
 #include "sample/pieces.hpp"
 #include "sample/point.hpp"
 #include "sample/sampler.hpp"
-#include "schema/input.hpp"
+#include "schema/schema.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/scalar.hpp"
 
@@ -270,6 +270,6 @@ void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegm
                 Point<double>& point);
 
 /// The columns of these fields.
-std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Input& input);
+std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Schema& schema);
 
 }  // namespace tcb

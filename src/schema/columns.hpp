@@ -189,10 +189,6 @@ struct SampleNames {
       {};  ///< nothing is read but the groups and `time`, which this option names
 };
 
-/// The rotation that numbers of a record may be, where columns have no names: in a record of 8 numbers, a quaternion of
-/// the norm 1 as the last four; in one of 12, a matrix of three rows, each followed by a number of the position.
-std::optional<spline::RotationForm> likely_rotation(std::span<const double> record);
-
 /// The columns of samples: the time, the groups, and every other column of numbers as a channel, whatever its name.
 /// Throws: Error (data) as find_columns.
 Columns find_sample_columns(std::span<const std::string> given, const std::vector<bool>& numeric,

@@ -1,4 +1,6 @@
-// Rotation columns: which columns of an input make rotations and angles, their channels, and the cells that show them.
+// Rotation columns: which columns make rotations and angles, their channels, and the cells that show them.
+#include "schema/rotation_columns.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -7,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/columns.hpp"
 #include "schema/errors.hpp"
-#include "schema/input.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -23,26 +23,34 @@ std::optional<std::size_t> column_number(const std::string& text) {
   return is_number ? std::optional(number) : std::nullopt;
 }
 
+/// The number of the column of each channel, from 1.
+std::vector<std::size_t> numbers_of_channels(const Columns& columns) {
+  std::vector<std::size_t> numbers(columns.channels.size());
+  for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
+    if (columns.cells[cell].role == Role::position) numbers[columns.cells[cell].channel] = cell + 1;
+  }
+  return numbers;
+}
+
 /// The index of a channel of keys as they are read: by its name, in any case if none has it exactly, or else by the
 /// number of its column.
-std::size_t requested_channel(const std::string& name, const Input& input, std::string_view option) {
-  const std::vector<std::string>& channels = input.read_channels;
+std::size_t requested_channel(const std::string& name, const Columns& columns, std::string_view option) {
+  const std::vector<std::string>& channels = columns.channels;
   const auto exact = std::ranges::find(channels, name);
   const auto found = exact != channels.end() ? exact : std::ranges::find_if(channels, [&](const std::string& channel) {
     return same_in_any_case(channel, name);
   });
   if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
+  const std::vector<std::size_t> numbers = numbers_of_channels(columns);
   const auto number = column_number(name);
-  const auto column = number ? std::ranges::find(input.read_columns, *number) : input.read_columns.end();
-  if (column != input.read_columns.end()) return static_cast<std::size_t>(column - input.read_columns.begin());
-  if (number && *number >= 1 && *number <= input.column_count) {
+  const auto column = number ? std::ranges::find(numbers, *number) : numbers.end();
+  if (column != numbers.end()) return static_cast<std::size_t>(column - numbers.begin());
+  if (number && *number >= 1 && *number <= columns.cells.size()) {
     std::vector<std::string> others;
-    for (const std::size_t other : input.read_columns) others.push_back(std::to_string(other));
+    for (const std::size_t other : numbers) others.push_back(std::to_string(other));
     throw column_without_channel(name, others).about(option);
   }
-  if (number && !input.named) {
-    throw no_such_column_number(name, input.column_count).about(option);
-  }
+  if (number && !columns.named) throw no_such_column_number(name, columns.cells.size()).about(option);
   throw no_such_column(name, channels).about(option);
 }
 
@@ -104,63 +112,65 @@ std::size_t rotation_with(const std::vector<GivenRotation>& rotations, std::size
 }
 
 /// Throws: Error (data) where a column is in two rotations or angles.
-void require_own_columns(const Input& input) {
-  std::vector<bool> taken(input.read_channels.size());
+void require_own_columns(const Schema& schema, const Columns& columns) {
+  std::vector<bool> taken(columns.channels.size());
   const auto take = [&](std::size_t channel, std::string_view option) {
-    if (taken[channel]) throw column_in_two_rotations(input.read_channels[channel]).about(option);
+    if (taken[channel]) throw column_in_two_rotations(columns.channels[channel]).about(option);
     taken[channel] = true;
   };
-  for (const spline::AngleChannel& angle : input.angles) take(angle.channel, option::angle);
-  for (const GivenRotation& given : input.given_rotations) {
+  for (const spline::AngleChannel& angle : schema.angles) take(angle.channel, option::angle);
+  for (const GivenRotation& given : schema.rotations.given) {
     for (const std::size_t channel : given.channels) take(channel, option::rotation);
   }
 }
 
 /// Adds the channels of a quaternion in place of the columns of another form. They are named after these.
-void add_quaternion(Input& input, const GivenRotation& given, spline::RotationColumns& rotation) {
+void add_quaternion(Schema& schema, const GivenRotation& given, spline::RotationColumns& rotation) {
   for (std::size_t i = 0; i < rotation.channels.size(); ++i) {
-    rotation.channels[i] = input.channels.size();
-    input.channels.push_back(i < given.columns.size() ? given.columns[i] : "rotation of " + given.columns[0]);
-    input.channel_sources.push_back(given.channels[0]);
+    rotation.channels[i] = schema.channels.size();
+    schema.channels.push_back(i < given.columns.size() ? given.columns[i] : "rotation of " + given.columns[0]);
+    schema.rotations.sources.push_back(given.channels[0]);
   }
 }
 
 /// Sets the channels of keys with quaternions.
-void set_channels(Input& input) {
-  input.channels.clear();
-  std::vector<std::size_t> now(input.read_channels.size());  // the channel of each that is read
+void set_channels(Schema& schema, const Columns& columns) {
+  schema.channels.clear();
+  std::vector<std::size_t> now(columns.channels.size());  // the channel of each that is read
   for (std::size_t read = 0; read < now.size(); ++read) {
-    now[read] = input.channels.size();
-    const std::size_t index = rotation_with(input.given_rotations, read);
-    const bool is_plain = index == input.rotations.size() ||
-                          input.given_rotations[index].notation.form == spline::RotationForm::quaternion;
+    now[read] = schema.channels.size();
+    const std::size_t index = rotation_with(schema.rotations.given, read);
+    const bool is_plain = index == schema.rotations.columns.size() ||
+                          schema.rotations.given[index].notation.form == spline::RotationForm::quaternion;
     if (is_plain) {
-      input.channels.push_back(input.read_channels[read]);
-      input.channel_sources.push_back(read);
-    } else if (read == std::ranges::min(input.given_rotations[index].channels)) {
-      add_quaternion(input, input.given_rotations[index], input.rotations[index]);
+      schema.channels.push_back(columns.channels[read]);
+      schema.rotations.sources.push_back(read);
+    } else if (read == std::ranges::min(schema.rotations.given[index].channels)) {
+      add_quaternion(schema, schema.rotations.given[index], schema.rotations.columns[index]);
     }
   }
-  if (rotation_with(input.given_rotations, 0) < input.rotations.size()) input.may_be_timed = false;
-  for (spline::AngleChannel& angle : input.angles) angle.channel = now[angle.channel];
-  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const GivenRotation& given = input.given_rotations[i];
+  if (rotation_with(schema.rotations.given, 0) < schema.rotations.columns.size())
+    schema.time.may_be_first_channel = false;
+  for (spline::AngleChannel& angle : schema.angles) angle.channel = now[angle.channel];
+  for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
+    const GivenRotation& given = schema.rotations.given[i];
     if (given.notation.form != spline::RotationForm::quaternion) continue;
-    std::ranges::transform(given.channels, input.rotations[i].channels.begin(), [&](std::size_t j) { return now[j]; });
+    std::ranges::transform(given.channels, schema.rotations.columns[i].channels.begin(),
+                           [&](std::size_t j) { return now[j]; });
   }
 }
 
 /// Sets where rows show the numbers of rotations: in the columns that give them, or another form in place of the first.
-void set_places(Input& input) {
+void set_places(Schema& schema, const Columns& columns) {
   std::size_t next = 0;
-  for (std::size_t read = 0; read < input.read_channels.size(); ++read) {
-    const std::size_t index = rotation_with(input.given_rotations, read);
-    if (index == input.rotations.size()) {
+  for (std::size_t read = 0; read < columns.channels.size(); ++read) {
+    const std::size_t index = rotation_with(schema.rotations.given, read);
+    if (index == schema.rotations.columns.size()) {
       ++next;
       continue;
     }
-    const GivenRotation& given = input.given_rotations[index];
-    spline::RotationColumns& rotation = input.rotations[index];
+    const GivenRotation& given = schema.rotations.given[index];
+    spline::RotationColumns& rotation = schema.rotations.columns[index];
     const auto number = static_cast<std::size_t>(std::ranges::find(given.channels, read) - given.channels.begin());
     if (rotation.shown == given.notation) {
       rotation.places[number] = next++;
@@ -172,26 +182,27 @@ void set_places(Input& input) {
 
 /// Sets the form in which rows show a rotation, and the names of its numbers: those of the columns if it is the given
 /// one.
-void show_rotation(Input& input, std::size_t index, const spline::RotationNotation& shown) {
-  const GivenRotation& given = input.given_rotations[index];
-  const std::string number = input.rotations.size() == 1 ? "" : "_" + std::to_string(index + 1);
+void show_rotation(Schema& schema, std::size_t index, const spline::RotationNotation& shown) {
+  const GivenRotation& given = schema.rotations.given[index];
+  const std::string number = schema.rotations.columns.size() == 1 ? "" : "_" + std::to_string(index + 1);
   std::vector<std::string> names = shown == given.notation ? given.columns : names_in(shown, number);
-  input.rotations[index].shown = shown;
+  schema.rotations.columns[index].shown = shown;
   if (shown.form == spline::RotationForm::quaternion) {
-    for (std::size_t i = 0; i < names.size(); ++i) input.channels[input.rotations[index].channels[i]] = names[i];
+    for (std::size_t i = 0; i < names.size(); ++i)
+      schema.channels[schema.rotations.columns[index].channels[i]] = names[i];
   } else {
-    input.rotation_names[index] = std::move(names);
+    schema.rotations.names[index] = std::move(names);
   }
 }
 
 /// Adds a rotation with channels of keys as they are read.
-void add_rotation(Input& input, GivenRotation given) {
-  spline::RotationColumns& rotation = input.rotations.emplace_back();
-  const auto is_relative = std::ranges::count(input.given_rotations, true, &GivenRotation::relative);
+void add_rotation(Schema& schema, GivenRotation given, const Columns& columns) {
+  spline::RotationColumns& rotation = schema.rotations.columns.emplace_back();
+  const auto is_relative = std::ranges::count(schema.rotations.given, true, &GivenRotation::relative);
   if (given.relative) rotation.turn = static_cast<std::size_t>(is_relative);
   given.columns.clear();
-  for (const std::size_t channel : given.channels) given.columns.push_back(input.read_channels[channel]);
-  input.given_rotations.push_back(std::move(given));
+  for (const std::size_t channel : given.channels) given.columns.push_back(columns.channels[channel]);
+  schema.rotations.given.push_back(std::move(given));
 }
 
 }  // namespace
@@ -214,39 +225,42 @@ std::optional<spline::RotationForm> likely_rotation(std::span<const double> reco
   return spline::RotationForm::matrix;
 }
 
-void set_rotations(Input& input, const RotationOptions& options) {
-  input.normalize = options.normalize;
+Schema with_rotations(Schema schema, const Columns& columns, const RotationOptions& options) {
+  RotationSchema& rotations = schema.rotations;
+  rotations.normalize = options.normalize;
   for (const NamedAngle& angle : options.angles) {
-    input.angles.push_back({requested_channel(angle.channel, input, option::angle), angle.degrees});
+    schema.angles.push_back({requested_channel(angle.channel, columns, option::angle), angle.degrees});
   }
   if (options.requests.empty() && !options.none) {
-    for (const spline::RotationChannels& channels : rotations_by_name(input.read_channels)) {
-      add_rotation(input, {{}, false, {}, {channels.begin(), channels.end()}});
+    for (const spline::RotationChannels& channels : rotations_by_name(columns.channels)) {
+      add_rotation(schema, {{}, false, {}, {channels.begin(), channels.end()}}, columns);
     }
   }
   for (GivenRotation request : options.requests) {
     request.notation.degrees = options.degrees;
     for (const std::string& column : request.columns) {
-      request.channels.push_back(requested_channel(column, input, option::rotation));
+      request.channels.push_back(requested_channel(column, columns, option::rotation));
     }
-    add_rotation(input, std::move(request));
+    add_rotation(schema, std::move(request), columns);
   }
-  require_own_columns(input);
-  if (options.shown && input.rotations.empty()) {
+  require_own_columns(schema, columns);
+  if (options.shown && rotations.columns.empty()) {
     const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
     throw no_rotation_to_show(form->name).about(option::rotation_output);
   }
-  set_channels(input);
-  input.rotation_names.resize(input.rotations.size());
-  for (std::size_t i = 0; i < input.rotations.size(); ++i) {
-    const spline::RotationNotation& given = input.given_rotations[i].notation;
+  set_channels(schema, columns);
+  rotations.names.resize(rotations.columns.size());
+  for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
+    const spline::RotationNotation& given = rotations.given[i].notation;
     spline::RotationNotation shown = options.as_curves ? spline::RotationNotation{} : options.shown.value_or(given);
     shown.degrees = options.degrees;
     if (shown.form != spline::RotationForm::quaternion || given.form != spline::RotationForm::quaternion) {
-      show_rotation(input, i, shown);
+      show_rotation(schema, i, shown);
     }
   }
-  set_places(input);
+  set_places(schema, columns);
+  if (options.shown) require_distinct_names(schema, option::rotation_output);
+  return schema;
 }
 
 }  // namespace tcb

@@ -103,8 +103,8 @@ std::string print_labelled(
   return out;
 }
 
-void Writer::begin(const Input& input, bool live, Facts rules, const std::string& file) {
-  OutputColumns columns{input.groups, output_columns(options_.fields, input), input.carried};
+void Writer::begin(const Schema& schema, bool live, Facts rules, const std::string& file) {
+  OutputColumns columns{schema.groups, output_columns(options_.fields, schema), schema.labels};
   if (options_.file_column) {
     add_file_column(columns, *options_.file_column, file);
     file_ = '"' + file;
@@ -112,8 +112,8 @@ void Writer::begin(const Input& input, bool live, Facts rules, const std::string
   if (columns_.numbers.empty()) {
     const Format& format = format_of(options_.format);
     columns_ = std::move(columns);
-    set_times(input);
-    frame_ = Frame(columns_, {format.id, options_.header.value_or(input.named), options_.notation,
+    set_times(schema);
+    frame_ = Frame(columns_, {format.id, options_.header.value_or(schema.named), options_.notation,
                               format.nests && options_.provenance.has_value()});
     recorder_.set_rules(std::move(rules));
     output_.write(recorder_.before_rows(format.id) + frame_.head());
@@ -130,15 +130,15 @@ void Writer::begin_curve(std::vector<std::string> group) {
   group_ = std::move(group);
 }
 
-void Writer::set_times(const Input& input) {
+void Writer::set_times(const Schema& schema) {
   const auto given = options_.time_notation;
   if (!given) {
-    if (!format_of(options_.format).is_binary) notation_ = input.time_notation;
+    if (!format_of(options_.format).is_binary) notation_ = schema.time.notation;
     return;
   }
-  if (input.time_unit == TimeUnit::frames) throw times_without_rate(input.time);
-  if (input.time_unit) unit_ = Rational(1) / units_per_second(*input.time_unit);
-  const bool drops = given == TimeNotation::smpte && input.time_notation == TimeNotation::drop_frame;
+  if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
+  if (schema.time.unit) unit_ = Rational(1) / units_per_second(*schema.time.unit);
+  const bool drops = given == TimeNotation::smpte && schema.time.notation == TimeNotation::drop_frame;
   notation_ = drops ? TimeNotation::drop_frame : *given;
 }
 

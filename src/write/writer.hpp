@@ -14,8 +14,8 @@
 
 #include "io/atomic_output.hpp"
 #include "sample/rows.hpp"
-#include "schema/input.hpp"
 #include "schema/key_block.hpp"
+#include "schema/schema.hpp"
 #include "stream/source.hpp"
 #include "write/layout.hpp"
 #include "write/provenance.hpp"
@@ -92,7 +92,7 @@ class Writer {
 
   /// Begins the rows of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
   /// other columns than the rows before. `file` is for a column of files.
-  void begin(const Input& input, bool live, Facts rules, const std::string& file = {});
+  void begin(const Schema& schema, bool live, Facts rules, const std::string& file = {});
 
   /// Begins the rows of the next curve of the file.
   void begin_curve(std::vector<std::string> group);
@@ -113,7 +113,7 @@ class Writer {
 
  private:
   /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
-  void set_times(const Input& input);
+  void set_times(const Schema& schema);
 
   /// The cells of times as they are printed, where they are no seconds; the texts of other cells as they are.
   /// Throws: Error (data) for a time that the notation does not have.

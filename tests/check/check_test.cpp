@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 KeptCurves curves_of(const std::vector<std::string>& groups) {
   KeptCurves kept;
-  kept.input.groups = {"id"};
+  kept.schema.groups = {"id"};
   for (const std::string& group : groups) kept.curves.push_back({{group}, nullptr, {}});
   return kept;
 }

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 
 SampleTable table_of(const std::string& rows) {
   const Comparing files("t,x\n0,0\n1,1\n", rows);
-  return read_samples(files.job, keep(files.job).input, 0);
+  return read_samples(files.job, keep(files.job).schema, 0);
 }
 
 TEST(KeptCurves, can_be_read_more_than_once) {
@@ -77,12 +77,11 @@ TEST(ComparisonInputs, have_places_in_time_or_in_arc_length) {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Input keys_with(std::vector<std::string> channels) {
-  Input input;
-  input.timed = true;
-  input.time = "t";
-  input.channels = std::move(channels);
-  return input;
+Schema keys_with(std::vector<std::string> channels) {
+  Schema schema;
+  schema.time.is_given = true;
+  schema.channels = std::move(channels);
+  return schema;
 }
 
 SampleTable named(bool timed, std::vector<std::string> columns) {

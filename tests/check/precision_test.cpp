@@ -36,8 +36,8 @@ TEST(Precision, nine_digits_or_single_numbers_allow_single_precision) {
 /// A curve of the keys (i, 0) in blocks of 100, and rows at the times 0, 1/2, 1, ... between them.
 struct Many {
   explicit Many(std::size_t keys) {
-    inputs.kept.input.timed = true;
-    inputs.kept.input.channels = {"x"};
+    inputs.kept.schema.time.is_given = true;
+    inputs.kept.schema.channels = {"x"};
     inputs.table.columns = {"x"};
     inputs.columns.compared = {{"x", 0, 0}};
     KeptCurve& curve = inputs.kept.curves.emplace_back();

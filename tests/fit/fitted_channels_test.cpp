@@ -12,13 +12,13 @@ namespace {
 using testing::ElementsAre;
 
 /// Two numbers, an angle, and a rotation.
-Input input_of_drive() {
-  Input input;
-  input.channels = {"x", "y", "heading", "qx", "qy", "qz", "qw"};
-  input.angles = {{2, true}};
-  input.rotations = {{{3, 4, 5, 6}}};
-  input.given_rotations.resize(1);
-  return input;
+Schema schema_of_drive() {
+  Schema schema;
+  schema.channels = {"x", "y", "heading", "qx", "qy", "qz", "qw"};
+  schema.angles = {{2, true}};
+  schema.rotations.columns = {{{3, 4, 5, 6}}};
+  schema.rotations.given.resize(1);
+  return schema;
 }
 
 Job job_within(std::vector<Tolerance> tolerances) {
@@ -27,9 +27,9 @@ Job job_within(std::vector<Tolerance> tolerances) {
   return job;
 }
 
-std::optional<ErrorCode> refusal(const Input& input, const Job& job) {
+std::optional<ErrorCode> refusal(const Schema& schema, const Job& job) {
   try {
-    (void)fitted_channels(input, job);
+    (void)fitted_channels(schema, job);
   } catch (const Error& error) {
     return error.code();
   }
@@ -38,29 +38,29 @@ std::optional<ErrorCode> refusal(const Input& input, const Job& job) {
 
 TEST(FittedChannels, a_distance_is_that_of_the_metric) {
   Job job = job_within({{"", 0.1}, {"heading", 2}});
-  const FittedChannels fitted = fitted_channels(input_of_drive(), job);
+  const FittedChannels fitted = fitted_channels(schema_of_drive(), job);
   EXPECT_THAT(fitted.names, ElementsAre("x", "y", "heading"));
   ASSERT_EQ(fitted.groups.size(), 2U);
   EXPECT_THAT(fitted.groups[0].channels, ElementsAre(2));
   EXPECT_EQ(fitted.groups[0].tolerance, 2);
   EXPECT_THAT(fitted.groups[1].channels, ElementsAre(0, 1));
-  EXPECT_EQ(refusal(input_of_drive(), job_within({{"", 0.1}})), ErrorCode::fit_without_tolerance);
+  EXPECT_EQ(refusal(schema_of_drive(), job_within({{"", 0.1}})), ErrorCode::fit_without_tolerance);
   job.curve.metric = "x";
-  EXPECT_EQ(refusal(input_of_drive(), job), ErrorCode::fit_without_tolerance);
+  EXPECT_EQ(refusal(schema_of_drive(), job), ErrorCode::fit_without_tolerance);
   job.fit.tolerances.push_back({"y", 1});
-  EXPECT_THAT(fitted_channels(input_of_drive(), job).groups[2].channels, ElementsAre(0));
+  EXPECT_THAT(fitted_channels(schema_of_drive(), job).groups[2].channels, ElementsAre(0));
 }
 
 TEST(FittedChannels, rotations_have_a_limit_of_their_own) {
   Job job = job_within({{"", 0.1}, {"heading", 2}});
   job.fit.angle = 0.01;
-  const FittedChannels fitted = fitted_channels(input_of_drive(), job);
+  const FittedChannels fitted = fitted_channels(schema_of_drive(), job);
   EXPECT_EQ(fitted.names.size(), 7U);
   EXPECT_EQ(fitted.groups.back().angle, 0.01);
   EXPECT_THAT(fitted.groups.back().channels, ElementsAre(3, 4, 5, 6));
   EXPECT_LT(fitted.groups.back().tolerance, 0.005);
   job.fit.tolerances.push_back({"qx", 1});
-  EXPECT_EQ(refusal(input_of_drive(), job), ErrorCode::unknown_name);
+  EXPECT_EQ(refusal(schema_of_drive(), job), ErrorCode::unknown_name);
 }
 
 }  // namespace

@@ -13,9 +13,8 @@ using testing::ElementsAre;
 
 Input input_of(std::vector<std::string> channels) {
   Input input;
-  input.timed = true;
-  input.time = "t";
-  input.channels = std::move(channels);
+  input.schema.time.is_given = true;
+  input.schema.channels = std::move(channels);
   return input;
 }
 
@@ -27,7 +26,7 @@ Job job_with(std::vector<Tolerance> tolerances) {
 
 std::optional<ErrorCode> refusal(const Input& input, const Job& job) {
   try {
-    (void)columns_of_fit(input, job);
+    (void)keys_of_fit(input, job);
   } catch (const Error& error) {
     return error.code();
   }
@@ -36,23 +35,23 @@ std::optional<ErrorCode> refusal(const Input& input, const Job& job) {
 
 TEST(Fitting, columns_carry_what_the_keys_do) {
   Job job = job_with({{"", 1}});
-  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "bias"));
-  EXPECT_THAT(columns_of_fit(input_of({"x", "y"}), job).channels,
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "bias"));
+  EXPECT_THAT(keys_of_fit(input_of({"x", "y"}), job).channels,
               ElementsAre("x", "y", "tension_x", "tension_y", "bias_x", "bias_y"));
   job.fit.corner = 30;
-  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "continuity", "bias"));
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "continuity", "bias"));
   job.fit.keys = FitKeys::hermite;
-  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_vin", "x_vout"));
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_vin", "x_vout"));
   job.fit.corner = {};
-  EXPECT_THAT(columns_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_v"));
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_v"));
 }
 
 TEST(Fitting, rotations_are_left_out) {
   Input input = input_of({"x", "qx", "qy", "qz", "qw"});
-  input.rotations = {{{1, 2, 3, 4}}};
-  EXPECT_THAT(columns_of_fit(input, job_with({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
-  input.channels[0] = "q0";
-  input.rotations = {{{1, 2, 3, 4}}, {{0, 0, 0, 0}}};
+  input.schema.rotations.columns = {{{1, 2, 3, 4}}};
+  EXPECT_THAT(keys_of_fit(input, job_with({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
+  input.schema.channels[0] = "q0";
+  input.schema.rotations.columns = {{{1, 2, 3, 4}}, {{0, 0, 0, 0}}};
   EXPECT_EQ(refusal(input, job_with({{"", 1}})), ErrorCode::only_rotations);
 }
 
@@ -65,7 +64,7 @@ TEST(Fitting, inputs_without_samples_are_refused) {
   EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"", 2}})), std::nullopt);
   input.facts.roles = {"tension"};
   EXPECT_EQ(refusal(input, job), ErrorCode::fit_of_keys);
-  input.timed = false;
+  input.schema.time.is_given = false;
   EXPECT_EQ(refusal(input, job), ErrorCode::fit_without_times);
 }
 

@@ -19,9 +19,9 @@
 #include "error.hpp"
 #include "invariant.hpp"
 #include "numbers/parse_number.hpp"
+#include "read/reader.hpp"
 #include "run/pipeline.hpp"
 #include "sample/fields.hpp"
-#include "schema/input.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
@@ -160,11 +160,11 @@ void require_sound(const Job& plan, std::string_view text, std::string_view rows
     return std::exchange(read, true) ? std::nullopt : std::optional(std::string(text));
   };
   const Input input = open_input("-", bytes, plan.input);
-  if (!input.groups.empty() || !input.carried.empty()) return;                     // their texts may be anything
-  if (plan.time_notation || input.time_notation != TimeNotation::seconds) return;  // times are words
+  if (!input.schema.groups.empty() || !input.schema.labels.empty()) return;               // their texts may be anything
+  if (plan.time_notation || input.schema.time.notation != TimeNotation::seconds) return;  // times are words
   const auto drop_line = [&rows] { rows.remove_prefix(std::min(rows.size(), rows.find('\n') + 1)); };
   while (rows.starts_with('#')) drop_line();  // provenance
-  if (plan.output_header.value_or(input.named)) {
+  if (plan.output_header.value_or(input.schema.named)) {
     if (rows.substr(0, rows.find('\n')).find('"') != std::string_view::npos) return;
     drop_line();
   }

@@ -13,7 +13,8 @@
 #include "cli/remedies.hpp"
 #include "error.hpp"
 #include "invariant.hpp"
-#include "schema/input.hpp"
+#include "read/reader.hpp"
+#include "schema/faults.hpp"
 
 namespace tcb::fuzz {
 
@@ -100,12 +101,16 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
   try {
     const Input input = open_input("f", pieces(text, piece), options);
     std::string found;
-    found += fmt::format("{} {} {}\n", format_of(input.facts.format).name, input.facts.delimiter, input.named);
-    for (const auto& names : {input.groups, {input.time}, input.channels, input.carried, input.ignored}) {
+    found += fmt::format("{} {} {}\n", format_of(input.facts.format).name, input.facts.delimiter, input.schema.named);
+    for (const auto& names : {input.schema.groups,
+                              {input.schema.time.name},
+                              input.schema.channels,
+                              input.schema.labels,
+                              input.facts.ignored}) {
       for (const std::string& name : names) found += fmt::format("{}\n", name);
     }
-    ShownKeys shown(lines, input.may_miss);
-    const Source<KeyBlock> keys = without_faults(input.keys, false);
+    ShownKeys shown(lines, input.keys.traits.may_miss);
+    const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
     while (const auto block = keys()) shown.add(*block);
     return {found + shown.text()};
   } catch (const Error& error) {

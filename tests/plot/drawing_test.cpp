@@ -33,12 +33,15 @@ std::string drawn(Job job, const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     const std::string file = std::string("folder/") + name++ + ".csv";
     const Input input = open_input(file, bytes_of(text), job.input);
-    Curves curves(input, job.curves, false);
+    Curves curves(input.schema, input.keys, job.curves, false);
     std::optional<CurvePipeline> pipeline;
     while (const auto curve = curves.next()) {
       const bool first = !pipeline;
-      if (first) pipeline.emplace(job.sampling, job.curve, job.fields, job.golden, input, *curve->curve_info);
-      if (first) drawing.begin(file, input, pipeline->facts());
+      if (first) {
+        pipeline.emplace(job.sampling, job.curve, job.fields, job.golden, input.schema, input.keys.traits,
+                         *curve->curve_info);
+        drawing.begin(file, input.schema, pipeline->facts());
+      }
       drawing.add(curve->group, pipeline->stored(curve->keys), short_rules(pipeline->facts()));
     }
   }

@@ -1,5 +1,5 @@
 // Reader: how the format of an input is found, what may precede its first byte, and faults gathered into one error.
-#include "schema/input.hpp"
+#include "read/reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,8 @@
 
 #include "cli/remedies.hpp"
 #include "error.hpp"
-#include "schema/input.hpp"
+#include "read/reader.hpp"
+#include "schema/faults.hpp"
 
 namespace tcb {
 
@@ -58,9 +59,9 @@ inline std::string read(const std::string& text, const InputOptions& options = {
   std::string out;
   const std::string error = error_of([&] {
     const Input input = open_input(path, pieces(text, piece), options);
-    for (const std::string& name : input.channels) out += " " + name;
-    out = input.named ? input.time + out + "\n" : "(" + input.time + out + ")\n";
-    const Source<KeyBlock> keys = without_faults(input.keys, false);
+    for (const std::string& name : input.schema.channels) out += " " + name;
+    out = input.schema.named ? input.schema.time.name + out + "\n" : "(" + input.schema.time.name + out + ")\n";
+    const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
     while (const auto block = keys()) {
       for (std::size_t i = 0; i < block->keys.size(); ++i) out += shown_key(*block, i);
     }

@@ -14,12 +14,11 @@ namespace {
 
 constexpr const char* line = "0 0\n1 2\n2 4\n3 6\n";  // positions on x = 2 t, so the length is 6
 
-Input input_of(bool timed = true) {
-  Input input;
-  input.timed = timed;
-  input.time = "t";
-  input.channels = {"x"};
-  return input;
+Schema schema_of_x(bool timed = true) {
+  Schema schema;
+  schema.time.is_given = timed;
+  schema.channels = {"x"};
+  return schema;
 }
 
 /// The cells of the fields time and position.
@@ -41,14 +40,14 @@ SamplingRequest request_of(Mode mode, std::uint64_t count) {
 
 std::vector<double> rows(const SamplingRequest& request, const CurveSettings& settings = {},
                          const std::optional<GoldenOptions>& golden = {}) {
-  CurvePipeline pipeline(request, settings, {0, 1}, golden, input_of(), {});
+  CurvePipeline pipeline(request, settings, {0, 1}, golden, schema_of_x(), {}, {});
   return cells_of(pipeline.place(keys_of(line, 2)));
 }
 
 TEST(CurvePipeline, rows_in_order_need_no_end_and_have_no_facts) {
   SamplingRequest request;
   request.step = 1;
-  CurvePipeline pipeline(request, {}, {0, 1}, {}, input_of(), {});
+  CurvePipeline pipeline(request, {}, {0, 1}, {}, schema_of_x(), {}, {});
   const PlacedCurve placed = pipeline.place(keys_of(line, 2));
   EXPECT_FALSE(placed.facts.last);
   EXPECT_EQ(cells_of(placed), (std::vector<double>{0, 0, 1, 2, 2, 4, 3, 6}));
@@ -56,7 +55,7 @@ TEST(CurvePipeline, rows_in_order_need_no_end_and_have_no_facts) {
 
 TEST(CurvePipeline, a_grid_over_the_whole_curve_has_its_extent_and_step) {
   const SamplingRequest request = request_of(Mode::arc_count, 3);
-  CurvePipeline pipeline(request, {}, {0, 1}, {}, input_of(), {});
+  CurvePipeline pipeline(request, {}, {0, 1}, {}, schema_of_x(), {}, {});
   const PlacedCurve placed = pipeline.place(keys_of(line, 2));
   EXPECT_EQ(placed.facts.length, 6.0);
   EXPECT_EQ(placed.facts.step, Time(3.0));
@@ -79,9 +78,9 @@ TEST(CurvePipeline, exact_rows_are_at_the_same_places) {
 TEST(CurvePipeline, keys_without_times_get_times) {
   CurveSettings settings;
   settings.parameter = "uniform";
-  const Input input = input_of(false);
+  const Schema schema = schema_of_x(false);
   const SamplingRequest request = request_of(Mode::count, 2);
-  CurvePipeline pipeline(request, settings, {0, 1}, {}, input, {});
+  CurvePipeline pipeline(request, settings, {0, 1}, {}, schema, {}, {});
   EXPECT_FALSE(pipeline.facts().timed);
   const Source<KeyBlock> untimed = mapped(keys_of("0 5\n0 7\n", 2), [](KeyBlock block) {
     block.keys.times.clear();
@@ -93,7 +92,7 @@ TEST(CurvePipeline, keys_without_times_get_times) {
 /// The code of the error that making the pipeline ends with, and the line of its position.
 std::pair<ErrorCode, std::uint64_t> refusal(const CurveSettings& settings, const CurveInfo& info = {}) {
   try {
-    CurvePipeline pipeline(request_of(Mode::count, 2), settings, {0, 1}, {}, input_of(), info);
+    CurvePipeline pipeline(request_of(Mode::count, 2), settings, {0, 1}, {}, schema_of_x(), {}, info);
   } catch (const Error& error) {
     return {error.code(), error.position().line};
   }

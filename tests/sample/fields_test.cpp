@@ -17,35 +17,35 @@ TEST(Fields, names_are_unique) {
 TEST(Fields, a_row_has_a_cell_for_each_channel_or_one) {
   const std::array chosen{field_of("time"), field_of("velocity"), field_of("speed")};
   EXPECT_EQ(cells_in_row(chosen, {3, {}}), 5U);
-  Input input;
-  input.time = "frame";
-  input.channels = {"x", "y"};
+  Schema schema;
+  schema.time.name = "frame";
+  schema.channels = {"x", "y"};
   std::vector<std::string> names;
-  for (const OutputColumn& column : output_columns(chosen, input)) names.push_back(column.name);
+  for (const OutputColumn& column : output_columns(chosen, schema)) names.push_back(column.name);
   EXPECT_EQ(names, (std::vector<std::string>{"frame", "x_v", "y_v", "speed"}));
 }
 
 TEST(Fields, motion_is_that_of_channels_without_rotation) {
-  Input input;
-  input.channels = {"x", "qx", "qy", "qz", "qw"};
-  input.rotations = {{{1, 2, 3, 4}}};
+  Schema schema;
+  schema.channels = {"x", "qx", "qy", "qz", "qw"};
+  schema.rotations.columns = {{{1, 2, 3, 4}}};
   const std::array chosen{field_of("velocity"), field_of("angular_velocity"), field_of("angular_speed")};
   std::string names;
-  for (const OutputColumn& column : output_columns(chosen, input)) names += column.name + " ";
+  for (const OutputColumn& column : output_columns(chosen, schema)) names += column.name + " ";
   EXPECT_EQ(names, "x_v angular_velocity_x angular_velocity_y angular_velocity_z angular_speed ");
-  EXPECT_EQ(cells_in_row(chosen, {5, input.rotations}), 5U);
-  input.rotations.push_back({{4, 3, 2, 1}});
-  EXPECT_EQ(output_columns(std::array{field_of("angular_speed")}, input)[1].name, "angular_speed2");
+  EXPECT_EQ(cells_in_row(chosen, {5, schema.rotations.columns}), 5U);
+  schema.rotations.columns.push_back({{4, 3, 2, 1}});
+  EXPECT_EQ(output_columns(std::array{field_of("angular_speed")}, schema)[1].name, "angular_speed2");
 }
 
 TEST(Fields, columns_of_pieces_are_numbered) {
-  Input input;
-  input.time = "frame";
-  input.channels = {"x", "y"};
+  Schema schema;
+  schema.time.name = "frame";
+  schema.channels = {"x", "y"};
   const auto names = [&](std::string_view form) {
     const std::array chosen{field_of("start"), field_of(form)};
     std::string all;
-    for (const OutputColumn& column : output_columns(chosen, input)) all += column.name + " ";
+    for (const OutputColumn& column : output_columns(chosen, schema)) all += column.name + " ";
     return all;
   };
   EXPECT_EQ(names("hermite"), "start x_p0 x_v0 x_p1 x_v1 y_p0 y_v0 y_p1 y_v1 ");

@@ -37,9 +37,9 @@ TEST(Units, frames_become_seconds_rounded_once) {
   InputOptions options;
   options.input_rate = Rational(30000, 1001);
   const Input input = opened("frame,x\n0,1\n1,2\n107892,3\n", options);
-  EXPECT_EQ(input.time, "time");
-  EXPECT_EQ(input.time_unit, TimeUnit::s);
-  const auto block = input.keys();
+  EXPECT_EQ(input.schema.time.name, "time");
+  EXPECT_EQ(input.schema.time.unit, TimeUnit::s);
+  const auto block = input.keys.blocks();
   EXPECT_THAT(block->keys.times, ElementsAre(Time(0.0), Time(1001.0 / 30000), Time(107892.0 * 1001 / 30000)));
 }
 
@@ -47,14 +47,14 @@ TEST(Units, channels_are_scaled_from_their_decimals) {
   InputOptions options;
   options.scales = {{"x", Rational(1, 10)}};
   options.keeps_decimals = true;
-  const auto block = opened("t,x,y\n0,3,3\n1,0.7,2\n", options).keys();
+  const auto block = opened("t,x,y\n0,3,3\n1,0.7,2\n", options).keys.blocks();
   EXPECT_THAT(block->keys.positions, ElementsAre(0.3, 3, 0.07, 2)) << "3 * 0.1 is another double than 0.3";
   EXPECT_EQ(block->decimals[NumberOfKey::position], "3/10");
   options.scales = {{"z", 2}};
   EXPECT_THAT(error_of([&] { opened("t,x\n0,3\n1,2\n", options); }), HasSubstr("no column \"z\""));
   options.scales = {{"x", Rational(parse_rational("1e308").value())}};
   EXPECT_THAT(error_of([&] {
-                const auto keys = opened("t,x\n0,3\n1,2\n", options).keys();
+                const auto keys = opened("t,x\n0,3\n1,2\n", options).keys.blocks();
                 throw keys->faults.at(0);
               }),
               HasSubstr("x: \"3\" is not a finite double"));
@@ -65,7 +65,7 @@ TEST(Units, that_contradict_the_name_are_refused) {
   options.time_unit = TimeUnit::ms;
   EXPECT_THAT(error_of([&] { opened("time_ns,x\n0,1\n1,2\n", options); }),
               HasSubstr("in ms by this option, but in ns"));
-  EXPECT_EQ(opened("t,x\n0,1\n1,2\n", options).time_unit, TimeUnit::ms);
+  EXPECT_EQ(opened("t,x\n0,1\n1,2\n", options).schema.time.unit, TimeUnit::ms);
   options = {};
   options.input_rate = 24;
   EXPECT_THAT(error_of([&] { opened("time_ns,x\n0,1\n1,2\n", options); }),
@@ -78,8 +78,8 @@ TEST(Names, of_columns_are_replaced_at_once) {
   InputOptions options;
   options.renamings = {{"x", "y"}, {"y", "x"}, {"t", "seconds"}};
   const Input input = opened("t,x,y\n0,1,2\n1,2,3\n", options);
-  EXPECT_EQ(input.time, "seconds");
-  EXPECT_THAT(input.channels, ElementsAre("y", "x"));
+  EXPECT_EQ(input.schema.time.name, "seconds");
+  EXPECT_THAT(input.schema.channels, ElementsAre("y", "x"));
   options.renamings = {{"x", "y"}};
   EXPECT_THAT(error_of([&] { opened("t,x,y\n0,1,2\n1,2,3\n", options); }), HasSubstr("\"y\""));
 }

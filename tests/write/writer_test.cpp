@@ -78,12 +78,11 @@ WriterOptions options_of(FormatId format) {
   return options;
 }
 
-Input input_of(const std::string& channel) {
-  Input input;
-  input.named = input.timed = true;
-  input.time = "t";
-  input.channels = {channel};
-  return input;
+Schema schema_with(const std::string& channel) {
+  Schema schema;
+  schema.named = schema.time.is_given = true;
+  schema.channels = {channel};
+  return schema;
 }
 
 /// An output of two curves with one row each; each row of `channels` is the input of a file.
@@ -94,7 +93,7 @@ std::string written(const WriterOptions& options, const std::vector<std::string>
     Writer writer(options, path.string());
     double number = 0;
     for (const std::string& channel : channels) {
-      writer.begin(input_of(channel), false, {{"tangents", "tcb"}});
+      writer.begin(schema_with(channel), false, {{"tangents", "tcb"}});
       writer.begin_curve({});
       const std::string row = writer.print({{Cell(number), Cell(0.5)}}, true);
       writer.write([left = std::optional(row)]() mutable { return std::exchange(left, std::nullopt); });

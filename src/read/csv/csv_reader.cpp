@@ -190,7 +190,7 @@ Error why_not_number(std::string_view column, std::string_view cell, char decima
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
 
-Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
+Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const std::optional<char> named = take_named_delimiter(bytes);
   const std::optional<char> delimiter = options.delimiter ? options.delimiter : named;
   Beginning beginning;
@@ -205,16 +205,14 @@ Input open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
-  Input input;
-  input.set_columns(head->columns);
-  input.keys = ordered_map(std::move(chunks), parse, options.threads);
-  input.time_notation = head->rules.notation;
-  input.facts.delimiter = dialect.delimiter;
-  input.facts.comment = dialect.comment;
-  input.facts.decimal = options.decimal;
-  input.may_miss = options.missing == Missing::skip_cell;
-  input.may_break = dialect.delimiter == ' ' || dialect.divided || options.missing == Missing::break_curve;
-  return input;
+  Records records{head->columns, head->rules.notation};
+  records.facts.delimiter = dialect.delimiter;
+  records.facts.comment = dialect.comment;
+  records.facts.decimal = options.decimal;
+  records.keys.blocks = ordered_map(std::move(chunks), parse, options.threads);
+  records.keys.traits.may_break =
+      dialect.delimiter == ' ' || dialect.divided || options.missing == Missing::break_curve;
+  return records;
 }
 
 }  // namespace tcb

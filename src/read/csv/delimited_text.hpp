@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "error.hpp"
-#include "schema/input.hpp"
+#include "read/chunk.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -84,7 +86,7 @@ KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
 
 /// Opens delimited text whose delimiter is given, or else detected in the first record.
 /// Requires: the bytes have no byte order mark. Throws: Error (data).
-Input open_delimited(Source<std::string> bytes, const InputOptions& options);
+Records open_delimited(Source<std::string> bytes, const InputOptions& options);
 
 inline constexpr std::size_t most_cells = std::size_t{1} << 20;  ///< of a record
 

@@ -11,6 +11,7 @@
 #include "numbers/parse_number.hpp"
 #include "read/csv/delimited_text.hpp"
 #include "read/csv/errors.hpp"
+#include "schema/rotation_columns.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -239,7 +240,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
                                    : find_columns(names, numeric, options.roles, options.timeless);
     if (!options.samples) require_no_near_miss(names, head.columns, options.roles, options.timeless);
-    set_units(head.rules, options, head.columns, first_time(row.cells, head.columns));
+    set_units(head.rules, options.units(), head.columns, first_time(row.cells, head.columns));
   });
   if (names.empty() && options.roles.empty()) head.columns.likely_rotation = likely_rotation_of(first, head.decimal);
   const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });

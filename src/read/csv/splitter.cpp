@@ -5,6 +5,7 @@
 
 #include "read/csv/delimited_text.hpp"
 #include "read/csv/errors.hpp"
+#include "read/text_bytes.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

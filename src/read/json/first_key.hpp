@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "error.hpp"
+#include "read/input_options.hpp"
 #include "read/json/splitter.hpp"
-#include "schema/input.hpp"
 
 namespace tcb {
 

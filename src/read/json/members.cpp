@@ -265,7 +265,7 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
   };
   const auto time = std::ranges::find_if(result.members, is_time);
   const auto index = static_cast<std::size_t>(time - result.members.begin());
-  set_units(result.rules, options, result.columns, index < members.size() ? members[index].value : "");
+  set_units(result.rules, options.units(), result.columns, index < members.size() ? members[index].value : "");
   return result;
 }
 

@@ -10,7 +10,8 @@
 
 #include "read/json/splitter.hpp"
 #include "schema/columns.hpp"
-#include "schema/input.hpp"
+#include "read/input_options.hpp"
+#include "schema/key_rules.hpp"
 
 namespace tcb {
 

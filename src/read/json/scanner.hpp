@@ -7,7 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "schema/input.hpp"
+#include "read/chunk.hpp"
+#include "read/text_bytes.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

@@ -146,28 +146,26 @@ Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
   };
 }
 
-void describe(Input& input, const JsonColumns& meaning, JsonShape shape) {
-  Columns columns = meaning.columns;
-  columns.cells.resize(meaning.found);
-  columns.named = true;
-  input.set_columns(columns);
-  input.time_notation = meaning.rules.notation;
-  input.facts.shape = shape;
+Records records_of(const JsonColumns& meaning, JsonShape shape) {
+  Records records{meaning.columns, meaning.rules.notation};
+  records.columns.cells.resize(meaning.found);
+  records.columns.named = true;
+  records.facts.shape = shape;
+  return records;
 }
 
-Input open_list(Source<Task> source, JsonShape shape, unsigned threads) {
+Records open_list(Source<Task> source, JsonShape shape, unsigned threads) {
   std::optional<Task> first = source();
   if (!first) throw json::no_text();
-  Input input;
-  describe(input, *first->columns, shape);
+  Records records = records_of(*first->columns, shape);
   const auto parse = [](const Task& task) { return parse_json(task.part, *task.columns); };
-  input.keys = ordered_map(preceded_by(std::move(*first), std::move(source)), parse, threads);
-  return input;
+  records.keys.blocks = ordered_map(preceded_by(std::move(*first), std::move(source)), parse, threads);
+  return records;
 }
 
 }  // namespace
 
-Input open_json(Source<std::string> bytes, const InputOptions& options) {
+Records open_json(Source<std::string> bytes, const InputOptions& options) {
   if (options.delimiter || options.header || options.decimal != '.' || options.comment != "#") {
     throw json::options_of_delimited_text();
   }
@@ -178,29 +176,29 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
   const JsonShape shape = splitter->shape();
   source = preceded_by(std::move(*first), std::move(source));
   const bool curves = shape == JsonShape::curves;
-  Input input;
+  Records records;
   if (!curves && shape != JsonShape::object) {
-    input = open_list(std::move(source), shape, options.threads);
+    records = open_list(std::move(source), shape, options.threads);
   } else {
     Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
     std::optional<Curve> curve = read_curve(parts);
     if (!curve) throw json::no_text();
     if (curve->columns.members.empty()) throw no_keys(curve->members);
-    describe(input, curve->columns, shape);
-    input.ignored.insert(input.ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
+    records = records_of(curve->columns, shape);
+    std::vector<std::string>& ignored = records.columns.ignored;
+    ignored.insert(ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
     if (!curves) {
-      input.curve_info = std::move(curve->members.curve_info);
-      input.keys = blocks_of(std::move(curve->blocks));
+      records.keys.curve_info = std::move(curve->members.curve_info);
+      records.keys.blocks = blocks_of(std::move(curve->blocks));
     } else {
-      if (!input.groups.empty()) throw json::groups_of_curves();
-      input.groups = {"id"};
-      input.own_curves = true;
-      input.keys = keys_of_curves(std::move(parts), std::move(*curve));
+      if (!records.columns.groups.empty()) throw json::groups_of_curves();
+      records.columns.groups = {"id"};
+      records.keys.traits.own_curves = true;
+      records.keys.blocks = keys_of_curves(std::move(parts), std::move(*curve));
     }
   }
-  input.may_miss = options.missing == Missing::skip_cell;
-  input.may_break = true;  // also at null in place of a key
-  return input;
+  records.keys.traits.may_break = true;  // also at null in place of a key
+  return records;
 }
 
 }  // namespace tcb

@@ -5,13 +5,14 @@
 
 #include <string>
 
-#include "schema/input.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
 
 /// Opens JSON of any shape: an array of keys, an object with "keys", one with "curves", or JSON Lines. Keys of an
 /// object are held until its settings are known. Requires: the bytes have no byte order mark. Throws: Error (data).
-Input open_json(Source<std::string> bytes, const InputOptions& options);
+Records open_json(Source<std::string> bytes, const InputOptions& options);
 
 }  // namespace tcb

@@ -12,7 +12,8 @@
 #include <utility>
 
 #include "read/json/scanner.hpp"
-#include "schema/input.hpp"
+#include "read/chunk.hpp"
+#include "read/input.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

@@ -102,10 +102,10 @@ TEST(Json, curves_have_their_own_keys_and_settings) {
       "f",
       pieces(R"({"curves":[{"id":"a","keys":[{"t":0,"x":1}],"preset":"vtk"},{"keys":[{"t":5,"x":6}],"id":7}]})", 1),
       {});
-  EXPECT_TRUE(input.own_curves && input.may_break);
-  EXPECT_THAT(input.groups, testing::ElementsAre("id"));
+  EXPECT_TRUE(input.keys.traits.own_curves && input.keys.traits.may_break);
+  EXPECT_THAT(input.schema.groups, testing::ElementsAre("id"));
   std::string ids;
-  while (const auto block = input.keys()) {
+  while (const auto block = input.keys.blocks()) {
     if (block->curve_info == nullptr) continue;
     ids += fmt::format("{} {} {}, ", block->curve_info->id, block->keys.positions.at(0),
                        block->curve_info->settings.preset.value_or("none"));

@@ -1,0 +1,46 @@
+// Input: an opened input, which is the meaning of its records, facts about it, and its keys.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numbers/time_notation.hpp"
+#include "schema/columns.hpp"
+#include "schema/formats.hpp"
+#include "schema/input_keys.hpp"
+#include "schema/schema.hpp"
+
+namespace tcb {
+
+/// The shapes of JSON inputs.
+enum class JsonShape { list, object, curves, lines };
+
+/// What was found at the beginning of an input.
+struct InputFacts {
+  FormatId format = FormatId::csv;
+  JsonShape shape = JsonShape::list;                         ///< of JSON
+  char delimiter = ',';                                      ///< of delimited text; ' ' is any run of blanks and tabs
+  std::string comment = {};                                  ///< the prefix of its comment lines; empty: it has none
+  char decimal = '.';                                        ///< its decimal mark
+  std::vector<std::string> roles = {};                       ///< names of columns that shape a curve, such as tension
+  std::vector<std::string> ignored = {};                     ///< names of columns without a role
+  std::optional<spline::RotationForm> likely_rotation = {};  ///< that columns without names and roles may be
+};
+
+/// The records of an input as the reader of its format finds them.
+struct Records {
+  Columns columns;
+  TimeNotation time_notation = TimeNotation::seconds;
+  InputFacts facts = {};
+  InputKeys keys = {};
+};
+
+/// An opened input.
+struct Input {
+  Schema schema;
+  InputFacts facts = {};
+  InputKeys keys = {};
+};
+
+}  // namespace tcb

@@ -1,0 +1,57 @@
+// Rotation options: which columns are rotations and angles, how keys give them, and how rows show them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tcb/spline/rotation_notation.hpp"
+
+namespace tcb {
+
+/// The names of the forms of rotations.
+struct RotationFormName {
+  std::string_view name;
+  spline::RotationForm form;
+};
+inline constexpr std::array rotation_forms{RotationFormName{"quaternion", spline::RotationForm::quaternion},
+                                           RotationFormName{"axis-angle", spline::RotationForm::axis_angle},
+                                           RotationFormName{"euler", spline::RotationForm::euler},
+                                           RotationFormName{"matrix", spline::RotationForm::matrix}};
+
+/// The units of angles.
+struct AngleUnit {
+  std::string_view name;
+  bool degrees;
+};
+inline constexpr std::array angle_units{AngleUnit{"radians", false}, AngleUnit{"degrees", true}};
+
+/// How keys give a rotation.
+struct GivenRotation {
+  spline::RotationNotation notation = {};
+  bool relative = false;                   ///< to the rotation of the key before
+  std::vector<std::string> columns = {};   ///< names of those of its numbers
+  std::vector<std::size_t> channels = {};  ///< those of its numbers, in keys as they are read
+};
+
+/// A channel that is an angle.
+struct NamedAngle {
+  std::string channel;
+  bool degrees = false;
+};
+
+/// Which columns are rotations, and how rows show them.
+struct RotationOptions {
+  bool none = false;       ///< their numbers are plain channels
+  bool normalize = false;  ///< quaternions may have any norm
+  bool degrees = false;    ///< their angles are in degrees, else in radians
+  std::vector<GivenRotation> requests = {};
+  std::vector<NamedAngle> angles = {};
+  std::optional<spline::RotationNotation> shown = {};  ///< nothing: as they are given
+  bool as_curves = false;                              ///< all as quaternions, whose curves are drawn
+};
+
+}  // namespace tcb

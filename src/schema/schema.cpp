@@ -1,0 +1,77 @@
+// Schema: the meaning of columns, and the same meaning with other channels or names.
+#include "schema/schema.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "option_names.hpp"
+#include "schema/errors.hpp"
+
+namespace tcb {
+namespace {
+
+/// The names of all columns of rows.
+std::vector<std::string*> names_of(Schema& schema) {
+  std::vector<std::string*> names;
+  if (schema.time.is_given) names.push_back(&schema.time.name);
+  const auto is_shown = [&](std::size_t channel) {
+    return std::ranges::none_of(schema.rotations.columns, [&](const spline::RotationColumns& rotation) {
+      return rotation.shown.form != spline::RotationForm::quaternion && rotation.has(channel);
+    });
+  };
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    if (is_shown(i)) names.push_back(&schema.channels[i]);
+  }
+  for (auto& list : schema.rotations.names) {
+    for (std::string& name : list) names.push_back(&name);
+  }
+  for (auto* const list : {&schema.groups, &schema.labels}) {
+    for (std::string& name : *list) names.push_back(&name);
+  }
+  return names;
+}
+
+}  // namespace
+
+Schema schema_of(const Columns& columns, TimeNotation notation) {
+  Schema schema;
+  schema.named = columns.named;
+  schema.time = {columns.has(Role::time), columns.time, notation, {}, {}, columns.may_be_timed};
+  schema.channels = columns.channels;
+  schema.groups = columns.groups;
+  schema.labels = columns.carried;
+  return schema;
+}
+
+Schema with_channels(const Schema& schema, std::vector<std::string> channels) {
+  Schema result;
+  result.named = true;
+  result.time = schema.time;
+  result.channels = std::move(channels);
+  result.groups = schema.groups;
+  return result;
+}
+
+void require_distinct_names(Schema schema, std::string_view option) {
+  std::vector<std::string> known;
+  for (const std::string* name : names_of(schema)) {
+    if (std::ranges::count(known, *name) > 0) throw same_output_names(*name).about(option);
+    known.push_back(*name);
+  }
+}
+
+Schema renamed(Schema schema, const std::vector<Renaming>& renamings) {
+  const std::vector<std::string*> names = names_of(schema);
+  std::vector<std::string> before;
+  before.reserve(names.size());
+  for (const std::string* name : names) before.push_back(*name);
+  for (const Renaming& renaming : renamings) {
+    const auto found = std::ranges::find(before, renaming.from);
+    if (found == before.end()) throw no_such_column(renaming.from, before).about(option::rename);
+    *names[static_cast<std::size_t>(found - before.begin())] = renaming.to;
+  }
+  if (!renamings.empty()) require_distinct_names(schema, option::rename);
+  return schema;
+}
+
+}  // namespace tcb

@@ -1,0 +1,63 @@
+// Schema: what a record means: its time, its channels, the rotations and angles among these, its groups and labels.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "numbers/rational.hpp"
+#include "numbers/time_notation.hpp"
+#include "schema/columns.hpp"
+#include "schema/rotation_options.hpp"
+#include "tcb/spline/key.hpp"
+
+namespace tcb {
+
+/// The times of records.
+struct TimeSchema {
+  bool is_given = false;  ///< records have a time; otherwise the positions of keys make them
+  std::string name = "t";
+  TimeNotation notation = TimeNotation::seconds;  ///< as the input has it
+  std::optional<TimeUnit> unit = {};              ///< nothing: unknown
+  std::optional<Rational> frame_rate = {};        ///< the times were frames, and are seconds
+  bool may_be_first_channel = false;              ///< by its place and its name
+};
+
+/// The rotations of records: how keys give each, and how rows show it.
+struct RotationSchema {
+  // An entry for each rotation:
+  std::vector<spline::RotationColumns> columns = {};  ///< which channels make them
+  std::vector<GivenRotation> given = {};              ///< how keys give them
+  std::vector<std::vector<std::string>> names = {};   ///< of their cells in rows, where these are not channels
+
+  std::vector<std::size_t> sources = {};  ///< index of the channel of keys as they are read, for each channel
+  bool normalize = false;                 ///< quaternions may have any norm
+};
+
+/// What a record means: a key as it is read, or a sample as it is written.
+struct Schema {
+  bool named = false;  ///< the columns have names
+  TimeSchema time = {};
+  std::vector<std::string> channels = {};         ///< names of the position channels
+  RotationSchema rotations = {};                  ///< which channels make rotations
+  std::vector<spline::AngleChannel> angles = {};  ///< which channels are angles
+  std::vector<std::string> groups = {};           ///< names of the group columns
+  std::vector<std::string> labels = {};           ///< names of the columns of labels
+};
+
+/// The meaning of records with these columns, whose times have this notation; all channels are plain.
+Schema schema_of(const Columns& columns, TimeNotation notation);
+
+/// The same times and groups, with other channels, which are plain and have names; without labels.
+Schema with_channels(const Schema& schema, std::vector<std::string> channels);
+
+/// The same with other names. Throws: Error (data) for a name that no column has, and where two columns would have the
+/// same name.
+Schema renamed(Schema schema, const std::vector<Renaming>& renamings);
+
+/// Throws: Error (data) about an option by which two columns have the same name.
+void require_distinct_names(Schema schema, std::string_view option);
+
+}  // namespace tcb
