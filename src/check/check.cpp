@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "sample/index.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
@@ -217,8 +218,8 @@ void require_columns(const Comparison& comparison, const ComparisonInputs& input
   std::vector<std::string> known{inputs.place_name()};
   for (const MatchedColumn& column : inputs.columns.compared) known.push_back(column.name);
   for (const auto& [option, tolerances] :
-       {std::pair{Option::abs, &comparison.abs}, std::pair{Option::rel, &comparison.rel},
-        std::pair{Option::ulp, &comparison.ulp}}) {
+       {std::pair{option::abs, &comparison.abs}, std::pair{option::rel, &comparison.rel},
+        std::pair{option::ulp, &comparison.ulp}}) {
     for (const Tolerance& tolerance : *tolerances) {
       if (tolerance.column.empty() || std::ranges::count(known, tolerance.column) > 0) continue;
       throw Error(Exit::usage, ErrorCode::tolerance_of_other_column, {tolerance.column, known}).about(option);

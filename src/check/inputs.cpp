@@ -9,6 +9,7 @@
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
+#include "option_names.hpp"
 #include "sample/fields.hpp"
 #include "schema/input.hpp"
 #include "stream/source.hpp"
@@ -218,7 +219,7 @@ MatchedColumns match_by_order(const SampleTable& table, const Input& keys, const
     throw Error(Exit::data, ErrorCode::unnamed_sample_columns, {columns, names.size(), names});
   const auto time = place_of_time(chosen, keys);
   const auto length = time ? std::nullopt : find(names, "s");
-  if (!time && !length) throw Error(Exit::usage, ErrorCode::fields_without_places).about(Option::fields);
+  if (!time && !length) throw Error(Exit::usage, ErrorCode::fields_without_places).about(option::fields);
   result.place = length;
   result.by_length = length.has_value();
   for (std::size_t i = 0; i < names.size(); ++i) {

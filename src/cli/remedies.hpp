@@ -30,9 +30,6 @@ std::string colored_error_text(const Error& error);
 /// The fault, what was expected, and the remedy, separated by "; ".
 std::string error_message(const Error& error);
 
-/// The long name of an option, with its dashes.
-std::string_view option_name(Option option);
-
 /// A note as a sentence.
 std::string note_text(const Note& note);
 

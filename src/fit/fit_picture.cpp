@@ -11,6 +11,7 @@
 #include "fit/fitting.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
+#include "option_names.hpp"
 #include "run/pipeline.hpp"
 
 namespace tcb {
@@ -58,7 +59,7 @@ ComparisonInputs fitted_inputs(const Job& job, FitReport& report) {
 
 Exit draw_fit(const Job& job, const Wording& wording) {
   if (job.files.size() != 1 || job.output_folder || job.batch.recursive) {
-    throw Error(Exit::usage, ErrorCode::fit_picture_of_several_files).about(Option::fit);
+    throw Error(Exit::usage, ErrorCode::fit_picture_of_several_files).about(option::fit);
   }
   const ThreadPool pool(job.threads());
   Report notes(job.verbosity, wording);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "error.hpp"
+#include "option_names.hpp"
 #include "sample/build.hpp"
 #include "tcb/spline/angle.hpp"
 
@@ -50,7 +51,7 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
     const auto channel = find_channel(tolerance.column, channels);
     if (!channel || kinds[*channel] == LimitKind::rotation) {
       throw Error(Exit::data, ErrorCode::unknown_name, {tolerance.column, without_rotations(channels, kinds)})
-          .about(Option::fit);
+          .about(option::fit);
     }
     named[*channel] = true;
     groups.push_back({{*channel}, tolerance.most});
@@ -82,11 +83,11 @@ FittedChannels fitted_channels(const Input& input, const Job& job) {
   }
   fitted.groups = groups_of(fitted.names, kinds, options);
   if (!options.angle) return fitted;
-  if (input.rotations.empty()) throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::fit);
+  if (input.rotations.empty()) throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(option::fit);
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
     const GivenRotation& given = input.given_rotations[i];
     if (given.notation.form != spline::RotationForm::quaternion) {
-      throw Error(Exit::data, ErrorCode::fit_of_other_form, {given.columns[0]}).about(Option::fit);
+      throw Error(Exit::data, ErrorCode::fit_of_other_form, {given.columns[0]}).about(option::fit);
     }
     fitted.groups.push_back(rotation_group(fitted.numbers, input.rotations[i].channels, *options.angle, options.keys));
   }

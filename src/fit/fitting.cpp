@@ -13,6 +13,7 @@
 #include "keys/angles.hpp"
 #include "keys/rotations.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/angle.hpp"
 
@@ -72,12 +73,12 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
       }
       constexpr double most = 1e150, spacing = 0x1p-46;
       if (largest > most || group.tolerance < 1 / most) {
-        throw Error(Exit::data, ErrorCode::fit_beyond_doubles, {channels[channel]}).about(Option::fit);
+        throw Error(Exit::data, ErrorCode::fit_beyond_doubles, {channels[channel]}).about(option::fit);
       }
       if (group.tolerance < largest * spacing) {
         throw Error(Exit::data, ErrorCode::fit_below_doubles,
                     {group.angle.value_or(group.tolerance), channels[channel], largest, largest * spacing})
-            .about(Option::fit);
+            .about(option::fit);
       }
     }
   }
@@ -108,7 +109,7 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
     const Time time = nearest_time(place);
     const auto found = std::ranges::lower_bound(samples, time);
     if (found == samples.end() || *found != time) {
-      throw Error(Exit::data, ErrorCode::kept_time_without_sample, {time_text(time)}).about(Option::keep_times);
+      throw Error(Exit::data, ErrorCode::kept_time_without_sample, {time_text(time)}).about(option::keep_times);
     }
     kept.push_back(static_cast<std::size_t>(found - samples.begin()));
   }
@@ -118,7 +119,7 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
 }  // namespace
 
 Input columns_of_fit(const Input& samples, const Job& job) {
-  if (!samples.timed) throw Error(Exit::data, ErrorCode::fit_without_times).about(Option::fit);
+  if (!samples.timed) throw Error(Exit::data, ErrorCode::fit_without_times).about(option::fit);
   if (!samples.facts.roles.empty()) throw Error(Exit::data, ErrorCode::fit_of_keys, {samples.facts.roles[0]});
   Input result = samples;
   result.named = true;  // names tell positions from tension and bias
@@ -138,7 +139,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
                          const Job& job) {
   if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
     const auto& [name, place] = curve.curve_info->places[0];
-    throw Error(Exit::data, ErrorCode::fit_of_setting, {name}).about(Option::fit).at(place);
+    throw Error(Exit::data, ErrorCode::fit_of_setting, {name}).about(option::fit).at(place);
   }
   Samples samples{curve.group, {}, {}, {}, {}, {}};
   samples.fitted = fitted_channels(input, job);
@@ -165,7 +166,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
   }
   if (samples.times.size() < 2) {
     const std::uint64_t line = samples.lines.empty() ? 0 : samples.lines[0];
-    throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(Option::fit).at({"", line, 0});
+    throw Error(Exit::data, ErrorCode::fit_of_single_sample).about(option::fit).at({"", line, 0});
   }
   require_resolution(recording, names);
   samples.kept = kept_samples(samples.times, kept_times);
@@ -174,7 +175,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
 
 FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done) {
   const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done});
-  if (!result) throw Error(Exit::data, ErrorCode::fit_impossible).about(Option::fit);
+  if (!result) throw Error(Exit::data, ErrorCode::fit_impossible).about(option::fit);
   return *result;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 namespace {
@@ -58,7 +59,7 @@ class Arranger {
 
  private:
   void require(bool has_room) const {
-    if (!has_room) throw Error(Exit::usage, ErrorCode::picture_too_small, {std::uint64_t{strips_}}).about(Option::size);
+    if (!has_room) throw Error(Exit::usage, ErrorCode::picture_too_small, {std::uint64_t{strips_}}).about(option::size);
   }
 
   /// The path, with equal scales. Returns its right end.

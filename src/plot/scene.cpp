@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "option_names.hpp"
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/segment.hpp"
@@ -168,9 +169,9 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
   if (!requested.empty()) axes.clear();
   for (const std::string& name : requested) {
     const auto channel = find_channel(name, channels);
-    if (!channel) throw Error(Exit::usage, ErrorCode::unknown_axis, {name, channels}).about(Option::axes);
+    if (!channel) throw Error(Exit::usage, ErrorCode::unknown_axis, {name, channels}).about(option::axes);
     if (!axes.empty() && axes[0] == *channel) {
-      throw Error(Exit::usage, ErrorCode::same_axes, {name}).about(Option::axes);
+      throw Error(Exit::usage, ErrorCode::same_axes, {name}).about(option::axes);
     }
     axes.push_back(*channel);
   }

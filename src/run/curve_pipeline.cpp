@@ -8,6 +8,7 @@
 #include "exact/precision_levels.hpp"
 #include "keys/parameterize.hpp"
 #include "keys/velocities.hpp"
+#include "option_names.hpp"
 #include "sample/build.hpp"
 
 namespace tcb {
@@ -41,7 +42,7 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
   const bool is_in_seconds = request_.is_rate && input.time_unit && *input.time_unit != TimeUnit::frames;
   if (is_in_seconds) request_.step *= units_per_second(*input.time_unit);
   if (timed_ && spec_.parameter) {
-    throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(Option::parameter);
+    throw Error(Exit::data, ErrorCode::parameter_with_times, {input.time}).about(option::parameter);
   }
   require_rotations(spec_, fields_, request_);
   require_fitting_rotations(spec_, metric_use(), request_.mode == Mode::emit);

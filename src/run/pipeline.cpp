@@ -12,6 +12,7 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "plot/drawing.hpp"
 #include "schema/input.hpp"
 #include "stream/ordered_map.hpp"
@@ -112,7 +113,7 @@ class FileRun {
       if (!curve) return std::nullopt;
       const Format& format = format_of(job_.output_format);
       if (expected > 0 && curve->group.empty() && format.has_header && format.delimiter != ' ') {
-        throw Error(Exit::data, ErrorCode::fit_of_sequence, {std::string(format.name)}).about(Option::fit);
+        throw Error(Exit::data, ErrorCode::fit_of_sequence, {std::string(format.name)}).about(option::fit);
       }
       curve->keys = provenance.observe_keys(std::move(curve->keys));
       Samples read = recorded_samples(*curve, input, sampling_of(*curve, input, job_).places, job_);
@@ -289,7 +290,7 @@ SamplingRequest sampling_of(const CurveKeys& curve, const Input& input, const Jo
   const auto places = job.grouped_places.find(contents(curve.group));
   if (places == job.grouped_places.end()) {
     throw Error(Exit::data, ErrorCode::group_without_places, {group_title(input.groups, curve.group)})
-        .about(request.mode == Mode::at ? Option::at : Option::arc_at);
+        .about(request.mode == Mode::at ? option::at : option::arc_at);
   }
   request.places = places->second;
   return request;

@@ -10,6 +10,7 @@
 #include "keys/parameterize.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "sample/keyed_curve.hpp"
 #include "sample/segment_length.hpp"
 #include "stream/ordered_map.hpp"
@@ -102,7 +103,7 @@ bool same_position(const Keys& a, const Keys& b) { return std::ranges::equal(a.p
 Time end_by_period(const Keys& first, const Keys& last, const Rational& period, int decimals) {
   const Time end = nearest_time(exact_time(first.times[0]) + period, decimals);
   if (end > last.times[0]) return end;
-  throw Error(Exit::data, ErrorCode::period_too_short, {time_text(last.times[0])}).about(Option::period);
+  throw Error(Exit::data, ErrorCode::period_too_short, {time_text(last.times[0])}).about(option::period);
 }
 
 /// The time of a last key that repeats the first one. Throws: Error (data) if they differ in anything else.
@@ -119,7 +120,7 @@ Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, 
   }
   if (end && *end != last.times[0]) {
     throw Error(Exit::data, ErrorCode::closing_key_against_period, {keys.first_line()})
-        .about(Option::period)
+        .about(option::period)
         .at(position);
   }
   return last.times[0];

@@ -10,6 +10,7 @@
 
 #include "error.hpp"
 #include "numbers/parse_number.hpp"
+#include "option_names.hpp"
 #include "sample/fields.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
@@ -19,13 +20,13 @@ namespace {
 
 using spline::EndChoice;
 
-[[noreturn]] void refuse(Option option, ErrorCode code, std::vector<ErrorValue> values = {}) {
+[[noreturn]] void refuse(std::string_view option, ErrorCode code, std::vector<ErrorValue> values = {}) {
   throw Error(Exit::usage, code, std::move(values)).about(option);
 }
 
 /// The row with this name.
 template <class Table>
-const typename Table::value_type& named(Option option, const Table& table, std::string_view name) {
+const typename Table::value_type& named(std::string_view option, const Table& table, std::string_view name) {
   const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
   if (found != table.end()) return *found;
   std::vector<std::string_view> known;
@@ -36,17 +37,17 @@ const typename Table::value_type& named(Option option, const Table& table, std::
 /// One rule: a name, or name=V:V:… for one that takes a velocity.
 EndChoice<double> end_choice(std::string_view text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  const auto& row = named(Option::ends, spline::end_rules<double>, text.substr(0, equals));
+  const auto& row = named(option::ends, spline::end_rules<double>, text.substr(0, equals));
   EndChoice<double> choice{row.id, {}};
   const bool takes_velocity = row.takes_velocity;
   if (takes_velocity != (equals < text.size())) {
-    refuse(Option::ends, takes_velocity ? ErrorCode::velocity_missing : ErrorCode::unexpected_rule_value,
+    refuse(option::ends, takes_velocity ? ErrorCode::velocity_missing : ErrorCode::unexpected_rule_value,
            {std::string(text)});
   }
   if (!takes_velocity) return choice;
   for (const std::string_view part : split(text.substr(equals + 1), ':')) {
     const auto value = parse_number(part);
-    if (!value) refuse(Option::ends, ErrorCode::velocity_not_a_number, {std::string(text), std::string(part)});
+    if (!value) refuse(option::ends, ErrorCode::velocity_not_a_number, {std::string(text), std::string(part)});
     choice.velocity.push_back(*value);
   }
   return choice;
@@ -63,7 +64,7 @@ void set_ends(spline::CurveRules<double>& rules, const std::string& text) {
       ends.emplace_back(part);
     }
   }
-  if (ends.size() > 2) refuse(Option::ends, ErrorCode::too_many_end_rules, {text, std::uint64_t{ends.size()}});
+  if (ends.size() > 2) refuse(option::ends, ErrorCode::too_many_end_rules, {text, std::uint64_t{ends.size()}});
   rules.start = end_choice(ends.front());
   rules.end = end_choice(ends.back());
 }
@@ -77,7 +78,7 @@ void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetR
   if (settings.ends) own.ends.reset();
   if (settings.rotation_preset) own = spline::row_of(*settings.rotation_preset).rotations;
   if (settings.rotation_curve) {
-    own.curve = named(Option::rotation_curve, spline::rotation_curves, *settings.rotation_curve).id;
+    own.curve = named(option::rotation_curve, spline::rotation_curves, *settings.rotation_curve).id;
   }
 }
 
@@ -89,14 +90,14 @@ double parse_exponent(const std::string& text) {
   constexpr std::array exponents{Named{"uniform", 0}, Named{"chordal", 1}, Named{"centripetal", 0.5}};
   if (const auto value = parse_number(text); value && *value >= 0 && *value <= 16) return *value;
   const bool is_number = !text.empty() && (text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
-  if (is_number) refuse(Option::parameter, ErrorCode::exponent_out_of_range, {text});
-  return named(Option::parameter, exponents, text).exponent;
+  if (is_number) refuse(option::parameter, ErrorCode::exponent_out_of_range, {text});
+  return named(option::parameter, exponents, text).exponent;
 }
 
 Rational parse_period(const std::string& text) {
   const auto period = parse_rational(text);
-  if (!period || *period <= 0) refuse(Option::period, ErrorCode::period_not_positive, {text});
-  if (!within_doubles(*period)) refuse(Option::period, ErrorCode::period_beyond_doubles, {text});
+  if (!period || *period <= 0) refuse(option::period, ErrorCode::period_not_positive, {text});
+  if (!within_doubles(*period)) refuse(option::period, ErrorCode::period_beyond_doubles, {text});
   return *period;
 }
 
@@ -132,23 +133,23 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
 
 CurveSpec make_spec(const CurveSettings& settings) {
   CurveSpec spec;
-  const auto& preset = named(Option::preset, spline::presets, settings.preset.value_or("gte"));
+  const auto& preset = named(option::preset, spline::presets, settings.preset.value_or("gte"));
   spec.preset = preset.id;
   spec.rules.tangents = preset.tangents;
   if (settings.tangents) {
-    spec.rules.tangents = named(Option::tangents, spline::tangent_rules<double>, *settings.tangents).id;
+    spec.rules.tangents = named(option::tangents, spline::tangent_rules<double>, *settings.tangents).id;
   }
   set_rotation_rules(spec.rules, preset, settings);
-  if (settings.period && !settings.closed.value_or(true)) refuse(Option::closed, ErrorCode::period_of_open_curve);
+  if (settings.period && !settings.closed.value_or(true)) refuse(option::closed, ErrorCode::period_of_open_curve);
   spec.closed = settings.period || settings.closed.value_or(false);
-  if (settings.ends && spec.closed) refuse(Option::ends, ErrorCode::ends_of_closed_curve);
+  if (settings.ends && spec.closed) refuse(option::ends, ErrorCode::ends_of_closed_curve);
   set_ends(spec.rules, settings.ends.value_or(std::string(name_of(preset.ends))));
   spec.rules.equal_speed = settings.equal_speed;
   if (settings.period) spec.period = parse_period(*settings.period);
   if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
   spec.parameter_name = settings.parameter;
   if (settings.extrapolate) {
-    spec.extrapolation = named(Option::extrapolate, extrapolations, *settings.extrapolate).kind;
+    spec.extrapolation = named(option::extrapolate, extrapolations, *settings.extrapolate).kind;
   }
   spec.ease = !settings.no_ease;
   return spec;
@@ -173,18 +174,18 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     return;
   }
   if (settings.metric == "rotation" && !find_channel("rotation", channels)) {
-    if (rotations.empty()) refuse(Option::metric, ErrorCode::no_rotation, {*settings.metric});
+    if (rotations.empty()) refuse(option::metric, ErrorCode::no_rotation, {*settings.metric});
     metric = {spline::turn_metric};
     return;
   }
   for (const std::string_view part : split(*settings.metric, ',')) {
     const std::string name(part);
     const auto channel = find_channel(name, channels);
-    if (!channel) refuse(Option::metric, ErrorCode::unknown_metric_channel, {name, channels});
+    if (!channel) refuse(option::metric, ErrorCode::unknown_metric_channel, {name, channels});
     if (spline::is_in_rotation(rotations, *channel))
-      refuse(Option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
-    if (is_angle(*channel)) refuse(Option::metric, ErrorCode::angle_in_metric, {channels[*channel]});
-    if (std::ranges::count(metric, *channel) > 0) refuse(Option::metric, ErrorCode::repeated_metric_channel, {name});
+      refuse(option::metric, ErrorCode::rotation_in_metric, {channels[*channel]});
+    if (is_angle(*channel)) refuse(option::metric, ErrorCode::angle_in_metric, {channels[*channel]});
+    if (std::ranges::count(metric, *channel) > 0) refuse(option::metric, ErrorCode::repeated_metric_channel, {name});
     metric.push_back(*channel);
   }
 }
@@ -200,9 +201,9 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   set_metric(spec, settings, channels);
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
-    if (!rotations.empty()) refuse(Option::ends, ErrorCode::end_velocity_of_rotation);
+    if (!rotations.empty()) refuse(option::ends, ErrorCode::end_velocity_of_rotation);
     if (end->velocity.size() == channels.size()) continue;
-    refuse(Option::ends, ErrorCode::velocity_of_other_size,
+    refuse(option::ends, ErrorCode::velocity_of_other_size,
            {std::uint64_t{end->velocity.size()}, std::uint64_t{channels.size()}, channels});
   }
   return spec;
@@ -230,17 +231,17 @@ std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
 void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {
   if (spec.lacks_metric && use != MetricUse::nothing) throw Error(Exit::data, ErrorCode::only_rotations);
   if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
-    refuse(Option::metric, ErrorCode::path_of_rotations);
+    refuse(option::metric, ErrorCode::path_of_rotations);
   }
   const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
-  if (emits && !spec.rules.angles.empty()) throw Error(Exit::data, ErrorCode::emit_of_angle).about(Option::emit);
+  if (emits && !spec.rules.angles.empty()) throw Error(Exit::data, ErrorCode::emit_of_angle).about(option::emit);
   if (emits && curve == spline::RotationCurve::components &&
       !std::ranges::all_of(spec.rules.rotations, is_quaternion)) {
-    throw Error(Exit::data, ErrorCode::emit_of_angles).about(Option::emit);
+    throw Error(Exit::data, ErrorCode::emit_of_angles).about(option::emit);
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
-    throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(Option::emit);
+    throw Error(Exit::data, ErrorCode::emit_of_rotation, {std::string(name_of(curve))}).about(option::emit);
   }
 }
 
@@ -249,14 +250,14 @@ void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& ch
   const auto of_rotations =
       std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
   if (!has_rotations && of_rotations != chosen.end()) {
-    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(fields()[*of_rotations].name)}).about(Option::fields);
+    throw Error(Exit::data, ErrorCode::no_rotation, {std::string(fields()[*of_rotations].name)}).about(option::fields);
   }
   if (!has_rotations && request.tolerance.limits_angle()) {
-    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(Option::tolerance);
+    throw Error(Exit::data, ErrorCode::tolerance_without_rotation).about(option::tolerance);
   }
   const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
   if (has_rotations && spec.lacks_metric && is_near_path) {
-    throw Error(Exit::data, ErrorCode::tolerance_of_rotations).about(Option::tolerance);
+    throw Error(Exit::data, ErrorCode::tolerance_of_rotations).about(option::tolerance);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "tcb/spline/double_pair.hpp"
 
 namespace tcb {
@@ -54,7 +55,7 @@ std::string shown(const Rational& rows) {
   return fmt::format("{}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
 }
 
-[[noreturn]] void refuse(Option option, const Rational& value, const Bound& bound) {
+[[noreturn]] void refuse(std::string_view option, const Rational& value, const Bound& bound) {
   throw Error(Exit::usage, bound.code, {text(value), text(bound.value)}).about(option);
 }
 
@@ -178,13 +179,13 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   const Rational from = request.from.value_or(arc ? Rational(0) : request.exact(extent.first));
   std::optional<Rational> to = request.to;
   if (to && *to < from) {  // a start that was given is before it
-    throw Error(Exit::usage, ErrorCode::end_before_start, {text(*to), text(from)}).about(Option::to);
+    throw Error(Exit::usage, ErrorCode::end_before_start, {text(*to), text(from)}).about(option::to);
   }
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
   if (!to && !arc && extent.last) to = request.exact(*extent.last);
   if (to && *to < from && request.count != 1) {
-    if (arc) require_not_after(Option::from, from, curve_length(*extent.length));
-    throw Error(Exit::usage, ErrorCode::start_after_end, {text(from), text(*to)}).about(Option::from);
+    if (arc) require_not_after(option::from, from, curve_length(*extent.length));
+    throw Error(Exit::usage, ErrorCode::start_after_end, {text(from), text(*to)}).about(option::from);
   }
   if (to && !std::isfinite(nearest_double(*to - from))) {
     throw Error(Exit::data, ErrorCode::samples_beyond_doubles);
@@ -216,11 +217,11 @@ Bound last_key(const Time& time) { return {ErrorCode::after_last_key, exact_time
 Bound curve_start() { return {ErrorCode::before_curve_start, 0}; }
 Bound curve_length(double length) { return {ErrorCode::beyond_curve_length, exact_time({length})}; }
 
-void require_not_before(Option option, const Rational& value, const Bound& bound) {
+void require_not_before(std::string_view option, const Rational& value, const Bound& bound) {
   if (value < bound.value) refuse(option, value, bound);
 }
 
-void require_not_after(Option option, const Rational& value, const Bound& bound) {
+void require_not_after(std::string_view option, const Rational& value, const Bound& bound) {
   if (value > bound.value) refuse(option, value, bound);
 }
 

@@ -103,8 +103,8 @@ Bound curve_start();
 Bound curve_length(double length);
 
 /// Throws: Error (usage) about the option if its value lies before the bound, or after it.
-void require_not_before(Option option, const Rational& value, const Bound& bound);
-void require_not_after(Option option, const Rational& value, const Bound& bound);
+void require_not_before(std::string_view option, const Rational& value, const Bound& bound);
+void require_not_after(std::string_view option, const Rational& value, const Bound& bound);
 
 /// Throws: Error (usage) if neighbouring rows of the grid would be the same double at `end`.
 void require_resolution(const Grid& grid, const Time& end, int decimals = 0);

@@ -3,6 +3,7 @@
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "sample/sampler.hpp"
 
 namespace tcb {
@@ -38,15 +39,15 @@ class PieceSampler : public Sampler {
 
 /// Throws: Error where the range leaves the curve.
 void PieceSampler::require_bounds(const CurveSegment& segment) const {
-  const auto require = [&](Option option, const std::optional<Rational>& given) {
+  const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
     if (!given) return;
     const Bound first{ErrorCode::before_curve_start, request_.exact(segment.start)};
     const Bound last{ErrorCode::beyond_curve_end, request_.exact(segment.end)};
     if (segment.number == 0) require_not_before(option, *given, first);
     if (segment.last) require_not_after(option, *given, last);
   };
-  require(Option::from, request_.from);
-  require(Option::to, request_.to);
+  require(option::from, request_.from);
+  require(option::to, request_.to);
 }
 
 Run PieceSampler::place(const CurveSegment& segment) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "option_names.hpp"
 #include "tcb/spline/arc_inverse.hpp"
 
 namespace tcb {
@@ -115,10 +116,10 @@ OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
 
 void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
   const Rational& from = spacing_.grid.start();
-  if (segment.number == 0) require_not_before(Option::from, from, lower(on));
+  if (segment.number == 0) require_not_before(option::from, from, lower(on));
   if (!segment.last) return;
-  require_not_after(Option::from, from, upper(on));
-  if (request_.to) require_not_after(Option::to, exact(end(decimals(segment))), upper(on));
+  require_not_after(option::from, from, upper(on));
+  if (request_.to) require_not_after(option::to, exact(end(decimals(segment))), upper(on));
 }
 
 /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
@@ -256,8 +257,8 @@ void locate_lengths(const CurveSegment& segment, Located& located) {
 Time AnywhereInTime::on_curve(std::uint64_t row) const {
   const Time t = place(row);
   if (kind_ == Extrapolation::error) {
-    if (t < first_) require_not_before(Option::at, exact_time(t), first_key(first_));
-    if (t > last_) require_not_after(Option::at, exact_time(t), last_key(last_));
+    if (t < first_) require_not_before(option::at, exact_time(t), first_key(first_));
+    if (t > last_) require_not_after(option::at, exact_time(t), last_key(last_));
   }
   return map_to_curve<double>(kind_, first_, last_, t).t;
 }
@@ -275,8 +276,8 @@ void AnywhereInTime::locate(const CurveSegment& segment, std::uint64_t first, st
 
 Time AnywhereInLength::on_curve(std::uint64_t row) const {
   const Time s = place(row);
-  if (s < Time(0.0)) require_not_before(Option::arc_at, exact_time(s), curve_start());
-  if (s > Time(length_)) require_not_after(Option::arc_at, exact_time(s), curve_length(length_));
+  if (s < Time(0.0)) require_not_before(option::arc_at, exact_time(s), curve_start());
+  if (s > Time(length_)) require_not_after(option::arc_at, exact_time(s), curve_length(length_));
   return s;
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "option_names.hpp"
 #include "sample/sampler.hpp"
 #include "sample/turn_chord.hpp"
 
@@ -146,7 +147,7 @@ class Walker {
     }
     Vertex reached = low == 0 && number > 0 ? key(number) : at(number, low);
     if (number == from.segment && reached.u <= from.u) {
-      throw Error(Exit::usage, ErrorCode::tolerance_too_small).about(Option::tolerance);
+      throw Error(Exit::usage, ErrorCode::tolerance_too_small).about(option::tolerance);
     }
     return reached;
   }

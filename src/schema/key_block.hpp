@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "option_names.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rules.hpp"
 
@@ -83,15 +84,15 @@ struct CurveSettings {
 
 /// The member of a JSON object that has the value of an option.
 struct SettingMember {
-  Option option;
+  std::string_view option;
   std::string_view name;
 };
 inline constexpr std::array setting_members{
-    SettingMember{Option::preset, "preset"}, SettingMember{Option::tangents, "tangents"},
-    SettingMember{Option::ends, "ends"},     SettingMember{Option::closed, "closed"},
-    SettingMember{Option::period, "period"},
+    SettingMember{option::preset, "preset"}, SettingMember{option::tangents, "tangents"},
+    SettingMember{option::ends, "ends"},     SettingMember{option::closed, "closed"},
+    SettingMember{option::period, "period"},
 };
-constexpr std::string_view setting_member(Option option) {
+constexpr std::string_view setting_member(std::string_view option) {
   for (const SettingMember& member : setting_members) {
     if (member.option == option) return member.name;
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "option_names.hpp"
 #include "schema/columns.hpp"
 #include "schema/errors.hpp"
 #include "schema/input.hpp"

@@ -5,6 +5,7 @@
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "read/json/json_input.hpp"
 #include "read/json/object_reader.hpp"
 #include "text/suggest.hpp"
@@ -16,15 +17,15 @@ using Json = nlohmann::json;
 
 /// Options that are not members.
 constexpr std::array options_only{
-    std::pair{std::string_view("equal-speed"), Option::equal_speed},
-    std::pair{std::string_view("parameter"), Option::parameter},
-    std::pair{std::string_view("metric"), Option::metric},
-    std::pair{std::string_view("extrapolate"), Option::extrapolate},
-    std::pair{std::string_view("no-ease"), Option::no_ease},
-    std::pair{std::string_view("rotation-curve"), Option::rotation_curve},
-    std::pair{std::string_view("rotation-output"), Option::rotation_output},
-    std::pair{std::string_view("angles"), Option::angles},
-    std::pair{std::string_view("normalize"), Option::normalize},
+    std::pair{std::string_view("equal-speed"), option::equal_speed},
+    std::pair{std::string_view("parameter"), option::parameter},
+    std::pair{std::string_view("metric"), option::metric},
+    std::pair{std::string_view("extrapolate"), option::extrapolate},
+    std::pair{std::string_view("no-ease"), option::no_ease},
+    std::pair{std::string_view("rotation-curve"), option::rotation_curve},
+    std::pair{std::string_view("rotation-output"), option::rotation_output},
+    std::pair{std::string_view("angles"), option::angles},
+    std::pair{std::string_view("normalize"), option::normalize},
 };
 
 class SettingsReader : public JsonObjectReader {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "option_names.hpp"
 #include "read/json/json_input.hpp"
 #include "stream/ordered_map.hpp"
 
@@ -189,7 +190,7 @@ Input open_json(Source<std::string> bytes, const InputOptions& options) {
       input.curve_info = std::move(curve->members.curve_info);
       input.keys = blocks_of(std::move(curve->blocks));
     } else {
-      if (!input.groups.empty()) throw Error(Exit::data, ErrorCode::groups_of_curves).about(Option::group);
+      if (!input.groups.empty()) throw Error(Exit::data, ErrorCode::groups_of_curves).about(option::group);
       input.groups = {"id"};
       input.own_curves = true;
       input.keys = keys_of_curves(std::move(parts), std::move(*curve));

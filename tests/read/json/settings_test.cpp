@@ -1,6 +1,7 @@
 // Settings in JSON: settings of the curve, channel names, the id; near misses of names; provenance.
 #include <gmock/gmock.h>
 
+#include "option_names.hpp"
 #include "read/json/json_input.hpp"
 #include "read/reading.hpp"
 
@@ -56,7 +57,7 @@ TEST(JsonSettings, an_option_is_an_error_about_that_option) {
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::setting_is_option);
-    EXPECT_EQ(error.option(), Option::no_ease);
+    EXPECT_EQ(error.option(), option::no_ease);
     EXPECT_EQ(std::get<std::string>(error.values().at(0)), "curves[2].no_ease");
   }
 }
