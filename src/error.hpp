@@ -27,113 +27,6 @@ struct TextPosition {
   std::uint64_t column = 0;
 };
 
-/// The options of the command line, as the subject of errors, in the order of their rows in cli/options.
-enum class Option {
-  none,
-  // input
-  input_format,
-  delimiter,
-  header,
-  no_header,
-  comment,
-  columns,
-  tcb,
-  tcb_scale,
-  decimal,
-  group,
-  missing,
-  na,
-  time_unit,
-  input_fps,
-  scale,
-  rotation,
-  angles,
-  rotation_output,
-  angle,
-  normalize,
-  duplicates,
-  sort,
-  // curve
-  preset,
-  tangents,
-  ends,
-  closed,
-  period,
-  equal_speed,
-  parameter,
-  metric,
-  rotation_curve,
-  no_ease,
-  extrapolate,
-  // sampling
-  step,
-  rate,
-  count,
-  segments,
-  per_segment,
-  at,
-  arc_step,
-  arc_count,
-  arc_at,
-  tolerance,
-  emit,
-  fit,
-  fit_keys,
-  keep_times,
-  corner,
-  from,
-  to,
-  end,
-  keys,
-  max_rows,
-  // output
-  output,
-  output_format,
-  fields,
-  side,
-  digits,
-  fixed,
-  jobs,
-  golden,
-  exact_input,
-  meta,
-  from_meta,
-  hex,
-  no_output_header,
-  file_column,
-  time_format,
-  rename,
-  plot,
-  axes,
-  title,
-  size,
-  // files
-  output_dir,
-  files,
-  null,
-  recursive,
-  suffix,
-  update,
-  fail_fast,
-  // comparison
-  check,
-  abs,
-  rel,
-  ulp,
-  map,
-  identify,
-  // about
-  explain,
-  progress,
-  no_progress,
-  quiet,
-  color,
-  generate,
-  list_presets,
-  version,
-  help,
-};
-
 /// What can be wrong, folder by folder of the code that finds it. Each has its words in cli/remedies.
 enum class ErrorCode {
   // io
@@ -284,7 +177,7 @@ enum class ErrorCode {
   repeated_column,            ///< name
   samples_without_places,     ///< columns of the samples, name of the time column
   unnamed_sample_columns,     ///< number of columns, number of expected ones, their names
-  fields_without_places,      ///< about Option::fields
+  fields_without_places,      ///< about --fields
   tolerance_of_other_column,  ///< column, columns that are compared; about the option of the tolerance
   no_position_column,         ///< channels of the keys
   no_samples_on_curve,        ///< with the problems that are the reasons
@@ -383,7 +276,8 @@ class Error : public std::exception {
   ErrorCode code() const { return code_; }
   const std::vector<ErrorValue>& values() const { return values_; }
   const TextPosition& position() const { return position_; }
-  Option option() const { return option_; }
+  /// What a message with a code is about: the name of an option.
+  const std::string& option() const { return option_; }
   const std::string& member() const { return member_; }
   const std::vector<Error>& others() const { return others_; }
 
@@ -396,14 +290,8 @@ class Error : public std::exception {
   /// The same error about the value of an option or a member of JSON: its name and a colon come first.
   Error about(std::string_view subject) const {
     Error error = *this;
-    error.message_ = std::string(subject) + ": " + message_;
-    return error;
-  }
-
-  /// The same error about an option.
-  Error about(Option option) const {
-    Error error = *this;
-    error.option_ = option;
+    (message_.empty() ? error.option_ : error.message_) =
+        message_.empty() ? std::string(subject) : std::string(subject) + ": " + message_;
     return error;
   }
 
@@ -437,7 +325,7 @@ class Error : public std::exception {
   ErrorCode code_ = ErrorCode::unexpected;
   std::vector<ErrorValue> values_;
   TextPosition position_;
-  Option option_ = Option::none;
+  std::string option_;
   std::string member_;
   std::vector<Error> others_;
 };

@@ -146,7 +146,8 @@ void read_place_column(TypedOptions& typed) {
   GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.job); });
   const auto alone = places.find({});
   if (alone == places.end()) {
-    if (typed.has(Option::meta)) throw Error(Exit::usage, ErrorCode::grouped_places_in_provenance).about(column.option);
+    if (typed.has(Option::meta))
+      throw Error(Exit::usage, ErrorCode::grouped_places_in_provenance).about(row_of(column.option).long_name());
     typed.job.grouped_places = std::move(places);
     return;
   }

@@ -36,7 +36,7 @@ void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::str
     if (std::ranges::count(values, "") > 0) throw Error(Exit::usage, ErrorCode::empty_value);
     row.store(typed, text);
   } catch (const Error& error) {
-    throw error.message().empty() ? error.about(row.id) : error.about(row.long_name());
+    throw error.about(row.long_name());
   }
 }
 
@@ -106,7 +106,8 @@ std::vector<std::string> with_values(std::vector<std::string> words) {
   for (auto word = words.begin(); word != words.end() && *word != "--"; ++word) {
     if (*word == name + "=") throw Error(Exit::usage, ErrorCode::value_missing, {name});
     if (*word != name) continue;
-    if (word + 1 != words.end() && word[1].empty()) throw Error(Exit::usage, ErrorCode::empty_value).about(row.id);
+    if (word + 1 != words.end() && word[1].empty())
+      throw Error(Exit::usage, ErrorCode::empty_value).about(row.long_name());
     *word += fmt::format("={}", row.default_value);
   }
   return words;
@@ -172,7 +173,7 @@ void require_one_reader(const TypedOptions& typed) {
   const bool keys_from_input = std::ranges::count(typed.job.files, "-") > 0;
   const bool no_files = typed.job.files.empty();
   const auto require = [](bool reads_twice, Option option) {
-    if (reads_twice) throw Error(Exit::usage, ErrorCode::standard_input_twice).about(option);
+    if (reads_twice) throw Error(Exit::usage, ErrorCode::standard_input_twice).about(row_of(option).long_name());
   };
   require(typed.text(Option::files) == "-" && keys_from_input, Option::files);
   const Option places = typed.has(Option::at) ? Option::at : Option::arc_at;
@@ -185,7 +186,7 @@ void set_comparison(Job& job, const TypedOptions& typed) {
   job.comparison = typed.comparison;
   if (job.files.size() > 1) {
     throw Error(Exit::usage, ErrorCode::comparison_of_several_files, {std::uint64_t(job.files.size())})
-        .about(typed.comparison.identify ? Option::identify : Option::check);
+        .about(typed.comparison.identify ? option::identify : option::check);
   }
 }
 
@@ -253,7 +254,7 @@ std::string word(const OptionRow& row, const TypedOptions& typed) {
   std::string word(row.long_name());
   if (row.kind != ValueKind::flag) word += "=" + typed.text(row.id);
   if (word.find_first_of("\r\n") != std::string::npos) {
-    throw Error(Exit::usage, ErrorCode::line_end_in_provenance).about(row.id);
+    throw Error(Exit::usage, ErrorCode::line_end_in_provenance).about(row.long_name());
   }
   return word;
 }
@@ -263,10 +264,10 @@ void require_recorded(const std::vector<std::string>& words) {
   const TypedOptions typed = read_options(words);
   for (const OptionRow& row : option_table()) {
     if (!typed.has(row.id) || row.changes_rows) continue;
-    throw Error(Exit::data, ErrorCode::option_not_of_provenance).about(row.id);
+    throw Error(Exit::data, ErrorCode::option_not_of_provenance).about(row.long_name());
   }
   if (!typed.job.files.empty()) throw Error(Exit::data, ErrorCode::file_in_provenance, {typed.job.files[0]});
-  if (!typed.has(Option::meta)) throw Error(Exit::data, ErrorCode::provenance_incomplete).about(Option::meta);
+  if (!typed.has(Option::meta)) throw Error(Exit::data, ErrorCode::provenance_incomplete).about(option::meta);
 }
 
 }  // namespace
@@ -284,7 +285,7 @@ ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
   const std::string& from = typed.text(Option::from_meta);
   for (const OptionRow& row : option_table()) {
     if (!row.changes_rows || !typed.has(row.id)) continue;
-    throw Error(Exit::usage, ErrorCode::option_in_provenance, {from}).about(row.id);
+    throw Error(Exit::usage, ErrorCode::option_in_provenance, {from}).about(row.long_name());
   }
   ProvenanceRequest request;
   request.from = from;

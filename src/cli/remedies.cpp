@@ -513,19 +513,17 @@ struct AddNamed {
 
 std::span<const Words> remedies() { return all_words; }
 
-std::string_view option_name(Option option) { return option == Option::none ? "" : row_of(option).long_name(); }
-
 std::string error_message(const Error& error) {
   if (!error.message().empty()) return error.message();
   const auto words = std::ranges::find(all_words, error.code(), &Words::code);
   FormatArguments values;
   for (const ErrorValue& value : error.values()) std::visit(AddValue{values}, value);
   for (std::size_t i = 0; i < error.values().size(); ++i) std::visit(AddNamed{values, i}, error.values()[i]);
-  const std::string subject = error.member().empty() ? std::string(option_name(error.option())) : error.member();
+  const std::string subject = error.member().empty() ? error.option() : error.member();
   values.push_back(fmt::arg("subject", subject));
   values.push_back(fmt::arg("nearest", nearest(error.values())));
   const bool shows_subject = words->text.find("{subject}") != std::string_view::npos;
-  const bool columns_help = error.option() == Option::columns && !shows_subject;
+  const bool columns_help = error.option() == option::columns && !shows_subject;
   return fmt::vformat(words->text, values) + (columns_help ? columns_remedy : "");
 }
 

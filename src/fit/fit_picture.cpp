@@ -13,6 +13,7 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "read/reader.hpp"
+#include "option_names.hpp"
 #include "run/pipeline.hpp"
 
 namespace tcb {

@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "plot/errors.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 namespace {

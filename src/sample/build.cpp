@@ -11,6 +11,7 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/errors.hpp"
+#include "option_names.hpp"
 #include "sample/keyed_curve.hpp"
 #include "sample/segment_length.hpp"
 #include "stream/ordered_map.hpp"

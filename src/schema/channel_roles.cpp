@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "option_names.hpp"
 #include "schema/columns.hpp"
 #include "schema/errors.hpp"
 #include "text/suggest.hpp"

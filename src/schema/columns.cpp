@@ -8,6 +8,7 @@
 #include <charconv>
 #include <unordered_set>
 
+#include "option_names.hpp"
 #include "schema/errors.hpp"
 #include "text/suggest.hpp"
 
@@ -277,8 +278,8 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   }
   SampleRequests samples(header, numeric, names);
   samples.add_groups();
-  if (names.times_only) {
-    samples.requests().push_back({Role::time, {names.time}, *names.times_only});
+  if (!names.times_only.empty()) {
+    samples.requests().push_back({Role::time, {names.time}, names.times_only});
     std::vector<ColumnOfChannel> none;
     return requested_columns(header, numeric, samples.requests(), none);
   }

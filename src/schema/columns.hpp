@@ -185,8 +185,7 @@ struct SampleNames {
   std::vector<std::string> labels = {};  ///< of columns to ignore
   std::size_t time_place = 0;            ///< where columns have no names: how many are before the time, without groups
   std::vector<Renaming> maps = {};       ///< of columns of the samples
-  std::optional<std::string_view> times_only =
-      {};  ///< nothing is read but the groups and `time`, which this option names
+  std::string_view times_only = {};      ///< nothing is read but the groups and `time`, which this option names
 };
 
 /// The columns of samples: the time, the groups, and every other column of numbers as a channel, whatever its name.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "option_names.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rules.hpp"
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "option_names.hpp"
 #include "schema/errors.hpp"
 #include "text/suggest.hpp"
 

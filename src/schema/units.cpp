@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "option_names.hpp"
 #include "schema/errors.hpp"
 #include "schema/key_block.hpp"
 #include "text/suggest.hpp"

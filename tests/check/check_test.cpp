@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "comparing.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 
@@ -296,7 +297,7 @@ TEST(Check, a_tolerance_needs_a_column_that_is_compared) {
   files.job.comparison->ulp = {{"y", 1}};
   const Error error = error_of([&] { check(files.job); });
   EXPECT_EQ(error.code(), ErrorCode::tolerance_of_other_column);
-  EXPECT_EQ(error.option(), Option::ulp);
+  EXPECT_EQ(error.option(), option::ulp);
   EXPECT_THAT(names_in(error, 1), ElementsAre("t", "x"));
   files.job.comparison->ulp = {{"t", 1}};
   EXPECT_THAT(check_of(files.job).problems, testing::SizeIs(1)) << "the column y is missing";

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparing.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 
@@ -168,7 +169,7 @@ TEST(MatchedColumns, without_names_are_as_many_as_the_fields_have_and_one_is_the
   EXPECT_EQ(std::get<std::uint64_t>(few.values().at(1)), 3U);
   const Error nowhere = error_of([] { match_columns(nameless(false, 1), keys_with({"x"}), {field_of("position")}); });
   EXPECT_EQ(nowhere.code(), ErrorCode::fields_without_places);
-  EXPECT_EQ(nowhere.option(), Option::fields);
+  EXPECT_EQ(nowhere.option(), option::fields);
 }
 
 }  // namespace

@@ -12,10 +12,9 @@ TEST(Options, each_has_the_row_at_its_place) {
   ASSERT_EQ(option_table().size(), option_count);
   for (std::size_t i = 0; i < option_count; ++i) {
     EXPECT_EQ(index_of(option_table()[i].id), i) << option_table()[i].names;
-    EXPECT_EQ(option_name(option_table()[i].id), option_table()[i].long_name());
+    EXPECT_EQ(row_of(option_table()[i].id).long_name(), option_table()[i].long_name());
   }
-  EXPECT_EQ(option_name(Option::none), "");
-  EXPECT_EQ(option_name(Option::rate), "--rate");
+  EXPECT_EQ(row_of(Option::rate).long_name(), "--rate");
 }
 
 TEST(Options, names_are_unique_and_each_option_has_a_long_one) {

@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "cli/options.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 namespace {
@@ -34,7 +35,7 @@ std::optional<std::string> message_with(ErrorCode code, const ErrorValue& value)
   std::vector<ErrorValue> values(8, value);
   values[0] = std::string("value");
   try {
-    return error_message(Error(Exit::usage, code, values).about(Option::step));
+    return error_message(Error(Exit::usage, code, values).about(option::step));
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -63,7 +64,7 @@ TEST(Remedies, options_in_the_words_are_those_of_the_table) {
 TEST(Remedies, a_value_is_a_text_a_number_or_a_list) {
   const std::vector<std::string> names{"first", "last"};
   const Error error(Exit::usage, ErrorCode::unknown_name, {std::string("fist"), names});
-  EXPECT_EQ(error_message(error.about(Option::duplicates)),
+  EXPECT_EQ(error_message(error.about(option::duplicates)),
             "--duplicates: unknown name \"fist\"; expected one of first, last; did you mean first?");
   EXPECT_EQ(error_message(error.about_member(Exit::data, "ends")),
             "ends: unknown name \"fist\"; expected one of first, last; did you mean first?");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/remedies.hpp"
+#include "option_names.hpp"
 #include "run/pipeline.hpp"
 
 namespace tcb {
@@ -21,7 +22,7 @@ std::string explained(const std::string& text, std::uint64_t count, const std::v
   job.sampling.mode = Mode::count;
   job.sampling.count = count;
   job.fields = {0, 1};
-  if (!groups.empty()) job.input.roles.push_back({Role::group, groups, Option::group});
+  if (!groups.empty()) job.input.roles.push_back({Role::group, groups, option::group});
   const std::string result = explanation(path.string(), job, {error_text, note_text});
   std::filesystem::remove(path);
   return result;

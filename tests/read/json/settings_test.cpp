@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "option_names.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
