@@ -159,7 +159,7 @@ Samples recorded_samples(const CurveKeys& curve, const Input& input, const std::
       }
     }
   }
-  for (const spline::AngleChannel& angle : input.angles) {
+  for (const AngleColumn& angle : input.angles) {
     const auto found = std::ranges::find(channels, angle.channel);
     unwrap(recording, static_cast<std::size_t>(found - channels.begin()), angle.degrees);
   }

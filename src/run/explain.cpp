@@ -81,7 +81,7 @@ Facts intentions(const Job& job, const Input& input) {
   if (job.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
-  for (const spline::AngleChannel& angle : input.angles) {
+  for (const AngleColumn& angle : input.angles) {
     add("angle", input.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
   }
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {

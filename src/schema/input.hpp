@@ -16,6 +16,7 @@
 #include "schema/formats.hpp"
 #include "schema/key_block.hpp"
 #include "schema/missing.hpp"
+#include "schema/rotation_columns.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
 #include "text/utf8.hpp"
@@ -173,10 +174,10 @@ struct Input {
   std::size_t column_count = 0;                               ///< of a record
   std::optional<spline::RotationForm> likely_rotation = {};   ///< that columns without names and roles may be
   std::vector<std::size_t> channel_sources = {};              ///< of each channel, the one of keys as they are read
-  std::vector<spline::RotationColumns> rotations = {};        ///< which of them make rotations
+  std::vector<RotationColumns> rotations = {};        ///< which of them make rotations
   std::vector<GivenRotation> given_rotations = {};            ///< how keys give each
   std::vector<std::vector<std::string>> rotation_names = {};  ///< of the cells of each, where they are not channels
-  std::vector<spline::AngleChannel> angles = {};              ///< which of them are angles
+  std::vector<AngleColumn> angles = {};              ///< which of them are angles
   bool normalize = false;                                     ///< quaternions may have any norm
   CurveInfo curve_info;                                       ///< of all curves, unless they have their own
   Source<KeyBlock> keys;

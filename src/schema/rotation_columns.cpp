@@ -1,4 +1,6 @@
 // Rotation columns: which columns of an input make rotations and angles, their channels, and the cells that show them.
+#include "schema/rotation_columns.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -110,14 +112,14 @@ void require_own_columns(const Input& input) {
     if (taken[channel]) throw column_in_two_rotations(input.read_channels[channel]).about(option);
     taken[channel] = true;
   };
-  for (const spline::AngleChannel& angle : input.angles) take(angle.channel, option::angle);
+  for (const AngleColumn& angle : input.angles) take(angle.channel, option::angle);
   for (const GivenRotation& given : input.given_rotations) {
     for (const std::size_t channel : given.channels) take(channel, option::rotation);
   }
 }
 
 /// Adds the channels of a quaternion in place of the columns of another form. They are named after these.
-void add_quaternion(Input& input, const GivenRotation& given, spline::RotationColumns& rotation) {
+void add_quaternion(Input& input, const GivenRotation& given, RotationColumns& rotation) {
   for (std::size_t i = 0; i < rotation.channels.size(); ++i) {
     rotation.channels[i] = input.channels.size();
     input.channels.push_back(i < given.columns.size() ? given.columns[i] : "rotation of " + given.columns[0]);
@@ -142,7 +144,7 @@ void set_channels(Input& input) {
     }
   }
   if (rotation_with(input.given_rotations, 0) < input.rotations.size()) input.may_be_timed = false;
-  for (spline::AngleChannel& angle : input.angles) angle.channel = now[angle.channel];
+  for (AngleColumn& angle : input.angles) angle.channel = now[angle.channel];
   for (std::size_t i = 0; i < input.rotations.size(); ++i) {
     const GivenRotation& given = input.given_rotations[i];
     if (given.notation.form != spline::RotationForm::quaternion) continue;
@@ -160,7 +162,7 @@ void set_places(Input& input) {
       continue;
     }
     const GivenRotation& given = input.given_rotations[index];
-    spline::RotationColumns& rotation = input.rotations[index];
+    RotationColumns& rotation = input.rotations[index];
     const auto number = static_cast<std::size_t>(std::ranges::find(given.channels, read) - given.channels.begin());
     if (rotation.shown == given.notation) {
       rotation.places[number] = next++;
@@ -186,7 +188,7 @@ void show_rotation(Input& input, std::size_t index, const spline::RotationNotati
 
 /// Adds a rotation with channels of keys as they are read.
 void add_rotation(Input& input, GivenRotation given) {
-  spline::RotationColumns& rotation = input.rotations.emplace_back();
+  RotationColumns& rotation = input.rotations.emplace_back();
   const auto is_relative = std::ranges::count(input.given_rotations, true, &GivenRotation::relative);
   if (given.relative) rotation.turn = static_cast<std::size_t>(is_relative);
   given.columns.clear();

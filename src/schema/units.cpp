@@ -34,7 +34,7 @@ std::vector<std::string*> names_of(Input& input) {
   std::vector<std::string*> names;
   if (input.timed) names.push_back(&input.time);
   const auto is_shown = [&](std::size_t channel) {
-    return std::ranges::none_of(input.rotations, [&](const spline::RotationColumns& rotation) {
+    return std::ranges::none_of(input.rotations, [&](const RotationColumns& rotation) {
       return rotation.shown.form != spline::RotationForm::quaternion && rotation.has(channel);
     });
   };
