@@ -146,17 +146,6 @@ enum class ErrorCode {
   emit_of_rotation,
   emit_of_angles,
   emit_of_angle,
-  ease_with_missing_cells,
-  tangents_beyond_doubles,
-  length_beyond_doubles,
-  channel_without_numbers,
-  closing_key_differs,
-  closing_velocity_differs,  ///< line of the first key
-  seam_velocity_missing,     ///< channel
-  closing_key_against_period,
-  period_too_short,
-  too_few_closed_keys,
-  no_period,
   row_beyond_doubles,
   // exact
   decimal_too_long,

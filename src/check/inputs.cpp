@@ -249,12 +249,12 @@ void MatchedColumns::align(std::span<Cell> computed, std::span<const double> giv
 
 MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given) {
   MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
-  for (const spline::AngleChannel& angle : keys.angles) {
+  for (const AngleColumn& angle : keys.angles) {
     const auto found = std::ranges::find(columns.compared, keys.channels[angle.channel], &MatchedColumn::name);
     if (found == columns.compared.end()) continue;
     columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
   }
-  for (const spline::RotationColumns& rotation : keys.rotations.columns) {
+  for (const RotationColumns& rotation : keys.rotations.columns) {
     if (rotation.shown.form != spline::RotationForm::quaternion) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {

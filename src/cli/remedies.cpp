@@ -239,36 +239,6 @@ constexpr Words all_words[]{
     Words{ErrorCode::emit_of_rotation,
           "the curve {0} of a rotation has no cubics; expected components; give --rotation-curve components, or "
           "--rotation none"},
-    Words{ErrorCode::ease_with_missing_cells,
-          "ease_in and ease_out warp all channels of a segment, and some are missing because --missing skip-cell "
-          "skipped cells; expected numbers in all; fill them in, or give --no-ease"},
-    Words{ErrorCode::tangents_beyond_doubles,
-          "the curve from time {0} to {1} has tangents beyond the range of doubles; expected less than 1.8e308 in "
-          "size; scale the keys down"},
-    Words{ErrorCode::length_beyond_doubles,
-          "up to time {0} the length of the curve is beyond the range of doubles; expected less than 1.8e308; "
-          "scale the keys down"},
-    Words{ErrorCode::channel_without_numbers,
-          "{0}: no key has a number; expected at least one; fill one in, or leave the column out with --columns"},
-    Words{ErrorCode::closing_key_differs,
-          "this key closes the curve at the position of line {0}, but with another tension, continuity or bias; "
-          "expected the same; correct one of the two"},
-    Words{ErrorCode::closing_velocity_differs,
-          "this key closes the curve at the position of line {0}, but with another velocity; expected the same; "
-          "correct one of the two, or leave the incoming one of the first key and the outgoing one of the last "
-          "empty"},
-    Words{ErrorCode::seam_velocity_missing,
-          "channel \"{0}\": a velocity is missing where the closed curve returns to its first key; expected the "
-          "incoming one of the first key and the outgoing one of the last; fill them in"},
-    Words{ErrorCode::closing_key_against_period,
-          "this key repeats the position of line {0} and so ends the period, but {subject} differs; remove one of "
-          "them"},
-    Words{ErrorCode::period_too_short,
-          "{subject}: the curve is closed before its last key, at time {0}; expected a longer period; correct it"},
-    Words{ErrorCode::too_few_closed_keys, "a closed curve needs at least two distinct keys; add keys"},
-    Words{ErrorCode::no_period,
-          "the period of the closed curve is unknown; expected --period, or a last row that repeats the first "
-          "position; give one"},
     Words{ErrorCode::row_beyond_doubles,
           "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale "
           "the keys down"},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -12,7 +13,7 @@
 
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
-#include "sample/keyed_curve.hpp"
+#include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
@@ -42,7 +43,7 @@ std::pair<std::vector<S>, std::optional<S>> exact_times(const ExactCurve& exact)
 /// Converts the quaternions of keys that give a rotation in another form, and their turns. Requires: `keys` has those
 /// of the rounded numbers, which decide the signs of the quaternions, and which keys have a turn.
 template <class S>
-void convert_rotation(const ExactRotation& exact, const std::vector<bool>& missing, spline::Keys<S>& keys) {
+void convert_rotation(const ExactRotation& exact, spline::Keys<S>& keys) {
   const auto& [columns, notation, relative, in_parent] = exact.rotation;
   spline::Quaternion<S> before{S(0), S(0), S(0), S(1)};
   for (std::size_t key = 0; key < exact.numbers.size(); ++key) {
@@ -59,7 +60,7 @@ void convert_rotation(const ExactRotation& exact, const std::vector<bool>& missi
       q = before = spline::after_turn(before, q, in_parent);
     }
     const std::size_t first = key * keys.channels;
-    if (key == keys.size() || (!missing.empty() && missing[first + columns.channels[0]])) continue;
+    if (key == keys.size() || keys.is_missing(key, columns.channels[0])) continue;
     std::array<S*, 4> rounded;
     std::ranges::transform(columns.channels, rounded.begin(),
                            [&](std::size_t i) { return &keys.positions[first + i]; });
@@ -69,33 +70,41 @@ void convert_rotation(const ExactRotation& exact, const std::vector<bool>& missi
   }
 }
 
+/// The keys of a curve at a scalar.
+template <class S>
+spline::Keys<S> exact_keys(const ExactCurve& exact, std::vector<S> times) {
+  spline::Keys<S> keys;
+  keys.channels = exact.keys.channels;
+  keys.given = exact.keys.given;
+  keys.missing = exact.keys.missing;
+  keys.times = std::move(times);
+  const auto number = [](const Rational& value) { return scalar_of<S>(value); };
+  std::ranges::transform(exact.keys.positions, std::back_inserter(keys.positions), number);
+  for (const auto& [tension, continuity, bias] : exact.keys.tcbs) {
+    keys.tcbs.push_back({number(tension), number(continuity), number(bias)});
+  }
+  for (const auto& [in, out] : exact.keys.eases) keys.eases.push_back({number(in), number(out)});
+  for (const auto& [in, out] : exact.keys.velocities) keys.velocities.push_back({number(in), number(out)});
+  for (const auto& [x, y, z] : exact.keys.turns) keys.turns.push_back({number(x), number(y), number(z)});
+  if constexpr (spline::has_roots<S>) {
+    for (const ExactRotation& rotation : exact.converted) convert_rotation(rotation, keys);
+  }
+  return keys;
+}
+
 /// The curve at a scalar. Requires: exact.is_rational(), or a scalar with roots.
 template <class S>
-std::unique_ptr<const KeyedCurve<S>> curve_at(const ExactCurve& exact) {
+std::unique_ptr<const spline::CurveKeys<S>> curve_at(const ExactCurve& exact) {
   auto [times, end] = exact_times<S>(exact);
-  spline::Keys<S> keys{exact.keys.channels, std::move(times), {}, {}, {}, {}};
-  for (const Rational& position : exact.keys.positions) keys.positions.push_back(scalar_of<S>(position));
-  for (const auto& tcb : exact.keys.tcbs) {
-    keys.tcbs.push_back({scalar_of<S>(tcb.tension), scalar_of<S>(tcb.continuity), scalar_of<S>(tcb.bias)});
-  }
-  for (const auto& ease : exact.keys.eases) keys.eases.push_back({scalar_of<S>(ease.in), scalar_of<S>(ease.out)});
-  keys.given = exact.keys.given;
-  for (const auto& [in, out] : exact.keys.velocities) keys.velocities.push_back({scalar_of<S>(in), scalar_of<S>(out)});
-  for (const auto& [x, y, z] : exact.keys.turns) {
-    keys.turns.push_back({scalar_of<S>(x), scalar_of<S>(y), scalar_of<S>(z)});
-  }
-  if constexpr (spline::has_roots<S>) {
-    for (const ExactRotation& rotation : exact.converted) convert_rotation(rotation, exact.missing, keys);
-  }
   const auto end_choice = [](const spline::EndChoice<Rational>& from) {
     spline::EndChoice<S> to{from.rule, {}};
     for (const Rational& value : from.velocity) to.velocity.push_back(scalar_of<S>(value));
     return to;
   };
-  const spline::CurveRules<S> rules{
+  spline::CurveRules<S> rules{
       exact.rules.tangents, end_choice(exact.rules.start), end_choice(exact.rules.end), exact.rules.equal_speed,
       exact.rules.metric,   exact.rules.rotations,         exact.rules.rotation_rules,  exact.rules.angles};
-  return std::make_unique<const KeyedCurve<S>>(std::move(keys), exact.missing, rules, end);
+  return std::make_unique<const spline::CurveKeys<S>>(exact_keys<S>(exact, std::move(times)), std::move(rules), end);
 }
 
 }  // namespace tcb

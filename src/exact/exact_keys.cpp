@@ -9,6 +9,7 @@
 #include "exact/errors.hpp"
 #include "exact/rounding.hpp"
 #include "numbers/decimal_time.hpp"
+#include "tcb/spline/closing.hpp"
 
 namespace tcb {
 namespace {
@@ -59,9 +60,7 @@ Rational later(const Rational& time, std::span<const Rational> from, std::span<c
 
 /// Last key - first key in a channel of an open curve, among the keys that have a position there.
 Rational cycle(const ExactCurve& exact, std::size_t channel) {
-  const auto is_missing = [&](std::size_t key) {
-    return !exact.missing.empty() && exact.missing[key * exact.keys.channels + channel];
-  };
+  const auto is_missing = [&](std::size_t key) { return exact.keys.is_missing(key, channel); };
   std::size_t first = 0, last = exact.keys.size() - 1;
   while (is_missing(first)) ++first;
   while (is_missing(last)) --last;
@@ -147,8 +146,8 @@ void ExactKeys::add(const KeyBlock& block) {
     }
     for (std::size_t i = 0; i < keys.channels; ++i) {
       const double position = keys.position(key)[i];
-      missing_.push_back(std::isnan(position));
-      if (missing_.back()) {
+      keys_.missing.push_back(std::isnan(position));
+      if (keys_.missing.back()) {
         keys_.positions.emplace_back(0);
       } else if (is_converted(i)) {
         keys_.positions.push_back(exact_number(position, false));
@@ -178,23 +177,13 @@ ExactCurve ExactKeys::curve(std::size_t size, const spline::CurveRules<double>& 
   ExactCurve curve;
   spline::append(curve.keys, keys_, 0, size);
   curve.converted = converted_;
-  if (std::ranges::count(missing_, true) > 0) curve.missing = missing_;
-  if (size < keys_.size() && !keys_.velocities.empty()) {  // of the key that repeats the first one
-    for (std::size_t i = 0; i < keys_.channels; ++i) {
-      curve.keys.velocities[i].in = keys_.velocities[size * keys_.channels + i].in;
-    }
-    for (const spline::RotationColumns& rotation :
-         rules.rotations) {  // a quaternion may be the negative of the first one
-      Rational dot = 0;
-      for (const std::size_t i : rotation.channels) dot += keys_.position(0)[i] * keys_.position(size)[i];
-      for (const std::size_t i : rotation.channels) {
-        if (dot < 0) curve.keys.velocities[i].in = -curve.keys.velocities[i].in;
-      }
-    }
-  }
-  const std::size_t turns = keys_.turns_per_key();
-  for (std::size_t i = 0; size < keys_.size() && i < turns; ++i) curve.keys.turns[i] = keys_.turns[size * turns + i];
   curve.rules = exact_rules(rules, decimal_);
+  if (size < keys_.size()) {  // the key that repeats the first one
+    spline::Keys<Rational> first, repeated;
+    spline::append(first, keys_, 0, 1);
+    spline::append(repeated, keys_, size, size + 1);
+    spline::join_seam(curve.keys, spline::with_signs_of(first, std::move(repeated), curve.rules.rotations));
+  }
   curve.end = size < keys_.size() ? std::optional(keys_.times[size]) : end;
   curve.decimal = decimal_;
   return curve;

@@ -11,6 +11,7 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
 #include "sample/extrapolation.hpp"
+#include "schema/curve_channels.hpp"
 #include "schema/key_block.hpp"
 #include "tcb/spline/window.hpp"
 
@@ -30,8 +31,8 @@ struct ExactRotation {
 struct ExactCurve {
   spline::Keys<Rational> keys;                ///< the times have no meaning where distances make them
   std::vector<ExactRotation> converted = {};  ///< rotations whose positions and turns are converted and rounded
-  std::vector<bool> missing;                  ///< which positions are; empty: none
   spline::CurveRules<Rational> rules;
+  CurveChannels channels = {};
   std::optional<double> exponent;  ///< of the distances that make the times
   bool closed = false;
   std::optional<Rational> end;  ///< when a closed curve is back at its first key, unless a distance gives it
@@ -87,7 +88,6 @@ class ExactKeys {
   bool decimal_;
   std::vector<ExactRotation> converted_;
   spline::Keys<Rational> keys_;
-  std::vector<bool> missing_;
   Rational time_;  ///< of the last key, where distances make it: exactly that of a float
 };
 

@@ -15,7 +15,7 @@
 #include "sample/fields.hpp"
 #include "sample/index.hpp"
 #include "sample/sampler.hpp"
-#include "sample/segment_length.hpp"
+#include "tcb/spline/segment_length.hpp"
 
 namespace tcb {
 
@@ -124,7 +124,7 @@ class Level final : public AnyLevel {
   /// A computed segment, with its lengths if they were requested.
   struct Known {
     spline::Segments<S> segments;
-    std::optional<SegmentLength<S>> arc;
+    std::optional<spline::SegmentLength<S>> arc;
   };
 
   Known& known(std::size_t number) {
@@ -134,14 +134,14 @@ class Level final : public AnyLevel {
     return known_.emplace(number, Known{curve_->segments(number, number + 1), {}}).first->second;
   }
 
-  const SegmentLength<S>& arc(std::size_t number) {
+  const spline::SegmentLength<S>& arc(std::size_t number) {
     Known& one = known(number);
     if (!one.arc) one.arc.emplace().assign(one.segments[0], one.segments.rotations_of(0), rows_.exact.rules.metric);
     return *one.arc;
   }
 
   /// Sets the length at the sample's segment, or at its end where the sample is there, and gives the lengths on it.
-  const SegmentLength<S>* measured_arc() {
+  const spline::SegmentLength<S>* measured_arc() {
     if constexpr (spline::has_roots<S>) {
       const bool at_end = sample_.at.w == S(0);
       (at_end ? segment_.s_end : segment_.s_start) = length_to(segment_.number + (at_end ? 1 : 0));
@@ -156,7 +156,7 @@ class Level final : public AnyLevel {
     if (lengths_.empty()) lengths_.push_back(S(0));
     for (std::size_t i = lengths_.size(); i <= key; ++i) {
       const spline::Segments<S> one = curve_->segments(i - 1, i);
-      SegmentLength<S> length;
+      spline::SegmentLength<S> length;
       length.assign(one[0], one.rotations_of(0), rows_.exact.rules.metric);
       lengths_.push_back(lengths_.back() + length.total().value);
     }
@@ -165,7 +165,7 @@ class Level final : public AnyLevel {
 
   void set_turns() {
     const auto first = curve_->segments(0, 1), last = curve_->segments(curve_->size() - 1, curve_->size());
-    for (std::size_t i = 0; i < first.rotation_columns.size(); ++i) {
+    for (std::size_t i = 0; i < first.rotations.size(); ++i) {
       turns_.push_back(last.rotations[i].at({S(1), S(0)}) * spline::conjugate(first.rotations[i].at({S(0), S(-1)})));
     }
   }
@@ -176,8 +176,8 @@ class Level final : public AnyLevel {
     Segment segment{one.times[0], one.times[1], S(0),   S(0),   one[0], rows_.exact.rules.metric,
                     last,         one.warp(0),  cycle_, number, 0,      last && curve_->is_closed() ? 0 : number + 1};
     segment.rotations = one.rotations_of(0);
-    segment.rotation_columns = one.rotation_columns;
-    segment.angles = one.angles;
+    segment.rotation_columns = rows_.exact.channels.rotations;
+    segment.angles = rows_.exact.channels.angles;
     segment.turns = turns_;
     return segment;
   }
@@ -243,7 +243,7 @@ class Level final : public AnyLevel {
   }
 
   const RowsOfCurve& rows_;
-  std::unique_ptr<const KeyedCurve<S>> curve_;
+  std::unique_ptr<const spline::CurveKeys<S>> curve_;
   std::map<std::size_t, Known> known_;
   std::vector<S> lengths_;
   std::vector<S> cycle_;

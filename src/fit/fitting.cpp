@@ -167,7 +167,7 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const std
       }
     }
   }
-  for (const spline::AngleChannel& angle : schema.angles) {
+  for (const AngleColumn& angle : schema.angles) {
     const auto found = std::ranges::find(channels, angle.channel);
     unwrap(recording, static_cast<std::size_t>(found - channels.begin()), angle.degrees);
   }

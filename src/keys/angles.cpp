@@ -15,7 +15,7 @@ namespace {
 /// One angle of successive keys.
 class AngleChain {
  public:
-  AngleChain(const spline::AngleChannel& angle, std::string name) : angle_(angle), name_(std::move(name)) {}
+  AngleChain(const AngleColumn& angle, std::string name) : angle_(angle), name_(std::move(name)) {}
 
   void check(const KeyBlock& block) {
     for (std::size_t key = 0; key < block.size(); ++key) {
@@ -43,7 +43,7 @@ class AngleChain {
     if (is_half_turn) throw half_turn_between_angles(name_, other).at({"", line, 0});
   }
 
-  spline::AngleChannel angle_;
+  AngleColumn angle_;
   std::string name_;
   double before_ = 0, first_ = 0;  ///< of the last key, and of the first one
   std::uint64_t line_ = 0;         ///< of the last one; 0: there is none
@@ -59,11 +59,11 @@ void require_angle(double angle, bool degrees, bool makes_turns, const std::stri
   throw(counts_turns ? angle_too_large(name, angle) : angle_over_one_turn(name, angle)).at({"", line, 0});
 }
 
-Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
+Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,
                                    const std::vector<std::string>& channels, bool closed) {
   if (angles.empty()) return blocks;
   auto chains = std::make_shared<std::vector<AngleChain>>();
-  for (const spline::AngleChannel& angle : angles) chains->emplace_back(angle, channels[angle.channel]);
+  for (const AngleColumn& angle : angles) chains->emplace_back(angle, channels[angle.channel]);
   blocks = mapped(std::move(blocks), [chains](KeyBlock block) {
     for (AngleChain& chain : *chains) chain.check(block);
     return block;
@@ -71,13 +71,13 @@ Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<sp
   return closed ? with_checked_seam(std::move(blocks), std::move(chains)) : blocks;
 }
 
-Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles) {
+Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& angles) {
   if (angles.empty()) return blocks;
   std::vector<KeyBlock> all;
-  for (spline::AngleChannel& angle : angles) angle.is_signed = false;
+  for (AngleColumn& angle : angles) angle.is_signed = false;
   while (std::optional<KeyBlock> block = blocks()) {
     const Keys& keys = block->keys;
-    for (spline::AngleChannel& angle : angles) {
+    for (AngleColumn& angle : angles) {
       for (std::size_t i = angle.channel; i < keys.positions.size(); i += keys.channels) {
         angle.is_signed = angle.is_signed || keys.positions[i] < 0;
       }

@@ -18,7 +18,7 @@ void require_angle(double angle, bool degrees, bool makes_turns, const std::stri
 
 /// The same keys. `closed`: the first key follows the last one. Throws: Error (data), at its line, for an angle that is
 /// missing or beyond what its unit allows, and for half a turn between two.
-Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<spline::AngleChannel>& angles,
+Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,
                                    const std::vector<std::string>& channels, bool closed = false);
 
 /// The same keys, with the checks of the step from the last one to the first one at their end.
@@ -34,6 +34,6 @@ Source<KeyBlock> with_checked_seam(Source<KeyBlock> blocks, std::shared_ptr<std:
 }
 
 /// The same keys. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
-Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<spline::AngleChannel>& angles);
+Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& angles);
 
 }  // namespace tcb

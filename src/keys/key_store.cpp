@@ -4,46 +4,51 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "numbers/decimal_time.hpp"
+#include "tcb/spline/closing.hpp"
 
 namespace tcb {
 
-void KeyStore::Columns::append(const Keys& keys) {
-  channels = keys.channels;
-  common_tcb = keys.common_tcb;
-  for (const auto& time : keys.times) {
-    if (time.lo != 0) low_parts.resize(times.size());
-    times.push_back(time.hi);
-    if (time.lo != 0 || !low_parts.empty()) low_parts.push_back(time.lo);
+void KeyStore::Times::push_back(const Time& time) {
+  if (time.lo != 0) low.resize(high.size());
+  high.push_back(time.hi);
+  if (time.lo != 0 || !low.empty()) low.push_back(time.lo);
+}
+
+void KeyStore::Times::resize(std::size_t size) {
+  high.resize(size);
+  if (!low.empty()) low.resize(size);
+}
+
+namespace {
+
+/// Appends the entries of keys [first, last) of a column, also where one of the two has its times in two parts.
+template <class To, class From>
+void append_part(To& to, const From& from, std::size_t size, std::size_t first, std::size_t last) {
+  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(from[0])>, Time>) {
+    if constexpr (requires { to.reserve(size); }) to.reserve(to.size() + (last - first));
+    for (std::size_t key = first; key < last; ++key) to.push_back(from[key]);
+  } else {
+    spline::append_entries(to, from, size, first, last);
   }
-  positions.insert(positions.end(), keys.positions.begin(), keys.positions.end());
-  tcbs_per_key = keys.tcbs_per_key();
-  tcbs.insert(tcbs.end(), keys.tcbs.begin(), keys.tcbs.end());
-  eases.insert(eases.end(), keys.eases.begin(), keys.eases.end());
-  turns_per_key = keys.turns_per_key();
-  turns.insert(turns.end(), keys.turns.begin(), keys.turns.end());
-  given = keys.given;
-  velocities.insert(velocities.end(), keys.velocities.begin(), keys.velocities.end());
+}
+
+}  // namespace
+
+void KeyStore::Columns::append(const Keys& keys) {
+  if (keys.size() == 0) return;
+  spline::take_common(*this, keys);
+  const auto append = [&](auto& to, const auto& from) { append_part(to, from, keys.size(), 0, keys.size()); };
+  spline::for_each_column(append, *this, keys);
 }
 
 Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
   Keys keys;
-  keys.channels = channels;
-  keys.common_tcb = common_tcb;
-  const auto copy = [&](auto& to, const auto& from, std::size_t stride) {
-    const auto begin = from.begin();
-    to.assign(begin + static_cast<std::ptrdiff_t>(first * stride), begin + static_cast<std::ptrdiff_t>(last * stride));
-  };
-  copy(keys.times, times, 1);
-  for (std::size_t i = 0; !low_parts.empty() && i < keys.times.size(); ++i) keys.times[i].lo = low_parts[first + i];
-  copy(keys.positions, positions, channels);
-  copy(keys.tcbs, tcbs, tcbs_per_key);
-  if (!eases.empty()) copy(keys.eases, eases, 1);
-  copy(keys.turns, turns, turns_per_key);
-  if (velocities.empty()) return keys;
-  keys.given = given;
-  copy(keys.velocities, velocities, channels);
+  spline::take_common(keys, *this);
+  const auto append = [&](auto& to, const auto& from) { append_part(to, from, size(), first, last); };
+  if (first != last) spline::for_each_column(append, keys, *this);
   return keys;
 }
 
@@ -58,25 +63,17 @@ KeyStore::KeyStore(const Source<KeyBlock>& blocks) : columns_(std::make_shared<C
 }
 
 void KeyStore::drop_last() {
-  Columns& columns = *columns_;
-  columns.times.pop_back();
-  if (!columns.low_parts.empty()) columns.low_parts.pop_back();
-  columns.positions.resize(columns.times.size() * columns.channels);
-  columns.tcbs.resize(columns.times.size() * columns.tcbs_per_key);
-  if (!columns.eases.empty()) columns.eases.pop_back();
-  columns.turns.resize(columns.times.size() * columns.turns_per_key);
-  if (!columns.velocities.empty()) columns.velocities.resize(columns.positions.size());
+  const std::size_t size = this->size();
+  spline::for_each_column([size](auto& column) { column.resize(column.size() / size * (size - 1)); }, *columns_);
 }
 
-void KeyStore::set_first_incoming(const Keys& repeated) {
-  for (std::size_t i = 0; i < repeated.velocities.size(); ++i) columns_->velocities[i].in = repeated.velocities[i].in;
-  std::ranges::copy(repeated.turns, columns_->turns.begin());
-}
+void KeyStore::join_seam(const Keys& repeated) { spline::join_seam(*columns_, repeated); }
 
 int KeyStore::decimals() const {
   int most = 0;
-  for (std::size_t i = 0; i < columns_->low_parts.size(); ++i) {
-    most = std::max(most, decimals_of({columns_->times[i], columns_->low_parts[i]}));
+  const Times& times = columns_->times;
+  for (std::size_t key = 0; !times.low.empty() && key < times.size(); ++key) {
+    most = std::max(most, decimals_of(times[key]));
   }
   return most;
 }
@@ -87,9 +84,9 @@ bool KeyStore::are_sparse() const {
 
 Source<Keys> KeyStore::source() const {
   return [columns = columns_, next = std::size_t{0}]() mutable -> std::optional<Keys> {
-    if (next == columns->times.size()) return std::nullopt;
+    if (next == columns->size()) return std::nullopt;
     const std::size_t first = next;
-    next = std::min(first + keys_at_once, columns->times.size());
+    next = std::min(first + keys_at_once, columns->size());
     return columns->part(first, next);
   };
 }

@@ -23,12 +23,12 @@ class KeyStore {
   /// These keys, which have no lines.
   explicit KeyStore(const Keys& keys) : columns_(std::make_shared<Columns>()) { columns_->append(keys); }
 
-  std::size_t size() const { return columns_->times.size(); }
+  std::size_t size() const { return columns_->size(); }
   /// A single key; the last one is number size() - 1.
   Keys key(std::size_t number) const { return columns_->part(number, number + 1); }
   void drop_last();
   /// Gives the first key the incoming velocities and the turns of a key that repeats it.
-  void set_first_incoming(const Keys& repeated);
+  void join_seam(const Keys& repeated);
   /// The largest number of decimals of the times that have more digits than doubles; 0: there are none.
   int decimals() const;
   /// Whether a position is missing.
@@ -42,20 +42,30 @@ class KeyStore {
   Source<Keys> source() const;
 
  private:
+  /// Times in deques, with their low parts only if there are any.
+  struct Times {
+    std::deque<double> high, low;  ///< low is empty if all low parts are 0
+
+    std::size_t size() const { return high.size(); }
+    Time operator[](std::size_t key) const { return low.empty() ? Time(high[key]) : Time(high[key], low[key]); }
+    void push_back(const Time& time);
+    void resize(std::size_t size);
+  };
+
   /// As in spline::Keys. Deques grow without a copy and without unused capacity.
   struct Columns {
     std::size_t channels = 0;
-    std::deque<double> times, low_parts;  ///< high and low parts of the times; low_parts is empty if all are 0
+    Times times;
     std::deque<double> positions;
-    std::size_t tcbs_per_key = 0;
     std::deque<spline::Tcb<double>> tcbs;
     spline::Tcb<double> common_tcb;
     std::deque<spline::Ease<double>> eases;
     std::deque<spline::Velocity<double>> velocities;
     std::vector<bool> given;
-    std::size_t turns_per_key = 0;
     std::deque<spline::TurnVector<double>> turns;
+    std::deque<bool> missing;
 
+    std::size_t size() const { return times.size(); }
     void append(const Keys& keys);
     Keys part(std::size_t first, std::size_t last) const;
   };

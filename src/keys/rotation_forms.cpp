@@ -133,7 +133,7 @@ class RowsOfMatrix {
 class Conversion {
  public:
   /// `number`: among those that are converted.
-  Conversion(std::size_t number, const spline::RotationColumns& rotation, const GivenRotation& given,
+  Conversion(std::size_t number, const RotationColumns& rotation, const GivenRotation& given,
              const RotationsOfKeys& all)
       : number_(number),
         channels_(rotation.channels),
@@ -236,7 +236,7 @@ Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const Rotatio
   }
   if (given.empty()) return blocks;
   const auto turns = static_cast<std::size_t>(std::ranges::count_if(
-      rotations.columns, [](const spline::RotationColumns& columns) { return columns.turn.has_value(); }));
+      rotations.columns, [](const RotationColumns& columns) { return columns.turn.has_value(); }));
   const auto convert = [given, conversions, turns, sources = rotations.sources](KeyBlock block) {
     keep_given(block, given);
     if (!sources.empty()) select_channels(block, sources);

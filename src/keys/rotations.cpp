@@ -25,7 +25,7 @@ double dot(const Numbers& a, const Numbers& b) { return (a[0] * b[0] + a[1] * b[
 /// One rotation of successive keys.
 class SignChain {
  public:
-  SignChain(const spline::RotationColumns& rotation, const GivenRotation& given, const RotationsOfKeys& all)
+  SignChain(const RotationColumns& rotation, const GivenRotation& given, const RotationsOfKeys& all)
       : channels_(rotation.channels),
         turn_(rotation.turn),
         name_(given.columns[0]),

@@ -17,7 +17,7 @@ inline constexpr double half_turn_rounding = 0x1p-50;
 
 /// What the keys of an input have for rotations.
 struct RotationsOfKeys {
-  std::vector<spline::RotationColumns> columns;
+  std::vector<RotationColumns> columns;
   std::vector<GivenRotation> given;       ///< how keys give each
   std::vector<std::size_t> sources = {};  ///< of each channel, the one of keys as they are given; empty: the same
   bool normalize = false;                 ///< quaternions of any norm, and the rotations nearest to matrices
@@ -28,7 +28,7 @@ struct RotationsOfKeys {
 
 /// How keys give a rotation that is no quaternion.
 struct ConvertedRotation {
-  spline::RotationColumns columns;
+  RotationColumns columns;
   spline::RotationNotation notation;
   bool relative;  ///< to the rotation of the key before
   bool in_parent;

@@ -136,10 +136,10 @@ void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
   if (!spec.lacks_metric || !job_.picture.axes.empty()) {
     scene_.path = path_axes(schema.channels, job_.picture.axes, spec.rules.metric);
   }
-  rotations_ = spec.rules.rotations;
-  if (rotations_.empty()) return;
+  channels_ = spec.channels();
+  if (channels_.rotations.empty()) return;
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (!spline::is_in_rotation(rotations_, i)) scene_.strips.push_back(i);
+    if (!spline::is_in_rotation(channels_.rotations, i)) scene_.strips.push_back(i);
   }
   const auto place_in_space = [&](std::size_t channel) {
     return static_cast<std::size_t>(std::ranges::find(scene_.strips, channel) - scene_.strips.begin());
@@ -147,7 +147,7 @@ void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
   if (scene_.path) {
     const std::array axes{place_in_space((*scene_.path)[0]), place_in_space((*scene_.path)[1])};
     if (std::max(axes[0], axes[1]) < std::min<std::size_t>(scene_.strips.size(), 3)) {
-      scene_.frame = {rotations_[0].channels, axes};
+      scene_.frame = {channels_.rotations[0].channels, axes};
     }
   }
   for (const GivenRotation& rotation : schema.rotations.given) {
@@ -172,8 +172,8 @@ std::size_t Drawing::name_of(const std::vector<std::string>& group) {
 void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules) {
   if (curves_ > 0 && rules != rules_) rules = "several rules";
   rules_ = std::move(rules);
-  const std::vector<FirstRotation> firsts = first_rotations(stored.keys, rotations_);
-  SceneCurve curve{0, with_angles(stored.keys, firsts), with_rotations_as_cubics(stored.segments, firsts),
+  const std::vector<FirstRotation> firsts = first_rotations(stored.keys, channels_.rotations);
+  SceneCurve curve{0, with_angles(stored.keys, firsts), with_rotations_as_cubics(stored.segments, channels_, firsts),
                    stored.closed};
   const bool is_drawn = curves_++ < Scene::most_curves;
   while (stored.placed) {

@@ -43,7 +43,7 @@ class Drawing {
   Scene scene_;
   std::vector<std::string> files_;    ///< names without their folders
   std::vector<std::string> columns_;  ///< of all files: the time and the channels
-  std::vector<spline::RotationColumns> rotations_;
+  CurveChannels channels_;
   std::string rules_;       ///< of the curves, in words
   std::size_t curves_ = 0;  ///< of all, also of those that are not drawn
   std::uint64_t rows_ = 0, keys_ = 0;

@@ -80,8 +80,8 @@ std::pair<double, double> angle_and_derivative(const FirstRotation& first, const
 }
 
 /// Gives the two halves of the cubics of angles the same turn.
-void join_angles(spline::Segments<double>& segments) {
-  for (const spline::AngleChannel& angle : segments.angles) {
+void join_angles(spline::Segments<double>& segments, const std::vector<AngleColumn>& angles) {
+  for (const AngleColumn& angle : angles) {
     for (std::size_t i = angle.channel; i < segments.cubics.size(); i += segments.channels) {
       Cubic& x = segments.cubics[i];
       x.p1 = x.p0 + (x.c + 2 * x.out + x.in) / 3;
@@ -90,7 +90,8 @@ void join_angles(spline::Segments<double>& segments) {
 }
 
 /// Each segment as short ones without ease, whose cubics have the positions and velocities of the curve at their ends.
-SegmentBlock cubic_parts(const SegmentBlock& block, const std::vector<FirstRotation>& firsts) {
+SegmentBlock cubic_parts(const SegmentBlock& block, const std::vector<RotationColumns>& rotations,
+                         const std::vector<FirstRotation>& firsts) {
   constexpr int parts = 16;
   const spline::Segments<double>& whole = block.segments;
   SegmentBlock result{{whole.channels + firsts.size(), {}, {}, {}}, {}, block.last, block.closes};
@@ -100,9 +101,9 @@ SegmentBlock cubic_parts(const SegmentBlock& block, const std::vector<FirstRotat
     const auto at = warp.at(spline::DoubleDouble(u), spline::DoubleDouble(1 - u));
     Ends ends;
     for (const Cubic& x : whole[i]) ends.emplace_back(spline::position(x, at), spline::first_derivative(x, at));
-    for (std::size_t rotation = 0; rotation < whole.rotation_columns.size(); ++rotation) {
+    for (std::size_t rotation = 0; rotation < rotations.size(); ++rotation) {
       const auto numbers = numbers_of(whole.rotations_of(i)[rotation], at);
-      for (std::size_t k = 0; k < numbers.size(); ++k) ends[whole.rotation_columns[rotation].channels[k]] = numbers[k];
+      for (std::size_t k = 0; k < numbers.size(); ++k) ends[rotations[rotation].channels[k]] = numbers[k];
     }
     for (const FirstRotation& first : firsts) {
       ends.push_back(angle_and_derivative(first, [&](std::size_t channel) { return ends[channel]; }));
@@ -177,9 +178,9 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
   return axes.size() < 2 ? std::nullopt : std::optional(std::array{axes[0], axes[1]});
 }
 
-std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<spline::RotationColumns>& columns) {
+std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<RotationColumns>& columns) {
   std::vector<FirstRotation> firsts;
-  for (const spline::RotationColumns& rotation : columns) {
+  for (const RotationColumns& rotation : columns) {
     std::size_t key = 0;
     while (std::isnan(keys.key(key).positions[rotation.channels[0]])) ++key;
     firsts.push_back({rotation.channels, spline::rotation_of<double>(keys.key(key).position(0), rotation.channels)});
@@ -188,11 +189,12 @@ std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vect
 }
 
 std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments,
+                                                               CurveChannels channels,
                                                                std::vector<FirstRotation> firsts) {
-  return [segments = std::move(segments), firsts = std::move(firsts)] {
-    return mapped(segments(), [firsts](SegmentBlock block) {
-      join_angles(block.segments);
-      return block.segments.rotations.empty() ? std::move(block) : cubic_parts(block, firsts);
+  return [segments = std::move(segments), channels = std::move(channels), firsts = std::move(firsts)] {
+    return mapped(segments(), [channels, firsts](SegmentBlock block) {
+      join_angles(block.segments, channels.angles);
+      return block.segments.rotations.empty() ? std::move(block) : cubic_parts(block, channels.rotations, firsts);
     });
   };
 }

@@ -85,11 +85,12 @@ struct FirstRotation {
   spline::RotationChannels channels{};
   spline::Quaternion<double> rotation;  ///< the first one that a key has
 };
-std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<spline::RotationColumns>& columns);
+std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<RotationColumns>& columns);
 
 /// The same segments with the numbers of rotations as cubics: of short parts, which are near enough for a picture. Each
 /// of `firsts` adds a channel: the angle from it in degrees.
 std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Source<SegmentBlock>()> segments,
+                                                               CurveChannels channels,
                                                                std::vector<FirstRotation> firsts = {});
 /// The same keys with the angles as further channels.
 KeyStore with_angles(const KeyStore& keys, const std::vector<FirstRotation>& firsts);

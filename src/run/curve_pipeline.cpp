@@ -11,6 +11,7 @@
 #include "option_names.hpp"
 #include "run/errors.hpp"
 #include "sample/build.hpp"
+#include "sample/curve_errors.hpp"
 
 namespace tcb {
 namespace {
@@ -86,7 +87,7 @@ MetricUse CurvePipeline::metric_use() const {
 /// The keys with times, checked.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) const {
   blocks = with_quaternions(std::move(blocks), rotations_);
-  blocks = with_clear_angles(std::move(blocks), spec_.rules.angles, channels_, spec_.closed);
+  blocks = with_clear_angles(std::move(blocks), spec_.angles, channels_, spec_.closed);
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
   const auto shown_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset);
@@ -127,7 +128,7 @@ double CurvePipeline::rows_on(const KnownPart& part, const SamplingRequest& requ
 }
 
 PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
-  blocks = prepared(with_signs(std::move(blocks), spec_.rules.angles), 2);
+  blocks = prepared(with_signs(std::move(blocks), spec_.angles), 2);
   const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal, converted_rotations(rotations_));
   if (golden_) blocks = recorded(std::move(blocks), exact);
   if (spec_.closed || needs_random_access() || may_miss_ || golden_ || needs_end(request_)) {
@@ -145,17 +146,17 @@ PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
   while (first && first->size() == 0) first = keys();
   const Extent extent{first->times.front(), {}, {}};
   known->first = extent.first;
-  const LinkedKeys linked{preceded_by(std::move(*first), std::move(keys)), {}};
-  return place_in_order(tcb::segment_blocks(linked, spec_.rules, needs_lengths(), threads_), extent, 0, known);
+  LinkedKeys linked{preceded_by(std::move(*first), std::move(keys))};
+  auto segments = segment_blocks(std::move(linked), spec_.rules, needs_lengths(), threads_);
+  return place_in_order(std::move(segments), extent, 0, known);
 }
 
 /// The segments of a curve whose keys are all known.
 Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent& extent, bool measured) const {
   const auto end = spec_.closed ? extent.last : std::nullopt;
   const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
-  if (keys.are_sparse()) return sparse_segment_blocks(keys, end, spec_.rules, measured, channels_, expanded);
-  LinkedKeys linked = end ? periodic_extension(keys, *end) : LinkedKeys{keys.source(), {}};
-  return tcb::segment_blocks(std::move(linked), spec_.rules, measured, threads_);
+  if (keys.are_sparse()) return sparse_segment_blocks(keys, end, spec_.rules, measured, expanded);
+  return segment_blocks(linked(keys, end), spec_.rules, measured, threads_);
 }
 
 /// Rows segment after segment, each as soon as it is known. `known`: what is read of the curve; null: all of it.
@@ -175,28 +176,29 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
   std::optional<Spacing> spacing;
   if (!by_segment(request_.mode)) spacing = tcb::spacing(request_, extent);
   const auto expected = [known, spacing, request = &request_] { return rows_on(*known, *request, spacing); };
-  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.rules.metric);
+  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels());
   return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected};
 }
 
 /// The first and the last time of the curve.
 Extent CurvePipeline::extent(KeyStore& keys) const {
-  if (keys.are_sparse() && !keys.key(0).eases.empty()) throw ease_with_missing_cells();
+  if (keys.are_sparse()) {
+    if (const auto error = spline::find_position_error(keys.all())) throw curve_error(*error, keys, channels_);
+  }
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
-  extent.last = spec_.closed ? close(keys, spec_, timed_) : keys.key(keys.size() - 1).times[0];
-  if (spec_.closed) require_seam_velocities(keys, channels_);
+  extent.last = spec_.closed ? take_closing(keys, spec_, timed_, channels_) : keys.key(keys.size() - 1).times[0];
   return extent;
 }
 
 IndexedCurve CurvePipeline::whole(Source<KeyBlock> blocks) {
-  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.rules.angles), 1));
+  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.angles), 1));
   const Extent range = extent(keys);
-  return {std::make_shared<const CurveIndex>(segments(keys, range, needs_lengths()), spec_.rules.metric), range,
+  return {std::make_shared<const CurveIndex>(segments(keys, range, needs_lengths()), spec_.channels()), range,
           spec_.extrapolation};
 }
 
 StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled) {
-  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.rules.angles), 1));
+  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.angles), 1));
   const Extent range = extent(keys);
   const auto again = [pipeline = *this, keys, range] { return pipeline.segments(keys, range, false); };
   StoredCurve curve{keys, again, spec_.closed, {}};
@@ -272,7 +274,7 @@ std::vector<Time> CurvePipeline::places(const CurveIndex& curve, const Extent& e
 
 /// Rows at places in any order, also outside the curve.
 PlacedCurve CurvePipeline::place_anywhere(const Source<SegmentBlock>& segments, const Extent& extent) const {
-  const auto curve = std::make_shared<const CurveIndex>(segments, spec_.rules.metric);
+  const auto curve = std::make_shared<const CurveIndex>(segments, spec_.channels());
   std::vector<Time> places = this->places(*curve, extent);
   const std::uint64_t rows = places.size();
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
@@ -293,6 +295,7 @@ Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, con
   if (spec_.closed) end = exact_number(*extent.last, golden_->decimal);
   if (spec_.period && golden_->decimal) end = exact.first_time() + *spec_.period;
   ExactCurve curve = exact.curve(keys, spec_.rules, end);
+  curve.channels = spec_.channels();
   if (time_exponent() != 0) {
     curve.exponent = time_exponent();
     if (!spec_.period) curve.end.reset();

@@ -15,12 +15,6 @@ Error parameter_with_times(std::string_view time) {
                                   time, option::parameter, option::columns)};
 }
 
-Error ease_with_missing_cells() {
-  return {Exit::data, fmt::format("some numbers were skipped by {} skip-cell, but ease_in and ease_out need a number "
-                                  "in every channel; fill them in, or give {}",
-                                  option::missing, option::no_ease)};
-}
-
 Error group_without_places(const std::vector<std::string>& curve) {
   return {Exit::data, fmt::format("the file has no places for the curve {}; expected some for each curve; add rows",
                                   fmt::join(curve, ", "))};

@@ -82,7 +82,7 @@ Facts intentions(const Job& job, const Schema& schema) {
   if (job.curves.sort) add("sort", "by time");
   const spline::Tcb<double>& tcb = job.input.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
-  for (const spline::AngleChannel& angle : schema.angles) {
+  for (const AngleColumn& angle : schema.angles) {
     add("angle", schema.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
   }
   for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {

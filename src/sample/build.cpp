@@ -6,16 +6,15 @@
 #include <memory>
 #include <utility>
 
-#include "error.hpp"
 #include "keys/parameterize.hpp"
 #include "numbers/decimal_time.hpp"
-#include "numbers/print_number.hpp"
-#include "sample/errors.hpp"
 #include "option_names.hpp"
-#include "sample/keyed_curve.hpp"
-#include "sample/segment_length.hpp"
+#include "sample/curve_errors.hpp"
+#include "sample/errors.hpp"
 #include "stream/ordered_map.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/closing.hpp"
+#include "tcb/spline/curve_keys.hpp"
+#include "tcb/spline/segment_length.hpp"
 
 namespace tcb {
 namespace {
@@ -24,7 +23,7 @@ using spline::DoubleDouble;
 
 /// Sets the lengths of the segments.
 void measure(SegmentBlock& block, const Rules& rules) {
-  SegmentLength<double> arc;
+  spline::SegmentLength<double> arc;
   block.lengths.reserve(block.segments.size());
   for (std::size_t i = 0; i < block.segments.size(); ++i) {
     arc.assign(block.segments[i], block.segments.rotations_of(i), rules.metric);
@@ -60,9 +59,10 @@ Source<Keys> in_small_blocks(Source<Keys> keys) {
   };
 }
 
-/// Windows of an open curve, as they become complete.
-Source<spline::Window<double>> open_windows(Source<Keys> keys) {
-  return [keys = std::move(keys), linker = spline::Linker<double>(),
+/// Windows of keys, as they become complete.
+Source<spline::Window<double>> windows(LinkedKeys linked) {
+  auto linker = linked.last ? spline::Linker<double>(std::move(*linked.last), linked.end) : spline::Linker<double>();
+  return [keys = std::move(linked.keys), linker = std::move(linker),
           ended = false]() mutable -> std::optional<spline::Window<double>> {
     if (ended) return std::nullopt;
     std::optional<Keys> block = keys();
@@ -71,145 +71,49 @@ Source<spline::Window<double>> open_windows(Source<Keys> keys) {
   };
 }
 
-/// Windows of a closed curve, all of whose keys are known, so also the last block.
-Source<spline::Window<double>> closed_windows(Source<Keys> keys, Keys context) {
-  return [keys = std::move(keys), linker = spline::Linker<double>(std::move(context)), block = std::optional<Keys>(),
-          started = false]() mutable -> std::optional<spline::Window<double>> {
-    if (!std::exchange(started, true)) block = keys();
-    if (!block) return std::nullopt;
-    std::optional<Keys> next = keys();
-    const Keys current = *std::exchange(block, std::move(next));
-    return linker.link(current, !block);
-  };
-}
-
-/// A key with the sign of each rotation, and of its velocities, that is nearer to another one's.
-Keys with_signs_of(const Keys& other, Keys key, const std::vector<spline::RotationColumns>& rotations) {
-  for (const spline::RotationColumns& rotation : rotations) {
-    double dot = 0;
-    for (const std::size_t i : rotation.channels) dot += other.positions[i] * key.positions[i];
-    if (!(dot < 0)) continue;
-    for (const std::size_t i : rotation.channels) {
-      key.positions[i] = 0 - key.positions[i];  // 0 stays without a sign
-      if (!key.velocities.empty()) key.velocities[i] = {-key.velocities[i].in, -key.velocities[i].out};
-    }
-  }
-  return key;
-}
-
-bool same_position(const Keys& a, const Keys& b) { return std::ranges::equal(a.position(0), b.position(0)); }
-
-/// The end of the period. Requires: a period.
-Time end_by_period(const Keys& first, const Keys& last, const Rational& period, int decimals) {
-  const Time end = nearest_time(exact_time(first.times[0]) + period, decimals);
-  if (end > last.times[0]) return end;
-  throw period_too_short(time_text(last.times[0]));
-}
-
-/// The time of a last key that repeats the first one. Throws: Error (data) if they differ in anything else.
-Time end_by_last_key(const Keys& first, const Keys& last, const KeyStore& keys, const std::optional<Time>& end) {
-  const TextPosition position{"", keys.last_line(), 0};
-  if (last.tcbs != first.tcbs) {
-    throw closing_key_differs(keys.first_line()).at(position);
-  }
-  for (std::size_t i = 0; i < last.velocities.size(); ++i) {
-    const auto &a = first.velocities[i], &b = last.velocities[i];
-    const auto differs = [](double x, double y) { return !std::isnan(x) && !std::isnan(y) && x != y; };
-    if (!differs(a.in, b.in) && !differs(a.out, b.out)) continue;
-    throw closing_velocity_differs(keys.first_line()).at(position);
-  }
-  if (end && *end != last.times[0]) {
-    throw closing_key_against_period(keys.first_line()).at(position);
-  }
-  return last.times[0];
-}
-
-/// All keys of a store as one block, and which of their positions are missing.
-std::pair<Keys, std::vector<bool>> with_missing(const KeyStore& store) {
-  std::pair<Keys, std::vector<bool>> result{store.all(), {}};
-  for (const double position : result.first.positions) result.second.push_back(std::isnan(position));
-  return result;
-}
-
-void require_positions(const Keys& keys, const std::vector<bool>& missing, const std::vector<std::string>& channels) {
-  for (std::size_t i = 0; i < keys.channels; ++i) {
-    bool any = false;
-    for (std::size_t key = 0; key < keys.size() && !any; ++key) any = !missing[key * keys.channels + i];
-    if (!any) throw channel_without_numbers(channels[i]);
-  }
-}
-
 }  // namespace
 
-Time close(KeyStore& keys, const CurveSpec& spec, bool timed) {
+LinkedKeys linked(const KeyStore& keys, const std::optional<Time>& end) {
+  if (!end) return {keys.source()};
+  return {keys.source(), keys.key(keys.size() - 1), *end};
+}
+
+Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::vector<std::string>& channels) {
   const Keys first = keys.key(0);
-  Keys last = keys.key(keys.size() - 1);
+  const Keys last = spline::with_signs_of(first, keys.key(keys.size() - 1), spec.rules.rotations);
   std::optional<Time> end;
-  if (spec.period) end = end_by_period(first, first, *spec.period, keys.decimals());
-  const Keys repeated = with_signs_of(first, last, spec.rules.rotations);
-  if (keys.size() > 1 && same_position(first, repeated)) {
-    end = end_by_last_key(first, repeated, keys, end);
-    keys.drop_last();
-    keys.set_first_incoming(repeated);
-    if (keys.size() > 0) last = keys.key(keys.size() - 1);
-  } else if (end) {
-    end = end_by_period(first, last, *spec.period, keys.decimals());
-  } else if (!timed) {
+  if (spec.period) {
+    end = nearest_time(exact_time(first.times[0]) + *spec.period, keys.decimals());
+  } else if (!timed && keys.size() > 1 && !spline::is_repeated(first, last)) {
     const double step = parameter_step<double, double>(last.position(0), first.position(0), spec.parameter.value_or(0),
                                                        spec.rules.metric);
     end = Time((last.times[0] + Time(step)).hi);
   }
-  if (keys.size() < 2) throw too_few_closed_keys();
-  if (!end) throw no_period();
-  return *end;
-}
-
-void require_seam_velocities(const KeyStore& keys, const std::vector<std::string>& channels) {
-  const std::vector<bool> given = keys.key(0).given;
-  const std::size_t size = keys.size();
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const auto is_missing = [&](std::size_t key) { return std::isnan(keys.key(key).positions[i]); };
-    std::size_t first = 0, last = size - 1;
-    while (first < last && is_missing(first)) ++first;
-    while (last > first && is_missing(last)) --last;
-    const bool has_both =
-        !std::isnan(keys.key(first).velocities[i].in) && !std::isnan(keys.key(last).velocities[i].out);
-    if (given[i] && !has_both) throw seam_velocity_missing(channels[i]);
+  const auto closing = spline::find_closing<double>(first, last, keys.size(), end);
+  if (!closing) throw curve_error(closing.error(), keys, channels);
+  if (closing->repeats) {
+    keys.drop_last();
+    keys.join_seam(last);
   }
-}
-
-LinkedKeys periodic_extension(const KeyStore& keys, const Time& end) {
-  const auto size = static_cast<std::ptrdiff_t>(keys.size());
-  const Time period = end - keys.key(0).times[0];
-  const auto extended = [&](std::ptrdiff_t number) {
-    return extended_key<double>([&](std::size_t own) { return keys.key(own); }, size, period, number);
-  };
-  Keys next = extended(size);
-  next.times[0] = end;
-  spline::append(next, extended(size + 1), 0, 1);
-  auto source = [kept = keys.source(), next = std::optional<Keys>(std::move(next))]() mutable {
-    std::optional<Keys> block = kept();
-    return block ? block : std::exchange(next, std::nullopt);
-  };
-  return {std::move(source), extended(-1)};
+  const auto key_at = [&keys](std::size_t number) { return keys.key(number); };
+  if (const auto error = spline::find_seam_error<double>(key_at, keys.size())) {
+    throw curve_error(*error, keys, channels);
+  }
+  return closing->end;
 }
 
 Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads) {
   keys.keys = in_small_blocks(std::move(keys.keys));
-  auto windows = keys.context ? closed_windows(std::move(keys.keys), std::move(*keys.context))
-                              : open_windows(std::move(keys.keys));
   const auto link = [rules, measured](const spline::Window<double>& window) {
     return block_of(window, rules, measured);
   };
-  return ordered_map(std::move(windows), link, threads);
+  return ordered_map(windows(std::move(keys)), link, threads);
 }
 
 Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
-                                           bool measured, const std::vector<std::string>& channels, bool expanded) {
-  auto [all, missing] = with_missing(keys);
-  require_positions(all, missing, channels);
+                                           bool measured, bool expanded) {
   const auto part = expanded ? spline::expanded_part<double> : spline::part<double>;
-  const KeyedCurve<double> curve(std::move(all), missing, rules, end, part);
+  const spline::CurveKeys<double> curve(keys.all(), rules, end, part);
   SegmentBlock block{curve.segments(0, curve.size()), {}, true, curve.is_closed()};
   if (measured) measure(block, rules);
   return [block = std::optional(std::move(block))]() mutable { return std::exchange(block, std::nullopt); };

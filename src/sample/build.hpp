@@ -27,11 +27,15 @@ struct CurveSpec {
   std::optional<Rational> period;                  ///< of a closed curve, if given
   std::optional<double> parameter;                 ///< exponent of the distances that make times
   std::optional<std::string> parameter_name = {};  ///< as given
+  std::vector<RotationColumns> rotations = {};     ///< those of the rules, and how rows show them
+  std::vector<AngleColumn> angles = {};            ///< likewise
   Extrapolation extrapolation = Extrapolation::error;
   bool ease = true;  ///< ease columns are used, if there are any
 
   /// There are rotations alone, which have no lengths.
   bool lacks_metric = false;
+
+  CurveChannels channels() const { return {rules.metric, rotations, angles}; }
 };
 
 /// The settings of the command line, completed by those of the input. A preset of the command
@@ -48,8 +52,8 @@ CurveSpec make_spec(const CurveSettings& settings);
 /// about a setting, also for a metric channel that does not exist or belongs to a rotation, or a velocity with another
 /// number of channels.
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<spline::RotationColumns>& rotations = {},
-                    const std::vector<spline::AngleChannel>& angles = {});
+                    const std::vector<RotationColumns>& rotations = {},
+                    const std::vector<AngleColumn>& angles = {});
 
 /// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
 std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);
@@ -78,31 +82,25 @@ struct SegmentBlock {
 /// Keys in the order in which they are linked to segments.
 struct LinkedKeys {
   Source<Keys> keys;
-  std::optional<Keys> context;  ///< of a closed curve: the key before the first
+  std::optional<Keys> last = {};  ///< of a closed curve: its last key
+  Time end = {};                  ///< and the time when it is back at its first one
 };
 
-/// The time at which a closed curve returns to its first key. A last key that repeats the first one's position is
-/// dropped: it only gives that time. `timed`: the input has times.
-/// Throws: Error (data) if nothing gives that time, if the repeated key has another tension, continuity or bias,
-/// or if there are fewer than two distinct keys.
-Time close(KeyStore& keys, const CurveSpec& spec, bool timed);
+/// The keys of a curve. `end`: of a closed one.
+LinkedKeys linked(const KeyStore& keys, const std::optional<Time>& end);
 
-/// Throws: Error (data) for a channel with given velocities, where one at the seam of a closed curve is missing.
-void require_seam_velocities(const KeyStore& keys, const std::vector<std::string>& channels);
-
-/// The keys of a closed curve, followed by the first two one period later, with the last one a period earlier as
-/// context.
-LinkedKeys periodic_extension(const KeyStore& keys, const Time& end);
+/// When a closed curve is back at its first key. A last key that repeats the first one is dropped: it only gives that
+/// time. `timed`: the input has times. Throws: Error (data) for keys that make no closed curve.
+Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::vector<std::string>& channels);
 
 /// The segments between the keys, each as soon as the key after its end is known.
 Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads = 1);
 
 /// The segments of a curve whose keys lack positions: each channel runs through the keys that have a position in it.
 /// `end`: of a closed curve. `expanded`: cubics are expanded parts of those between a channel's own keys.
-/// Throws: Error (data) for a channel without any position.
+/// Requires: a position in every channel.
 Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
-                                           bool measured, const std::vector<std::string>& channels,
-                                           bool expanded = false);
+                                           bool measured, bool expanded = false);
 
 /// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.
 void require_length(const spline::DoubleDouble& length, const Time& end);

@@ -38,7 +38,7 @@ struct PositionCell {
 };
 
 /// The cells of a position in order.
-std::vector<PositionCell> position_cells(std::size_t channels, std::span<const spline::RotationColumns> rotations);
+std::vector<PositionCell> position_cells(std::size_t channels, std::span<const RotationColumns> rotations);
 
 /// Receives the numbers of a point, one cell after another. For exact scalars see exact/precision_levels.
 template <class S>

@@ -11,6 +11,7 @@
 
 #include "numbers/decimal_time.hpp"
 #include "sample/extrapolation.hpp"
+#include "schema/curve_channels.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/rotation.hpp"
 
@@ -31,12 +32,12 @@ struct CurveSegmentOf {
   std::uint64_t end_key = number + 1;        ///< of the key at its end, 0 if a closed curve has returned
   int decimals = 0;                          ///< of the times on it, if they have more digits than doubles; else 0
   std::span<const spline::RotationSegment<S>> rotations = {};
-  std::span<const spline::RotationColumns> rotation_columns = {};  ///< those of each
-  std::span<const spline::AngleChannel> angles = {};
+  std::span<const RotationColumns> rotation_columns = {};  ///< those of each
+  std::span<const AngleColumn> angles = {};
   std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
 
   /// Null where the channel is no angle.
-  const spline::AngleChannel* angle(std::size_t channel) const {
+  const AngleColumn* angle(std::size_t channel) const {
     const auto found = std::ranges::find(angles, channel, &spline::AngleChannel::channel);
     return found == angles.end() ? nullptr : &*found;
   }

@@ -171,8 +171,8 @@ namespace {
 
 /// Sets the metric: the named channels, or all that are no angles and no numbers of a rotation.
 void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vector<std::string>& channels) {
-  const std::vector<spline::RotationColumns>& rotations = spec.rules.rotations;
-  const std::vector<spline::AngleChannel>& angles = spec.rules.angles;
+  const std::vector<RotationColumns>& rotations = spec.rotations;
+  const std::vector<AngleColumn>& angles = spec.angles;
   const auto is_angle = [&](std::size_t channel) {
     return std::ranges::count(angles, channel, &spline::AngleChannel::channel) > 0;
   };
@@ -205,11 +205,13 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
 }  // namespace
 
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<spline::RotationColumns>& rotations,
-                    const std::vector<spline::AngleChannel>& angles) {
+                    const std::vector<RotationColumns>& rotations,
+                    const std::vector<AngleColumn>& angles) {
   CurveSpec spec = make_spec(settings);
-  spec.rules.rotations = rotations;
-  spec.rules.angles = angles;
+  spec.rotations = rotations;
+  spec.rules.rotations.assign(rotations.begin(), rotations.end());
+  spec.angles = angles;
+  spec.rules.angles.assign(angles.begin(), angles.end());
   set_metric(spec, settings, channels);
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
@@ -236,7 +238,7 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
   const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
   if (emits && !spec.rules.angles.empty()) throw pieces_of_angles();
   if (emits && curve == spline::RotationCurve::components &&
-      !std::ranges::all_of(spec.rules.rotations, is_quaternion)) {
+      !std::ranges::all_of(spec.rotations, is_quaternion)) {
     throw pieces_of_other_form();
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {

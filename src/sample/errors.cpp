@@ -203,6 +203,12 @@ Error channel_without_numbers(std::string_view channel) {
                                   channel, option::columns)};
 }
 
+Error ease_with_missing_cells() {
+  return {Exit::data, fmt::format("some numbers were skipped by {} skip-cell, but ease_in and ease_out need a number "
+                                  "in every channel; fill them in, or give {}",
+                                  option::missing, option::no_ease)};
+}
+
 Error tangents_beyond_doubles(std::string_view from, std::string_view to) {
   return {Exit::data, fmt::format("the curve from time {} to {} has tangents beyond the range of doubles; expected less "
                                   "than 1.8e308 in size; scale the keys down",

@@ -16,12 +16,12 @@ void write_times(Cell* first, std::size_t width, const CurveSegment&, std::span<
 
 namespace {
 
-bool is_quaternion(const spline::RotationColumns& rotation) {
+bool is_quaternion(const RotationColumns& rotation) {
   return rotation.shown.form == spline::RotationForm::quaternion;
 }
 
 /// The cell of a channel that has one.
-PositionCell cell_of_channel(std::size_t channel, std::span<const spline::RotationColumns> rotations) {
+PositionCell cell_of_channel(std::size_t channel, std::span<const RotationColumns> rotations) {
   PositionCell cell{channel};
   for (std::size_t i = 0; i < rotations.size(); ++i) {
     const auto own = std::ranges::find(rotations[i].channels, channel);
@@ -34,9 +34,9 @@ PositionCell cell_of_channel(std::size_t channel, std::span<const spline::Rotati
 
 }  // namespace
 
-std::vector<PositionCell> position_cells(std::size_t channels, std::span<const spline::RotationColumns> rotations) {
+std::vector<PositionCell> position_cells(std::size_t channels, std::span<const RotationColumns> rotations) {
   std::size_t count = channels;
-  for (const spline::RotationColumns& rotation : rotations) {
+  for (const RotationColumns& rotation : rotations) {
     count += rotation.shown.numbers() - rotation.channels.size();
   }
   std::vector<PositionCell> cells(count);
@@ -64,7 +64,7 @@ namespace {
 void write_channel(Cell* cell, std::size_t width, const CurveSegment& segment, std::size_t channel,
                    std::span<const Sample> samples) {
   const spline::Cubic<double>& x = segment.cubics[channel];
-  const spline::AngleChannel* const angle = segment.angle(channel);
+  const AngleColumn* const angle = segment.angle(channel);
   const auto put = [&](double value) {
     *cell = angle == nullptr ? value : spline::wrapped(value, angle->degrees, angle->is_signed);
     cell += width;
@@ -97,7 +97,7 @@ void write_rotation(Cell* row, std::size_t width, const spline::RotationSegment<
 }  // namespace
 
 void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
-  const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
+  const std::span<const RotationColumns> rotations = segment.rotation_columns;
   if (std::ranges::all_of(rotations, is_quaternion)) {
     for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
       if (!segment.is_rotation(i)) write_channel(first + i, width, segment, i, samples);
@@ -134,7 +134,7 @@ std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& sh
   for (const std::size_t index : chosen) {
     const Field& field = fields()[index];
     std::size_t channels = shape.channels;
-    for (const spline::RotationColumns& rotation : shape.rotations) {
+    for (const RotationColumns& rotation : shape.rotations) {
       if (field.of_motion) channels -= rotation.channels.size();
       if (field.shows_rotations) channels += rotation.shown.numbers() - rotation.channels.size();
     }

@@ -47,7 +47,7 @@ void write_sample_time(Point<S>& point, CellWriter<S> out) {
 template <class S>
 void write_position(Point<S>& point, CellWriter<S> out) {
   const CurveSegmentOf<S>& segment = point.segment();
-  const std::span<const spline::RotationColumns> rotations = segment.rotation_columns;
+  const std::span<const RotationColumns> rotations = segment.rotation_columns;
   std::vector<spline::RotationNumbers<S>> numbers(rotations.size());
   if constexpr (spline::has_roots<S>) {
     for (std::size_t i = 0; i < rotations.size(); ++i) {
@@ -57,7 +57,7 @@ void write_position(Point<S>& point, CellWriter<S> out) {
   for (const PositionCell& cell : position_cells(segment.cubics.size(), rotations)) {
     if (cell.rotation == PositionCell::none) {
       const S position = point.position(cell.channel);
-      const spline::AngleChannel* const angle = segment.angle(cell.channel);
+      const AngleColumn* const angle = segment.angle(cell.channel);
       out.add_of_channel(angle == nullptr ? position : spline::wrapped(position, angle->degrees, angle->is_signed),
                          cell.channel, false);
     } else if (cell.channel != PositionCell::none) {
@@ -255,7 +255,7 @@ std::size_t field_of(std::string_view name);
 /// The channels of a row, and the rotations that four of them each make.
 struct RowShape {
   std::size_t channels = 0;
-  std::span<const spline::RotationColumns> rotations = {};
+  std::span<const RotationColumns> rotations = {};
 };
 template <class S>
 RowShape shape_of(const CurveSegmentOf<S>& segment) {

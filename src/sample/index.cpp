@@ -48,8 +48,8 @@ std::vector<Time> with_keys(const std::vector<Time>& times, const CurveIndex& cu
   return merged;
 }
 
-CurveIndex::CurveIndex(const Source<SegmentBlock>& segments, std::vector<std::size_t> metric)
-    : first_numbers_{0}, s_{DoubleDouble()}, s_error_{0}, metric_(std::move(metric)) {
+CurveIndex::CurveIndex(const Source<SegmentBlock>& segments, CurveChannels channels)
+    : first_numbers_{0}, s_{DoubleDouble()}, s_error_{0}, channels_(std::move(channels)) {
   while (std::optional<SegmentBlock> block = segments()) {
     const std::size_t size = block->segments.size();
     if (size == 0) continue;
@@ -81,7 +81,7 @@ CurveSegment CurveIndex::segment(std::uint64_t number) const {
           s_[number],
           s_[number + 1],
           segments[i],
-          metric_,
+          channels_.metric,
           last,
           segments.warp(i),
           cycle_,
@@ -90,8 +90,8 @@ CurveSegment CurveIndex::segment(std::uint64_t number) const {
           closes ? 0 : number + 1,
           decimals_,
           segments.rotations_of(i),
-          segments.rotation_columns,
-          segments.angles,
+          channels_.rotations,
+          channels_.angles,
           turns_};
 }
 

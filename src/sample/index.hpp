@@ -33,7 +33,7 @@ std::uint64_t segment_at_time(std::uint64_t segments, EndTime end_time, const T&
 class CurveIndex {
  public:
   /// Requires: at least one segment.
-  CurveIndex(const Source<SegmentBlock>& segments, std::vector<std::size_t> metric);
+  CurveIndex(const Source<SegmentBlock>& segments, CurveChannels channels);
 
   std::uint64_t size() const { return first_numbers_.back(); }
   double length() const { return s_.back().hi; }
@@ -52,7 +52,7 @@ class CurveIndex {
   std::vector<std::uint64_t> first_numbers_;  ///< of each block's first segment, then the number of segments
   std::vector<spline::DoubleDouble> s_;       ///< arc length at the start of each segment, then of all
   std::vector<double> s_error_;               ///< bounds on the errors of these
-  std::vector<std::size_t> metric_;
+  CurveChannels channels_;
   std::vector<double> cycle_;                      ///< last key - first key
   std::vector<spline::Quaternion<double>> turns_;  ///< the same of the rotations
   int decimals_ = 0;                               ///< of the times

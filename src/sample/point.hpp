@@ -9,7 +9,7 @@
 
 #include "sample/curve_segment.hpp"
 #include "sample/rotation_at.hpp"
-#include "sample/segment_length.hpp"
+#include "tcb/spline/segment_length.hpp"
 #include "tcb/spline/derivatives.hpp"
 
 namespace tcb {
@@ -33,7 +33,7 @@ class Point {
   explicit Point(PathShape<S> shape = PathShape<S>()) : shape_(std::move(shape)) {}
 
   /// Assigns another segment; a sample on it must follow. `arc`: its lengths, if they are known.
-  void set(const CurveSegmentOf<S>& segment, const SegmentLength<S>* arc = nullptr) {
+  void set(const CurveSegmentOf<S>& segment, const spline::SegmentLength<S>* arc = nullptr) {
     segment_ = &segment;
     known_arc_ = arc;
     has_arc_ = false;
@@ -74,7 +74,7 @@ class Point {
   Quantity<S> torsion() { return shape_.torsion(*this); }
 
  private:
-  const SegmentLength<S>& arc() {
+  const spline::SegmentLength<S>& arc() {
     if (known_arc_ != nullptr) return *known_arc_;
     if (!std::exchange(has_arc_, true)) arc_.assign(segment_->cubics, segment_->rotations, segment_->metric);
     return arc_;
@@ -86,8 +86,8 @@ class Point {
   const SampleOf<S>* sample_ = nullptr;
   const SampleOf<S>* end_ = nullptr;
   const OutsideOf<S>* outside_ = nullptr;
-  const SegmentLength<S>* known_arc_ = nullptr;
-  SegmentLength<S> arc_;
+  const spline::SegmentLength<S>* known_arc_ = nullptr;
+  spline::SegmentLength<S> arc_;
   bool has_arc_ = false;
   spline::Derivatives<S> derivatives_;
   bool has_derivatives_ = false;

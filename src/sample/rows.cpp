@@ -17,8 +17,8 @@ namespace {
 /// Takes the segments in order and has the sampler place the rows on each.
 class Placer {
  public:
-  Placer(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, std::vector<std::size_t> metric)
-      : blocks_(std::move(segments)), sampler_(std::move(sampler)), metric_(std::move(metric)) {}
+  Placer(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels)
+      : blocks_(std::move(segments)), sampler_(std::move(sampler)), channels_(std::move(channels)) {}
 
   std::optional<SampleBlock> next() {
     while (placed_.empty() && !segment_follows()) {
@@ -64,14 +64,14 @@ class Placer {
                          .s_start = s_start,
                          .s_end = s_,
                          .cubics = segments[i],
-                         .metric = metric_,
+                         .metric = channels_.metric,
                          .last = last,
                          .warp = segments.warp(i),
                          .number = number_++,
                          .s_error = s_error_,
                          .rotations = segments.rotations_of(i),
-                         .rotation_columns = segments.rotation_columns,
-                         .angles = segments.angles};
+                         .rotation_columns = channels_.rotations,
+                         .angles = channels_.angles};
     if (last && block_->closes) segment.end_key = 0;
     decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
     segment.decimals = decimals_;
@@ -83,7 +83,7 @@ class Placer {
 
   Source<SegmentBlock> blocks_;
   std::shared_ptr<Sampler> sampler_;
-  std::vector<std::size_t> metric_;
+  CurveChannels channels_;
   std::shared_ptr<const SegmentBlock> block_;
   std::size_t index_ = 0;
   std::uint64_t number_ = 0;
@@ -108,8 +108,8 @@ std::uint64_t SampleBlock::rows() const {
 }
 
 Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
-                          std::vector<std::size_t> metric) {
-  const auto placer = std::make_shared<Placer>(std::move(segments), std::move(sampler), std::move(metric));
+                          CurveChannels channels) {
+  const auto placer = std::make_shared<Placer>(std::move(segments), std::move(sampler), std::move(channels));
   return [placer] { return placer->next(); };
 }
 

@@ -31,7 +31,7 @@ struct SampleBlock {
 
 /// The samples of a curve in order, in blocks, each as soon as its segments are known.
 Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
-                          std::vector<std::size_t> metric);
+                          CurveChannels channels);
 
 /// The cells of some rows, row after row.
 struct Table {

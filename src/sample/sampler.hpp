@@ -16,7 +16,7 @@
 
 #include "sample/curve_segment.hpp"
 #include "sample/grid.hpp"
-#include "sample/segment_length.hpp"
+#include "tcb/spline/segment_length.hpp"
 
 namespace tcb {
 
@@ -42,7 +42,7 @@ struct Located {
   std::vector<Outside> outside = {};   ///< one per sample, or none where all samples must be on the curve
   std::vector<Time> coordinates = {};  ///< the times or arc lengths of the samples
   std::vector<spline::LocalParameter<double>> places = {};
-  SegmentLength<double> arc = {};
+  spline::SegmentLength<double> arc = {};
 };
 
 /// Locates samples on the segment on which they lie.

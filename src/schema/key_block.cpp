@@ -52,17 +52,11 @@ bool KeyBlock::begins_curve(std::size_t key) const {
 
 void KeyBlock::append(const KeyBlock& from, std::size_t first, std::size_t last) {
   if (first == last) return;
-  keys.channels = from.keys.channels;
-  keys.common_tcb = from.keys.common_tcb;
-  copy(keys.times, from.keys.times, first, last);
-  copy(keys.positions, from.keys.positions, first * keys.channels, last * keys.channels);
-  const std::size_t tcbs = from.keys.tcbs_per_key();
-  copy(keys.tcbs, from.keys.tcbs, first * tcbs, last * tcbs);
-  copy(keys.eases, from.keys.eases, first, last);
-  if (!from.keys.velocities.empty()) {
-    keys.given = from.keys.given;
-    copy(keys.velocities, from.keys.velocities, first * keys.channels, last * keys.channels);
-  }
+  spline::take_common(keys, from.keys);
+  const auto append_keys = [&](auto& to, const auto& column) {
+    spline::append_entries(to, column, from.size(), first, last);
+  };
+  spline::for_each_column(append_keys, keys, from.keys);
   copy(lines, from.lines, first, last);
   copy(columns, from.columns, first, last);
   copy(numbers, from.numbers, first, last);
@@ -100,11 +94,7 @@ KeyBlock KeyBlock::split_last() {
   marks.resize(marks_per_key() * last);
   texts.cut(texts_per_key() * last);
   decimals.cut(decimals.size() / size() * last);
-  drop_last(keys.times);
-  keys.tcbs.resize(keys.tcbs_per_key() * last);
-  keys.positions.resize(keys.channels * last);
-  drop_last(keys.eases);
-  if (!keys.velocities.empty()) keys.velocities.resize(keys.channels * last);
+  spline::for_each_column([&](auto& column) { column.resize(column.size() / size() * last); }, keys);
   drop_last(lines);
   drop_last(columns);
   drop_last(numbers);
@@ -112,9 +102,7 @@ KeyBlock KeyBlock::split_last() {
 }
 
 void KeyBlock::take_block_data(KeyBlock& from) {
-  keys.channels = from.keys.channels;
-  keys.common_tcb = from.keys.common_tcb;
-  keys.given = from.keys.given;
+  spline::take_common(keys, from.keys);
   break_after = from.break_after;
   if (curve_info == nullptr) curve_info = std::move(from.curve_info);
   skipped = from.skipped;

@@ -119,14 +119,14 @@ void require_own_columns(const Schema& schema, const Columns& columns) {
     if (taken[channel]) throw column_in_two_rotations(columns.channels[channel]).about(option);
     taken[channel] = true;
   };
-  for (const spline::AngleChannel& angle : schema.angles) take(angle.channel, option::angle);
+  for (const AngleColumn& angle : schema.angles) take(angle.channel, option::angle);
   for (const GivenRotation& given : schema.rotations.given) {
     for (const std::size_t channel : given.channels) take(channel, option::rotation);
   }
 }
 
 /// Adds the channels of a quaternion in place of the columns of another form. They are named after these.
-void add_quaternion(Schema& schema, const GivenRotation& given, spline::RotationColumns& rotation) {
+void add_quaternion(Schema& schema, const GivenRotation& given, RotationColumns& rotation) {
   for (std::size_t i = 0; i < rotation.channels.size(); ++i) {
     rotation.channels[i] = schema.channels.size();
     schema.channels.push_back(i < given.columns.size() ? given.columns[i] : "rotation of " + given.columns[0]);
@@ -152,7 +152,7 @@ void set_channels(Schema& schema, const Columns& columns) {
   }
   if (rotation_with(schema.rotations.given, 0) < schema.rotations.columns.size())
     schema.time.may_be_first_channel = false;
-  for (spline::AngleChannel& angle : schema.angles) angle.channel = now[angle.channel];
+  for (AngleColumn& angle : schema.angles) angle.channel = now[angle.channel];
   for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
     const GivenRotation& given = schema.rotations.given[i];
     if (given.notation.form != spline::RotationForm::quaternion) continue;
@@ -171,7 +171,7 @@ void set_places(Schema& schema, const Columns& columns) {
       continue;
     }
     const GivenRotation& given = schema.rotations.given[index];
-    spline::RotationColumns& rotation = schema.rotations.columns[index];
+    RotationColumns& rotation = schema.rotations.columns[index];
     const auto number = static_cast<std::size_t>(std::ranges::find(given.channels, read) - given.channels.begin());
     if (rotation.shown == given.notation) {
       rotation.places[number] = next++;
@@ -198,7 +198,7 @@ void show_rotation(Schema& schema, std::size_t index, const spline::RotationNota
 
 /// Adds a rotation with channels of keys as they are read.
 void add_rotation(Schema& schema, GivenRotation given, const Columns& columns) {
-  spline::RotationColumns& rotation = schema.rotations.columns.emplace_back();
+  RotationColumns& rotation = schema.rotations.columns.emplace_back();
   const auto is_relative = std::ranges::count(schema.rotations.given, true, &GivenRotation::relative);
   if (given.relative) rotation.turn = static_cast<std::size_t>(is_relative);
   given.columns.clear();

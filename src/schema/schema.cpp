@@ -15,7 +15,7 @@ std::vector<std::string*> names_of(Schema& schema) {
   std::vector<std::string*> names;
   if (schema.time.is_given) names.push_back(&schema.time.name);
   const auto is_shown = [&](std::size_t channel) {
-    return std::ranges::none_of(schema.rotations.columns, [&](const spline::RotationColumns& rotation) {
+    return std::ranges::none_of(schema.rotations.columns, [&](const RotationColumns& rotation) {
       return rotation.shown.form != spline::RotationForm::quaternion && rotation.has(channel);
     });
   };

@@ -9,6 +9,7 @@
 
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
+#include "schema/curve_channels.hpp"
 #include "schema/columns.hpp"
 #include "schema/rotation_options.hpp"
 #include "tcb/spline/key.hpp"
@@ -28,7 +29,7 @@ struct TimeSchema {
 /// The rotations of records: how keys give each, and how rows show it.
 struct RotationSchema {
   // An entry for each rotation:
-  std::vector<spline::RotationColumns> columns = {};  ///< which channels make them
+  std::vector<RotationColumns> columns = {};  ///< which channels make them
   std::vector<GivenRotation> given = {};              ///< how keys give them
   std::vector<std::vector<std::string>> names = {};   ///< of their cells in rows, where these are not channels
 
@@ -42,7 +43,7 @@ struct Schema {
   TimeSchema time = {};
   std::vector<std::string> channels = {};         ///< names of the position channels
   RotationSchema rotations = {};                  ///< which channels make rotations
-  std::vector<spline::AngleChannel> angles = {};  ///< which channels are angles
+  std::vector<AngleColumn> angles = {};  ///< which channels are angles
   std::vector<std::string> groups = {};           ///< names of the group columns
   std::vector<std::string> labels = {};           ///< names of the columns of labels
 };

@@ -81,7 +81,7 @@ TEST(KeyStore, a_repeated_key_gives_the_first_its_incoming_velocities) {
                  }())]() mutable { return std::exchange(block, std::nullopt); });
   const Keys last = keys.key(2);
   keys.drop_last();
-  keys.set_first_incoming(last);
+  keys.join_seam(last);
   EXPECT_EQ(keys.all().velocities, (std::vector<spline::Velocity<double>>{{4, 1}, {2, 3}}));
 }
 

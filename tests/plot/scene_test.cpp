@@ -51,7 +51,7 @@ Keys quarter_turns() {
 }
 
 TEST(Scene, rotations_have_the_angle_from_the_first_key) {
-  const std::vector<spline::RotationColumns> columns{{{1, 2, 3, 4}}};
+  const std::vector<RotationColumns> columns{{{1, 2, 3, 4}}};
   const KeyStore keys(quarter_turns());
   const std::vector<FirstRotation> firsts = first_rotations(keys, columns);
   const Keys with = with_angles(keys, firsts).all();
@@ -60,9 +60,9 @@ TEST(Scene, rotations_have_the_angle_from_the_first_key) {
     EXPECT_NEAR(with.position(key)[5], 90.0 * static_cast<double>(key), 1e-12);
   }
   spline::CurveRules<double> rules = make_spec({}).rules;
-  rules.rotations = columns;
+  rules.rotations = {columns[0]};
   const auto segments = [&] { return segment_blocks({keys.source(), {}}, rules, false); };
-  const Source<SegmentBlock> blocks = with_rotations_as_cubics(segments, firsts)();
+  const Source<SegmentBlock> blocks = with_rotations_as_cubics(segments, {{}, columns}, firsts)();
   double last = 0;
   while (const auto block = blocks()) {
     for (std::size_t i = 0; i < block->segments.size(); ++i) {

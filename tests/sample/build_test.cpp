@@ -1,10 +1,11 @@
-// Building curves: segments with lengths, the end of a closed curve, periodic extension.
+// Building curves: segments with lengths, open, closed and sparse; what closes a curve.
 #include "sample/build.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,63 +67,71 @@ CurveSpec closed_spec(const char* period) {
 
 std::string close_refusal(KeyStore keys, const CurveSpec& curve) {
   try {
-    (void)close(keys, curve, true);
+    (void)take_closing(keys, curve, true, {"x"});
   } catch (const Error& error) {
     return error_text(error.in("f"));
   }
   return "nothing";
 }
 
-TEST(Close, a_repeated_first_position_is_the_period_and_no_key) {
+TEST(Closing, a_repeated_first_position_is_the_period_and_no_key) {
   auto keys = kept({0.0, 1.0, 2.5}, {3, 4, 3});
-  EXPECT_EQ(close(keys, closed_spec(""), true).hi, 2.5);
+  EXPECT_EQ(take_closing(keys, closed_spec(""), true, {"x"}).hi, 2.5);
   EXPECT_EQ(keys.size(), 2U);
 }
 
-TEST(Close, a_period_is_added_exactly) {
+TEST(Closing, a_period_is_added_exactly) {
   auto keys = kept({0.1, 0.15}, {3, 4});
-  EXPECT_EQ(close(keys, closed_spec("0.2"), true).hi, 0.3);
+  EXPECT_EQ(take_closing(keys, closed_spec("0.2"), true, {"x"}).hi, 0.3);
 }
 
-TEST(Close, keys_without_times_need_one_step_more) {
+TEST(Closing, keys_without_times_need_one_step_more) {
   auto keys = kept({0.0, 1.0, 2.0}, {3, 4, 8});
-  EXPECT_EQ(close(keys, closed_spec(""), false).hi, 3);
+  EXPECT_EQ(take_closing(keys, closed_spec(""), false, {"x"}).hi, 3);
   CurveSpec chordal = closed_spec("");
   chordal.parameter = 1;
-  EXPECT_EQ(close(keys, chordal, false).hi, 7);
+  EXPECT_EQ(take_closing(keys, chordal, false, {"x"}).hi, 7);
 }
 
-TEST(Close, refuses_what_makes_no_closed_curve) {
+TEST(Closing, refuses_what_makes_no_closed_curve) {
   EXPECT_EQ(close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
-            "f: error: the period of the closed curve is unknown; expected --period, or a last row that "
-            "repeats the first position; give one");
+            "f: error: the period of the closed curve is unknown; expected it, or a last key that repeats the first "
+            "position; add that key, or give --period P");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
             "f:3: error: this key closes the curve at the position of line 1, but with another tension, continuity or "
             "bias; expected the same; correct one of the two");
-  EXPECT_EQ(
-      close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
-      "f: error: --period: the curve is closed before its last key, at time 2; expected a longer period; correct it");
+  EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
+            "f: error: the closed curve is back at its first key before its last one, at time 2; expected a longer "
+            "period; correct it");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
-            "f:3: error: this key repeats the position of line 1 and so ends the period, but --period differs; remove "
-            "one of them");
+            "f:3: error: this key repeats the position of line 1 and so ends the period, but at another time than the "
+            "given period; expected the same; remove one of them");
   EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
-            "f: error: a closed curve needs at least two distinct keys; add keys");
+            "f: error: the closed curve has a single key; expected at least two different ones; add a key");
 }
 
-TEST(PeriodicExtension, the_last_key_is_before_the_first_and_the_first_two_are_after) {
-  const auto keys = kept({0.0, 1.0, 3.0}, {5, 6, 7});
-  const LinkedKeys linked = periodic_extension(keys, 4.0);
-  EXPECT_EQ(linked.context->times[0].hi, -1);
-  EXPECT_EQ(linked.context->positions[0], 7);
+TEST(SegmentBlocks, of_a_closed_curve_end_at_the_first_key) {
+  const KeyStore keys = kept({0.0, 1.0, 3.0}, {5, 6, 7});
+  const auto source = segment_blocks(linked(keys, Time(4.0)), {}, false);
   std::vector<double> times, positions;
-  while (const auto block = linked.keys()) {
-    for (std::size_t i = 0; i < block->size(); ++i) {
-      times.push_back(block->times[i].hi);
-      positions.push_back(block->positions[i]);
+  bool closes = false;
+  while (const auto block = source()) {
+    for (std::size_t i = 0; i < block->segments.size(); ++i) {
+      times.push_back(block->segments.times[i].hi);
+      positions.push_back(block->segments[i][0].p1);
     }
+    closes = block->closes;
   }
-  EXPECT_EQ(times, (std::vector<double>{0, 1, 3, 4, 5}));
-  EXPECT_EQ(positions, (std::vector<double>{5, 6, 7, 5, 6}));
+  EXPECT_EQ(times, (std::vector<double>{0, 1, 3}));
+  EXPECT_EQ(positions, (std::vector<double>{6, 7, 5}));
+  EXPECT_TRUE(closes);
+}
+
+TEST(SegmentBlocks, of_sparse_keys_are_measured_on_request) {
+  const auto block = sparse_segment_blocks(kept({0.0, 1.0, 2.0}, {0, std::nan(""), 3}), {}, {}, true)();
+  ASSERT_EQ(block->lengths.size(), 2U);
+  EXPECT_EQ(block->lengths[0].value, 1.5);
+  EXPECT_TRUE(block->last);
 }
 
 }  // namespace

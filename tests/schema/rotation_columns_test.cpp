@@ -26,7 +26,7 @@ TEST(RotationsByName, four_names_that_differ_in_a_letter_after_a_q) {
   const auto rotations = [](const std::string& header, const RotationOptions& options = {}) {
     std::vector<Four> channels;
     const Input input = opened(header + "\n0,1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1,1\n", options);
-    for (const spline::RotationColumns& rotation : input.schema.rotations.columns) channels.push_back(rotation.channels);
+    for (const RotationColumns& rotation : input.schema.rotations.columns) channels.push_back(rotation.channels);
     return channels;
   };
   EXPECT_THAT(rotations("t,x,y,z,qx,qy,qz,qw,b"), ElementsAre(Four{3, 4, 5, 6}));

@@ -111,6 +111,13 @@ inline SineCosine<double> sine_cosine(double angle) {
 }
 inline double sine(double angle) { return ReducedAngle(angle).sine(); }
 
+/// For floats, by doubles.
+inline SineCosine<float> sine_cosine(float angle) {
+  const ReducedAngle reduced(static_cast<double>(angle));
+  return {static_cast<float>(reduced.sine()), static_cast<float>(reduced.cosine())};
+}
+inline float sine(float angle) { return static_cast<float>(sine(static_cast<double>(angle))); }
+
 /// The angle of the vector (x, y) in [0, pi], at a scalar that has its own. Requires: y >= 0.
 template <class S>
 S angle_of(const S& y, const S& x) {
@@ -147,6 +154,11 @@ inline double angle_of(double y, double x) {
   const DoubleDouble angle = eighths[index] + DoubleDouble::normalized(r.hi, r.lo + r.hi * z * series);
   if (steep) return (halved(half_turn) + (x < 0 ? angle : -angle)).hi;
   return x < 0 ? (half_turn - angle).hi : angle.hi;
+}
+
+/// For floats, by doubles.
+inline float angle_of(float y, float x) {
+  return static_cast<float>(angle_of(static_cast<double>(y), static_cast<double>(x)));
 }
 
 template <class S>

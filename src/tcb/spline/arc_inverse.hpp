@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <type_traits>
 
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/double_pair.hpp"
@@ -60,7 +61,7 @@ class ArcInverse {
   }
 
  private:
-  static constexpr bool is_double = std::numeric_limits<S>::digits <= 53;
+  static constexpr bool is_double = std::is_same_v<S, double>;
 
   /// The number of places computed together, which hides the latency of divisions and roots.
   static constexpr std::size_t several = is_double ? 2 : 1;
@@ -160,17 +161,17 @@ T ArcInverse<S>::estimate(const Quartic<T>& q, const T& length, const T& into) {
   using std::sqrt;
   // As a function of t = into / length it is 2 t - 1 plus terms that give the derivatives at the ends.
   const T even = q[0] + q[2] + q[4], odd = q[1] + q[3];
-  const T even_slope = 2.0 * q[2] + 4.0 * q[4], odd_slope = q[1] + 3.0 * q[3];
-  const T begin = 1.0 / (even - odd), end = 1.0 / (even + odd), square = 0.25 * (length * length);
+  const T even_slope = S(2.0) * q[2] + S(4.0) * q[4], odd_slope = q[1] + S(3.0) * q[3];
+  const T begin = S(1.0) / (even - odd), end = S(1.0) / (even + odd), square = S(0.25) * (length * length);
   const T t = into / length;
-  const T k1 = length * (sqrt(T(even - odd)) * begin) - 2.0;
+  const T k1 = length * (sqrt(T(even - odd)) * begin) - S(2.0);
   const T k2 = square * (even_slope - odd_slope) * (begin * begin);
-  const T in = length * (sqrt(T(even + odd)) * end) - 2.0;
+  const T in = length * (sqrt(T(even + odd)) * end) - S(2.0);
   const T in_second = square * (even_slope + odd_slope) * (end * end);  // minus half the second derivative at the end
-  const T k3 = -in_second - 6.0 * k1 - 4.0 * in - 3.0 * k2;
-  const T k4 = 8.0 * k1 + 7.0 * in + 3.0 * k2 + 2.0 * in_second;
-  const T k5 = -in_second - k2 - 3.0 * (k1 + in);
-  return within_panel(T(2.0 * t - 1.0 + t * (k1 + t * (k2 + t * (k3 + t * (k4 + t * k5))))));
+  const T k3 = -in_second - S(6.0) * k1 - S(4.0) * in - S(3.0) * k2;
+  const T k4 = S(8.0) * k1 + S(7.0) * in + S(3.0) * k2 + S(2.0) * in_second;
+  const T k5 = -in_second - k2 - S(3.0) * (k1 + in);
+  return within_panel(T(S(2.0) * t - S(1.0) + t * (k1 + t * (k2 + t * (k3 + t * (k4 + t * k5))))));
 }
 
 /// A step from a place with the square q of the speed, for a missing length, per width.
@@ -178,14 +179,14 @@ template <class S>
 template <class T>
 typename ArcInverse<S>::template Step<T> ArcInverse<S>::step(const Quartic<T>& q, const T& missing) {
   using std::max, std::sqrt;
-  const T unit = 1.0 / q[0];
+  const T unit = S(1.0) / q[0];
   const T a = q[1] * unit, b = q[2] * unit, c = q[3] * unit, e = q[4] * unit, aa = a * a;
   const T d = missing * (sqrt(q[0]) * unit), dd = d * d;
-  const T k2 = -0.25 * a;
+  const T k2 = -S(0.25) * a;
   const T k3 = (aa - b) * (S(1) / S(6));
-  const T k4 = (a * (13.0 * b - 7.0 * aa) - 6.0 * c) * (S(1) / S(48));
-  const T k5 = (aa * (35.0 * aa - 94.0 * b) + 57.0 * (a * c) + 26.0 * (b * b) - 24.0 * e) * (S(1) / S(240));
-  return {d * (1.0 + d * (k2 + d * (k3 + d * (k4 + d * k5)))), dd * (1.0 + (aa + max(b, T(-b)) + dd * e))};
+  const T k4 = (a * (S(13.0) * b - S(7.0) * aa) - S(6.0) * c) * (S(1) / S(48));
+  const T k5 = (aa * (S(35.0) * aa - S(94.0) * b) + S(57.0) * (a * c) + S(26.0) * (b * b) - S(24.0) * e) * (S(1) / S(240));
+  return {d * (S(1.0) + d * (k2 + d * (k3 + d * (k4 + d * k5)))), dd * (S(1.0) + (aa + max(b, T(-b)) + dd * e))};
 }
 
 /// One step from the estimate, which is nearly always enough.

@@ -3,6 +3,9 @@
 // On segment i, from key i at t_i to key i+1, with h = t_(i+1) - t_i, u = (t - t_i)/h (warped where keys have ease) and
 // `out`, `in` the tangents by the rules of rules.hpp:
 //   X(u) = (2u^3 - 3u^2 + 1) P_i + (3u^2 - 2u^3) P_(i+1) + (u^3 - 2u^2 + u) out_i + (u^3 - u^2) in_(i+1)
+// The channels of a rotation have the numbers x, y, z, w of a unit quaternion, see rotation.hpp. An angle is from 0 to
+// less than a whole turn. A channel in which keys lack positions runs through the keys that have one; before the first
+// of them and after the last, an open curve is constant there.
 // Source: D. Eberly, "Kochanek-Bartels Cubic Splines (TCB Splines)", section 2; for rules and lengths see rules.hpp and
 //   arc_length.hpp.
 // Units: times and lengths as the keys have them; derivatives per unit of time to the power of their order.
@@ -10,52 +13,30 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "tcb/spline/arc_inverse.hpp"
 #include "tcb/spline/build_error.hpp"
+#include "tcb/spline/closing.hpp"
+#include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/derivatives.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/segment_length.hpp"
 
 namespace tcb::spline {
-
-template <class S>
-class Curve;
-
-/// A curve, or the error that prevents it.
-template <class S>
-class BuildResult {
- public:
-  BuildResult(Curve<S> curve) : result_(std::move(curve)) {}  // NOLINT(google-explicit-constructor): either
-  BuildResult(BuildError error) : result_(error) {}           // NOLINT(google-explicit-constructor): converts
-
-  /// Whether there is a curve.
-  explicit operator bool() const { return std::holds_alternative<Curve<S>>(result_); }
-
-  /// The curve. Throws: std::bad_variant_access if there is none.
-  const Curve<S>& operator*() const& { return std::get<Curve<S>>(result_); }
-  Curve<S>&& operator*() && { return std::get<Curve<S>>(std::move(result_)); }
-  const Curve<S>* operator->() const { return &**this; }
-
-  /// The error. Throws: std::bad_variant_access if there is none.
-  const BuildError& error() const { return std::get<BuildError>(result_); }
-
- private:
-  std::variant<Curve<S>, BuildError> result_;
-};
 
 /// The cubic of each channel between two times. Valid as long as the curve exists.
 template <class S>
 struct Segment {
   Time<S> start, end;
-  std::span<const Cubic<S>> cubics;  ///< one per channel
+  std::span<const Cubic<S>> cubics;  ///< one per channel; those of rotations have no meaning
   Warp<S> warp;                      ///< of u; the identity where keys have no ease
+  std::span<const RotationSegment<S>> rotations;  ///< one for each rotation of the rules
 };
 
 /// The side of a knot time from which a derivative is taken; the two differ at a key with a corner.
@@ -67,16 +48,17 @@ template <class S>
 class Curve {
  public:
   /// An open curve. One key gives a constant. The result has the error in the keys or rules, if there is one.
-  static BuildResult<S> build(Keys<S> keys, const CurveRules<S>& rules = {}) {
+  static BuildResult<Curve> build(Keys<S> keys, const CurveRules<S>& rules = {}) {
     if (const auto error = find_key_error(keys)) return *error;
     if (const auto error = find_rule_error(rules, keys, false)) return *error;
-    return of_window({std::move(keys)}, rules, false);
+    return of_keys(CurveKeys<S>(std::move(keys), rules), rules);
   }
 
   /// A closed curve: one more segment joins the last key to the first, which repeats after the period. A last key at
   /// exactly the position of the first only ends the period and needs none; it must have the same tension, continuity
-  /// and bias, and its incoming velocity counts. The end rules have no effect. The result may be an error.
-  static BuildResult<S> build_closed(Keys<S> keys, const CurveRules<S>& rules = {},
+  /// and bias, and the same velocities or none; its incoming velocity counts. A rotation may be repeated with the other
+  /// sign. The end rules have no effect. The result may be an error.
+  static BuildResult<Curve> build_closed(Keys<S> keys, const CurveRules<S>& rules = {},
                                      const std::optional<Time<S>>& period = std::nullopt);
 
   std::size_t channels() const { return segments_.channels; }
@@ -90,15 +72,14 @@ class Curve {
 
   /// Segment number i, from 0. Requires: i < segment_count().
   Segment<S> segment(std::size_t i) const {
-    return {segments_.times[i], segments_.times[i + 1], segments_[i], segments_.warp(i)};
+    return {segments_.times[i], segments_.times[i + 1], segments_[i], segments_.warp(i), segments_.rotations_of(i)};
   }
 
   /// X(t). Before the start and after the end, an open curve keeps its end positions; a closed curve is periodic.
   /// Promises: within 3 ulp of the largest of |P_i|, |P_(i+1)|, |out_i|, |in_(i+1)|; at a key, its position exactly.
   void position(const Time<S>& t, std::span<S> out) const {
-    const auto [segment, at, passed] = spot(t, Side::right);
-    const auto cubics = segments_[segment];
-    for (std::size_t i = 0; i < std::min(out.size(), cubics.size()); ++i) out[i] = spline::position(cubics[i], at);
+    const Spot at = spot(t, Side::right);
+    position_at(at.segment, at.local, out);
   }
 
   /// X(t) for many times. Shapes: `out` takes channels() numbers per time, time after time; times for which it has no
@@ -108,15 +89,31 @@ class Curve {
     for (std::size_t i = 0; i < count; ++i) position(times[i], out.subspan(i * channels(), channels()));
   }
 
+  /// A rotation, by its number among those of the rules; outside the curve as position(). Its sign is continuous from
+  /// the start of the curve to its end. Requires: number < the number of rotations.
+  Quaternion<S> rotation(const Time<S>& t, std::size_t number = 0) const requires has_roots<S> {
+    const Spot at = spot(t, Side::right);
+    return segments_.rotations_of(at.segment)[number].at(at.local);
+  }
+
+  /// The angular velocity of a rotation in radians per unit of time, in the frame in which the rotation is given; at a
+  /// key from one side, outside an open curve that of its end, and 0 if it has a single key.
+  Vector3<S> angular_velocity(const Time<S>& t, std::size_t number = 0, Side side = Side::right) const
+      requires has_roots<S> {
+    return turn_rate(spot(t, side), number);
+  }
+
   /// dX/dt, at a key from one side; outside an open curve that of its end. The same as derivative(1, ...).
   void velocity(const Time<S>& t, std::span<S> out, Side side = Side::right) const { derivative(1, t, out, side); }
 
   /// The derivative of any order by time, at a key from one side (at the ends of an open curve, from inside). Outside
   /// an open curve it is that of the end; a single key has the derivative 0. Order 0 is the position. Infinite or NaN
-  /// where it exceeds the range of the scalar.
+  /// where it exceeds the range of the scalar, and beyond order 1 in the channels of a rotation.
   void derivative(std::size_t order, const Time<S>& t, std::span<S> out, Side side = Side::right) const;
 
-  /// The length over the metric channels from the start to the end, with a bound on its error. Promises: see ArcLength.
+  /// The length over the metric from the start to the end, with a bound on its error. An empty metric is of all channels
+  /// that are neither angles nor numbers of rotations, or if there are none, of the turns of rotations; without those
+  /// too, of all channels. Promises: see ArcLength.
   Length<S> length() const requires has_roots<S> { return {high_part<S>(lengths_.back()), error_}; }
 
   /// The length from the start to a time; a time outside the curve is moved to its start or end.
@@ -140,12 +137,21 @@ class Curve {
     S passed;  ///< the elapsed fraction of the segment's duration
   };
 
-  Curve(Segments<S> segments, std::vector<std::size_t> metric, bool closed)
-      : segments_(std::move(segments)), metric_(std::move(metric)), closed_(closed) {}
+  Curve(Segments<S> segments, const CurveRules<S>& rules, bool closed)
+      : segments_(std::move(segments)),
+        metric_(metric_of(rules, segments_.channels)),
+        rotations_(rules.rotations),
+        angles_(rules.angles),
+        closed_(closed) {}
 
-  static BuildResult<S> of_window(const Window<S>& window, const CurveRules<S>& rules, bool closed);
+  static std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t channels);
+  static BuildResult<Curve> of_keys(const CurveKeys<S>& keys, const CurveRules<S>& rules);
   std::optional<BuildError> find_overflow() const;
-  std::optional<BuildError> measure();
+  std::optional<BuildError> measure() requires has_roots<S>;
+
+  void position_at(std::size_t segment, const LocalParameter<S>& at, std::span<S> out) const;
+  Vector3<S> turn_rate(const Spot& at, std::size_t number) const requires has_roots<S>;
+  void rotation_derivative(std::size_t order, const Spot& at, std::span<S> out) const requires has_roots<S>;
 
   Time<S> wrapped(const Time<S>& t) const;
   Spot spot(const Time<S>& t, Side side) const {
@@ -160,56 +166,50 @@ class Curve {
 
   Segments<S> segments_;
   std::vector<std::size_t> metric_;
+  std::vector<KeyRotation> rotations_;
+  std::vector<AngleChannel> angles_;
   bool closed_;
-  std::vector<ArcLength<S>> arcs_;  ///< one per segment
-  std::vector<W> lengths_;          ///< up to each knot
-  S error_{};                       ///< a bound on the error of the lengths
+  std::vector<SegmentLength<S>> arcs_;  ///< one per segment
+  std::vector<W> lengths_;              ///< up to each knot
+  S error_{};                           ///< a bound on the error of the lengths
 };
 
 template <class S>
-BuildResult<S> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules, const std::optional<Time<S>>& period) {
-  using enum BuildErrorCode;
+BuildResult<Curve<S>> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& rules,
+                                             const std::optional<Time<S>>& period) {
   if (const auto error = find_key_error(keys)) return *error;
   if (const auto error = find_rule_error(rules, keys, true)) return *error;
-  if (period && !is_finite(*period)) return BuildError{.code = period_not_finite};
-  const std::size_t last = keys.size() - 1;
-  auto end = period ? std::optional<Time<S>>(keys.times[0] + *period) : std::nullopt;
-  const bool repeated = last > 0 && std::ranges::equal(keys.position(0), keys.position(last));
-  if (repeated) {
-    for (std::size_t i = 0; i < keys.channels; ++i) {
-      if (keys.tcb(last, i) != keys.tcb(0, i)) return BuildError{.code = seam_tcb_differs, .key = last, .channel = i};
-    }
-    if (end && *end != keys.times[last]) return BuildError{.code = period_contradicted, .key = last};
-    end = keys.times[last];
-  } else if (end && !(*end > keys.times[last])) {
-    return BuildError{.code = period_too_short, .key = last};
-  }
-  const std::size_t count = repeated ? last : last + 1;
-  if (count < 2) return BuildError{.code = closed_too_few_keys, .found = count};
-  if (!end) return BuildError{.code = period_missing};
-  const Time<S> duration = *end - keys.times[0];
-  if (!is_finite(*end) || !is_finite(duration)) return BuildError{.code = period_not_finite};
-  for (std::size_t i = 0; repeated && !keys.velocities.empty() && i < keys.channels; ++i) {
-    keys.velocities[i].in = keys.velocities[last * keys.channels + i].in;
-    keys.velocities[last * keys.channels + i].out = keys.velocities[i].out;
-  }
-  if (repeated) std::ranges::copy(std::span(keys.turns).last(keys.turns_per_key()), keys.turns.begin());
-  if (const auto error = find_velocity_error(keys, true)) return *error;
-  Window<S> window{{}, false, false, true};
-  const auto add = [&](std::size_t key, const Time<S>& time) {
-    append(window.keys, keys, key, key + 1);
-    window.keys.times.back() = time;
+  const auto key_at = [&](std::size_t number) {
+    Keys<S> key;
+    append(key, keys, number, number + 1);
+    return key;
   };
-  add(count - 1, keys.times[count - 1] - duration);
-  append(window.keys, keys, 0, count);
-  add(0, *end);
-  add(1, keys.times[1] + duration);
-  return of_window(window, rules, true);
+  const std::size_t size = keys.size();
+  const Keys<S> last = with_signs_of(key_at(0), key_at(size - 1), rules.rotations);
+  const auto end = period ? std::optional<Time<S>>(keys.times[0] + *period) : std::nullopt;
+  const auto closing = find_closing(key_at(0), last, size, end);
+  if (!closing) return closing.error();
+  if (closing->repeats) {
+    for_each_column([&](auto& column) { column.resize(column.size() - column.size() / size); }, keys);
+    join_seam(keys, last);
+  }
+  if (const auto error = find_seam_error<S>(key_at, keys.size())) return *error;
+  return of_keys(CurveKeys<S>(std::move(keys), rules, closing->end), rules);
 }
 
 template <class S>
-BuildResult<S> Curve<S>::of_window(const Window<S>& window, const CurveRules<S>& rules, bool closed) {
-  Curve curve(spline::segments(window, rules), rules.metric, closed);
+std::vector<std::size_t> Curve<S>::metric_of(const CurveRules<S>& rules, std::size_t channels) {
+  std::vector<std::size_t> metric = rules.metric;
+  for (std::size_t i = 0; i < channels && rules.metric.empty(); ++i) {
+    if (is_plain(rules, i)) metric.push_back(i);
+  }
+  if (metric.empty() && !rules.rotations.empty()) metric = {turn_metric};
+  return metric;
+}
+
+template <class S>
+BuildResult<Curve<S>> Curve<S>::of_keys(const CurveKeys<S>& keys, const CurveRules<S>& rules) {
+  Curve curve(keys.segments(0, keys.size()), rules, keys.is_closed());
   if (const auto error = curve.find_overflow()) return *error;
   if constexpr (has_roots<S>) {
     if (const auto error = curve.measure()) return *error;
@@ -229,11 +229,11 @@ std::optional<BuildError> Curve<S>::find_overflow() const {
 
 /// Sets the lengths.
 template <class S>
-std::optional<BuildError> Curve<S>::measure() {
+std::optional<BuildError> Curve<S>::measure() requires has_roots<S> {
   lengths_.push_back(W(0));
   arcs_.reserve(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    arcs_.emplace_back(segments_[i], metric_);
+    arcs_.emplace_back(segments_[i], segments_.rotations_of(i), metric_);
     const Length<S> length = arcs_.back().total();
     lengths_.push_back(lengths_.back() + W(length.value));
     error_ += length.error;
@@ -272,6 +272,50 @@ typename Curve<S>::Spot Curve<S>::spot_inside(const Time<S>& t, Side side) const
   return {i, TimeMap<S>(times[i], times[i + 1], segments_.warp(i))(t), passed};
 }
 
+/// Sets the numbers of all channels at a place on a segment.
+template <class S>
+void Curve<S>::position_at(std::size_t segment, const LocalParameter<S>& at, std::span<S> out) const {
+  const auto cubics = segments_[segment];
+  for (std::size_t i = 0; i < std::min(out.size(), cubics.size()); ++i) out[i] = spline::position(cubics[i], at);
+  for (const AngleChannel& angle : angles_) {
+    if (angle.channel < out.size()) out[angle.channel] = spline::wrapped(out[angle.channel], angle.degrees, false);
+  }
+  if constexpr (has_roots<S>) {
+    for (std::size_t i = 0; i < rotations_.size(); ++i) {
+      const auto [x, y, z, w] = segments_.rotations_of(segment)[i].at(at);
+      const std::array numbers{x, y, z, w};
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        if (rotations_[i].channels[k] < out.size()) out[rotations_[i].channels[k]] = numbers[k];
+      }
+    }
+  }
+}
+
+/// The angular velocity of a rotation.
+template <class S>
+Vector3<S> Curve<S>::turn_rate(const Spot& at, std::size_t number) const requires has_roots<S> {
+  const S h = high_part<S>(segments_.times[at.segment + 1] - segments_.times[at.segment]);
+  if (h == S(0)) return {S(0), S(0), S(0)};
+  const S rate = segments_.warp(at.segment).first_derivative(at.passed) / h;
+  const auto [x, y, z] = segments_.rotations_of(at.segment)[number].rate(at.local);
+  return {x * rate, y * rate, z * rate};
+}
+
+/// Sets the derivatives of the numbers of rotations by time: of order 1 half the angular velocity times the rotation.
+template <class S>
+void Curve<S>::rotation_derivative(std::size_t order, const Spot& at, std::span<S> out) const requires has_roots<S> {
+  for (std::size_t i = 0; i < rotations_.size(); ++i) {
+    const auto [x, y, z] = turn_rate(at, i);
+    const auto [qx, qy, qz, qw] =
+        Quaternion<S>{x, y, z, S(0)} * segments_.rotations_of(at.segment)[i].at(at.local) * S(0.5);
+    const std::array numbers{qx, qy, qz, qw};
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const std::size_t channel = rotations_[i].channels[k];
+      if (channel < out.size()) out[channel] = order == 1 ? numbers[k] : std::numeric_limits<S>::quiet_NaN();
+    }
+  }
+}
+
 template <class S>
 void Curve<S>::derivative(std::size_t order, const Time<S>& t, std::span<S> out, Side side) const {
   if (order == 0) return position(t, out);
@@ -282,6 +326,7 @@ void Curve<S>::derivative(std::size_t order, const Time<S>& t, std::span<S> out,
   for (std::size_t i = 0; i < std::min(out.size(), cubics.size()); ++i) {
     out[i] = h == S(0) ? S(0) : time_derivative(order, cubics[i], at.local, warp, at.passed, h);
   }
+  if constexpr (has_roots<S>) rotation_derivative(order, at, out);
 }
 
 template <class S>
@@ -289,9 +334,8 @@ S Curve<S>::at_length(const S& s, std::span<S> out) const requires has_roots<S> 
   const auto& times = segments_.times;
   const auto from = std::lower_bound(lengths_.begin() + 1, lengths_.end() - 1, W(s));
   const auto i = static_cast<std::size_t>(from - lengths_.begin()) - 1;
-  const auto local = s == s ? ArcInverse<S>(arcs_[i], lengths_[i], lengths_[i + 1]).at(W(s)) : LocalParameter<S>{s, s};
-  const auto cubics = segments_[i];
-  for (std::size_t k = 0; k < std::min(out.size(), cubics.size()); ++k) out[k] = spline::position(cubics[k], local);
+  const auto local = s == s ? arcs_[i].place(lengths_[i], lengths_[i + 1], W(s)) : LocalParameter<S>{s, s};
+  position_at(i, local, out);
   if (local.u == S(0)) return high_part<S>(times[i]);
   if (local.w == S(0)) return high_part<S>(times[i + 1]);
   return high_part<S>(times[i] + (times[i + 1] - times[i]) * segments_.warp(i).inverse(local));

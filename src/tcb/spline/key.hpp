@@ -63,26 +63,25 @@ struct RotationNotation {
 template <class S>
 using RotationNumbers = std::array<S, 9>;
 
-/// A rotation of keys, and how rows show it: as quaternion in the cells of its channels, otherwise at its places.
-struct RotationColumns {
+/// A rotation of keys: the channels of its quaternion, and which of the turns of a key is its own.
+struct KeyRotation {
   RotationChannels channels{};
-  RotationNotation shown = {};
-  std::array<std::size_t, 9> places{};   ///< of the cell of each number among those of a position
-  std::optional<std::size_t> turn = {};  ///< the number of its turns among those of a key
+  std::optional<std::size_t> turn = {};  ///< the number of its turns among those of a key; nothing: it has none
 
   bool has(std::size_t channel) const { return std::ranges::count(channels, channel) > 0; }
+  friend bool operator==(const KeyRotation&, const KeyRotation&) = default;
 };
 
 /// Whether a channel is a number of one of these rotations.
-inline bool is_in_rotation(std::span<const RotationColumns> rotations, std::size_t channel) {
-  return std::ranges::any_of(rotations, [channel](const RotationColumns& rotation) { return rotation.has(channel); });
+template <class Rotations>
+bool is_in_rotation(const Rotations& rotations, std::size_t channel) {
+  return std::ranges::any_of(rotations, [channel](const KeyRotation& rotation) { return rotation.has(channel); });
 }
 
 /// A channel whose numbers are angles: they turn the shorter way from key to key.
 struct AngleChannel {
   std::size_t channel = 0;
-  bool degrees = false;    ///< else radians
-  bool is_signed = false;  ///< rows show it from half a turn below 0 to half a turn, else from 0 to a whole turn
+  bool degrees = false;  ///< else radians
 };
 
 /// Half the angle of a turn along its axis, in the frame before it.
@@ -100,6 +99,8 @@ constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.emp
 /// channel that is given, the velocities are those of the curve, and no tangent rule and no end rule applies. turns
 /// holds as many entries per key as rotations have turns: the turn to it from the key before, where that is half a turn
 /// or makes whole turns; zeros: the shorter way.
+/// A position may be missing: it is NaN, or where the scalar has no NaN, `missing` says so, with one entry per position.
+/// A channel then runs through the keys that have a position in it, as if there were no others.
 template <class S>
 struct Keys {
   std::size_t channels = 0;
@@ -111,6 +112,7 @@ struct Keys {
   std::vector<Velocity<S>> velocities = {};
   std::vector<bool> given = {};
   std::vector<TurnVector<S>> turns = {};
+  std::vector<bool> missing = {};
 
   std::size_t size() const { return times.size(); }
   std::span<const S> position(std::size_t key) const { return std::span(positions).subspan(key * channels, channels); }
@@ -119,32 +121,60 @@ struct Keys {
   std::size_t turns_per_key() const { return turns.empty() ? 0 : turns.size() / times.size(); }
   /// Whether each channel has its own tension, continuity and bias.
   bool has_channel_tcbs() const { return tcbs_per_key() > 1; }
-  /// Those of a key, in a channel where each has its own.
+  bool is_missing(std::size_t key, std::size_t channel) const {
+    const std::size_t i = key * channels + channel;
+    return missing.empty() ? positions[i] != positions[i] : missing[i];
+  }
+  /// Whether any position is missing.
+  bool is_sparse() const {
+    return missing.empty() ? std::ranges::any_of(positions, [](const S& position) { return position != position; })
+                           : std::ranges::count(missing, true) > 0;
+  }
+  /// Tension, continuity and bias of a key, in a channel where each has its own.
   const Tcb<S>& tcb(std::size_t key, std::size_t channel = 0) const {
     if (tcbs.empty()) return common_tcb;
     return has_channel_tcbs() ? tcbs[key * channels + channel] : tcbs[key];
   }
 };
 
+/// Calls f with each column of keys in turn, in one or in several containers: the times, positions, and so on. A column
+/// has as many entries for each key. Whatever copies, cuts or converts keys does it here, so that no column is
+/// forgotten; the containers need the members of Keys.
+template <class F, class... SomeKeys>
+void for_each_column(F f, SomeKeys&&... keys) {
+  f(keys.times...);
+  f(keys.positions...);
+  f(keys.tcbs...);
+  f(keys.eases...);
+  f(keys.velocities...);
+  f(keys.turns...);
+  f(keys.missing...);
+}
+
+/// Takes over what all keys have in common.
+template <class To, class From>
+void take_common(To& to, const From& from) {
+  to.channels = from.channels;
+  to.common_tcb = from.common_tcb;
+  to.given = from.given;
+}
+
+/// Appends the entries of keys [first, last) of a column that has entries for `size` keys, or none.
+template <class To, class From>
+void append_entries(To& to, const From& from, std::size_t size, std::size_t first, std::size_t last) {
+  if (from.empty()) return;
+  const std::size_t per_key = from.size() / size;
+  to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first * per_key),
+            from.begin() + static_cast<std::ptrdiff_t>(last * per_key));
+}
+
 /// Appends keys [first, last) of `from`. Requires: both have as many tcbs per key; likewise for eases.
 template <class S>
 void append(Keys<S>& to, const Keys<S>& from, std::size_t first, std::size_t last) {
-  const auto copy = [&](auto& target, const auto& source, std::size_t stride) {
-    const auto begin = source.begin();
-    target.insert(target.end(), begin + static_cast<std::ptrdiff_t>(first * stride),
-                  begin + static_cast<std::ptrdiff_t>(last * stride));
-  };
   if (first == last) return;
-  to.channels = from.channels;
-  to.common_tcb = from.common_tcb;
-  copy(to.times, from.times, 1);
-  copy(to.positions, from.positions, from.channels);
-  if (!from.tcbs.empty()) copy(to.tcbs, from.tcbs, from.tcbs_per_key());
-  if (!from.eases.empty()) copy(to.eases, from.eases, 1);
-  if (!from.turns.empty()) copy(to.turns, from.turns, from.turns_per_key());
-  if (from.velocities.empty()) return;
-  to.given = from.given;
-  copy(to.velocities, from.velocities, from.channels);
+  take_common(to, from);
+  for_each_column([&](auto& target, const auto& source) { append_entries(target, source, from.size(), first, last); },
+                  to, from);
 }
 
 }  // namespace tcb::spline

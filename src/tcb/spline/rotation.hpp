@@ -120,10 +120,11 @@ class Arc {
   U weight(const U& u) const {
     if (!is_short_) return sine(U(u * angle_)) / sine_;
     const auto least = std::numeric_limits<value_t<U>>::epsilon() / 8;
+    const auto whole = [](int number) { return U(static_cast<value_t<U>>(number)); };
     const U u2 = u * u;
     U sum(1), term(1);
     for (int odd = 1; value_of(term) > least; odd += 2) {
-      term = term * ((U(odd * odd) - u2) * U(square_) / U((odd + 1) * (odd + 2)));
+      term = term * ((whole(odd * odd) - u2) * U(square_) / whole((odd + 1) * (odd + 2)));
       sum = sum + term;
     }
     return u * sum;

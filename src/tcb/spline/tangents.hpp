@@ -18,7 +18,7 @@ class RotationOfWindow {
   using W = working_t<S>;
 
   /// Requires: at least two keys.
-  RotationOfWindow(const Window<S>& window, const CurveRules<S>& rules, const RotationColumns& rotation)
+  RotationOfWindow(const Window<S>& window, const CurveRules<S>& rules, const KeyRotation& rotation)
       : window_(window),
         rules_(rules_of_rotations(rules)),
         rotation_(rotation),
@@ -142,7 +142,7 @@ class RotationOfWindow {
 
   const Window<S>& window_;
   CurveRules<S> rules_;  ///< of rotations
-  const RotationColumns& rotation_;
+  const KeyRotation& rotation_;
   bool is_linear_;
   std::vector<Quaternion<S>> keys_;
   std::vector<Chord> chords_;
@@ -169,7 +169,6 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   const Tangents<S> tangents(window, rules);
   const PositionChord<S> chord{keys, rules.angles};
   Segments<S> result{keys.channels, {}, {}, {}};
-  result.angles = rules.angles;
   result.cubics.reserve((window.last_key() - window.first_key()) * keys.channels);
   for (std::size_t key = window.first_key(); key < window.last_key(); ++key) {
     result.times.push_back(keys.times[key]);
@@ -181,7 +180,6 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   }
   result.times.push_back(keys.times[window.last_key()]);
   if constexpr (has_roots<S>) {
-    result.rotation_columns = rules.rotations;
     result.rotations = rotation_segments(window, rules);
   }
   return result;

@@ -25,10 +25,8 @@ class TurnLength {
  public:
   using W = working_t<S>;
 
-  /// Requires: the rotations outlive it.
   void assign(std::span<const RotationSegment<S>> rotations) {
-    using std::abs;
-    rotations_ = rotations;
+    rotations_.assign(rotations.begin(), rotations.end());
     panels_.clear();
     sum_ = S(0);
     const S whole = integral(S(0), S(1));
@@ -49,8 +47,9 @@ class TurnLength {
 
   /// The places at which the curve has these lengths, where the whole curve has `start` at the start of the segment.
   void places(const W& start, std::span<const W> lengths, std::span<LocalParameter<S>> places) const {
-    for (std::size_t i = 0; i < lengths.size(); ++i) places[i] = place_of(high_part<S>(W(lengths[i] - start)));
+    for (std::size_t i = 0; i < lengths.size(); ++i) places[i] = place(start, lengths[i]);
   }
+  LocalParameter<S> place(const W& start, const W& length) const { return place_of(high_part<S>(W(length - start))); }
 
  private:
   static constexpr int most_halvings = std::max(24, std::numeric_limits<S>::digits / 2);
@@ -116,7 +115,7 @@ class TurnLength {
     return {u, u - S(1)};
   }
 
-  std::span<const RotationSegment<S>> rotations_;
+  std::vector<RotationSegment<S>> rotations_;
   std::vector<Part> panels_;
   S sum_{}, tolerance_{};
   Length<S> total_;

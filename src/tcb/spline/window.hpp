@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,22 +36,32 @@ struct Window {
   bool has_segments() const { return keys.size() > (starts ? 1U : 2U) + (ends ? 0U : 1U); }
 };
 
-/// Cuts a stream of keys into windows. It keeps three keys, for a curve of any length.
+/// The time of a key of a closed curve after a number of periods, which may be negative. `end`: when the curve is back
+/// at its first key, which is at `start`.
+template <class S>
+Time<S> after_periods(const Time<S>& time, const Time<S>& start, const Time<S>& end, int periods) {
+  if (periods == 0) return time;
+  if (periods == 1 && time == start) return end;
+  return time + Time<S>(periods) * (end - start);
+}
+
+/// Cuts a stream of keys into windows. It keeps three keys, for a curve of any length; of a closed curve five.
 template <class S>
 class Linker {
  public:
   /// For an open curve.
   Linker() = default;
-  /// For a closed curve: `context` is the key before the first one. The given keys end with the first key
-  /// repeated one period later, and one key more.
-  explicit Linker(Keys<S> context) : tail_(std::move(context)), starts_(false), closed_(true) {}
+  /// For a closed curve: `last` is its last key, and `end` the time when it is back at the first one; see closing.hpp.
+  Linker(Keys<S> last, const Time<S>& end) : tail_(std::move(last)), end_(end), starts_(false) {}
 
-  /// The window that these keys complete; it may have no segments yet. `last`: no keys follow.
-  Window<S> link(const Keys<S>& block, bool last) {
-    Window<S> window{std::move(tail_), starts_, last && !closed_, last};
+  /// The window that these keys complete; it may have no segments yet. `ends`: no keys follow.
+  Window<S> link(const Keys<S>& block, bool ends) {
+    if (end_ && block.size() > 0) keep_first_keys(block);
+    Window<S> window{std::move(tail_), starts_, ends && !end_, ends};
     append(window.keys, block, 0, block.size());
     tail_ = {};
-    if (last) return window;
+    if (ends && end_) append_period(window.keys);
+    if (ends) return window;
     if (window.has_segments()) starts_ = false;
     const std::size_t size = window.keys.size();
     append(tail_, window.keys, starts_ || size < 3 ? 0 : size - 3, size);
@@ -58,9 +69,23 @@ class Linker {
   }
 
  private:
+  /// Keeps the first two keys, and once the first one is known, puts the last one a period before it.
+  void keep_first_keys(const Keys<S>& block) {
+    if (first_.size() == 0) tail_.times[0] = after_periods<S>(tail_.times[0], block.times[0], *end_, -1);
+    if (first_.size() < 2) append(first_, block, 0, std::min(2 - first_.size(), block.size()));
+  }
+
+  /// Appends the first two keys one period later. Requires: two keys.
+  void append_period(Keys<S>& keys) {
+    const Time<S> start = first_.times[0];
+    for (Time<S>& time : first_.times) time = after_periods<S>(time, start, *end_, 1);
+    append(keys, first_, 0, first_.size());
+  }
+
   Keys<S> tail_;
+  Keys<S> first_;  ///< of a closed curve: its first two keys
+  std::optional<Time<S>> end_;
   bool starts_ = true;
-  bool closed_ = false;
 };
 
 /// The rule at one end of an open curve.
@@ -77,10 +102,17 @@ struct CurveRules {
   EndChoice<S> start, end;
   bool equal_speed = false;                     ///< both tangents of a key get the same speed
   std::vector<std::size_t> metric;              ///< the channels of speeds and lengths; empty: all; or turn_metric
-  std::vector<RotationColumns> rotations = {};  ///< not in the metric
+  std::vector<KeyRotation> rotations = {};      ///< not in the metric
   RotationRules rotation_rules = {};
   std::vector<AngleChannel> angles = {};
 };
+
+/// Whether a channel is neither an angle nor a number of a rotation.
+template <class S>
+bool is_plain(const CurveRules<S>& rules, std::size_t channel) {
+  return !is_in_rotation(rules.rotations, channel) &&
+         std::ranges::count(rules.angles, channel, &AngleChannel::channel) == 0;
+}
 
 /// The difference between the positions of a key and the next one in a channel; that of angles is less than half a
 /// turn.
@@ -116,7 +148,7 @@ CurveRules<S> rules_of_rotations(CurveRules<S> rules) {
 }
 
 /// Successive segments. Shapes: one more time than segments; `channels` cubics per segment; one warp per
-/// segment, or none if no key has ease; one rotation per segment for each of the rules, which replace the cubics of
+/// segment, or none if no key has ease; as many rotations per segment as the rules have, which replace the cubics of
 /// their channels.
 template <class S>
 struct Segments {
@@ -125,8 +157,6 @@ struct Segments {
   std::vector<Cubic<S>> cubics;
   std::vector<Warp<S>> warps;
   std::vector<RotationSegment<S>> rotations = {};
-  std::vector<RotationColumns> rotation_columns = {};
-  std::vector<AngleChannel> angles = {};
 
   std::size_t size() const { return times.empty() ? 0 : times.size() - 1; }
   std::span<const Cubic<S>> operator[](std::size_t segment) const {
@@ -134,7 +164,8 @@ struct Segments {
   }
   Warp<S> warp(std::size_t segment) const { return warps.empty() ? Warp<S>() : warps[segment]; }
   std::span<const RotationSegment<S>> rotations_of(std::size_t segment) const {
-    return std::span(rotations).subspan(segment * rotation_columns.size(), rotation_columns.size());
+    const std::size_t per_segment = rotations.size() / size();
+    return std::span(rotations).subspan(segment * per_segment, per_segment);
   }
 };
 
@@ -142,11 +173,9 @@ struct Segments {
 template <class S>
 Segments<S> constant_segment(const Keys<S>& keys, const CurveRules<S>& rules) {
   Segments<S> result{keys.channels, {keys.times[0], keys.times[0]}, {}, {}};
-  result.angles = rules.angles;
   for (const S& p : keys.positions) result.cubics.push_back(cubic<S>(p, p, working_t<S>(0), working_t<S>(0)));
   if constexpr (has_roots<S>) {
-    result.rotation_columns = rules.rotations;
-    for (const RotationColumns& rotation : rules.rotations) {
+    for (const KeyRotation& rotation : rules.rotations) {
       const Quaternion<S> q = rotation_of<S>(keys.position(0), rotation.channels);
       result.rotations.push_back({RotationCurve::slerp, {q, q, q, q}});
     }

@@ -76,9 +76,9 @@ class OtherTerms {
     const T unit = T(1.0) / q[0];
     a1_ = q[1] * unit, a2_ = q[2] * unit, a3_ = q[3] * unit, a4_ = q[4] * unit;
     for (int squaring = 0; squaring < squarings; ++squaring) {  // a(z) a(-z), a polynomial in z^2
-      const T b1 = 2.0 * a2_ - a1_ * a1_;
-      const T b2 = a2_ * a2_ + 2.0 * (a4_ - a1_ * a3_);
-      const T b3 = 2.0 * a2_ * a4_ - a3_ * a3_;
+      const T b1 = T(2.0) * a2_ - a1_ * a1_;
+      const T b2 = a2_ * a2_ + T(2.0) * (a4_ - a1_ * a3_);
+      const T b3 = T(2.0) * a2_ * a4_ - a3_ * a3_;
       a4_ = a4_ * a4_;
       a3_ = b3;
       a2_ = b2;
@@ -147,8 +147,8 @@ std::array<Panel<S>, 2> make_panels(const Speed<S>& speed, const Bounds<S>& a, c
 template <class T>
 Quartic<T> quartic_about(const Quartic<T>& q, const T& z) {
   return {q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * q[4]))),
-          q[1] + z * (2.0 * q[2] + z * (3.0 * q[3] + z * (4.0 * q[4]))), q[2] + z * (3.0 * q[3] + z * (6.0 * q[4])),
-          q[3] + z * (4.0 * q[4]), q[4]};
+          q[1] + z * (T(2.0) * q[2] + z * (T(3.0) * q[3] + z * (T(4.0) * q[4]))), q[2] + z * (T(3.0) * q[3] + z * (T(6.0) * q[4])),
+          q[3] + z * (T(4.0) * q[4]), q[4]};
 }
 
 /// The square of the speed about a place on a panel, in powers of a step in z.

@@ -1,0 +1,30 @@
+// Channels of a curve: how rows show the rotations and the angles of a curve.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "tcb/spline/key.hpp"
+
+namespace tcb {
+
+/// A rotation of keys, and how rows show it: as quaternion in the cells of its channels, otherwise at its places.
+struct RotationColumns : spline::KeyRotation {
+  spline::RotationNotation shown = {};
+  std::array<std::size_t, 9> places{};  ///< of the cell of each number among those of a position
+};
+
+/// An angle of keys, and how rows show it.
+struct AngleColumn : spline::AngleChannel {
+  bool is_signed = false;  ///< from half a turn below 0 to half a turn, else from 0 to a whole turn
+};
+
+/// The channels of a curve as rows show them.
+struct CurveChannels {
+  std::vector<std::size_t> metric;  ///< of lengths and speeds; empty: all
+  std::vector<RotationColumns> rotations = {};
+  std::vector<AngleColumn> angles = {};
+};
+
+}  // namespace tcb

@@ -1,0 +1,256 @@
+// Curve keys: the keys of an open or closed curve with its rules, and any of the segments that they make.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "tcb/spline/tangents.hpp"
+
+namespace tcb::spline {
+
+/// What makes the part of a segment between two times: part() or expanded_part().
+template <class S>
+using PartOfSegment = Cubic<S> (*)(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end,
+                                   const Time<S>& from, const Time<S>& to);
+
+/// The range of times in which a closed curve passes all its keys once.
+template <class S>
+struct Period {
+  Time<S> start, end;
+};
+
+/// One channel of a curve, or all of them, with the keys that have positions there, by their numbers from 0.
+template <class S>
+class ChannelKeys {
+ public:
+  /// `channel`: the only one; nothing: all. `period`: of a closed curve. `rules`: for these channels.
+  /// Requires: `keys` outlives it; a number.
+  ChannelKeys(const Keys<S>& keys, std::optional<std::size_t> channel, std::vector<std::size_t> numbers,
+              CurveRules<S> rules, std::optional<Period<S>> period)
+      : keys_(keys),
+        channel_(channel),
+        numbers_(std::move(numbers)),
+        rules_(std::move(rules)),
+        period_(std::move(period)) {}
+
+  /// The segments between the keys `first` and `to` of these, which are any of a closed curve.
+  Segments<S> own_segments(std::ptrdiff_t first, std::ptrdiff_t to) const {
+    const bool starts = !period_ && first == 0, ends = !period_ && to >= last();
+    Window<S> window{{}, starts, ends, true};
+    append_own(window.keys, starts ? 0 : first - 1, ends ? last() : to + 1);
+    return segments(window, rules_);
+  }
+
+  /// Appends the cubics of the only channel between the keys `first` and `to` of the curve: parts of those between its
+  /// own keys. Before the first of these and after the last, an open curve is constant. `times`: of all keys of the
+  /// curve, and if it is closed of its end.
+  void append_cubics(std::vector<Cubic<S>>& cubics, std::size_t first, std::size_t to,
+                     const std::vector<Time<S>>& times, PartOfSegment<S> part) const {
+    const Own own = own_between(first, to);
+    for (std::size_t number = first; number < to; ++number) {
+      const std::ptrdiff_t at = number_at(number);
+      if (own.has(at)) {
+        const std::size_t i = own.index(at);
+        const Time<S>&start = own.segments.times[i], &end = own.segments.times[i + 1];
+        cubics.push_back(part(own.segments[i][0], start, end, times[number], times[number + 1]));
+      } else {
+        const S rest = keys_.position(nearest_number(at))[*channel_];
+        cubics.push_back(cubic<S>(rest, rest, working_t<S>(0), working_t<S>(0)));
+      }
+    }
+  }
+
+  /// Appends the curves of the only rotation of the rules between the keys `first` and `to` of the curve, likewise.
+  void append_rotations(std::vector<RotationSegment<S>>& rotations, std::size_t first, std::size_t to,
+                        const std::vector<Time<S>>& times) const {
+    const Own own = own_between(first, to);
+    for (std::size_t number = first; number < to; ++number) {
+      const std::ptrdiff_t at = number_at(number);
+      if (own.has(at)) {
+        const std::size_t i = own.index(at);
+        const Time<S>&start = own.segments.times[i], &end = own.segments.times[i + 1];
+        const auto fraction = [&](const Time<S>& from, const Time<S>& until) {
+          return high_part<S>((until - from) / (end - start));
+        };
+        rotations.push_back(own.segments.rotations[i].part(fraction(start, times[number]),
+                                                           fraction(times[number], times[number + 1]),
+                                                           fraction(times[number + 1], end)));
+      } else {
+        const auto q = rotation_of<S>(keys_.position(nearest_number(at)), rules_.rotations[0].channels);
+        rotations.push_back(RotationSegment<S>(RotationCurve::slerp, {q, q, q, q}));
+      }
+    }
+  }
+
+ private:
+  /// Segments between its own keys `low` and `high`.
+  struct Own {
+    std::ptrdiff_t low, high;
+    Segments<S> segments = {};
+
+    bool has(std::ptrdiff_t at) const { return low <= at && at < high; }
+    std::size_t index(std::ptrdiff_t at) const { return static_cast<std::size_t>(at - low); }
+  };
+
+  std::ptrdiff_t last() const { return static_cast<std::ptrdiff_t>(numbers_.size()) - 1; }
+
+  /// The number of the last of these keys that is not after a key of the curve; -1 if there is none.
+  std::ptrdiff_t number_at(std::size_t key) const {
+    return std::ranges::upper_bound(numbers_, key) - numbers_.begin() - 1;
+  }
+  /// The key of the curve whose position an open curve keeps where there is no segment.
+  std::size_t nearest_number(std::ptrdiff_t at) const { return at < 0 ? numbers_.front() : numbers_.back(); }
+
+  /// The segments that cover those between the keys `first` and `to` of the curve.
+  Own own_between(std::size_t first, std::size_t to) const {
+    Own own{number_at(first), number_at(to - 1) + 1};
+    if (!period_) own.low = std::max<std::ptrdiff_t>(own.low, 0);
+    if (!period_) own.high = std::min(own.high, last());
+    if (own.low < own.high) own.segments = own_segments(own.low, own.high);
+    return own;
+  }
+
+  /// Appends its keys from number `from` to `to`, on a closed curve by periodic extension.
+  void append_own(Keys<S>& keys, std::ptrdiff_t from, std::ptrdiff_t to) const {
+    const std::ptrdiff_t count = last() + 1;
+    for (std::ptrdiff_t number = from; number <= to; ++number) {
+      const std::ptrdiff_t own = (number % count + count) % count;
+      append_key(keys, numbers_[static_cast<std::size_t>(own)]);
+      if (!period_) continue;
+      const auto periods = static_cast<int>((number - own) / count);
+      keys.times.back() = after_periods<S>(keys.times.back(), period_->start, period_->end, periods);
+    }
+  }
+  void append_key(Keys<S>& keys, std::size_t number) const {
+    if (!channel_) return append(keys, keys_, number, number + 1);
+    keys.channels = 1;
+    keys.common_tcb = keys_.common_tcb;
+    keys.times.push_back(keys_.times[number]);
+    keys.positions.push_back(keys_.position(number)[*channel_]);
+    if (!keys_.tcbs.empty()) keys.tcbs.push_back(keys_.tcb(number, *channel_));
+    if (!keys_.eases.empty()) keys.eases.push_back(keys_.eases[number]);
+    if (keys_.velocities.empty()) return;
+    keys.given = {keys_.given[*channel_]};
+    keys.velocities.push_back(keys_.velocities[number * keys_.channels + *channel_]);
+  }
+
+  const Keys<S>& keys_;
+  std::optional<std::size_t> channel_;
+  std::vector<std::size_t> numbers_;
+  CurveRules<S> rules_;
+  std::optional<Period<S>> period_;
+};
+
+/// The rules for one channel that runs through its own keys: with its own speed, and its own velocities at the ends.
+template <class S>
+CurveRules<S> rules_of_channel(CurveRules<S> rules, std::size_t channel) {
+  rules.metric.clear();
+  rules.rotations.clear();
+  std::erase_if(rules.angles, [channel](const AngleChannel& angle) { return angle.channel != channel; });
+  for (AngleChannel& angle : rules.angles) angle.channel = 0;
+  for (auto* end : {&rules.start, &rules.end}) {
+    if (!end->velocity.empty()) end->velocity = std::vector<S>(1, end->velocity[channel]);
+  }
+  return rules;
+}
+
+/// All keys of a curve with its rules. A channel in which keys lack positions runs through its own keys, as if there
+/// were no others; a rotation likewise. Promises: a channel without a missing position has the cubics that it would
+/// have alone, bit for bit.
+template <class S>
+class CurveKeys {
+ public:
+  /// `end`: when a closed curve is back at its first key. `part`: of a channel that lacks positions. Requires: no
+  /// BuildError.
+  CurveKeys(Keys<S> keys, CurveRules<S> rules, const std::optional<Time<S>>& end = std::nullopt,
+            PartOfSegment<S> part = spline::part<S>)
+      : keys_(std::move(keys)),
+        rules_(std::move(rules)),
+        is_sparse_(keys_.is_sparse()),
+        times_(keys_.times),
+        part_(part) {
+    if (end) period_ = {times_.front(), *end};
+    if (end) times_.push_back(*end);
+    if (times_.size() == 1) times_.push_back(times_.front());
+    if (!is_sparse_) {
+      channels_.emplace_back(keys_, std::nullopt, numbers_in({}), rules_, period_);
+      return;
+    }
+    for (std::size_t i = 0; i < keys_.channels; ++i) {
+      channels_.emplace_back(keys_, i, numbers_in(i), rules_of_channel(rules_, i), period_);
+    }
+    for (const KeyRotation& rotation : rules_.rotations) {
+      CurveRules<S> rules_of_rotation = rules_;
+      rules_of_rotation.metric.clear();
+      rules_of_rotation.rotations = {rotation};
+      rotations_.emplace_back(keys_, std::nullopt, numbers_in(rotation.channels[0]), rules_of_rotation, period_);
+    }
+  }
+  CurveKeys(const CurveKeys&) = delete;
+  CurveKeys& operator=(const CurveKeys&) = delete;
+
+  /// The number of segments: at least one.
+  std::size_t size() const { return times_.size() - 1; }
+  /// The times of the keys, and the end of a closed curve.
+  const std::vector<Time<S>>& times() const { return times_; }
+  bool is_closed() const { return period_.has_value(); }
+
+  /// Segments [first, to).
+  Segments<S> segments(std::size_t first, std::size_t to) const {
+    std::vector<Time<S>> times(times_.begin() + static_cast<std::ptrdiff_t>(first),
+                               times_.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+    if (!is_sparse_) {
+      auto result = channels_[0].own_segments(static_cast<std::ptrdiff_t>(first), static_cast<std::ptrdiff_t>(to));
+      result.times = std::move(times);
+      return result;
+    }
+    Segments<S> result{channels_.size(), std::move(times), {}, {}};
+    set_columns(result.cubics, channels_, to - first, [&](const ChannelKeys<S>& channel, std::vector<Cubic<S>>& own) {
+      channel.append_cubics(own, first, to, times_, part_);
+    });
+    if constexpr (has_roots<S>) {
+      const auto append_rotations = [&](const ChannelKeys<S>& rotation, std::vector<RotationSegment<S>>& own) {
+        rotation.append_rotations(own, first, to, times_);
+      };
+      set_columns(result.rotations, rotations_, to - first, append_rotations);
+    }
+    return result;
+  }
+
+ private:
+  /// The numbers of the keys that have a position in a channel; without one, of all keys.
+  std::vector<std::size_t> numbers_in(std::optional<std::size_t> channel) const {
+    std::vector<std::size_t> numbers;
+    for (std::size_t key = 0; key < keys_.size(); ++key) {
+      if (!channel || !keys_.is_missing(key, *channel)) numbers.push_back(key);
+    }
+    return numbers;
+  }
+
+  /// Sets entries that follow one another segment after segment from those of each source on its own.
+  template <class T, class AppendOwn>
+  static void set_columns(std::vector<T>& entries, const std::vector<ChannelKeys<S>>& sources, std::size_t size,
+                          AppendOwn append_own) {
+    entries.resize(size * sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      std::vector<T> own;
+      append_own(sources[i], own);
+      for (std::size_t k = 0; k < size; ++k) entries[k * sources.size() + i] = std::move(own[k]);
+    }
+  }
+
+  Keys<S> keys_;
+  CurveRules<S> rules_;
+  bool is_sparse_;
+  std::vector<Time<S>> times_;  ///< of the keys, then of the first one after a period
+  std::optional<Period<S>> period_;
+  PartOfSegment<S> part_;
+  std::vector<ChannelKeys<S>> channels_;   ///< one for all channels, or if positions are missing, one for each
+  std::vector<ChannelKeys<S>> rotations_;  ///< where positions are missing
+};
+
+}  // namespace tcb::spline

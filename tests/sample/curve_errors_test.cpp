@@ -1,0 +1,44 @@
+// Errors of curves: faults of the library with the names of channels and the lines of keys.
+#include "sample/curve_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/remedies.hpp"
+
+namespace tcb {
+namespace {
+
+/// The words for a fault of two keys, in lines 4 and 7, with channels x and y.
+std::string words(const spline::BuildError& error) {
+  KeyBlock block;
+  block.keys = {2, {0.5, 2.0}, {1, 2, 3, 4}, {}, {}, {}};
+  block.lines = {4, 7};
+  const KeyStore keys([block, done = false]() mutable -> std::optional<KeyBlock> {
+    return std::exchange(done, true) ? std::nullopt : std::optional(block);
+  });
+  return error_text(curve_error(error, keys, {"x", "y"}).in("f"));
+}
+
+TEST(CurveErrors, name_channels_and_lines) {
+  using enum spline::BuildErrorCode;
+  EXPECT_EQ(words({.code = channel_without_positions, .channel = 1}),
+            "f: error: channel \"y\" has no number in any key; expected at least one; fill one in, or leave the column "
+            "out with --columns");
+  EXPECT_EQ(words({.code = period_too_short, .key = 1}),
+            "f: error: the closed curve is back at its first key before its last one, at time 2; expected a longer "
+            "period; correct it");
+  EXPECT_EQ(words({.code = seam_velocity_differs, .key = 1, .channel = 0}),
+            "f:7: error: this key closes the curve at the position of line 4, but with another velocity in channel "
+            "\"x\"; expected the same; correct one of the two, or leave empty the incoming one of the first key and the "
+            "outgoing one of the last");
+  EXPECT_EQ(words({.code = seam_velocity_missing, .channel = 1}),
+            "f: error: channel \"y\" lacks a velocity where the closed curve returns to its first key; expected the "
+            "incoming one of the first key and the outgoing one of the last; fill them in");
+}
+
+}  // namespace
+}  // namespace tcb
