@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "schema/curve_channels.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 

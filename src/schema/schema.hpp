@@ -9,8 +9,8 @@
 
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
-#include "schema/curve_channels.hpp"
 #include "schema/columns.hpp"
+#include "schema/curve_channels.hpp"
 #include "schema/rotation_options.hpp"
 #include "tcb/spline/key.hpp"
 
@@ -29,9 +29,9 @@ struct TimeSchema {
 /// The rotations of records: how keys give each, and how rows show it.
 struct RotationSchema {
   // An entry for each rotation:
-  std::vector<RotationColumns> columns = {};  ///< which channels make them
-  std::vector<GivenRotation> given = {};              ///< how keys give them
-  std::vector<std::vector<std::string>> names = {};   ///< of their cells in rows, where these are not channels
+  std::vector<RotationColumns> columns = {};         ///< which channels make them
+  std::vector<GivenRotation> given = {};             ///< how keys give them
+  std::vector<std::vector<std::string>> names = {};  ///< of their cells in rows, where these are not channels
 
   std::vector<std::size_t> sources = {};  ///< index of the channel of keys as they are read, for each channel
   bool normalize = false;                 ///< quaternions may have any norm
@@ -41,11 +41,11 @@ struct RotationSchema {
 struct Schema {
   bool named = false;  ///< the columns have names
   TimeSchema time = {};
-  std::vector<std::string> channels = {};         ///< names of the position channels
-  RotationSchema rotations = {};                  ///< which channels make rotations
-  std::vector<AngleColumn> angles = {};  ///< which channels are angles
-  std::vector<std::string> groups = {};           ///< names of the group columns
-  std::vector<std::string> labels = {};           ///< names of the columns of labels
+  std::vector<std::string> channels = {};  ///< names of the position channels
+  RotationSchema rotations = {};           ///< which channels make rotations
+  std::vector<AngleColumn> angles = {};    ///< which channels are angles
+  std::vector<std::string> groups = {};    ///< names of the group columns
+  std::vector<std::string> labels = {};    ///< names of the columns of labels
 };
 
 /// The meaning of records with these columns, whose times have this notation; all channels are plain.

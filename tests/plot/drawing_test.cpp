@@ -13,6 +13,7 @@
 #include "cli/remedies.hpp"
 #include "error.hpp"
 #include "option_names.hpp"
+#include "read/reader.hpp"
 
 namespace tcb {
 namespace {
