@@ -20,7 +20,4 @@ struct Words {
 /// A row for each code.
 std::span<const Words> remedies();
 
-/// The long name of an option, with its dashes.
-std::string_view option_name(Option option);
-
 }  // namespace tcb

@@ -93,7 +93,7 @@ Facts intentions(const Job& job, const Schema& schema) {
         fmt::format("{}{} {}{}", relative ? "relative " : "", in_words(notation), fmt::join(columns, " "), rows));
   }
   const std::string_view others = schema.rotations.columns.empty() && schema.angles.empty() ? "" : "other ";
-  add("metric", job.curve.metric.value_or(fmt::format("all {}channels", others)));
+  add("metric", job.curve.metric ? job.curve.metric->value : fmt::format("all {}channels", others));
   add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));
   if (job.sampling.to) add("to", shown(*job.sampling.to));

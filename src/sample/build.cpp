@@ -8,6 +8,7 @@
 
 #include "keys/parameterize.hpp"
 #include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "sample/curve_errors.hpp"
 #include "sample/errors.hpp"

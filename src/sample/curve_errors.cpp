@@ -17,7 +17,7 @@ Error curve_error(const spline::BuildError& error, const KeyStore& keys, const s
     case closed_too_few_keys: return too_few_closed_keys();
     case period_missing: return no_period();
     case period_not_finite:
-    case period_too_short: return period_too_short(time_text(keys.key(error.key).times[0]));
+    case period_too_short: return tcb::period_too_short(time_text(keys.key(error.key).times[0]));
     case period_contradicted: return closing_key_against_period(keys.first_line()).at(last);
     case seam_tcb_differs: return closing_key_differs(keys.first_line()).at(last);
     case seam_velocity_differs: return closing_velocity_differs(keys.first_line()).at(last);
