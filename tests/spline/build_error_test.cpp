@@ -90,10 +90,13 @@ TEST(BuildError, times_must_be_finite_and_increase) {
 }
 
 TEST(BuildError, numbers_must_be_finite_and_ease_within_0_and_1) {
-  for (const double bad : {nan, infinite, -infinite}) {
+  for (const double bad : {infinite, -infinite}) {
     const auto position = error_with([&](auto& keys, auto&) { keys.positions[3] = bad; });
     EXPECT_EQ(position.code, position_not_finite);
-    EXPECT_EQ(position.message(), "the position of key 3 in channel 0 is not finite; expected a finite number");
+    EXPECT_EQ(position.message(),
+              "the position of key 3 in channel 0 is infinite; expected a finite number, or NaN if it is missing");
+  }
+  for (const double bad : {nan, infinite, -infinite}) {
     EXPECT_EQ(error_with([&](auto& keys, auto&) { keys.tcbs[1].bias = bad; }).code, tcb_not_finite);
     EXPECT_EQ(error_with([&](auto& keys, auto&) { keys.common_tcb.tension = bad; }).code, common_tcb_not_finite);
   }
@@ -121,6 +124,50 @@ TEST(BuildError, rules_must_fit_the_keys) {
               rules.end = {EndRule::velocity, {infinite}};
             }).code,
             velocity_not_finite);
+}
+
+TEST(BuildError, a_channel_needs_a_position_and_no_ease_where_one_is_missing) {
+  const auto none = error_with([](auto& keys, auto&) { keys.positions.assign(5, nan); });
+  EXPECT_EQ(none.code, channel_without_positions);
+  const auto ease = error_with([](auto& keys, auto&) {
+    keys.positions[2] = nan;
+    keys.eases.resize(5);
+  });
+  EXPECT_EQ(ease.code, ease_with_missing_positions);
+  EXPECT_EQ(error_with([](auto& keys, auto&) { keys.missing = {true}; }).code, missing_count);
+  EXPECT_EQ(error_with([](auto& keys, auto&) { keys.turns.resize(3); }).code, turns_count);
+}
+
+TEST(BuildError, rotations_and_angles_must_fit_the_keys) {
+  const auto with = [](auto change) {
+    return error_with([&](Keys<double>& keys, CurveRules<double>& rules) {
+      keys = {5, {0, 1}, {7, 0, 0, 0, 1, 8, 0, 0, 1, 0}, {}, {}, {}};
+      rules.rotations = {{{1, 2, 3, 4}}};
+      change(keys, rules);
+    });
+  };
+  EXPECT_EQ(with([](auto&, auto& rules) { rules.rotations[0].channels[3] = 5; }).code, rotation_channel_missing);
+  EXPECT_EQ(with([](auto&, auto& rules) { rules.rotations[0].channels[3] = 1; }).code, rotation_channel_shared);
+  EXPECT_EQ(with([](auto&, auto& rules) { rules.angles = {{4, true}}; }).code, rotation_channel_shared);
+  EXPECT_EQ(with([](auto&, auto& rules) { rules.rotations[0].turn = 0; }).code, rotation_turn_missing);
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.positions[2] = nan; }).code, rotation_incomplete);
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.positions[4] = 0; }).code, rotation_zero);
+  EXPECT_EQ(with([](auto&, auto& rules) { rules.metric = {0, 2}; }).code, metric_of_angles);
+  EXPECT_EQ(with([](auto&, auto& rules) {
+              rules.end = {EndRule::velocity, {1, 2, 3, 4, 5}};
+            }).code,
+            end_velocity_of_rotation);
+  EXPECT_EQ(with([](auto& keys, auto&) {
+              keys.velocities.resize(10);
+              keys.given = {false, true, true, true, false};
+            }).code,
+            rotation_velocity_incomplete);
+  EXPECT_EQ(with([](auto&, auto& rules) {
+              rules.metric = {turn_metric};
+              rules.equal_speed = true;
+            }).code,
+            equal_speed_of_turns);
+  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.metric = {turn_metric}; }).code, turn_metric_without_rotation);
 }
 
 TEST(BuildError, closed_curves_need_two_keys_and_a_period) {

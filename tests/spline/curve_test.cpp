@@ -306,6 +306,57 @@ TEST(Curve, lengths_are_those_of_the_metric_channels) {
   EXPECT_NEAR(Curve<double>::build(keys, rules)->length().value, 5, 1e-14);
 }
 
+/// Turns by a quarter about z and, at the last key, back to the first rotation with the other sign.
+Keys<double> turning() {
+  const double half = std::sqrt(0.5);
+  return {5, {0, 1, 2}, {0, 0, 0, 0, 1, 1, 0, 0, half, half, 0, 0, 0, 0, -1}, {}, {}, {}};
+}
+
+TEST(Curve, rotations_pass_through_their_keys_and_turn_with_an_angular_velocity) {
+  CurveRules<double> rules;
+  rules.rotations = {{{1, 2, 3, 4}}};
+  rules.rotation_rules.curve = RotationCurve::slerp;
+  const auto curve = Curve<double>::build(turning(), rules);
+  ASSERT_TRUE(curve) << curve.error().message();
+  EXPECT_NEAR(curve->rotation(1.0).z, std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(curve->rotation(0.5).z, std::sin(std::acos(-1) / 8), 1e-15);
+  EXPECT_NEAR(curve->angular_velocity(0.5)[2], std::acos(-1) / 2, 1e-14);
+  std::array<double, 5> x{}, v{};
+  curve->position(0.5, x);
+  EXPECT_EQ(x[3], curve->rotation(0.5).z);
+  curve->velocity(0.5, v);
+  EXPECT_NEAR(v[3], x[4] * std::acos(-1) / 4, 1e-14);
+  EXPECT_EQ(curve->length().value, 2);  // of the first channel alone
+}
+
+TEST(Curve, a_closed_curve_of_rotations_ends_with_either_sign) {
+  CurveRules<double> rules;
+  rules.rotations = {{{1, 2, 3, 4}}};
+  Keys<double> keys = turning();
+  keys.positions[10] = 0;
+  const auto curve = Curve<double>::build_closed(keys, rules);
+  ASSERT_TRUE(curve) << curve.error().message();
+  EXPECT_EQ(curve->segment_count(), 2U);
+  EXPECT_EQ(curve->end(), 2);
+  EXPECT_NEAR(std::abs(curve->rotation(1.9999999).w), 1, 1e-6);
+}
+
+TEST(Curve, angles_turn_the_shorter_way_and_stay_within_a_turn) {
+  CurveRules<double> rules;
+  rules.angles = {{0, true}};
+  const auto curve = Curve<double>::build({1, {0, 1}, {350, 10}, {}, {}, {}}, rules);
+  ASSERT_TRUE(curve);
+  EXPECT_NEAR(x_at(*curve, 0.5), 0, 1e-12);
+  EXPECT_EQ(x_at(*curve, 1), 10);
+}
+
+TEST(Curve, channels_run_through_the_keys_that_have_a_position_in_them) {
+  const auto curve = Curve<double>::build({2, {0, 1, 3, 4}, {0, 5, nan, 6, 7, 8, 9, 9}, {}, {}, {}});
+  const auto alone = Curve<double>::build({1, {0, 3, 4}, {0, 7, 9}, {}, {}, {}});
+  ASSERT_TRUE(curve && alone);
+  for (const double t : {0.5, 1.0, 2.5, 3.5}) EXPECT_NEAR(x_at(*curve, t), x_at(*alone, t), 1e-14);
+}
+
 TEST(Curve, no_evaluation_allocates_memory) {
   std::mt19937_64 random(5);
   auto keys = random_keys(random, 40, 7);
