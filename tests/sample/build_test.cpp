@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
+#include "io/terminal.hpp"
 #include "keys/key_store.hpp"
 
 namespace tcb {
@@ -95,19 +95,18 @@ TEST(Closing, keys_without_times_need_one_step_more) {
 
 TEST(Closing, refuses_what_makes_no_closed_curve) {
   EXPECT_EQ(close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
-            "f: error: the period of the closed curve is unknown; expected it, or a last key that repeats the first "
-            "position; add that key, or give --period P");
+            "f: error: the period of the closed curve is unknown; give --period, or add a last row that repeats the "
+            "first position");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
-            "f:3: error: this key closes the curve at the position of line 1, but with another tension, continuity or "
-            "bias; expected the same; correct one of the two");
+            "f:3: error: this key closes the curve at the position of line 1, but has another tension, continuity or "
+            "bias; expected the same numbers; correct one of the two keys");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
-            "f: error: the closed curve is back at its first key before its last one, at time 2; expected a longer "
-            "period; correct it");
+            "f: error: the period ends before the last key, at time 2; give a longer period");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
-            "f:3: error: this key repeats the position of line 1 and so ends the period, but at another time than the "
-            "given period; expected the same; remove one of them");
+            "f:3: error: this key repeats the position of line 1 and so ends the period, but the given period is "
+            "another; remove the key or the period");
   EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
-            "f: error: the closed curve has a single key; expected at least two different ones; add a key");
+            "f: error: a closed curve needs at least two distinct keys; add keys");
 }
 
 TEST(SegmentBlocks, of_a_closed_curve_end_at_the_first_key) {

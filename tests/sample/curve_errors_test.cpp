@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/remedies.hpp"
+#include "io/terminal.hpp"
 
 namespace tcb {
 namespace {
@@ -26,18 +26,17 @@ std::string words(const spline::BuildError& error) {
 TEST(CurveErrors, name_channels_and_lines) {
   using enum spline::BuildErrorCode;
   EXPECT_EQ(words({.code = channel_without_positions, .channel = 1}),
-            "f: error: channel \"y\" has no number in any key; expected at least one; fill one in, or leave the column "
+            "f: error: no key has a number in channel \"y\"; expected at least one; fill one in, or leave the column "
             "out with --columns");
   EXPECT_EQ(words({.code = period_too_short, .key = 1}),
-            "f: error: the closed curve is back at its first key before its last one, at time 2; expected a longer "
-            "period; correct it");
+            "f: error: the period ends before the last key, at time 2; give a longer period");
   EXPECT_EQ(words({.code = seam_velocity_differs, .key = 1, .channel = 0}),
-            "f:7: error: this key closes the curve at the position of line 4, but with another velocity in channel "
-            "\"x\"; expected the same; correct one of the two, or leave empty the incoming one of the first key and the "
-            "outgoing one of the last");
+            "f:7: error: this key closes the curve at the position of line 4, but has another velocity; expected the "
+            "same; correct one of the two keys, or leave the incoming velocity of the first key and the outgoing "
+            "velocity of the last key empty");
   EXPECT_EQ(words({.code = seam_velocity_missing, .channel = 1}),
-            "f: error: channel \"y\" lacks a velocity where the closed curve returns to its first key; expected the "
-            "incoming one of the first key and the outgoing one of the last; fill them in");
+            "f: error: a velocity of channel \"y\" is missing where the closed curve returns to its first key; "
+            "expected the incoming velocity of the first key and the outgoing velocity of the last key; fill them in");
 }
 
 }  // namespace
