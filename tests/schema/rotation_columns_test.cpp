@@ -61,7 +61,7 @@ TEST(RotationColumns, are_requested_by_the_numbers_of_columns) {
   EXPECT_THAT(error_of([&] {
                 opened(tum, quaternion({"5", "6", "7", "9"}));
               }),
-              HasSubstr("no column \"9\"; expected one of"));
+              HasSubstr("no column \"9\"; the columns have no names"));
   EXPECT_EQ(opened(tum, {.angles = {{"8", true}}}).schema.angles.at(0).channel, 6U);
   const std::string named = "6,t,a,b,c,d,e\n0,0,0,0,0,0,1\n0,1,0,0,0,0,1\n";
   EXPECT_EQ(opened(named, quaternion({"6", "3", "4", "7"})).schema.rotations.columns.at(0).channels,
