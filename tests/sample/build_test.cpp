@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
+#include "io/terminal.hpp"
 #include "keys/key_store.hpp"
 
 namespace tcb {
