@@ -27,159 +27,10 @@ struct TextPosition {
   std::uint64_t column = 0;
 };
 
-/// What can be wrong, folder by folder of the code that finds it. Each has its words in cli/remedies.
+/// What can be wrong with a command line. Each has its words in cli/remedies.
 enum class ErrorCode {
-  // io
-  // schema, read
-  times_unclear,           ///< name of the column that may be the time
-  no_such_time,            ///< column, cell
-  time_in_other_notation,  ///< column, cell
-  // read/csv
-  // read/json; PATH is the path of the value, as in keys[17].x
-  text_options_on_json,
-  empty_json,
-  json_value_expected,             ///< token
-  json_name_expected,              ///< token
-  json_colon_expected,             ///< token
-  json_comma_or_bracket_expected,  ///< token
-  json_comma_or_brace_expected,    ///< token
-  json_end_expected,               ///< token
-  json_string_not_closed,          ///< the string
-  json_character_in_string,        ///< the string up to the character
-  json_ends_early,
-  json_text_after_array,
-  json_key_too_long,
-  json_object_too_long,
-  json_curve_expected,
-  json_comma_after_curve_expected,
-  json_key_missing,
-  json_value_for_key,  ///< the value
-  json_number_for_key,
-  json_array_for_key,
-  json_number_too_large,        ///< number
-  json_member_repeats,          ///< PATH
-  json_member_unknown,          ///< PATH
-  json_array_unused,            ///< PATH, name
-  json_object_unused,           ///< PATH, name
-  json_member_missing,          ///< name
-  json_time_missing,            ///< name
-  json_member_nearly_role,      ///< PATH, role, name
-  json_not_a_number,            ///< PATH, text
-  json_null_number,             ///< PATH
-  json_null_time,               ///< PATH
-  json_missing_number,          ///< PATH, text
-  json_missing_time,            ///< PATH, text
-  json_null_group,              ///< PATH
-  json_number_expected,         ///< PATH
-  json_text_expected,           ///< PATH
-  json_array_expected,          ///< PATH
-  json_velocity_count,          ///< PATH, number of elements, expected number
-  json_rotation_size,           ///< path, count of numbers
-  json_rotation_members,        ///< path
-  json_array_size,              ///< PATH, number of elements, expected number
-  json_tcb_twice,               ///< PATH
-  json_tcb_array_expected,      ///< PATH
-  json_single_number_expected,  ///< PATH
-  json_channel_count,           ///< number of names, number of numbers
-  json_without_keys,
-  json_curve_without_keys,  ///< path of the curve
-  json_curves_differ,       ///< path, time and channels, those of the first curve
-  groups_of_curves,
-  setting_nearly_known,       ///< name, the known names, PATH
-  setting_repeats,            ///< PATH
-  setting_of_keys,            ///< PATH
-  setting_is_option,          ///< PATH
-  setting_outside_curves,     ///< name
-  setting_closed_expected,    ///< PATH, text
-  setting_channels_expected,  ///< PATH
-  setting_id_expected,        ///< PATH
-  // keys
-  // sample
-  before_first_key,
-  after_last_key,
-  before_curve_start,
-  beyond_curve_length,
-  step_too_small,
-  too_many_rows,
-  too_many_rows_or_more,
-  end_before_start,
-  start_after_end,
-  samples_beyond_doubles,
-  beyond_curve_end,
-  no_piece_in_range,
-  piece_with_ease,  ///< number of the segment, times of its keys
-  tolerance_too_small,
-  // keys, sample and fit: the curve
-  unknown_rule,
-  velocity_missing,
-  unexpected_rule_value,
-  velocity_not_a_number,
-  velocity_of_other_size,
-  too_many_end_rules,
-  exponent_out_of_range,
-  period_not_positive,
-  period_beyond_doubles,
-  period_of_open_curve,
-  ends_of_closed_curve,
-  unknown_metric_channel,
-  repeated_metric_channel,
-  rotation_in_metric,
-  no_rotation,  ///< what is of rotations
-  angle_in_metric,
-  path_of_rotations,
-  only_rotations,
-  tolerance_without_rotation,
-  tolerance_of_rotations,
-  fit_without_times,
-  fit_of_keys,            ///< name of a role
-  fit_without_tolerance,  ///< name of a channel
-  fit_of_other_form,      ///< name of a column
-  fit_of_missing,         ///< name of a channel
-  fit_of_single_sample,
-  fit_of_sequence,           ///< name of the output format
-  fit_of_setting,            ///< name of a member of JSON
-  fit_beyond_doubles,        ///< name of a channel
-  fit_below_doubles,         ///< tolerance, name of a channel, its largest size, the least tolerance
-  kept_time_without_sample,  ///< the time
-  fit_impossible,
-  end_velocity_of_rotation,
-  emit_of_rotation,
-  emit_of_angles,
-  emit_of_angle,
-  row_beyond_doubles,
-  // exact
-  decimal_too_long,
-  row_needs_more_digits,
-  // write
-  other_columns,  ///< columns, columns of the files before
-  // plot
-  picture_beyond_doubles,
-  picture_too_small,  ///< channels
   // run
-  out_of_memory,
   unexpected,  ///< the message of a standard exception
-  parameter_with_times,
-  unknown_axis,  ///< channel, channels
-  same_axes,     ///< channel
-  // check: errors
-  nothing_to_compare,         ///< columns of the samples, columns that could be compared
-  repeated_column,            ///< name
-  samples_without_places,     ///< columns of the samples, name of the time column
-  unnamed_sample_columns,     ///< number of columns, number of expected ones, their names
-  fields_without_places,      ///< about --fields
-  tolerance_of_other_column,  ///< column, columns that are compared; about the option of the tolerance
-  no_position_column,         ///< channels of the keys
-  no_samples_on_curve,        ///< with the problems that are the reasons
-  no_sample_numbers,
-  // check: problems, which a report lists
-  missing_columns,     ///< names
-  unknown_columns,     ///< names
-  curve_without_rows,  ///< group, as NAME=VALUE
-  rows_without_keys,   ///< group, line of the first row
-  curve_counts,        ///< of the rows, of the keys, of both
-  times_off_curve,     ///< number of rows, line of the first one, its time, the nearest time of the curve
-  lengths_off_curve,   ///< the same of arc lengths
-  rows_without_place,  ///< number of rows, line of the first one
   // cli
   wrong_command_line,  ///< in the words of CLI11
   unknown_option,      ///< name, names of all options
@@ -198,7 +49,6 @@ enum class ErrorCode {
   endless_range,
   range_too_long,  ///< text, the largest number of places
   list_without_numbers,
-  group_without_places,  ///< group, as NAME=VALUE
   grouped_places_in_provenance,
   unreadable_list,
   expected_count,
@@ -233,7 +83,6 @@ enum class ErrorCode {
   range_backwards,  ///< to, from
   standard_input_twice,
   comparison_of_several_files,  ///< number of files
-  fit_picture_of_several_files,
   line_end_in_provenance,
   option_not_of_provenance,
   file_in_provenance,
@@ -267,7 +116,6 @@ class Error : public std::exception {
   const TextPosition& position() const { return position_; }
   /// What a message with a code is about: the name of an option.
   const std::string& option() const { return option_; }
-  const std::string& member() const { return member_; }
   const std::vector<Error>& others() const { return others_; }
 
   /// Not for people: error_text() in io/terminal.hpp is.
@@ -281,14 +129,6 @@ class Error : public std::exception {
     Error error = *this;
     (message_.empty() ? error.option_ : error.message_) =
         message_.empty() ? std::string(subject) : std::string(subject) + ": " + message_;
-    return error;
-  }
-
-  /// The same error about the member of JSON that has the value of an option.
-  Error about_member(Exit exit, std::string member) const {
-    Error error = *this;
-    error.exit_ = exit;
-    error.member_ = std::move(member);
     return error;
   }
 
@@ -315,7 +155,6 @@ class Error : public std::exception {
   std::vector<ErrorValue> values_;
   TextPosition position_;
   std::string option_;
-  std::string member_;
   std::vector<Error> others_;
 };
 

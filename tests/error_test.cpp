@@ -1,15 +1,15 @@
 // Errors: text with and without a position, and the file name that is added later.
 #include "error.hpp"
-#include "cli/remedies.hpp"
 
 #include <gtest/gtest.h>
+
+#include "io/terminal.hpp"
 
 namespace tcb {
 namespace {
 
-/// An error whose message is its value.
 Error error_with(const std::string& message, Exit exit = Exit::data, const TextPosition& position = {}) {
-  return Error(exit, ErrorCode::unexpected, {message}).at(position);
+  return Error(exit, message).at(position);
 }
 
 TEST(Errors, the_text_has_the_position_as_far_as_it_is_known) {

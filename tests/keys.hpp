@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
+#include "io/terminal.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 

@@ -46,10 +46,10 @@ struct Difference {
 
 /// The parts of a result that all comparisons have.
 struct ComparisonSummary {
-  std::string file, keys;            ///< names of the files of samples and of keys
-  bool by_length = false;            ///< the samples are at arc lengths
-  std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
-  std::vector<std::string> problems;       ///< of columns, curves and rows, besides the numbers
+  std::string file, keys;             ///< names of the files of samples and of keys
+  bool by_length = false;             ///< the samples are at arc lengths
+  std::vector<std::string> ignored;   ///< names of columns that are intentionally not compared
+  std::vector<std::string> problems;  ///< of columns, curves and rows, besides the numbers
 };
 
 /// The result of a check for one column.
@@ -87,7 +87,7 @@ ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs);
 /// The places of rows on a curve.
 struct Places {
   std::vector<std::size_t> rows;
-  std::vector<Time> places;        ///< of these rows
+  std::vector<Time> places;              ///< of these rows
   std::optional<std::string> off_curve;  ///< if other rows are not on the curve: how many, and the first of them
 };
 

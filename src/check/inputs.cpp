@@ -218,8 +218,7 @@ MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, cons
   MatchedColumns result;
   result.fields = chosen;
   const std::size_t columns = table.columns.size() + (table.timed ? 1 : 0);
-  if (names.size() != columns)
-    throw unnamed_sample_columns(columns, names);
+  if (names.size() != columns) throw unnamed_sample_columns(columns, names);
   const auto time = place_of_time(chosen, keys);
   const auto length = time ? std::nullopt : find(names, "s");
   if (!time && !length) throw fields_without_places().about(option::fields);

@@ -82,10 +82,10 @@ struct MatchedColumns {
   std::vector<MatchedColumn> compared;
   std::vector<std::array<std::size_t, 4>> rotations = {};  ///< indices into compared, of the numbers of each
   std::vector<std::pair<std::size_t, bool>> angles = {};   ///< index into compared, and whether it is in degrees
-  std::optional<std::size_t> place;  ///< index into SampleTable::columns: the places of the samples, if not the times
-  bool by_length = false;            ///< the places are arc lengths
-  std::vector<std::string> ignored;  ///< names of columns that are intentionally not compared
-  std::vector<std::string> problems;       ///< of columns that are missing or unknown
+  std::optional<std::size_t> place;   ///< index into SampleTable::columns: the places of the samples, if not the times
+  bool by_length = false;             ///< the places are arc lengths
+  std::vector<std::string> ignored;   ///< names of columns that are intentionally not compared
+  std::vector<std::string> problems;  ///< of columns that are missing or unknown
 
   /// Negates computed quaternions and turns computed angles by whole turns where that is nearer to the given row, as
   /// these are the same.

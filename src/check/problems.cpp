@@ -34,12 +34,14 @@ std::string rows_without_place(std::uint64_t rows, std::uint64_t first_line) {
 
 std::string rows_off_curve(std::uint64_t rows, std::uint64_t first_line, bool by_length, std::string_view place,
                            std::string_view nearest) {
-  return by_length ? fmt::format("rows outside the curve: {}; the first, in line {}, has arc length {}; the nearest "
-                                 "one of the curve is {}",
-                                 rows, first_line, place, nearest)
-                   : fmt::format("rows outside the curve: {}; the first, in line {}, has time {}; the nearest time of "
-                                 "the curve is {}",
-                                 rows, first_line, place, nearest);
+  return by_length ? fmt::format(
+                         "rows outside the curve: {}; the first, in line {}, has arc length {}; the nearest "
+                         "one of the curve is {}",
+                         rows, first_line, place, nearest)
+                   : fmt::format(
+                         "rows outside the curve: {}; the first, in line {}, has time {}; the nearest time of "
+                         "the curve is {}",
+                         rows, first_line, place, nearest);
 }
 
 }  // namespace tcb

@@ -162,8 +162,8 @@ std::string json(const Check& check) {
       "{{\"passed\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n\"rows\":{},\"values\":{},\"mismatches\":{},\n"
       "\"first\":{},\n\"worst\":{},\n\"columns\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       check.passed(), json_text(check.file), json_text(check.keys), samples_at(check.by_length), check.rows,
-      check.values, check.mismatches, json(check.first), json(check.worst), columns,
-      list_json(check.problems), list_json(check.ignored));
+      check.values, check.mismatches, json(check.first), json(check.worst), columns, list_json(check.problems),
+      list_json(check.ignored));
 }
 
 std::string text(const Identification& found) {
@@ -192,8 +192,8 @@ std::string json(const Identification& found) {
       "\"same_orders\":{},\n\"first\":{},\n\"worst\":{},\n\"ranking\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       found.fits(), ranking.precision ? json_text(name_of(*ranking.precision)) : "null", json_text(found.file),
       json_text(found.keys), samples_at(found.by_length), found.rows, found.conventions,
-      list_json(order_of(found, best).same), json(best.first), json(best.worst), rows,
-      list_json(found.problems), list_json(found.ignored));
+      list_json(order_of(found, best).same), json(best.first), json(best.worst), rows, list_json(found.problems),
+      list_json(found.ignored));
 }
 
 namespace {

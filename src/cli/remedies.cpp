@@ -1,4 +1,4 @@
-// Words for errors and notes: from codes, subjects and values to sentences with the remedy.
+// Words for errors of the command line: from codes, subjects and values to sentences with the remedy.
 #include "cli/remedies.hpp"
 
 #include <fmt/args.h>
@@ -21,283 +21,8 @@ namespace {
 
 // A plain array: clang 14 does not deduce a std::array of so many.
 constexpr Words all_words[]{
-    // text
-    // io
-    // schema, read
-    Words{ErrorCode::times_unclear,
-          "no time column, but column \"{0}\" may be one; expected a column called time; give --columns time={0}, "
-          "or --parameter uniform if the keys have no times"},
-    Words{ErrorCode::no_such_time,
-          "{c0}: {q1} does not exist; expected a time of a day, a frame below the rate that is not dropped, and no "
-          "leap second; correct the cell"},
-    Words{ErrorCode::time_in_other_notation,
-          "{c0}: {q1} is not in the notation of the first time; expected one notation in a column; convert the cell"},
-    // read/csv
-    // read/json
-    Words{ErrorCode::text_options_on_json,
-          "--delimiter, --header, --no-header, --comment and --decimal have no effect on JSON; remove them, or "
-          "give the format with -i"},
-    Words{ErrorCode::empty_json, "no keys: the input is empty; expected an object for each key; see --help"},
-    Words{ErrorCode::json_value_expected, "not JSON: {q0}; expected a value; correct the text"},
-    Words{ErrorCode::json_name_expected, "not JSON: {q0}; expected a name in quotes; correct the text"},
-    Words{ErrorCode::json_colon_expected, "not JSON: {q0}; expected a colon after the name; correct the text"},
-    Words{ErrorCode::json_comma_or_bracket_expected, "not JSON: {q0}; expected a comma or ]; correct the text"},
-    Words{ErrorCode::json_comma_or_brace_expected, "not JSON: {q0}; expected a comma or }}; correct the text"},
-    Words{ErrorCode::json_end_expected, "not JSON: {q0} after the last bracket; expected nothing more; remove it"},
-    Words{ErrorCode::json_string_not_closed, "not JSON: the string {q0} is not closed; expected \" at its end; add it"},
-    Words{ErrorCode::json_character_in_string,
-          "not JSON: the last character of {q0} may not be in a string; expected UTF-8 without control characters, "
-          "and the escapes of JSON; correct the text"},
-    Words{ErrorCode::json_ends_early, "not JSON: the text ends early; expected the rest of the value; complete it"},
-    Words{ErrorCode::json_text_after_array, "text after the end of the JSON array; expected nothing more; remove it"},
-    Words{ErrorCode::json_key_too_long, "a key of more than 64 MiB; expected less; shorten it"},
-    Words{ErrorCode::json_object_too_long, "an object of more than 64 MiB around the keys; expected less; shorten it"},
-    Words{ErrorCode::json_curve_expected, "no curve where one was expected; expected an object; correct the text"},
-    Words{ErrorCode::json_comma_after_curve_expected, "expected a comma or the end of the curves; correct the text"},
-    Words{ErrorCode::json_key_missing, "nothing where a key was expected; expected an object; remove the comma"},
-    Words{ErrorCode::json_value_for_key, "{0} where a key was expected; expected an object; correct it"},
-    Words{ErrorCode::json_number_for_key, "a number where a key was expected; expected an object; correct it"},
-    Words{ErrorCode::json_array_for_key, "an array where a key was expected; expected an object; correct it"},
-    Words{ErrorCode::json_number_too_large,
-          "{q0} is not a finite double; expected less than 1.8e308 in size; correct it"},
-    Words{ErrorCode::json_member_repeats, "{0}: repeated in one key; expected once; remove one"},
-    Words{ErrorCode::json_member_unknown,
-          "{0}: not in the first key; expected the same members in every key; add it there"},
-    Words{ErrorCode::json_array_unused,
-          "{0}: an array that is not used; expected \"position\" as the name of an array of positions; rename it, "
-          "or give --columns position={1}, or position=NAME:NAME for the members to take"},
-    Words{ErrorCode::json_object_unused,
-          "{0}: numbers in an object, or in arrays in an array, are not used; expected an array of numbers, or a "
-          "member for each number; write them so, or give --columns position=NAME:NAME for the members to take"},
-    Words{ErrorCode::json_member_missing,
-          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row, "
-          "skip-cell or break"},
-    Words{ErrorCode::json_time_missing,
-          "a key without \"{0}\"; expected the members of the first key; add it, or give --missing skip-row or "
-          "break"},
-    Words{ErrorCode::json_member_nearly_role,
-          "{0}: close to \"{1}\", but its name makes it a channel; expected {1}, or another name; rename it, or "
-          "give --columns {1}={2} or position=NAME:NAME"},
-    Words{ErrorCode::json_not_a_number, "{0}: {q1} is not a number; expected one without quotes; correct it"},
-    Words{ErrorCode::json_null_number,
-          "{0}: null where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
-    Words{ErrorCode::json_null_time,
-          "{0}: null where a number was expected; fill it in, or give --missing skip-row or break"},
-    Words{ErrorCode::json_missing_number,
-          "{0}: {q1} where a number was expected; fill it in, or give --missing skip-row, skip-cell or break"},
-    Words{ErrorCode::json_missing_time,
-          "{0}: {q1} where a number was expected; fill it in, or give --missing skip-row or break"},
-    Words{ErrorCode::json_null_group, "{0}: null where a text was expected; fill it in, or give --missing skip-row"},
-    Words{ErrorCode::json_number_expected, "{0}: expected a number, as in the first key; correct it"},
-    Words{ErrorCode::json_text_expected, "{0}: expected a text or a number, as in the first key; correct it"},
-    Words{ErrorCode::json_array_expected, "{0}: expected an array of numbers, as in the first key; correct it"},
-    Words{ErrorCode::json_velocity_count, "{0}: an array of {1}; expected {2} numbers, as in \"position\"; correct it"},
-    Words{ErrorCode::json_rotation_size,
-          "{0}: an array of {1}; expected four numbers, x, y, z, w of a quaternion; correct it, or give --columns "
-          "position=NAME:NAME for the members to take"},
-    Words{ErrorCode::json_rotation_members,
-          "{0}: \"rotation\" has other members than x, y, z and w; expected the four numbers of a quaternion; correct "
-          "them, or give --columns position=NAME:NAME for the members to take"},
-    Words{ErrorCode::json_array_size, "{0}: an array of {1}; expected {2} numbers, as in the first key; correct it"},
-    Words{ErrorCode::json_tcb_twice, "{0}: also in \"tcb\"; expected one of them; remove one"},
-    Words{ErrorCode::json_tcb_array_expected, "{0}: expected an array [T,C,B]; correct it"},
-    Words{ErrorCode::json_single_number_expected, "{0}: expected a number; correct it"},
-    Words{ErrorCode::json_channel_count,
-          "\"channels\" names {0}; expected {1}, one for each number of \"position\"; correct it"},
-    Words{ErrorCode::json_without_keys, "no keys; expected at least two; add them"},
-    Words{ErrorCode::json_curve_without_keys, "{0}: no keys; expected at least two; add them, or remove the curve"},
-    Words{ErrorCode::json_curves_differ,
-          "{0}: keys with {1}, {2}; expected {3}, {4}, as in the first curve; correct them"},
-    Words{ErrorCode::groups_of_curves,
-          "{subject} has no meaning for an object with curves, which are separate already; remove it"},
-    Words{ErrorCode::setting_nearly_known, "{2}: not a setting{nearest}"},
-    Words{ErrorCode::setting_repeats, "{0}: repeated in one object; expected once; remove one"},
-    Words{ErrorCode::setting_of_keys, "{0}: not in a key; expected in each of them; move it there"},
-    Words{ErrorCode::setting_is_option,
-          "{0}: an option, not a setting of a file; remove it, and give {subject} instead"},
-    Words{ErrorCode::setting_outside_curves, "{0}: outside the curves; expected in each of them; move it there"},
-    Words{ErrorCode::setting_closed_expected, "{0}: {q1}; expected true or false; correct it"},
-    Words{ErrorCode::setting_channels_expected, "{0}: expected an array of names in quotes; correct it"},
-    Words{ErrorCode::setting_id_expected, "{0}: expected a text or a number; correct it"},
-    // keys
-    // sample
-    Words{ErrorCode::before_first_key,
-          "{subject} {0} lies before the first key, at {1}; give one within the curve, or --extrapolate"},
-    Words{ErrorCode::after_last_key,
-          "{subject} {0} lies beyond the last key, at {1}; give one within the curve, or --extrapolate"},
-    Words{ErrorCode::before_curve_start, "{subject} {0} lies before the start, at {1}; give one within the curve"},
-    Words{ErrorCode::beyond_curve_length,
-          "{subject} {0} lies beyond the curve's length, at {1}; give one within the curve"},
-    Words{ErrorCode::step_too_small,
-          "the step {0} is too small: near {1} two rows would get the same number; give a larger step"},
-    Words{ErrorCode::too_many_rows, "{0} rows are requested; expected at most {1}; request fewer, or raise --max-rows"},
-    Words{ErrorCode::too_many_rows_or_more,
-          "at least {0} rows are requested; expected at most {1}; request fewer, or raise --max-rows"},
-    Words{ErrorCode::end_before_start,
-          "{subject} {0} is before {1}, where samples begin unless --from is given; expected a later one; correct "
-          "it, or give --from"},
-    Words{ErrorCode::start_after_end,
-          "{subject} {0} lies beyond {1}, where samples end unless --to is given; expected an earlier one; correct "
-          "it, or give --to"},
-    Words{ErrorCode::samples_beyond_doubles,
-          "the distances between samples are beyond the range of doubles; expected less than 1.8e308 from the "
-          "first to the last; scale the keys down"},
-    Words{ErrorCode::beyond_curve_end, "{subject} {0} lies beyond the last key, at {1}; give one within the curve"},
-    Words{ErrorCode::no_piece_in_range,
-          "no part of the curve lies from --from to --to; expected a range with a duration; correct it"},
-    Words{ErrorCode::piece_with_ease,
-          "segment {0}, from the key at time {1} to the key at {2}, has ease, so it is no cubic in time; expected "
-          "keys without ease; give --no-ease, or a sampling option instead of --emit"},
-    Words{ErrorCode::tolerance_too_small, "{subject} is too small: two rows would be the same; give a larger one"},
-    // keys, sample and fit: the curve
-    Words{ErrorCode::unknown_rule, "{subject}: unknown name \"{0}\"; expected one of {1}{nearest}"},
-    Words{ErrorCode::velocity_missing, "{subject} {0}: expected a number for each channel, as in velocity=1:0"},
-    Words{ErrorCode::unexpected_rule_value, "{subject} {0}: expected no value for this rule; remove it"},
-    Words{ErrorCode::velocity_not_a_number, "{subject} {0}: \"{1}\" is not a number; expected velocity=V:V…"},
-    Words{ErrorCode::velocity_of_other_size,
-          "{subject}: a velocity of {0} numbers; expected {1}, one for each of {2}; correct it"},
-    Words{ErrorCode::too_many_end_rules,
-          "{subject} {0}: {1} rules; expected one, or one for the start and one for the end"},
-    Words{ErrorCode::exponent_out_of_range, "{subject} {0}: expected an exponent from 0 to 16"},
-    Words{ErrorCode::period_not_positive, "{subject} \"{0}\": expected a decimal or a ratio above 0, such as 7.5"},
-    Words{ErrorCode::period_beyond_doubles,
-          "{subject} \"{0}\": expected at most 1.7976931348623157e308 in size, as doubles are"},
-    Words{ErrorCode::period_of_open_curve, "{subject}: false, but a period makes the curve closed; remove one of them"},
-    Words{ErrorCode::ends_of_closed_curve,
-          "{subject} has no effect on a closed curve, which has no ends; remove one of them"},
-    Words{ErrorCode::unknown_metric_channel,
-          "{subject}: no channel \"{0}\"; expected some of {1}, or numbers from 1{nearest}"},
-    Words{ErrorCode::repeated_metric_channel, "{subject}: channel \"{0}\" is repeated; expected each once; remove one"},
-    Words{ErrorCode::rotation_in_metric,
-          "{subject}: channel \"{0}\" is a number of a rotation, which has no length; expected a position; give "
-          "--rotation none to take it as one"},
-    Words{
-        ErrorCode::angle_in_metric,
-        "{subject}: channel \"{0}\" is an angle, which has no length; expected a position; leave it out, or leave out "
-        "--angle"},
-    Words{ErrorCode::no_rotation,
-          "{subject} {0}: there is no rotation; expected columns of one; name them with --rotation"},
-    Words{
-        ErrorCode::path_of_rotations,
-        "{subject} rotation measures angles, so that there are no distances, speeds and shapes of a path; expected arc "
-        "lengths alone; leave out the others, or give the field angular_speed"},
-    Words{ErrorCode::only_rotations,
-          "there are only rotations or angles, which have no lengths; expected a position; give --metric rotation for "
-          "angles, or --rotation none to take their numbers as positions"},
-    Words{ErrorCode::fit_without_times,
-          "{subject} takes samples with times, and no column is the time; expected one; name it with --columns "
-          "time=NAME"},
-    Words{ErrorCode::fit_of_keys,
-          "the input has the role {0}, as keys do; expected samples; leave its column out with --columns ignore=NAME"},
-    Words{
-        ErrorCode::fit_without_tolerance,
-        "--fit has no tolerance for channel \"{0}\"; expected one for each, where D is for those of --metric together; "
-        "add {0}=D"},
-    Words{ErrorCode::fit_of_other_form,
-          "{subject} takes rotations as quaternions, and column \"{0}\" gives one in another form; convert them first "
-          "with --rotation-output quaternion"},
-    Words{ErrorCode::fit_of_missing,
-          "the number in channel \"{0}\" is missing; expected one in every sample; give --missing skip-row"},
-    Words{ErrorCode::fit_of_single_sample,
-          "{subject} takes two samples or more of each curve, and there are fewer; add some"},
-    Words{ErrorCode::fit_of_sequence,
-          "{subject} has several curves in {0}, which nothing tells apart when it is read; expected a group or another "
-          "format; "
-          "give -f ssv, -f json, or --group"},
-    Words{ErrorCode::fit_of_setting,
-          "the member \"{0}\" is a setting of a curve of keys, and --fit prints keys of the default rules; remove it"},
-    Words{ErrorCode::fit_beyond_doubles,
-          "{subject} squares numbers and tolerances, and those of channel \"{0}\" are too large or too small for that; "
-          "expected numbers below 1e150 and tolerances above 1e-150; give --scale {0}=FACTOR"},
-    Words{
-        ErrorCode::fit_below_doubles,
-        "{subject}: {0} is near the spacing of doubles in channel \"{1}\", whose numbers reach {2}; expected at least "
-        "{3}; give a larger tolerance"},
-    Words{ErrorCode::kept_time_without_sample, "{subject}: no sample is at the time {0}; expected times of samples"},
-    Words{ErrorCode::fit_impossible,
-          "no tension, continuity and bias were found that stay within {subject}; expected a tolerance that the digits "
-          "of "
-          "the output have, and positions that do not repeat; give --fit-keys hermite, more digits, or a larger "
-          "tolerance"},
-    Words{
-        ErrorCode::tolerance_without_rotation,
-        "{subject} has an angle, and there are no rotations; expected a distance alone; leave out the angle, or name a "
-        "rotation with --rotation"},
-    Words{ErrorCode::tolerance_of_rotations,
-          "{subject} has a distance, and there are only rotations or angles, which have none; expected an angle alone; "
-          "give one, as in {subject} 0.5deg, or --rotation none to take their numbers as positions"},
-    Words{ErrorCode::end_velocity_of_rotation,
-          "{subject}: a velocity has a number per channel, and rotations have none; expected another end rule; give "
-          "--rotation none for plain channels"},
-    Words{ErrorCode::emit_of_angle,
-          "the pieces of an angle would be in different turns; expected channels that are no angles; leave out "
-          "--angle, or "
-          "{subject}"},
-    Words{ErrorCode::emit_of_angles,
-          "the pieces of a rotation are those of the numbers of its quaternion; expected rows with these; give "
-          "--rotation-output quaternion"},
-    Words{ErrorCode::emit_of_rotation,
-          "the curve {0} of a rotation has no cubics; expected components; give --rotation-curve components, or "
-          "--rotation none"},
-    Words{ErrorCode::row_beyond_doubles,
-          "the row at time {0} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale "
-          "the keys down"},
-    // exact
-    Words{ErrorCode::decimal_too_long,
-          "a decimal of more digits than --exact-input takes; expected at most 10,000; shorten it, or remove "
-          "--exact-input"},
-    Words{ErrorCode::row_needs_more_digits,
-          "the row at time {0} has a number that cannot be computed to so many digits; expected fewer; give a "
-          "smaller number to --digits or --fixed"},
-    // write
-    Words{ErrorCode::other_columns,
-          "its rows have the columns {0}; expected {1}, as in the previous files; give --output-dir to write an "
-          "output for each file"},
-    // plot
-    Words{ErrorCode::picture_beyond_doubles,
-          "the differences of a channel are beyond the range of doubles; expected less than 1.8e308; correct them"},
-    Words{ErrorCode::picture_too_small,
-          "the picture has no room for {0} channels; expected a larger one; give a larger {subject}, or remove it"},
     // run
-    Words{ErrorCode::out_of_memory, "out of memory"},
     Words{ErrorCode::unexpected, "{0}"},
-    Words{ErrorCode::parameter_with_times,
-          "{subject} makes times, but column \"{0}\" has them; expected one of the two; remove {subject}, or "
-          "choose other columns with --columns"},
-    Words{ErrorCode::unknown_axis, "{subject}: no channel \"{0}\"; expected two of {1}, or numbers from 1{nearest}"},
-    Words{ErrorCode::same_axes,
-          "{subject}: channel \"{0}\" is given twice; expected two different ones; give another one"},
-    // check: errors
-    Words{ErrorCode::nothing_to_compare,
-          "nothing to compare: the columns are {0}; expected some of {1}; rename the columns"},
-    Words{ErrorCode::repeated_column, "two columns are called \"{0}\"; expected different names; rename one"},
-    Words{ErrorCode::samples_without_places,
-          "no column of times or arc lengths: the columns are {0}; expected {1}, or s for arc lengths; add one, or "
-          "rename it"},
-    Words{ErrorCode::unnamed_sample_columns,
-          "{0} columns without names; expected {1}: {2}; name them in a first row, or list their fields with "
-          "--fields"},
-    Words{ErrorCode::fields_without_places,
-          "{subject} has neither time nor s, the places of the samples; expected one of them; add it in the order "
-          "of the columns"},
-    Words{ErrorCode::tolerance_of_other_column,
-          "{subject}: no column \"{0}\" is compared; expected some of {1}; correct it"},
-    Words{ErrorCode::no_position_column, "no column of positions; expected at least one of {0}; rename it, or add one"},
-    Words{ErrorCode::no_samples_on_curve,
-          "no row is on the curve of the keys; expected at least one; give samples of the same curve"},
-    Words{ErrorCode::no_sample_numbers, "no row has a number to compare; expected at least one; give other samples"},
-    // check: problems
-    Words{ErrorCode::missing_columns, "columns missing: {0}"},
-    Words{ErrorCode::unknown_columns, "columns of no field: {0}; give the fields to compare with --fields"},
-    Words{ErrorCode::curve_without_rows, "curve {0} has no rows"},
-    Words{ErrorCode::rows_without_keys, "curve {0} has no keys; its rows are in line {1} and below"},
-    Words{ErrorCode::curve_counts, "number of curves: {0} in the rows, {1} in the keys, {2} compared"},
-    Words{ErrorCode::times_off_curve,
-          "rows outside the curve: {0}; the first, in line {1}, has time {2}; the nearest time of the curve is {3}"},
-    Words{ErrorCode::lengths_off_curve,
-          "rows outside the curve: {0}; the first, in line {1}, has arc length {2}; the nearest one of the curve "
-          "is {3}"},
-    Words{ErrorCode::rows_without_place, "rows without a time or arc length: {0}; the first is in line {1}"},
     // cli
     Words{ErrorCode::wrong_command_line, "{0}; see --help"},
     Words{ErrorCode::unknown_option, "unknown option {0}{nearest} (--help lists all options)"},
@@ -340,7 +65,6 @@ constexpr Words all_words[]{
     Words{ErrorCode::range_too_long,
           "{subject} \"{0}\": a range of more than {1} places; expected fewer; give --from, --to and --step"},
     Words{ErrorCode::list_without_numbers, "no number for {subject}; expected one at least"},
-    Words{ErrorCode::group_without_places, "curve {0} has no rows in the file of {subject}; expected some; add them"},
     Words{ErrorCode::grouped_places_in_provenance,
           "{subject} has other places for each group, which --meta cannot record; expected the same for all; leave "
           "out one of them"},
@@ -389,9 +113,6 @@ constexpr Words all_words[]{
           "npy is not text, and standard output is a terminal; expected a file or a pipe; give -o FILE.npy"},
     Words{ErrorCode::standard_input_twice,
           "{subject} - and the keys are both standard input; expected one of them; give the other by its file name"},
-    Words{ErrorCode::fit_picture_of_several_files,
-          "a picture of {subject} shows the recordings of one file; expected one input and one output; draw each by "
-          "itself"},
     Words{ErrorCode::comparison_of_several_files, "{subject} takes one file of keys; {0} are given; remove the others"},
     Words{ErrorCode::line_end_in_provenance,
           "{subject}: --meta cannot hold a value with a line end; expected one without; remove --meta, or rename "
@@ -489,7 +210,7 @@ std::string error_message(const Error& error) {
   FormatArguments values;
   for (const ErrorValue& value : error.values()) std::visit(AddValue{values}, value);
   for (std::size_t i = 0; i < error.values().size(); ++i) std::visit(AddNamed{values, i}, error.values()[i]);
-  const std::string subject = error.member().empty() ? error.option() : error.member();
+  const std::string& subject = error.option();
   values.push_back(fmt::arg("subject", subject));
   values.push_back(fmt::arg("nearest", nearest(error.values())));
   const bool shows_subject = words->text.find("{subject}") != std::string_view::npos;

@@ -64,8 +64,8 @@ Error sample_without_number(std::string_view channel) {
 }
 
 Error too_few_samples() {
-  return {Exit::data, fmt::format("the curve has fewer than two samples; {} needs at least two; add samples",
-                                  option::fit)};
+  return {Exit::data,
+          fmt::format("the curve has fewer than two samples; {} needs at least two; add samples", option::fit)};
 }
 
 Error fit_beyond_doubles(std::string_view channel) {

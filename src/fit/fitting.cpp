@@ -262,9 +262,10 @@ Note note_of(const FitReport& report, const FitOptions& options) {
   const std::string largest = is_distance ? fmt::format("{:.4g}", report.largest * options.tolerances[0].most)
                                           : fmt::format("{:.4g} of the tolerance", report.largest);
   const double ratio = static_cast<double>(report.samples) / static_cast<double>(report.keys);
-  return {fmt::format("{} samples, {} keys, {:.3g} times fewer; at most {} from a sample, on line {}; no fewer than {} keys "
-                      "can do",
-                      report.samples, report.keys, ratio, largest, report.line, report.least_keys),
+  return {fmt::format(
+              "{} samples, {} keys, {:.3g} times fewer; at most {} from a sample, on line {}; no fewer than {} keys "
+              "can do",
+              report.samples, report.keys, ratio, largest, report.line, report.least_keys),
           true};
 }
 

@@ -28,8 +28,8 @@ enum class MessageKind { error, warning, note };
 /// "WHERE: error: ", or with the place bold and the kind in its color.
 std::string message_head(std::string_view where, MessageKind kind, bool colored);
 
-/// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" if there is no file; a line for the error, and one
-/// for each that it holds.
+/// "FILE:LINE:COLUMN: error: MESSAGE", or "tcbsample: error: MESSAGE" if there is no file; a line for the error, and
+/// one for each that it holds.
 std::string error_text(const Error& error, bool colored = false);
 
 }  // namespace tcb

@@ -13,8 +13,8 @@ Note reads_terminal() { return {"keys are read from the terminal; end them with 
 Note no_time_column() { return {"there is no time column; the times of the keys are 0, 1, 2, ..."}; }
 
 Note ignored_columns(const std::vector<std::string>& names) {
-  return {fmt::format("ignored: {}; {} gives them roles, as in carry=NAME or position=NAME:NAME",
-                      listed(names), option::columns),
+  return {fmt::format("ignored: {}; {} gives them roles, as in carry=NAME or position=NAME:NAME", listed(names),
+                      option::columns),
           true};
 }
 

@@ -137,7 +137,8 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
 
 CurveSpec make_spec(const CurveSettings& settings) {
   CurveSpec spec;
-  const auto& preset = settings.preset ? row_of(*settings.preset, spline::presets) : spline::row_of(spline::Preset::gte);
+  const auto& preset =
+      settings.preset ? row_of(*settings.preset, spline::presets) : spline::row_of(spline::Preset::gte);
   spec.preset = preset.id;
   spec.rules.tangents = preset.tangents;
   if (settings.tangents) {
@@ -205,8 +206,7 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
 }  // namespace
 
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<RotationColumns>& rotations,
-                    const std::vector<AngleColumn>& angles) {
+                    const std::vector<RotationColumns>& rotations, const std::vector<AngleColumn>& angles) {
   CurveSpec spec = make_spec(settings);
   spec.rotations = rotations;
   spec.rules.rotations.assign(rotations.begin(), rotations.end());
@@ -237,8 +237,7 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
   const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
   if (emits && !spec.rules.angles.empty()) throw pieces_of_angles();
-  if (emits && curve == spline::RotationCurve::components &&
-      !std::ranges::all_of(spec.rotations, is_quaternion)) {
+  if (emits && curve == spline::RotationCurve::components && !std::ranges::all_of(spec.rotations, is_quaternion)) {
     throw pieces_of_other_form();
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {

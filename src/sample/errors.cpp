@@ -22,8 +22,8 @@ Error unknown_rule(const SettingOrigin& setting, std::string_view name, std::spa
 }
 
 Error end_velocity_missing(const SettingOrigin& ends, std::string_view rule) {
-  return about_setting(ends, fmt::format("{} has no velocity; expected a number for each channel, as in velocity=1:0",
-                                         in_quotes(rule)));
+  return about_setting(
+      ends, fmt::format("{} has no velocity; expected a number for each channel, as in velocity=1:0", in_quotes(rule)));
 }
 
 Error end_velocity_unexpected(const SettingOrigin& ends, std::string_view rule) {
@@ -66,8 +66,8 @@ Error exponent_out_of_range(const SettingOrigin& parameter, std::string_view exp
 }
 
 Error period_not_positive(const SettingOrigin& period, std::string_view text) {
-  return about_setting(period, fmt::format("{} is not a period; expected a decimal or a ratio above 0, such as 7.5",
-                                           in_quotes(text)));
+  return about_setting(
+      period, fmt::format("{} is not a period; expected a decimal or a ratio above 0, such as 7.5", in_quotes(text)));
 }
 
 Error period_beyond_doubles(const SettingOrigin& period, std::string_view text) {
@@ -77,8 +77,9 @@ Error period_beyond_doubles(const SettingOrigin& period, std::string_view text) 
 }
 
 Error period_of_open_curve(const SettingOrigin& closed) {
-  return about_setting(closed, "the curve is open, but it has a period, which only closed curves have; remove one of "
-                               "them");
+  return about_setting(closed,
+                       "the curve is open, but it has a period, which only closed curves have; remove one of "
+                       "them");
 }
 
 Error no_channel_of_metric(const SettingOrigin& metric, std::string_view name,
@@ -88,8 +89,8 @@ Error no_channel_of_metric(const SettingOrigin& metric, std::string_view name,
 }
 
 Error repeated_metric_channel(const SettingOrigin& metric, std::string_view channel) {
-  return about_setting(metric, fmt::format("channel {} is repeated; expected each channel once; remove one",
-                                           in_quotes(channel)));
+  return about_setting(
+      metric, fmt::format("channel {} is repeated; expected each channel once; remove one", in_quotes(channel)));
 }
 
 Error rotation_in_metric(const SettingOrigin& metric, std::string_view channel) {
@@ -210,9 +211,10 @@ Error ease_with_missing_cells() {
 }
 
 Error tangents_beyond_doubles(std::string_view from, std::string_view to) {
-  return {Exit::data, fmt::format("the curve from time {} to {} has tangents beyond the range of doubles; expected less "
-                                  "than 1.8e308 in size; scale the keys down",
-                                  from, to)};
+  return {Exit::data,
+          fmt::format("the curve from time {} to {} has tangents beyond the range of doubles; expected less "
+                      "than 1.8e308 in size; scale the keys down",
+                      from, to)};
 }
 
 Error length_beyond_doubles(std::string_view to) {
@@ -261,8 +263,9 @@ Error start_after_end(std::string_view start, std::string_view end) {
 }
 
 Error samples_beyond_doubles() {
-  return {Exit::data, "the distance from the first sample to the last is beyond the range of doubles; expected less "
-                      "than 1.8e308; scale the keys down"};
+  return {Exit::data,
+          "the distance from the first sample to the last is beyond the range of doubles; expected less "
+          "than 1.8e308; scale the keys down"};
 }
 
 Error step_too_small(std::string_view step, std::string_view place) {

@@ -97,9 +97,7 @@ class Placer {
 
 }  // namespace
 
-void refuse_overflow(const Sample& sample) {
-  throw row_beyond_doubles(time_text(sample.t));
-}
+void refuse_overflow(const Sample& sample) { throw row_beyond_doubles(time_text(sample.t)); }
 
 std::uint64_t SampleBlock::rows() const {
   std::uint64_t rows = 0;
@@ -107,8 +105,7 @@ std::uint64_t SampleBlock::rows() const {
   return rows;
 }
 
-Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
-                          CurveChannels channels) {
+Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels) {
   const auto placer = std::make_shared<Placer>(std::move(segments), std::move(sampler), std::move(channels));
   return [placer] { return placer->next(); };
 }

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "check/comparing.hpp"
-#include "cli/remedies.hpp"
+#include "check/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -43,7 +43,7 @@ TEST(CheckPicture, channels_that_are_not_compared_are_not_drawn) {
 
 TEST(CheckPicture, positions_are_needed) {
   const Comparing comparing(keys, "time,speed\n0,1\n2,1\n");
-  EXPECT_EQ(error_of([&] { drawn(comparing.job); }).code(), ErrorCode::no_position_column);
+  EXPECT_EQ(error_of([&] { drawn(comparing.job); }).message(), no_position_column({"x", "y"}).message());
 }
 
 }  // namespace

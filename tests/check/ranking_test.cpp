@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "check/errors.hpp"
 #include "comparing.hpp"
 
 namespace tcb {
@@ -91,18 +92,18 @@ TEST(Identification, compares_positions_only) {
   EXPECT_THAT(result.ignored, ElementsAre("x_v"));
   Comparing none(uneven_keys, "t,x_v\n0.5,1\n");
   none.job.fields = {field_of("velocity")};
-  EXPECT_EQ(error_of([&] { identify(none.job); }).code(), ErrorCode::no_position_column);
+  EXPECT_EQ(error_of([&] { identify(none.job); }).message(), no_position_column({"x"}).message());
 }
 
 TEST(Identification, needs_rows_on_the_curve_and_numbers_in_them) {
   Comparing outside(uneven_keys, "t,x\n9,0\n");
   const Error off = error_of([&] { identify(outside.job); });
-  EXPECT_EQ(off.code(), ErrorCode::no_samples_on_curve);
+  EXPECT_EQ(off.message(), no_row_on_curve({}).message());
   EXPECT_EQ(off.position().file, outside.path("rows.csv"));
   ASSERT_EQ(off.others().size(), 1U);
-  EXPECT_EQ(off.others()[0].code(), ErrorCode::times_off_curve);
+  EXPECT_TRUE(off.others()[0].message().starts_with("rows outside the curve: 1;")) << off.others()[0].message();
   Comparing empty(uneven_keys, "t,x\n0.5,nan\n");
-  EXPECT_EQ(error_of([&] { identify(empty.job); }).code(), ErrorCode::no_sample_numbers);
+  EXPECT_EQ(error_of([&] { identify(empty.job); }).message(), no_number_in_samples().message());
 }
 
 }  // namespace

@@ -18,13 +18,6 @@ using spline::TangentRule;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Words of a problem for tests: its first list of names.
-std::string first_names(const Error& problem) {
-  std::string text = "problem with";
-  for (const std::string& name : names_in(problem, 0)) text += " " + name;
-  return text;
-}
-
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Check failed_check() {
@@ -32,7 +25,7 @@ Check failed_check() {
   check.file = "rows \"1\".csv";
   check.keys = "keys.csv";
   check.ignored = {"note, extra", "b"};
-  check.problems = {{Exit::data, ErrorCode::missing_columns, {std::vector<std::string>{"y, z"}}}};
+  check.problems = {"problem with y, z"};
   check.rows = 2;
   check.values = 2;
   check.mismatches = 2;
@@ -43,7 +36,7 @@ Check failed_check() {
 }
 
 TEST(Report, of_a_check_has_a_line_for_each_fact) {
-  EXPECT_EQ(text(failed_check(), first_names),
+  EXPECT_EQ(text(failed_check()),
             "check: failed\n"
             "file: rows \"1\".csv\n"
             "keys: keys.csv\n"
@@ -59,13 +52,13 @@ TEST(Report, of_a_check_has_a_line_for_each_fact) {
 }
 
 TEST(Report, of_a_check_in_json_has_lists_and_nulls) {
-  const std::string report = json(failed_check(), first_names);
+  const std::string report = json(failed_check());
   EXPECT_THAT(report, HasSubstr(R"({"passed":false,"file":"rows \"1\".csv","keys":"keys.csv","samples":"times",)"));
   EXPECT_THAT(report, HasSubstr(R"("first":{"row":1,"line":2,"column":"x","theirs":2.5,"ours":2,"abs":0.5,)"));
   EXPECT_THAT(report, HasSubstr(R"("theirs":null,"ours":1,"abs":null,"rel":null,"ulp":null})"));
   EXPECT_THAT(report, HasSubstr(R"("problems":["problem with y, z"],)"));
   EXPECT_THAT(report, HasSubstr(R"("not_compared":["note, extra","b"]})"));
-  EXPECT_THAT(json(Check{}, first_names), HasSubstr("\"first\":null,\n\"worst\":null,"));
+  EXPECT_THAT(json(Check{}), HasSubstr("\"first\":null,\n\"worst\":null,"));
 }
 
 Identification identification(std::size_t fitting) {
@@ -87,7 +80,7 @@ Identification identification(std::size_t fitting) {
 }
 
 TEST(Report, of_conventions_that_fit_has_all_of_them) {
-  const std::string report = text(identification(2), first_names);
+  const std::string report = text(identification(2));
   EXPECT_THAT(report, testing::StartsWith("identify: tangents interval, ends zero (vtk)\n"
                                           "fits: within the printed digits\n"
                                           "the same here: tangents interval, ends chord\n"
@@ -98,14 +91,14 @@ TEST(Report, of_conventions_that_fit_has_all_of_them) {
 }
 
 TEST(Report, of_conventions_that_do_not_fit_has_the_nearest) {
-  const std::string report = text(identification(0), first_names);
+  const std::string report = text(identification(0));
   EXPECT_THAT(report, testing::StartsWith("identify: none fits; the nearest is tangents interval, ends zero (vtk)\n"));
   EXPECT_THAT(report, HasSubstr("departs most: rows.csv:2: row 1, x: 2.5 instead of 2;"));
   EXPECT_THAT(report, Not(HasSubstr("departs first")));
 }
 
 TEST(Report, of_conventions_in_json_has_a_row_for_each) {
-  const std::string report = json(identification(1), first_names);
+  const std::string report = json(identification(1));
   EXPECT_THAT(report, HasSubstr(R"({"fits":true,"within":"the printed digits","file":"rows.csv",)"));
   EXPECT_THAT(report, HasSubstr(R"("same_orders":["C,T,B"],)"));
   EXPECT_THAT(report, HasSubstr(R"({"fits":true,"tangents":"interval","ends":"zero","equal_speed":false,)"
@@ -113,17 +106,17 @@ TEST(Report, of_conventions_in_json_has_a_row_for_each) {
   EXPECT_THAT(report, HasSubstr(R"({"fits":false,"tangents":"interval","ends":"chord",)"));
   Identification closed = identification(0);
   closed.parts.closed = true;
-  EXPECT_THAT(json(closed, first_names), HasSubstr(R"("within":null)"));
-  EXPECT_THAT(json(closed, first_names), HasSubstr(R"("ends":null)"));
+  EXPECT_THAT(json(closed), HasSubstr(R"("within":null)"));
+  EXPECT_THAT(json(closed), HasSubstr(R"("ends":null)"));
 }
 
 TEST(Compare, returns_whether_the_samples_agree) {
   Comparing files("t,x\n0,0\n1,1\n", "t,x\n0,0\n1,1\n");
   files.job.output = files.path("report");
-  EXPECT_EQ(compare(files.job, first_names), Exit::done);
+  EXPECT_EQ(compare(files.job), Exit::done);
   std::ofstream(files.path("rows.csv")) << "t,x\n0,0\n1,2\n";
   files.job.output_format = FormatId::json;
-  EXPECT_EQ(compare(files.job, first_names), Exit::data);
+  EXPECT_EQ(compare(files.job), Exit::data);
   std::stringstream report;
   report << std::ifstream(files.path("report")).rdbuf();
   EXPECT_THAT(report.str(), testing::StartsWith("{\"passed\":false,"));

@@ -1,6 +1,9 @@
 // Options: the table is complete, and its defaults and names are values that the options take.
 #include "cli/options.hpp"
 
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
 
 #include "cli/command_line.hpp"
@@ -23,6 +26,23 @@ TEST(Options, names_are_unique_and_each_option_has_a_long_one) {
     for (const std::string_view name : row.all_names()) EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_TRUE(row.long_name().starts_with("--")) << row.names;
   }
+}
+
+/// Errors and notes name options by the constants of option_names.hpp.
+TEST(Options, constants_of_names_are_those_of_the_table) {
+  std::ifstream file(SOURCE_FOLDER "/src/option_names.hpp");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::regex constant(R"re(string_view (\w+) = "([^"]*)";)re");
+  std::set<std::string> names;
+  for (std::sregex_iterator at(text.begin(), text.end(), constant), end; at != end; ++at) {
+    std::string expected = "--" + at->str(1);
+    std::ranges::replace(expected, '_', '-');
+    EXPECT_EQ(at->str(2), expected);
+    names.insert(at->str(2));
+  }
+  std::set<std::string> in_table;
+  for (const OptionRow& row : option_table()) in_table.emplace(row.long_name());
+  EXPECT_EQ(names, in_table);
 }
 
 TEST(Options, texts_have_no_point_at_the_end_and_flags_no_value) {

@@ -66,8 +66,6 @@ TEST(Remedies, a_value_is_a_text_a_number_or_a_list) {
   const Error error(Exit::usage, ErrorCode::unknown_name, {std::string("fist"), names});
   EXPECT_EQ(error_message(error.about(option::duplicates)),
             "--duplicates: unknown name \"fist\"; expected one of first, last; did you mean first?");
-  EXPECT_EQ(error_message(error.about_member(Exit::data, "ends")),
-            "ends: unknown name \"fist\"; expected one of first, last; did you mean first?");
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "fit/errors.hpp"
+
 namespace tcb {
 namespace {
 
@@ -30,7 +32,7 @@ class FitPicture : public testing::Test {
   }
 
   std::string drawn() const {
-    EXPECT_EQ(draw_fit(job_, {nullptr, nullptr}), Exit::done);
+    EXPECT_EQ(draw_fit(job_), Exit::done);
     std::ostringstream text;
     text << std::ifstream(picture_).rdbuf();
     return text.str();
@@ -51,10 +53,10 @@ TEST_F(FitPicture, shows_the_recording_the_keys_and_their_differences) {
 TEST_F(FitPicture, of_several_files_is_refused) {
   job_.files.push_back(path_);
   try {
-    draw_fit(job_, {nullptr, nullptr});
+    draw_fit(job_);
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::fit_picture_of_several_files);
+    EXPECT_EQ(error.message(), fit_picture_of_several_files().message());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "error.hpp"
+#include "fit/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -27,13 +28,13 @@ Job job_within(std::vector<Tolerance> tolerances) {
   return job;
 }
 
-std::optional<ErrorCode> refusal(const Schema& schema, const Job& job) {
+std::string refusal(const Schema& schema, const Job& job) {
   try {
     (void)fitted_channels(schema, job);
   } catch (const Error& error) {
-    return error.code();
+    return error.message();
   }
-  return std::nullopt;
+  return "";
 }
 
 TEST(FittedChannels, a_distance_is_that_of_the_metric) {
@@ -44,9 +45,9 @@ TEST(FittedChannels, a_distance_is_that_of_the_metric) {
   EXPECT_THAT(fitted.groups[0].channels, ElementsAre(2));
   EXPECT_EQ(fitted.groups[0].tolerance, 2);
   EXPECT_THAT(fitted.groups[1].channels, ElementsAre(0, 1));
-  EXPECT_EQ(refusal(schema_of_drive(), job_within({{"", 0.1}})), ErrorCode::fit_without_tolerance);
-  job.curve.metric = "x";
-  EXPECT_EQ(refusal(schema_of_drive(), job), ErrorCode::fit_without_tolerance);
+  EXPECT_EQ(refusal(schema_of_drive(), job_within({{"", 0.1}})), channel_without_tolerance("heading").message());
+  job.curve.metric = TextSetting{"x"};
+  EXPECT_EQ(refusal(schema_of_drive(), job), channel_without_tolerance("y").message());
   job.fit.tolerances.push_back({"y", 1});
   EXPECT_THAT(fitted_channels(schema_of_drive(), job).groups[2].channels, ElementsAre(0));
 }
@@ -60,7 +61,8 @@ TEST(FittedChannels, rotations_have_a_limit_of_their_own) {
   EXPECT_THAT(fitted.groups.back().channels, ElementsAre(3, 4, 5, 6));
   EXPECT_LT(fitted.groups.back().tolerance, 0.005);
   job.fit.tolerances.push_back({"qx", 1});
-  EXPECT_EQ(refusal(schema_of_drive(), job), ErrorCode::unknown_name);
+  EXPECT_EQ(refusal(schema_of_drive(), job),
+            "--fit: " + tolerance_of_unknown_channel("qx", {"x", "y", "heading"}).message());
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "error.hpp"
+#include "fit/errors.hpp"
+#include "sample/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -24,13 +26,13 @@ Job job_with(std::vector<Tolerance> tolerances) {
   return job;
 }
 
-std::optional<ErrorCode> refusal(const Input& input, const Job& job) {
+std::string refusal(const Input& input, const Job& job) {
   try {
     (void)keys_of_fit(input, job);
   } catch (const Error& error) {
-    return error.code();
+    return error.message();
   }
-  return std::nullopt;
+  return "";
 }
 
 TEST(Fitting, columns_carry_what_the_keys_do) {
@@ -52,20 +54,21 @@ TEST(Fitting, rotations_are_left_out) {
   EXPECT_THAT(keys_of_fit(input, job_with({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
   input.schema.channels[0] = "q0";
   input.schema.rotations.columns = {{{1, 2, 3, 4}}, {{0, 0, 0, 0}}};
-  EXPECT_EQ(refusal(input, job_with({{"", 1}})), ErrorCode::only_rotations);
+  EXPECT_EQ(refusal(input, job_with({{"", 1}})), only_rotations().message());
 }
 
 TEST(Fitting, inputs_without_samples_are_refused) {
   const Job job = job_with({{"", 1}});
   Input input = input_of({"x", "y"});
-  EXPECT_EQ(refusal(input, job), std::nullopt);
-  EXPECT_EQ(refusal(input, job_with({{"x", 1}})), ErrorCode::fit_without_tolerance);
-  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"z", 1}})), ErrorCode::unknown_name);
-  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"", 2}})), std::nullopt);
+  EXPECT_EQ(refusal(input, job), "");
+  EXPECT_EQ(refusal(input, job_with({{"x", 1}})), channel_without_tolerance("y").message());
+  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"z", 1}})),
+            "--fit: " + tolerance_of_unknown_channel("z", {"x", "y"}).message());
+  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"", 2}})), "");
   input.facts.roles = {"tension"};
-  EXPECT_EQ(refusal(input, job), ErrorCode::fit_of_keys);
+  EXPECT_EQ(refusal(input, job), fit_of_keys("tension").message());
   input.schema.time.is_given = false;
-  EXPECT_EQ(refusal(input, job), ErrorCode::fit_without_times);
+  EXPECT_EQ(refusal(input, job), fit_without_times().message());
 }
 
 TEST(Fitting, reports_add_up) {
@@ -73,10 +76,12 @@ TEST(Fitting, reports_add_up) {
   report.add({100, 10, 6, 0.5, 17});
   report.add({50, 5, 4, 0.25, 120});
   const Note note = note_of(report, job_with({{"", 0.1}}).fit);
-  EXPECT_EQ(note.code, NoteCode::fitted);
-  EXPECT_EQ(note.values, (std::vector<ErrorValue>{std::uint64_t{150}, std::uint64_t{15}, "10", "0.05",
-                                                  std::uint64_t{17}, std::uint64_t{10}}));
-  EXPECT_EQ(note_of(report, job_with({{"x", 0.1}}).fit).values[3], ErrorValue("0.5 of the tolerance"));
+  EXPECT_TRUE(note.is_important);
+  EXPECT_EQ(
+      note.text,
+      "150 samples, 15 keys, 10 times fewer; at most 0.05 from a sample, on line 17; no fewer than 10 keys can do");
+  EXPECT_THAT(note_of(report, job_with({{"x", 0.1}}).fit).text,
+              testing::HasSubstr("at most 0.5 of the tolerance from"));
 }
 
 }  // namespace

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "cli/remedies.hpp"
 #include "error.hpp"
 #include "invariant.hpp"
+#include "io/terminal.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/reader.hpp"
 #include "run/pipeline.hpp"
@@ -120,7 +120,7 @@ Outcome run(Job plan, unsigned jobs, std::string_view input) {
   out.set("");
   plan.jobs = jobs;
   try {
-    require(resample(plan, {error_text, note_text}) == Exit::done, "a failure without a refusal", input);
+    require(resample(plan) == Exit::done, "a failure without a refusal", input);
     return {out.text(), {}};
   } catch (const Error& error) {
     require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error_text(error));

@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
 #include "invariant.hpp"
+#include "io/terminal.hpp"
 #include "read/reader.hpp"
 #include "schema/faults.hpp"
 

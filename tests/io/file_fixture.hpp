@@ -11,8 +11,8 @@
 #include <iterator>
 #include <string>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
+#include "io/terminal.hpp"
 
 namespace tcb {
 

@@ -1,6 +1,5 @@
 // Input lists: files of folders and lists, the paths of outputs, and outputs that would replace inputs.
 #include "io/input_list.hpp"
-#include "cli/remedies.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,6 +8,7 @@
 #include <fstream>
 
 #include "error.hpp"
+#include "io/terminal.hpp"
 
 namespace {
 

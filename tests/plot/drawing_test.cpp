@@ -10,7 +10,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
 #include "option_names.hpp"
 #include "read/reader.hpp"
@@ -73,10 +72,10 @@ TEST(Drawing, the_title_is_the_file_and_what_is_done_with_it) {
 
 TEST(Drawing, rules_other_than_those_of_the_preset_are_named) {
   Job job = sampled();
-  job.curve.ends = "natural";
+  job.curve.ends = TextSetting{"natural"};
   EXPECT_THAT(drawn(job, {keys}), Not(HasSubstr("preset")));
   job = sampled();
-  job.curve.preset = "vtk";
+  job.curve.preset = TextSetting{"vtk"};
   EXPECT_THAT(drawn(job, {keys}), HasSubstr("preset vtk"));
 }
 

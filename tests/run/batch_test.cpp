@@ -4,14 +4,12 @@
 #include <string>
 #include <utility>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
 #include "run/pipeline.hpp"
 
 namespace {
 
 using tcb::Error;
-using tcb::ErrorCode;
 using tcb::Exit;
 using tcb::InputFile;
 using tcb::Inputs;
@@ -27,14 +25,14 @@ Inputs numbered_files(int count) {
 template <class F>
 std::pair<std::string, Summary> run(F convert) {
   testing::internal::CaptureStderr();
-  tcb::Report report({}, {tcb::error_text, tcb::note_text});
+  tcb::Report report({});
   const Summary summary = convert(report);
   return {testing::internal::GetCapturedStderr(), summary};
 }
 
 std::uint64_t fail_at_threes(const InputFile& file, unsigned) {
   const auto number = std::stoull(file.path);
-  if (number % 3 == 0) throw Error(Exit::data, ErrorCode::unexpected, {"it is a three"});
+  if (number % 3 == 0) throw Error(Exit::data, "it is a three");
   return number;
 }
 

@@ -8,6 +8,7 @@
 
 #include "error.hpp"
 #include "keys.hpp"
+#include "run/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -66,8 +67,8 @@ TEST(CurvePipeline, places_may_lie_outside_an_extended_curve) {
   SamplingRequest request = request_of(Mode::at, 0);
   request.places = {4, 1, -1};
   CurveSettings settings;
-  settings.ends = "natural";  // so that it is straight to its ends
-  settings.extrapolate = "linear";
+  settings.ends = TextSetting{"natural"};  // so that it is straight to its ends
+  settings.extrapolate = TextSetting{"linear"};
   EXPECT_EQ(rows(request, settings), (std::vector<double>{4, 8, 1, 2, -1, -2}));
 }
 
@@ -77,7 +78,7 @@ TEST(CurvePipeline, exact_rows_are_at_the_same_places) {
 
 TEST(CurvePipeline, keys_without_times_get_times) {
   CurveSettings settings;
-  settings.parameter = "uniform";
+  settings.parameter = TextSetting{"uniform"};
   const Schema schema = schema_of_x(false);
   const SamplingRequest request = request_of(Mode::count, 2);
   CurvePipeline pipeline(request, settings, {0, 1}, {}, schema, {}, {});
@@ -89,26 +90,25 @@ TEST(CurvePipeline, keys_without_times_get_times) {
   EXPECT_EQ(cells_of(pipeline.place(untimed)), (std::vector<double>{0, 5, 1, 7}));
 }
 
-/// The code of the error that making the pipeline ends with, and the line of its position.
-std::pair<ErrorCode, std::uint64_t> refusal(const CurveSettings& settings, const CurveInfo& info = {}) {
+/// The message of the error that making the pipeline ends with, and the line of its position.
+std::pair<std::string, std::uint64_t> refusal(const CurveSettings& settings, const CurveInfo& info = {}) {
   try {
     CurvePipeline pipeline(request_of(Mode::count, 2), settings, {0, 1}, {}, schema_of_x(), {}, info);
   } catch (const Error& error) {
-    return {error.code(), error.position().line};
+    return {error.message(), error.position().line};
   }
   return {};
 }
 
 TEST(CurvePipeline, a_parameterization_is_refused_with_a_time_column) {
   CurveSettings settings;
-  settings.parameter = "chordal";
-  EXPECT_EQ(refusal(settings).first, ErrorCode::parameter_with_times);
+  settings.parameter = TextSetting{"chordal"};
+  EXPECT_EQ(refusal(settings).first, "--parameter: " + parameter_with_times(schema_of_x().time.name).message());
 }
 
 TEST(CurvePipeline, a_wrong_setting_of_the_input_is_an_error_at_its_member) {
   CurveInfo info;
-  info.settings.preset = "no such preset";
-  info.places.emplace_back("preset", TextPosition{"", 7, 1});
+  info.settings.preset = TextSetting{"no such preset", {"preset", {"", 7, 1}}};
   EXPECT_EQ(refusal({}, info).second, 7U);
 }
 

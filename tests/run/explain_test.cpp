@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/remedies.hpp"
 #include "option_names.hpp"
 #include "run/pipeline.hpp"
 
@@ -23,7 +22,7 @@ std::string explained(const std::string& text, std::uint64_t count, const std::v
   job.sampling.count = count;
   job.fields = {0, 1};
   if (!groups.empty()) job.input.roles.push_back({Role::group, groups, option::group});
-  const std::string result = explanation(path.string(), job, {error_text, note_text});
+  const std::string result = explanation(path.string(), job);
   std::filesystem::remove(path);
   return result;
 }

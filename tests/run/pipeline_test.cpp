@@ -9,7 +9,6 @@
 #include <iterator>
 #include <string>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
 
 namespace {
@@ -26,12 +25,12 @@ class Pipeline : public testing::Test {
     job_.sampling.mode = tcb::Mode::count;
     job_.sampling.count = 3;
     job_.fields = {0, 1};
-    job_.curve.ends = "natural";
+    job_.curve.ends = tcb::TextSetting{"natural"};
     job_.verbosity.quiet = true;
   }
   ~Pipeline() override { fs::remove_all(folder_); }
 
-  tcb::Exit run() const { return tcb::resample(job_, {tcb::error_text, tcb::note_text}); }
+  tcb::Exit run() const { return tcb::resample(job_); }
   static std::string text_of(const fs::path& path) {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};

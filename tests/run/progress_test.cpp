@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/remedies.hpp"
-
 namespace {
 
 using tcb::Progress;
@@ -67,7 +65,7 @@ tcb::Source<tcb::SampleBlock> rows(int count) {
 }
 
 TEST(Progress, the_fraction_is_that_of_rows_for_the_bytes_read) {
-  tcb::Report report({.progress = true}, {tcb::error_text, tcb::note_text});
+  tcb::Report report({.progress = true});
   report.expect(1, 100);
   const auto file = report.begin_file("a.csv", 100);
   std::vector<std::string> parts{std::string(25, 'a'), std::string(75, 'b')};
@@ -94,10 +92,10 @@ TEST(Progress, the_fraction_is_that_of_rows_for_the_bytes_read) {
 
 std::string errors_of(const tcb::Verbosity& verbosity) {
   testing::internal::CaptureStderr();
-  tcb::Report report(verbosity, {tcb::error_text, tcb::note_text});
-  report.note("a.csv", {tcb::NoteCode::ignored_columns, {std::vector<std::string>{"note, extra", "b"}}});
-  report.note("a.csv", {tcb::NoteCode::unchosen_columns, {std::vector<std::string>{"c"}}});
-  report.warning("old.csv", {tcb::NoteCode::other_program, {"tcbsample 1", "tcbsample 2"}});
+  tcb::Report report(verbosity);
+  report.note("a.csv", tcb::ignored_columns({"note, extra", "b"}));
+  report.note("a.csv", tcb::unchosen_columns({"c"}));
+  report.warning("old.csv", tcb::other_program("tcbsample 1", "tcbsample 2"));
   return testing::internal::GetCapturedStderr();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "sample/errors.hpp"
 #include "sample/sampler.hpp"
 
 namespace tcb {
@@ -53,14 +54,14 @@ Pieces pieces_of(const SamplingRequest& asked, const std::vector<double>& keys,
   return result;
 }
 
-std::optional<ErrorCode> refusal(const SamplingRequest& asked, const std::vector<double>& keys,
-                                 const spline::Warp<double>& last_warp = {}) {
+std::string refusal(const SamplingRequest& asked, const std::vector<double>& keys,
+                    const spline::Warp<double>& last_warp = {}) {
   try {
     pieces_of(asked, keys, last_warp);
   } catch (const Error& error) {
-    return error.code();
+    return error.message();
   }
-  return std::nullopt;
+  return "";
 }
 
 using Times = std::vector<double>;
@@ -96,28 +97,28 @@ TEST(Pieces, no_segment_after_the_range_is_read) {
 }
 
 TEST(Pieces, a_range_outside_the_curve_or_without_duration_is_refused) {
-  EXPECT_EQ(refusal(request("0.5"), {1, 2, 4}), ErrorCode::before_curve_start);
-  EXPECT_EQ(refusal(request("", "0.5"), {1, 2, 4}), ErrorCode::before_curve_start);
-  EXPECT_EQ(refusal(request("4.5"), {1, 2, 4}), ErrorCode::beyond_curve_end);
-  EXPECT_EQ(refusal(request("", "4.5"), {1, 2, 4}), ErrorCode::beyond_curve_end);
-  EXPECT_EQ(refusal(request("4"), {1, 2, 4}), ErrorCode::no_piece_in_range);
-  EXPECT_EQ(refusal(request("", "1"), {1, 2, 4}), ErrorCode::no_piece_in_range);
-  EXPECT_EQ(refusal(request("3", "3"), {1, 2, 4}), ErrorCode::no_piece_in_range);
-  EXPECT_EQ(refusal(request("1", "4"), {1, 2, 4}), std::nullopt);
+  EXPECT_EQ(refusal(request("0.5"), {1, 2, 4}), "--from: " + before_first_piece("0.5", "1").message());
+  EXPECT_EQ(refusal(request("", "0.5"), {1, 2, 4}), "--to: " + before_first_piece("0.5", "1").message());
+  EXPECT_EQ(refusal(request("4.5"), {1, 2, 4}), "--from: " + after_last_piece("4.5", "4").message());
+  EXPECT_EQ(refusal(request("", "4.5"), {1, 2, 4}), "--to: " + after_last_piece("4.5", "4").message());
+  EXPECT_EQ(refusal(request("4"), {1, 2, 4}), no_piece_in_range().message());
+  EXPECT_EQ(refusal(request("", "1"), {1, 2, 4}), no_piece_in_range().message());
+  EXPECT_EQ(refusal(request("3", "3"), {1, 2, 4}), no_piece_in_range().message());
+  EXPECT_EQ(refusal(request("1", "4"), {1, 2, 4}), "");
 }
 
 TEST(Pieces, ease_is_refused_in_the_range_only) {
   const spline::Warp<double> warp(0.5, 0);
-  EXPECT_EQ(refusal(request(), {1, 2, 4}, warp), ErrorCode::piece_with_ease);
-  EXPECT_EQ(refusal(request("", "2"), {1, 2, 4}, warp), std::nullopt);
+  EXPECT_EQ(refusal(request(), {1, 2, 4}, warp), piece_with_ease(0, "1", "2").message());
+  EXPECT_EQ(refusal(request("", "2"), {1, 2, 4}, warp), "");
 }
 
 TEST(Pieces, more_than_the_largest_number_of_rows_are_refused) {
   SamplingRequest two = request();
   two.max_rows = 2;
-  EXPECT_EQ(refusal(two, {1, 2, 4}), std::nullopt);
-  EXPECT_EQ(refusal(two, {1, 2, 4, 5}), ErrorCode::too_many_rows);
-  EXPECT_EQ(refusal(two, {1, 2, 4, 5, 6}), ErrorCode::too_many_rows_or_more);
+  EXPECT_EQ(refusal(two, {1, 2, 4}), "");
+  EXPECT_EQ(refusal(two, {1, 2, 4, 5}), too_many_rows("3", 2, false).message());
+  EXPECT_EQ(refusal(two, {1, 2, 4, 5, 6}), too_many_rows("3", 2, true).message());
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
 
 namespace tcb {
@@ -59,7 +58,7 @@ std::string refusal(const SamplingRequest& asked, const std::vector<double>& key
     sample(asked, keys);
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
-    return error_message(error);
+    return error.message();
   }
   return "nothing";
 }
@@ -173,14 +172,14 @@ TEST(Sampler, refuses_to_leave_the_curve) {
   SamplingRequest asked = request(Mode::step, "1");
   asked.from = Rational(-1);
   EXPECT_EQ(refusal(asked, {0, 5}),
-            "--from -1 lies before the first key, at 0; give one within the curve, or --extrapolate");
+            "--from: time -1 is before the first key, at 0; give a time on the curve, or --extrapolate");
   asked.from = Rational(6);
   EXPECT_EQ(refusal(asked, {0, 5}),
-            "--from 6 lies beyond the last key, at 5; give one within the curve, or --extrapolate");
+            "--from: time 6 is after the last key, at 5; give a time on the curve, or --extrapolate");
   asked.from.reset();
   asked.to = Rational(11, 2);
   EXPECT_EQ(refusal(asked, {0, 5}),
-            "--to 5.5 lies beyond the last key, at 5; give one within the curve, or --extrapolate");
+            "--to: time 5.5 is after the last key, at 5; give a time on the curve, or --extrapolate");
 }
 
 TEST(Sampler, refuses_steps_that_round_away) {
