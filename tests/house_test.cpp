@@ -39,7 +39,8 @@ const std::map<std::string, std::set<std::string>> allowed{
       "error"}},
     {"plot", {"run", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
     // The picture of a fit is that of a check of the recording against the fitted keys.
-    {"fit", {"run", "check", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
+    {"fit",
+     {"run", "check", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
     {"check",
      {"run", "plot", "read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io",
       "error"}},

@@ -83,7 +83,8 @@ void CheckPicture::add_curve(const CheckedPair& pair) {
     for (const std::size_t channel : channels_) keys.positions.push_back(all.position(key)[channel]);
     keys.positions.resize((key + 1) * keys.channels, std::numeric_limits<double>::quiet_NaN());
   }
-  const auto segments = [segments = with_rotations_as_cubics(stored.segments, pipeline.facts().spec.channels()), channels = channels_] {
+  const auto segments = [segments = with_rotations_as_cubics(stored.segments, pipeline.facts().spec.channels()),
+                         channels = channels_] {
     return mapped(segments(), [channels](const SegmentBlock& block) { return with_zeros(block, channels); });
   };
   scene_.curves.push_back({0, KeyStore(keys), segments, stored.closed});

@@ -53,7 +53,8 @@ class ExactRows::Evaluation {
     for (const std::size_t index : chosen) {
       const Field& field = fields()[index];
       const bool rational = rows_.exact.is_rational() && field.is_rational && rows_.exact.rules.rotations.empty();
-      columns.insert(columns.end(), cells_in_row({&index, 1}, {rows_.exact.keys.channels, rows_.exact.channels.rotations}),
+      columns.insert(columns.end(),
+                     cells_in_row({&index, 1}, {rows_.exact.keys.channels, rows_.exact.channels.rotations}),
                      {field.kind, rational});
     }
     std::vector<Printed> cells;

@@ -12,8 +12,8 @@
 #include "fit/fitting.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
-#include "read/reader.hpp"
 #include "option_names.hpp"
+#include "read/reader.hpp"
 #include "run/pipeline.hpp"
 
 namespace tcb {

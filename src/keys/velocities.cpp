@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "keys/errors.hpp"
-#include "schema/errors.hpp"
 #include "numbers/print_number.hpp"
+#include "schema/errors.hpp"
 
 namespace tcb {
 namespace {

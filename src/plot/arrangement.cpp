@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "plot/errors.hpp"
 #include "option_names.hpp"
+#include "plot/errors.hpp"
 
 namespace tcb {
 namespace {

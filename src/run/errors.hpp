@@ -12,7 +12,6 @@ namespace tcb {
 /// Times are to be made for keys that have them, in the column `time`; about the option of the parameterization.
 Error parameter_with_times(std::string_view time);
 
-
 /// `curve`: NAME=VALUE for each column of its group; about the option of the places.
 Error group_without_places(const std::vector<std::string>& curve);
 

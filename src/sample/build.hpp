@@ -52,8 +52,7 @@ CurveSpec make_spec(const CurveSettings& settings);
 /// about a setting, also for a metric channel that does not exist or belongs to a rotation, or a velocity with another
 /// number of channels.
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
-                    const std::vector<RotationColumns>& rotations = {},
-                    const std::vector<AngleColumn>& angles = {});
+                    const std::vector<RotationColumns>& rotations = {}, const std::vector<AngleColumn>& angles = {});
 
 /// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
 std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);

@@ -16,9 +16,7 @@ void write_times(Cell* first, std::size_t width, const CurveSegment&, std::span<
 
 namespace {
 
-bool is_quaternion(const RotationColumns& rotation) {
-  return rotation.shown.form == spline::RotationForm::quaternion;
-}
+bool is_quaternion(const RotationColumns& rotation) { return rotation.shown.form == spline::RotationForm::quaternion; }
 
 /// The cell of a channel that has one.
 PositionCell cell_of_channel(std::size_t channel, std::span<const RotationColumns> rotations) {

@@ -9,8 +9,8 @@
 
 #include "sample/curve_segment.hpp"
 #include "sample/rotation_at.hpp"
-#include "tcb/spline/segment_length.hpp"
 #include "tcb/spline/derivatives.hpp"
+#include "tcb/spline/segment_length.hpp"
 
 namespace tcb {
 

@@ -30,8 +30,7 @@ struct SampleBlock {
 };
 
 /// The samples of a curve in order, in blocks, each as soon as its segments are known.
-Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
-                          CurveChannels channels);
+Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels);
 
 /// The cells of some rows, row after row.
 struct Table {

@@ -49,9 +49,8 @@ TEST(OpenInput, a_byte_order_mark_is_not_part_of_the_first_cell) {
     EXPECT_EQ(read(mark + "[{\"t\":0,\"x\":1}]", {}, piece), "t x\n1: 0 1\n");
     EXPECT_EQ(read(mark + "t,x\n\"0\n", {}, piece),
               "f:2:1: error: a quoted cell is not closed; expected \" at its end; add it");
-    EXPECT_EQ(
-        read(mark + "0,inf\n1,2\n", {}, piece),
-        "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell")
+    EXPECT_EQ(read(mark + "0,inf\n1,2\n", {}, piece),
+              "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell")
         << "characters are counted without it";
   }
   EXPECT_NE(read("t," + mark + "x\n0,1\n"), csv_keys) << "it is one only at the beginning";

@@ -185,7 +185,8 @@ typename ArcInverse<S>::template Step<T> ArcInverse<S>::step(const Quartic<T>& q
   const T k2 = -S(0.25) * a;
   const T k3 = (aa - b) * (S(1) / S(6));
   const T k4 = (a * (S(13.0) * b - S(7.0) * aa) - S(6.0) * c) * (S(1) / S(48));
-  const T k5 = (aa * (S(35.0) * aa - S(94.0) * b) + S(57.0) * (a * c) + S(26.0) * (b * b) - S(24.0) * e) * (S(1) / S(240));
+  const T k5 =
+      (aa * (S(35.0) * aa - S(94.0) * b) + S(57.0) * (a * c) + S(26.0) * (b * b) - S(24.0) * e) * (S(1) / S(240));
   return {d * (S(1.0) + d * (k2 + d * (k3 + d * (k4 + d * k5)))), dd * (S(1.0) + (aa + max(b, T(-b)) + dd * e))};
 }
 

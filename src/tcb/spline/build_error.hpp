@@ -222,8 +222,8 @@ std::optional<BuildError> find_time_error(const std::vector<Time<S>>& times) {
   return std::nullopt;
 }
 
-/// An error in the given velocities between the keys that have positions in a channel, if any. Those before the first of
-/// them and after the last have no effect on an open curve; for a closed one see closing.hpp.
+/// An error in the given velocities between the keys that have positions in a channel, if any. Those before the first
+/// of them and after the last have no effect on an open curve; for a closed one see closing.hpp.
 template <class S>
 std::optional<BuildError> find_velocity_error(const Keys<S>& keys) {
   for (std::size_t i = 0; i < keys.given.size(); ++i) {

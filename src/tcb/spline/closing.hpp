@@ -80,8 +80,8 @@ BuildResult<Closing<S>> find_closing(const Keys<S>& first, const Keys<S>& last, 
   return Closing<S>{*end, repeats};
 }
 
-/// Gives the first of some keys what belongs to it of a key that repeats it: the velocities with which the curve arrives
-/// there, and the turns to it.
+/// Gives the first of some keys what belongs to it of a key that repeats it: the velocities with which the curve
+/// arrives there, and the turns to it.
 template <class SomeKeys, class S>
 void join_seam(SomeKeys& keys, const Keys<S>& repeated) {
   for (std::size_t i = 0; i < repeated.velocities.size(); ++i) keys.velocities[i].in = repeated.velocities[i].in;
@@ -101,8 +101,7 @@ std::optional<BuildError> find_seam_error(KeyAt key_at, std::size_t count) {
     while (last > first && Keys<S>(key_at(last)).is_missing(0, i)) --last;
     const S in = Keys<S>(key_at(first)).velocities[i].in, out = Keys<S>(key_at(last)).velocities[i].out;
     if (is_finite(in) && is_finite(out)) continue;
-    return BuildError{
-        .code = BuildErrorCode::seam_velocity_missing, .key = is_finite(in) ? last : first, .channel = i};
+    return BuildError{.code = BuildErrorCode::seam_velocity_missing, .key = is_finite(in) ? last : first, .channel = i};
   }
   return std::nullopt;
 }

@@ -34,8 +34,8 @@ namespace tcb::spline {
 template <class S>
 struct Segment {
   Time<S> start, end;
-  std::span<const Cubic<S>> cubics;  ///< one per channel; those of rotations have no meaning
-  Warp<S> warp;                      ///< of u; the identity where keys have no ease
+  std::span<const Cubic<S>> cubics;               ///< one per channel; those of rotations have no meaning
+  Warp<S> warp;                                   ///< of u; the identity where keys have no ease
   std::span<const RotationSegment<S>> rotations;  ///< one for each rotation of the rules
 };
 
@@ -59,7 +59,7 @@ class Curve {
   /// and bias, and the same velocities or none; its incoming velocity counts. A rotation may be repeated with the other
   /// sign. The end rules have no effect. The result may be an error.
   static BuildResult<Curve> build_closed(Keys<S> keys, const CurveRules<S>& rules = {},
-                                     const std::optional<Time<S>>& period = std::nullopt);
+                                         const std::optional<Time<S>>& period = std::nullopt);
 
   std::size_t channels() const { return segments_.channels; }
   bool is_closed() const { return closed_; }
@@ -98,8 +98,8 @@ class Curve {
 
   /// The angular velocity of a rotation in radians per unit of time, in the frame in which the rotation is given; at a
   /// key from one side, outside an open curve that of its end, and 0 if it has a single key.
-  Vector3<S> angular_velocity(const Time<S>& t, std::size_t number = 0, Side side = Side::right) const
-      requires has_roots<S> {
+  Vector3<S> angular_velocity(const Time<S>& t, std::size_t number = 0,
+                              Side side = Side::right) const requires has_roots<S> {
     return turn_rate(spot(t, side), number);
   }
 
@@ -111,9 +111,9 @@ class Curve {
   /// where it exceeds the range of the scalar, and beyond order 1 in the channels of a rotation.
   void derivative(std::size_t order, const Time<S>& t, std::span<S> out, Side side = Side::right) const;
 
-  /// The length over the metric from the start to the end, with a bound on its error. An empty metric is of all channels
-  /// that are neither angles nor numbers of rotations, or if there are none, of the turns of rotations; without those
-  /// too, of all channels. Promises: see ArcLength.
+  /// The length over the metric from the start to the end, with a bound on its error. An empty metric is of all
+  /// channels that are neither angles nor numbers of rotations, or if there are none, of the turns of rotations;
+  /// without those too, of all channels. Promises: see ArcLength.
   Length<S> length() const requires has_roots<S> { return {high_part<S>(lengths_.back()), error_}; }
 
   /// The length from the start to a time; a time outside the curve is moved to its start or end.

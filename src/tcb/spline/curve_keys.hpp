@@ -14,8 +14,8 @@ namespace tcb::spline {
 
 /// What makes the part of a segment between two times: part() or expanded_part().
 template <class S>
-using PartOfSegment = Cubic<S> (*)(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end,
-                                   const Time<S>& from, const Time<S>& to);
+using PartOfSegment = Cubic<S> (*)(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, const Time<S>& from,
+                                   const Time<S>& to);
 
 /// The range of times in which a closed curve passes all its keys once.
 template <class S>

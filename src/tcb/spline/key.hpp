@@ -99,8 +99,8 @@ constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.emp
 /// channel that is given, the velocities are those of the curve, and no tangent rule and no end rule applies. turns
 /// holds as many entries per key as rotations have turns: the turn to it from the key before, where that is half a turn
 /// or makes whole turns; zeros: the shorter way.
-/// A position may be missing: it is NaN, or where the scalar has no NaN, `missing` says so, with one entry per position.
-/// A channel then runs through the keys that have a position in it, as if there were no others.
+/// A position may be missing: it is NaN, or where the scalar has no NaN, `missing` says so, with one entry per
+/// position. A channel then runs through the keys that have a position in it, as if there were no others.
 template <class S>
 struct Keys {
   std::size_t channels = 0;

@@ -100,9 +100,9 @@ template <class S>
 struct CurveRules {
   TangentRule tangents = TangentRule::velocity;
   EndChoice<S> start, end;
-  bool equal_speed = false;                     ///< both tangents of a key get the same speed
-  std::vector<std::size_t> metric;              ///< the channels of speeds and lengths; empty: all; or turn_metric
-  std::vector<KeyRotation> rotations = {};      ///< not in the metric
+  bool equal_speed = false;                 ///< both tangents of a key get the same speed
+  std::vector<std::size_t> metric;          ///< the channels of speeds and lengths; empty: all; or turn_metric
+  std::vector<KeyRotation> rotations = {};  ///< not in the metric
   RotationRules rotation_rules = {};
   std::vector<AngleChannel> angles = {};
 };

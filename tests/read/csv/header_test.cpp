@@ -25,9 +25,8 @@ TEST(Header, without_a_header_time_comes_first) {
 
 TEST(Header, the_first_record_is_a_header_if_a_cell_in_it_is_not_a_number) {
   EXPECT_EQ(read("1,t\n2,3\n"), "t 1\n2: 3 2\n");
-  EXPECT_EQ(
-      read("0,inf\n1,2\n"),
-      "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
+  EXPECT_EQ(read("0,inf\n1,2\n"),
+            "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
   EXPECT_EQ(read("0,NA\n1,2\n"),
             "f:1:3: error: x: \"NA\" where a number was expected; fill it in, or give --missing skip-row, skip-cell or "
             "break");

@@ -147,8 +147,8 @@ std::array<Panel<S>, 2> make_panels(const Speed<S>& speed, const Bounds<S>& a, c
 template <class T>
 Quartic<T> quartic_about(const Quartic<T>& q, const T& z) {
   return {q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * q[4]))),
-          q[1] + z * (T(2.0) * q[2] + z * (T(3.0) * q[3] + z * (T(4.0) * q[4]))), q[2] + z * (T(3.0) * q[3] + z * (T(6.0) * q[4])),
-          q[3] + z * (T(4.0) * q[4]), q[4]};
+          q[1] + z * (T(2.0) * q[2] + z * (T(3.0) * q[3] + z * (T(4.0) * q[4]))),
+          q[2] + z * (T(3.0) * q[3] + z * (T(6.0) * q[4])), q[3] + z * (T(4.0) * q[4]), q[4]};
 }
 
 /// The square of the speed about a place on a panel, in powers of a step in z.
