@@ -35,64 +35,6 @@ enum class ErrorCode {
   no_such_time,            ///< column, cell
   time_in_other_notation,  ///< column, cell
   // read/csv
-  // read/json; PATH is the path of the value, as in keys[17].x
-  text_options_on_json,
-  empty_json,
-  json_value_expected,             ///< token
-  json_name_expected,              ///< token
-  json_colon_expected,             ///< token
-  json_comma_or_bracket_expected,  ///< token
-  json_comma_or_brace_expected,    ///< token
-  json_end_expected,               ///< token
-  json_string_not_closed,          ///< the string
-  json_character_in_string,        ///< the string up to the character
-  json_ends_early,
-  json_text_after_array,
-  json_key_too_long,
-  json_object_too_long,
-  json_curve_expected,
-  json_comma_after_curve_expected,
-  json_key_missing,
-  json_value_for_key,  ///< the value
-  json_number_for_key,
-  json_array_for_key,
-  json_number_too_large,        ///< number
-  json_member_repeats,          ///< PATH
-  json_member_unknown,          ///< PATH
-  json_array_unused,            ///< PATH, name
-  json_object_unused,           ///< PATH, name
-  json_member_missing,          ///< name
-  json_time_missing,            ///< name
-  json_member_nearly_role,      ///< PATH, role, name
-  json_not_a_number,            ///< PATH, text
-  json_null_number,             ///< PATH
-  json_null_time,               ///< PATH
-  json_missing_number,          ///< PATH, text
-  json_missing_time,            ///< PATH, text
-  json_null_group,              ///< PATH
-  json_number_expected,         ///< PATH
-  json_text_expected,           ///< PATH
-  json_array_expected,          ///< PATH
-  json_velocity_count,          ///< PATH, number of elements, expected number
-  json_rotation_size,           ///< path, count of numbers
-  json_rotation_members,        ///< path
-  json_array_size,              ///< PATH, number of elements, expected number
-  json_tcb_twice,               ///< PATH
-  json_tcb_array_expected,      ///< PATH
-  json_single_number_expected,  ///< PATH
-  json_channel_count,           ///< number of names, number of numbers
-  json_without_keys,
-  json_curve_without_keys,  ///< path of the curve
-  json_curves_differ,       ///< path, time and channels, those of the first curve
-  groups_of_curves,
-  setting_nearly_known,       ///< name, the known names, PATH
-  setting_repeats,            ///< PATH
-  setting_of_keys,            ///< PATH
-  setting_is_option,          ///< PATH
-  setting_outside_curves,     ///< name
-  setting_closed_expected,    ///< PATH, text
-  setting_channels_expected,  ///< PATH
-  setting_id_expected,        ///< PATH
   // keys
   // sample
   before_first_key,

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "read/input_options.hpp"
 #include "read/json/splitter.hpp"
 #include "schema/columns.hpp"
-#include "read/input_options.hpp"
 #include "schema/key_rules.hpp"
 
 namespace tcb {

@@ -6,7 +6,6 @@
 
 #include "read/json/splitter.hpp"
 #include "schema/key_block.hpp"
-#include "schema/key_block.hpp"
 
 namespace tcb {
 

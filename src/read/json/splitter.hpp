@@ -11,9 +11,9 @@
 #include <string>
 #include <utility>
 
-#include "read/json/scanner.hpp"
 #include "read/chunk.hpp"
 #include "read/input.hpp"
+#include "read/json/scanner.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
