@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "cli/remedies.hpp"
 #include "error.hpp"
+#include "io/terminal.hpp"
 #include "read/reader.hpp"
 #include "schema/faults.hpp"
 
