@@ -108,7 +108,7 @@ TEST(Json, curves_have_their_own_keys_and_settings) {
   while (const auto block = input.keys.blocks()) {
     if (block->curve_info == nullptr) continue;
     ids += fmt::format("{} {} {}, ", block->curve_info->id, block->keys.positions.at(0),
-                       block->curve_info->settings.preset.value_or("none"));
+                       block->curve_info->settings.preset.value_or(TextSetting{"none"}).value);
   }
   EXPECT_EQ(ids, "\"a 1 vtk, 7 6 none, ");
 }
