@@ -27,10 +27,12 @@ class FirstKeyReader : public JsonObjectReader {
 
  private:
   bool on_member(const std::string& name) override {
+    members.push_back({.name = name, .position = value_position()});
+    members.back().path = path();
     if (!names_.insert(name).second) throw at_value(json::member_repeats());
-    members.push_back({.name = name, .path = path(), .position = value_position()});
     return true;
   }
+  std::string_view member() const override { return members.back().name; }
   bool on_number(const spline::Time<double>&) override { return count(); }
   bool on_null() override { return count(); }  // refused later, as a number that is missing
   void on_deep_value(bool is_number) override {
@@ -106,6 +108,7 @@ class LaterKeys : public JsonObjectReader {
     member_ = name;
     return true;
   }
+  std::string_view member() const override { return member_; }
   bool on_number(const spline::Time<double>&) override { return take(numbers_); }
   bool on_text(std::string_view text) override {
     const bool is_sign = is_quoted() && is_missing_sign(text, signs_);

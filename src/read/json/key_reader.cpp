@@ -59,11 +59,16 @@ class KeyReader : public JsonObjectReader {
       expected_ = static_cast<std::size_t>(std::ranges::find(members, name, &Member::name) - members.begin());
     }
     current_ = expected_ < members.size() ? &members[expected_] : nullptr;
-    if (current_ == nullptr) return true;
+    if (current_ == nullptr) {
+      unknown_ = name;
+      return true;
+    }
     if (seen_[expected_]) return add_value_fault(json::member_repeats());
     seen_[expected_++] = true;
     return true;
   }
+
+  std::string_view member() const override { return current_ == nullptr ? unknown_ : current_->name; }
 
   bool on_number(const spline::Time<double>& value) override {
     if (current_ == nullptr) {  // an array is one fault
@@ -228,6 +233,7 @@ class KeyReader : public JsonObjectReader {
   unsigned tcb_given_ = 0;      ///< a bit for each of the three
   std::size_t expected_ = 0;    ///< the next member, if all keys have the same order
   const Member* current_ = nullptr;
+  std::string unknown_;  ///< the name of the current member, if the first key has no such member
 };
 
 }  // namespace

@@ -55,12 +55,8 @@ struct JsonObjectReader::Adapter {
   bool start_object(std::size_t) { return passed(Last::opening, reader.open(true)); }
   bool key(std::string& name) {
     if (reader.depth_ != reader.member_depth()) return passed(Last::name, true);
-    if (reader.outer_depth_ == 1) {
-      reader.member_.swap(name);
-    } else {
-      reader.member_ = reader.outer_ + name;
-    }
-    return passed(Last::name, reader.on_member(reader.member_));
+    if (reader.outer_depth_ == 1) return passed(Last::name, reader.on_member(name));
+    return passed(Last::name, reader.on_member(reader.outer_ + name));
   }
   bool end_object() { return passed(Last::value, reader.close(true)); }
   bool start_array(std::size_t) { return passed(Last::opening, reader.open(false)); }
@@ -161,8 +157,8 @@ bool JsonObjectReader::open(bool object) {
   if (in_array()) {
     more = on_nested();
     ++element_;
-  } else if (object && depth_ == key_depth_ + 1 && (member_ == "tcb" || member_ == "rotation")) {
-    outer_ = member_ + ".";
+  } else if (object && depth_ == key_depth_ + 1 && (member() == "tcb" || member() == "rotation")) {
+    outer_ = std::string(member()) + ".";
     outer_depth_ = 2;
     on_members();
   } else if (depth_ == member_depth()) {
@@ -172,7 +168,6 @@ bool JsonObjectReader::open(bool object) {
     if (object) more = on_nested();
   } else if (depth_ == key_depth_) {
     if (!object) refuse_for_key("an array");
-    member_.clear();
     key_ = text_.now() - 1;
     more = on_key_start();
   }
@@ -203,7 +198,7 @@ std::string JsonObjectReader::path() const {
   const std::string& list = part_.chunk.path;
   const std::string object =
       part_.kind == JsonPart::Kind::object ? list : fmt::format("{}[{}]", list.empty() ? "keys" : list, key_number());
-  return fmt::format("{}{}{}{}", object, object.empty() ? "" : ".", member_,
+  return fmt::format("{}{}{}{}", object, object.empty() ? "" : ".", member(),
                      in_array() ? fmt::format("[{}]", element_) : "");
 }
 

@@ -36,6 +36,8 @@ class JsonObjectReader {
   virtual bool on_key_start() { return true; }
   virtual bool on_key_end() { return true; }
   virtual bool on_member(const std::string& name) = 0;
+  /// The name that on_member() received last. A virtual function, so that most names need not be copied.
+  virtual std::string_view member() const = 0;
   /// A number, as the time nearest to it, whose high part is the nearest double.
   virtual bool on_number(const spline::Time<double>& value) = 0;
   /// A string without its quotes, or true or false.
@@ -107,9 +109,8 @@ class JsonObjectReader {
   std::size_t keys_ = 0;  ///< whole keys, and nulls in their place in a list
   std::size_t element_ = 0;
   bool is_quoted_ = false;
-  bool is_array_ = false;  ///< the current member is an array, not an object
-  std::string member_;
-  std::string outer_;            ///< the member whose members are being read, with a point; empty: they are the key's
+  bool is_array_ = false;        ///< the current member is an array, not an object
+  std::string outer_;            ///< the member whose members are being read, with a point
   std::size_t outer_depth_ = 1;  ///< 2 in an outer member
   std::string_view decimal_;
 };

@@ -43,6 +43,8 @@ class SettingsReader : public JsonObjectReader {
     return true;
   }
 
+  std::string_view member() const override { return member_; }
+
   /// Throws: Error (data) for a name that has a meaning only elsewhere.
   void require_no_loss(const std::string& name) const {
     constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};

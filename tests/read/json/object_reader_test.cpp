@@ -19,7 +19,11 @@ class Log : public JsonObjectReader {
  private:
   bool on_key_start() override { return add(fmt::format("{}{{", key_position().line)); }
   bool on_key_end() override { return add("}") && !stop_at_key_end; }
-  bool on_member(const std::string& name) override { return add(" " + name + ":"); }
+  bool on_member(const std::string& name) override {
+    member_ = name;
+    return add(" " + name + ":");
+  }
+  std::string_view member() const override { return member_; }
   bool on_number(const spline::Time<double>& value) override {
     if (value.hi == 13) throw at_value(json::number_expected());
     return add(index() + shown_time(value));
@@ -37,6 +41,8 @@ class Log : public JsonObjectReader {
     text += more;
     return true;
   }
+
+  std::string member_;
 };
 
 JsonPart part_of(const std::string& text) { return {JsonPart::Kind::elements, {text}}; }
