@@ -1,5 +1,5 @@
-// Errors: what is wrong as a code with values, where, and the exit code that it deserves. The words are in
-// cli/remedies.
+// Errors: a message, where the fault is, and the exit code of the program. Rooms make the messages in their errors.hpp;
+// faults of the command line are codes, whose words are in cli/remedies.hpp.
 #pragma once
 
 #include <cstddef>

@@ -128,7 +128,7 @@ Schema curve_of_fit(const Input& samples, const Job& job) {
   if (fitted.names.empty()) throw only_rotations();
   Schema schema = with_channels(samples.schema, fitted.names);
   for (const FitGroup& group : fitted.groups) {
-    if (group.angle) schema.rotations.columns.push_back({group.rotation()});
+    if (group.angle) schema.rotations.columns.push_back({{group.rotation()}, {}, {}});
   }
   if (job.fit.angle) schema.rotations.given = samples.schema.rotations.given;
   return schema;

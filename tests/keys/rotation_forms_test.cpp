@@ -21,8 +21,12 @@ using testing::HasSubstr;
 Numbers quaternions_of(const std::vector<Numbers>& keys, bool relative, bool in_parent) {
   const GivenRotation given{
       {spline::RotationForm::axis_angle, {}, true, true}, relative, {"ax", "ay", "az", "angle"}, {1, 2, 3, 4}};
-  return with_quaternions(source_of(block_of(keys)),
-                          {{{{1, 2, 3, 4}, {}, {}, 0}}, {given}, {}, false, spline::RotationCurve::squad, in_parent})()
+  return with_quaternions(source_of(block_of(keys)), {{RotationColumns{{{1, 2, 3, 4}, 0}, {}, {}}},
+                                                      {given},
+                                                      {},
+                                                      false,
+                                                      spline::RotationCurve::squad,
+                                                      in_parent})()
       ->keys.positions;
 }
 

@@ -109,7 +109,7 @@ TEST(Pieces, a_range_outside_the_curve_or_without_duration_is_refused) {
 
 TEST(Pieces, ease_is_refused_in_the_range_only) {
   const spline::Warp<double> warp(0.5, 0);
-  EXPECT_EQ(refusal(request(), {1, 2, 4}, warp), piece_with_ease(0, "1", "2").message());
+  EXPECT_EQ(refusal(request(), {1, 2, 4}, warp), piece_with_ease(1, "2", "4").message());
   EXPECT_EQ(refusal(request("", "2"), {1, 2, 4}, warp), "");
 }
 

@@ -130,8 +130,7 @@ TEST(Segments, given_velocities_make_a_closed_curve) {
   ASSERT_TRUE(same);
   EXPECT_EQ(same->segment(1).cubics[0].in, 14);
   once.velocities[0].in = none;
-  EXPECT_EQ(Curve<double>::build_closed(once, {}, Time<double>(3)).error().code,
-            BuildErrorCode::key_velocity_not_finite);
+  EXPECT_EQ(Curve<double>::build_closed(once, {}, Time<double>(3)).error().code, BuildErrorCode::seam_velocity_missing);
 }
 
 TEST(Segments, tension_of_one_stops_at_the_key) {

@@ -9,12 +9,12 @@
 
 namespace tcb {
 
-using Records = std::vector<std::vector<std::string>>;
+using RecordTexts = std::vector<std::vector<std::string>>;
 
-inline Records table(const std::string& text, const Dialect& dialect = {}) {
+inline RecordTexts table(const std::string& text, const Dialect& dialect = {}) {
   const Chunk chunk{text};
   Tokenizer tokenizer(chunk, dialect);
-  Records rows;
+  RecordTexts rows;
   for (std::vector<std::string_view> cells; tokenizer.next(cells);) {
     rows.emplace_back(cells.begin(), cells.end());
   }

@@ -89,10 +89,10 @@ const char* const texts[] = {"0,1\n2,3\n",          "0,1\r\n2,3",        "\"a\nb
 
 TEST(SplitDelimited, chunks_are_the_text_cut_between_records_with_their_first_lines) {
   for (const std::string text : texts) {
-    const Records whole = table(text);
+    const RecordTexts whole = table(text);
     for (std::size_t piece = 1; piece <= text.size(); ++piece) {
       std::string joined;
-      Records rows;
+      RecordTexts rows;
       for (const Chunk& chunk : chunks(text, piece)) {
         EXPECT_EQ(chunk.line, 1U + static_cast<std::uint64_t>(std::ranges::count(joined, '\n'))) << text;
         joined += chunk.text;
@@ -130,7 +130,7 @@ TEST(SplitDelimited, a_record_is_passed_on_as_soon_as_its_line_ends) {
 // Splitting and parsing have to agree on which quotes mean something.
 TEST(SplitDelimited, a_quote_in_an_indented_comment_or_inside_a_cell_has_no_effect) {
   for (const std::string text : {"  # 5\" tall\n0,\"a\nb\"\n1,c\n", "0,5\"\n1,\"a\nb\"\n2,c\n"}) {
-    Records rows;
+    RecordTexts rows;
     EXPECT_EQ(error_of([&] {
                 for (const Chunk& chunk : chunks(text, std::string::npos)) {
                   for (auto& row : table(chunk.text)) rows.push_back(std::move(row));

@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 TEST(Tokenizer, lines_end_in_lf_or_crlf_and_the_last_may_lack_it) {
-  const Records expected{{"0", "1"}, {"2", "3"}};
+  const RecordTexts expected{{"0", "1"}, {"2", "3"}};
   for (const char* text : {"0,1\n2,3\n", "0,1\r\n2,3\r\n", "0,1\n2,3", "0,1\r\n2,3\r", "0,1\r\n2,3"}) {
     EXPECT_EQ(table(text), expected) << text;
   }
@@ -24,20 +24,20 @@ TEST(Tokenizer, cells_of_any_length_end_at_any_delimiter) {
       for (std::size_t second = 1; second < 20; ++second) {
         const std::vector<std::string> row{std::string(first, 'a'), std::string(second, '-')};
         const std::string text = row[0] + delimiter + row[1];
-        EXPECT_EQ(table(text + '\n' + text, dialect), (Records{row, row})) << int{delimiter};
+        EXPECT_EQ(table(text + '\n' + text, dialect), (RecordTexts{row, row})) << int{delimiter};
       }
     }
   }
 }
 
 TEST(Tokenizer, blanks_around_cells_are_dropped_and_those_inside_kept) {
-  EXPECT_EQ(table(" a b ,\tc\t, \n"), (Records{{"a b", "c", ""}}));
+  EXPECT_EQ(table(" a b ,\tc\t, \n"), (RecordTexts{{"a b", "c", ""}}));
 }
 
 TEST(Tokenizer, empty_cells_may_be_at_either_end_and_between) {
-  EXPECT_EQ(table(",\n"), (Records{{"", ""}}));
-  EXPECT_EQ(table(",1,,2,\r\n"), (Records{{"", "1", "", "2", ""}}));
-  EXPECT_EQ(table("\t1\t\t2\t\n", {'\t', "#"}), (Records{{"", "1", "", "2", ""}}));
+  EXPECT_EQ(table(",\n"), (RecordTexts{{"", ""}}));
+  EXPECT_EQ(table(",1,,2,\r\n"), (RecordTexts{{"", "1", "", "2", ""}}));
+  EXPECT_EQ(table("\t1\t\t2\t\n", {'\t', "#"}), (RecordTexts{{"", "1", "", "2", ""}}));
 }
 
 TEST(Tokenizer, a_record_of_too_many_cells_is_skipped) {
@@ -55,22 +55,22 @@ TEST(Tokenizer, a_record_of_too_many_cells_is_skipped) {
 }
 
 TEST(Tokenizer, runs_of_blanks_and_tabs_count_as_one_delimiter) {
-  EXPECT_EQ(table("  1 \t  2\t3 \r\n4 5 6", {' ', "#"}), (Records{{"1", "2", "3"}, {"4", "5", "6"}}));
+  EXPECT_EQ(table("  1 \t  2\t3 \r\n4 5 6", {' ', "#"}), (RecordTexts{{"1", "2", "3"}, {"4", "5", "6"}}));
 }
 
 TEST(Tokenizer, either_blank_delimits_after_a_quoted_cell) {
   const Dialect blanks{' ', "#"};
-  EXPECT_EQ(table("\"0\"\t1 \"2\" \t3\n", blanks), (Records{{"\"0\"", "1", "\"2\"", "3"}}));
+  EXPECT_EQ(table("\"0\"\t1 \"2\" \t3\n", blanks), (RecordTexts{{"\"0\"", "1", "\"2\"", "3"}}));
   EXPECT_EQ(chunks("\"a\"\tb\t\"\n\"\n1\n", 1, blanks).size(), 2U) << "a line end within quotes ends nothing";
 }
 
 TEST(Tokenizer, quoted_cells_hold_delimiters_line_ends_and_doubled_quotes) {
   EXPECT_EQ(table("\"a,b\",\"c\r\nd\" , \"e\"\"f\"\n1,2,3\n"),
-            (Records{{"\"a,b\"", "\"c\r\nd\"", "\"e\"\"f\""}, {"1", "2", "3"}}));
-  EXPECT_EQ(table("\"a b\" \"#c\"", {' ', "#"}), (Records{{"\"a b\"", "\"#c\""}}));
+            (RecordTexts{{"\"a,b\"", "\"c\r\nd\"", "\"e\"\"f\""}, {"1", "2", "3"}}));
+  EXPECT_EQ(table("\"a b\" \"#c\"", {' ', "#"}), (RecordTexts{{"\"a b\"", "\"#c\""}}));
 }
 
-TEST(Tokenizer, a_quote_inside_a_cell_is_a_character) { EXPECT_EQ(table("5\",6\n"), (Records{{"5\"", "6"}})); }
+TEST(Tokenizer, a_quote_inside_a_cell_is_a_character) { EXPECT_EQ(table("5\",6\n"), (RecordTexts{{"5\"", "6"}})); }
 
 TEST(Tokenizer, quotes_are_removed) {
   EXPECT_EQ(unquoted("\"a,\"\"b\"\"\""), "a,\"b\"");
@@ -80,10 +80,10 @@ TEST(Tokenizer, quotes_are_removed) {
 }
 
 TEST(Tokenizer, comments_and_blank_lines_are_skipped) {
-  EXPECT_EQ(table("# c\n\n \t \r\n0,1\n  # 2,3\r\n4,5\n#"), (Records{{"0", "1"}, {"4", "5"}}));
-  EXPECT_EQ(table("// c\n#0,1\n", {',', "//"}), (Records{{"#0", "1"}}));
-  EXPECT_EQ(table("#0,1\n", {',', ""}), (Records{{"#0", "1"}})) << "no comments at all";
-  EXPECT_EQ(table("0,1 # 2\n"), (Records{{"0", "1 # 2"}})) << "a comment is a line of its own";
+  EXPECT_EQ(table("# c\n\n \t \r\n0,1\n  # 2,3\r\n4,5\n#"), (RecordTexts{{"0", "1"}, {"4", "5"}}));
+  EXPECT_EQ(table("// c\n#0,1\n", {',', "//"}), (RecordTexts{{"#0", "1"}}));
+  EXPECT_EQ(table("#0,1\n", {',', ""}), (RecordTexts{{"#0", "1"}})) << "no comments at all";
+  EXPECT_EQ(table("0,1 # 2\n"), (RecordTexts{{"0", "1 # 2"}})) << "a comment is a line of its own";
 }
 
 TEST(Tokenizer, the_last_comment_skipped_is_kept) {

@@ -161,7 +161,7 @@ TEST(Json, the_text_before_a_nul_is_read_first) {
     EXPECT_EQ(
         read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
         "f:2:12: error: keys[1].x: \"a\" is not a number; expected one without quotes; correct it\n"
-        "f:3:1: error: a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t "
+        "f:3:1: error: this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t "
         "UTF-8");
   }
 }
