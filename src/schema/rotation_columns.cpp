@@ -230,7 +230,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
   RotationSchema& rotations = schema.rotations;
   rotations.normalize = options.normalize;
   for (const NamedAngle& angle : options.angles) {
-    schema.angles.push_back({requested_channel(angle.channel, columns, option::angle), angle.degrees});
+    schema.angles.push_back({{requested_channel(angle.channel, columns, option::angle), angle.degrees}, false});
   }
   if (options.requests.empty() && !options.none) {
     for (const spline::RotationChannels& channels : rotations_by_name(columns.channels)) {

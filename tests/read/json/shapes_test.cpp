@@ -158,11 +158,11 @@ class RandomJson {
 TEST(Json, the_text_before_a_nul_is_read_first) {
   using namespace std::string_literals;
   for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
-    EXPECT_EQ(
-        read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
-        "f:2:12: error: keys[1].x: \"a\" is not a number; expected one without quotes; correct it\n"
-        "f:3:1: error: this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t "
-        "UTF-8");
+    EXPECT_EQ(read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
+              "f:2:12: error: keys[1].x: \"a\" is not a number; expected one without quotes; correct it\n"
+              "f:3:1: error: this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f "
+              "UTF-16 -t "
+              "UTF-8");
   }
 }
 
