@@ -48,6 +48,7 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
   if (column != numbers.end()) return static_cast<std::size_t>(column - numbers.begin());
   if (number && *number >= 1 && *number <= columns.cells.size()) {
     std::vector<std::string> others;
+    others.reserve(numbers.size());
     for (const std::size_t other : numbers) others.push_back(std::to_string(other));
     throw column_without_channel(name, others).about(option);
   }
