@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -15,12 +17,26 @@ namespace tcb {
 namespace {
 
 using Json = nlohmann::json;
+using Lexer = nlohmann::detail::lexer<Json, nlohmann::detail::iterator_input_adapter<JsonText::Iterator>>;
 
 bool is_inside(const char* where, std::string_view text) {
   return std::greater_equal<>()(where, text.data()) && std::less_equal<>()(where, text.data() + text.size());
 }
 
 }  // namespace
+}  // namespace tcb
+
+/// Decimals in JSON become doubles by parse_number(), as all decimals do. The conversion that this specialization
+/// replaces is std::strtod's, which depends on the locale and takes longer than the rest of the parser.
+template <>
+void tcb::Lexer::strtof(double& value, const char* text, char** end) noexcept {
+  const std::size_t size = std::strlen(text);
+  constexpr double too_large = std::numeric_limits<double>::infinity();  // which the parser reports
+  value = tcb::parse_number({text, size}).value_or(too_large);
+  *end = const_cast<char*>(text) + size;
+}
+
+namespace tcb {
 
 /// nlohmann-json's events, with its names.
 struct JsonObjectReader::Adapter {
