@@ -119,8 +119,9 @@ bool JsonSplitter::scan_object() {
   return false;
 }
 
-/// Scans elements to the end of the text, or of their list.
-bool JsonSplitter::scan_list() {
+/// Scans records to the end of the text, or of the list that they are elements of.
+bool JsonSplitter::scan_records() {
+  const bool is_list = stage_ == Stage::list;
   for (; !scanner_.at_end(); ++scanner_.at) {
     if (!scanner_.skip_to_structure()) return false;
     switch (scanner_.now()) {
@@ -129,43 +130,24 @@ bool JsonSplitter::scan_list() {
         [[fallthrough]];
       case '[': ++depth_; break;
       case ',':
-        if (depth_ != 0) break;
+        if (!is_list || depth_ != 0) break;
         boundary_ = scanner_.at;
         ++records_;
         break;
+      case '\n':
+        if (!is_list && depth_ == 0) boundary_ = scanner_.at + 1;
+        break;
       case ']':
-        if (depth_ == 0) {
+        if (is_list && depth_ == 0) {
           boundary_ = scanner_.at;
           ++records_;
           is_list_closed_ = true;
           return true;
         }
-        --depth_;
-        break;
-      case '}':  // one that nothing opened stays in its element, where the parser finds it
-        if (depth_ > 0) --depth_;
-        break;
-      default: break;
-    }
-  }
-  return false;
-}
-
-bool JsonSplitter::scan_lines() {
-  for (; !scanner_.at_end(); ++scanner_.at) {
-    if (!scanner_.skip_to_structure()) return false;
-    switch (scanner_.now()) {
-      case '{':
-        if (depth_ == 0) scanner_.skip_plain_object();
         [[fallthrough]];
-      case '[': ++depth_; break;
-      case ']':
-      case '}':
+      case '}':  // one that nothing opened stays in its record, where the parser finds it
         if (depth_ > 0) --depth_;
-        if (depth_ == 0) ++records_;
-        break;
-      case '\n':
-        if (depth_ == 0) boundary_ = scanner_.at + 1;
+        if (!is_list && depth_ == 0) ++records_;
         break;
       default: break;
     }
@@ -208,8 +190,8 @@ bool JsonSplitter::scan() {
   switch (stage_) {
     case Stage::start: return scan_start();
     case Stage::object: return scan_object();
-    case Stage::list: return scan_list();
-    case Stage::lines: return scan_lines();
+    case Stage::list:
+    case Stage::lines: return scan_records();
     case Stage::between_curves: return scan_between_curves();
     case Stage::after_list: require_end(); return false;
     case Stage::unclosed_list:

@@ -54,8 +54,7 @@ class JsonSplitter {
   bool scan();
   bool scan_start();
   bool scan_object();
-  bool scan_list();
-  bool scan_lines();
+  bool scan_records();
   bool scan_between_curves();
   void require_end();
   bool begin_list();
