@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
+#include "cli/help.hpp"
 
 namespace tcb {
 namespace {

@@ -2,6 +2,7 @@
 #include "cli/plan.hpp"
 
 #include "cli/command_line.hpp"
+#include "cli/help.hpp"
 #include "sample/fields.hpp"
 #include "schema/columns.hpp"
 
@@ -59,18 +60,18 @@ TEST(CommandLine, an_unknown_option_is_refused_with_the_nearest_one) {
 }
 
 TEST(CommandLine, errors_of_syntax_name_the_option) {
-  EXPECT_EQ(refusal({"--step"}), "--step: its value is missing; expected one after the option; see --help");
-  EXPECT_EQ(refusal({"-s", "1", "-s", "2"}), "--step is given more than once; expected once; remove one");
+  EXPECT_EQ(refusal({"--step"}), "--step: the value is missing; expected one after the option; see --help");
+  EXPECT_EQ(refusal({"-s", "1", "-s", "2"}), "--step: the option is repeated; expected it once; remove all but one");
   EXPECT_EQ(refusal({"-n", "2", "--hex=false"}), "--hex takes no value; remove the value");
-  EXPECT_THAT(refusal({"-n", "2", ""}), StartsWith("an empty file name;"));
+  EXPECT_THAT(refusal({"-n", "2", ""}), StartsWith("the name of a file is empty;"));
 }
 
 TEST(CommandLine, no_option_takes_an_empty_value) {
   for (const OptionRow& row : option_table()) {
     if (row.kind == ValueKind::flag) continue;
-    const std::string name(row.long_name());
-    EXPECT_THAT(refusal({name, ""}), StartsWith(name + ": an empty value;"));
-    EXPECT_THAT(refusal({name + "="}), StartsWith(name + ": its value is missing;"));
+    const std::string name(row.name);
+    EXPECT_THAT(refusal({name, ""}), StartsWith(name + ": the value is empty;"));
+    EXPECT_THAT(refusal({name + "="}), StartsWith(name + ": the value is missing;"));
   }
 }
 
@@ -130,7 +131,7 @@ TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
 
 TEST(Plan, a_sampling_option_is_needed) {
   EXPECT_EQ(refusal({"a.csv"}),
-            "no sampling option given; expected one of --step, --rate, --count, --segments, --per-segment, --at, "
+            "there is no sampling option; expected one of --step, --rate, --count, --segments, --per-segment, --at, "
             "--arc-step, --arc-count, --arc-at, --tolerance, --emit, --fit; for example tcbsample --step 0.1 keys.csv");
 }
 
@@ -139,7 +140,7 @@ TEST(Plan, the_range_is_exact_and_goes_forward) {
   EXPECT_EQ(job.sampling.from, Rational(-7, 24));
   EXPECT_EQ(job.sampling.to, Rational(1, 10));
   EXPECT_EQ(stepped_refusal({"--from", "-7/24", "--to", "-1"}),
-            "--to -1 is before --from -7/24; expected a later one; swap them");
+            "--to -1 is before --from -7/24; expected a later end; swap the two");
   EXPECT_EQ(stepped_refusal({"--from", "1", "--to", "1"}), "") << "a single time is a range";
 }
 
@@ -192,8 +193,10 @@ TEST(Plan, the_output_goes_to_one_place) {
 }
 
 TEST(Plan, standard_input_is_read_once) {
-  EXPECT_EQ(stepped_refusal({"--files", "-", "-"}),
-            "--files - and the keys are both standard input; expected one of them; give the other by its file name");
+  EXPECT_EQ(
+      stepped_refusal({"--files", "-", "-"}),
+      "--files: the file is standard input, and so are the keys; expected standard input once; give a file name for "
+      "one of them");
   EXPECT_EQ(stepped_refusal({"--files", "-", "a.csv"}), "");
   EXPECT_NE(refusal({"--check", "-"}), "");
   EXPECT_NE(refusal({"--identify", "-", "-"}), "");
@@ -213,7 +216,7 @@ TEST(Plan, a_comparison_has_its_file_and_all_columns_unless_fields_are_given) {
 }
 
 TEST(Plan, a_comparison_is_with_one_file_of_keys) {
-  EXPECT_EQ(refusal({"--check", "a", "b", "c"}), "--check takes one file of keys; 2 are given; remove the others");
+  EXPECT_EQ(refusal({"--check", "a", "b", "c"}), "--check: there are 2 files of keys; expected one; remove the others");
 }
 
 using testing::ElementsAre;
@@ -235,7 +238,7 @@ TEST(ProvenanceOptions, are_not_those_of_files_and_speed) {
 }
 
 TEST(ProvenanceOptions, have_no_line_ends) {
-  EXPECT_THAT(stepped_refusal({"--meta", "--group", "a\nb"}), testing::StartsWith("--group: --meta cannot hold"));
+  EXPECT_THAT(stepped_refusal({"--meta", "--group", "a\nb"}), testing::StartsWith("--group: the value has a line end"));
 }
 
 TEST(ProvenanceOptions, are_there_only_with_their_option) { EXPECT_FALSE(job_of({"-n", "3"}).meta); }
