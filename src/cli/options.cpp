@@ -1,4 +1,4 @@
-// Options: the table of names, texts, defaults and how each value is stored, in the order of the help.
+// Options: the table of names, texts, defaults, how each value is stored, and conflicts.
 #include "cli/options.hpp"
 
 #include <algorithm>
