@@ -531,6 +531,12 @@ constexpr OptionRow option_rows[] = {
        of.disable({option::meta}, ", which has no comments", has_no_provenance);
      },
      output_format_names},
+    {option::plot, "", "", output_group,
+     "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally spaced "
+     "in "
+     "time",
+     "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; },
+     disable_options_without_picture},
     {option::fields, "", "FIELD,...", output_group,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
      "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "
@@ -602,12 +608,6 @@ constexpr OptionRow option_rows[] = {
     {option::rename, "", "OLD=NEW,...", output_group,
      "Renames columns of the input, in the output and for the options about channels", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.renamings = renamings(text); }},
-    {option::plot, "", "", output_group,
-     "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally spaced "
-     "in "
-     "time",
-     "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; },
-     disable_options_without_picture},
     {option::axes, "", "X:Y", output_group,
      "With a picture: the channels, by name or number, that point right and up in the view of the path; by default the "
      "first two metric channels",
