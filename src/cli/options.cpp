@@ -175,8 +175,8 @@ constexpr OptionRow option_rows[] = {
     {option::decimal, "", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other, recorded,
      [](Typed& to, Text text) { to.job.input.decimal = decimal_mark(text); }},
     {option::group, "-g", "COL[,COL]", input_group,
-     "Makes one curve of all rows that have the same values in these columns, in any order; the samples begin with "
-     "these columns",
+     "Makes one curve of all rows that have the same values in these columns, in any order; the rows begin with these "
+     "columns",
      "", columns, recorded,
      [](Typed& to, Text text) {
        to.job.input.roles.push_back({Role::group, column_list(text), option::group});
@@ -251,7 +251,7 @@ constexpr OptionRow option_rows[] = {
      "",
      "NAME",
      curve_group,
-     "The tangent rule and the end rule of a product; --list-presets shows all products",
+     "The rules of a product for tangents, ends and rotations; --list-presets shows all products",
      "gte",
      name,
      recorded,
@@ -419,8 +419,8 @@ constexpr OptionRow option_rows[] = {
        to.job.sampling.count = positive_count(text);
      },
      [](const Conflicts& of) { check_mode(of, {option::end}); }},
-    {option::arc_at, "", "S,...", sampling_group, "Samples at these arc lengths, which have the forms of --at", "",
-     places, recorded,
+    {option::arc_at, "", "S,...", sampling_group, "Samples at these arc lengths, written as in --at", "", places,
+     recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::arc_at;
        store_places(to, option::arc_at, text);
@@ -482,7 +482,7 @@ constexpr OptionRow option_rows[] = {
      recorded, [](Typed& to, Text text) { to.job.fit.keys = named_row(fit_key_names, text).keys; }, need_fit,
      names_in<fit_key_names>},
     {option::keep_times, "", "T,...", sampling_group,
-     "Times of samples that --fit turns into keys in any case, in the forms of --at", "", places, recorded,
+     "Times of samples that --fit turns into keys in any case, written as in --at", "", places, recorded,
      [](Typed& to, Text text) { store_places(to, option::keep_times, text); }, need_fit},
     {option::corner, "", "DEGREES", sampling_group,
      "Allows a key of --fit to be a corner where the samples turn by more than DEGREES", "", other, recorded,
