@@ -1,4 +1,6 @@
 // Rotations of keys in other forms than quaternions: their checks, and their quaternions.
+#include "keys/rotation_forms.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@
 
 #include "keys/angles.hpp"
 #include "keys/errors.hpp"
-#include "keys/rotations.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {

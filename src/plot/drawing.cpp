@@ -214,7 +214,7 @@ void Drawing::commit() {
 }
 
 Sink::Sink(const Job& job, const WriterOptions& options, const std::string& path) {
-  if (format_of(job.output_format).is_picture) {
+  if (format_of(job.output_format).family == FormatFamily::picture) {
     drawing.emplace(job, path);
   } else {
     writer.emplace(options, path);

@@ -50,7 +50,7 @@ Facts input_facts(const Input& input) {
   const auto list = [&](std::string_view name, const std::vector<std::string>& values) {
     if (!values.empty()) add(name, fmt::format("{}", fmt::join(values, ", ")));
   };
-  if (format.has_header) {
+  if (format.family == FormatFamily::delimited) {
     const char delimiter = input.facts.delimiter;
     add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
     add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
@@ -76,11 +76,11 @@ Facts input_facts(const Input& input) {
 Facts intentions(const Job& job, const Schema& schema) {
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.missing)));
+  add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.keys.missing)));
   const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates);
   if (schema.time.is_given) add("duplicates", std::string(duplicates));
   if (job.curves.sort) add("sort", "by time");
-  const spline::Tcb<double>& tcb = job.input.tcb;
+  const spline::Tcb<double>& tcb = job.input.keys.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
   for (const AngleColumn& angle : schema.angles) {
     add("angle", schema.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
@@ -102,7 +102,7 @@ Facts intentions(const Job& job, const Schema& schema) {
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
   const Format& output = format_of(job.output_format);
   const std::string_view header = job.output_header.value_or(schema.named) ? " with a header" : " without a header";
-  add("output", fmt::format("{}{}", output.name, output.has_header ? header : ""));
+  add("output", fmt::format("{}{}", output.name, output.family == FormatFamily::delimited ? header : ""));
   return facts;
 }
 

@@ -127,6 +127,9 @@ struct NumberOfKey {
   }
 };
 
+/// The largest number of faults of an input that are reported.
+inline constexpr std::size_t most_faults = 10;
+
 /// Successive keys. If the input has no times, the keys have none either. A position that is NaN is missing; in a
 /// gap the time may be NaN too.
 struct KeyBlock {
