@@ -10,6 +10,7 @@
 #include "numbers/parse_number.hpp"
 #include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
+#include "schema/missing.hpp"
 
 namespace tcb {
 namespace {
