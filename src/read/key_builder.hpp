@@ -23,7 +23,7 @@ namespace tcb {
 class KeyBuilder {
  public:
   /// Requires: `columns` outlives it.
-  KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units);
+  KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units = {});
 
   /// Begins a key; a key that was not ended is dropped.
   void begin_key();

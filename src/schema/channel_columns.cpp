@@ -80,8 +80,9 @@ void require_whole_velocities(const Columns& columns) {
   }
 }
 
-}  // namespace
-
+/// For each column, its role in one channel, if its name has one: that of a column that may be a channel. `chosen`: the
+/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`;
+/// but "q_v" is then any other name.
 std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
                                                       const std::vector<bool>& may_be_channel, bool chosen) {
   std::vector<std::optional<ChannelRole>> named, roles(header.size());
@@ -110,6 +111,8 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
   }
   return roles;
 }
+
+}  // namespace
 
 std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::span<const std::string> header,
                                                  const std::vector<bool>& numeric, const std::vector<bool>& times) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,12 +10,6 @@
 #include "schema/roles.hpp"
 
 namespace tcb {
-
-/// For each column, its role in one channel, if its name has one: that of a column that may be a channel. `chosen`: the
-/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`;
-/// but "q_v" is then any other name.
-std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
-                                                      const std::vector<bool>& may_be_channel, bool chosen);
 
 /// A column with a role in one channel, which is known once all channels are.
 struct ColumnOfChannel {

@@ -31,11 +31,11 @@ inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }
 
 /// How cells become keys.
 struct KeyRules {
-  spline::Tcb<double> tcb = {};            ///< of keys that have none
-  TcbScale tcb_scale = TcbScale::unknown;  ///< of keys
+  spline::Tcb<double> tcb = {};  ///< of keys that have none
   Missing missing = Missing::error;
-  std::vector<std::string> signs = {};  ///< of missing cells, besides the common ones
-  bool keeps_decimals = false;          ///< keys keep their numbers as written
+  bool keeps_decimals = false;             ///< keys keep their numbers as written
+  std::vector<std::string> signs = {};     ///< of missing cells, besides the common ones
+  TcbScale tcb_scale = TcbScale::unknown;  ///< of the keys
 };
 
 }  // namespace tcb

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 Input opened(const std::string& text, const RotationOptions& rotation, bool timeless = false) {
   InputOptions options;
   options.rotation = rotation;
-  options.timeless = timeless;
+  options.columns.timeless = timeless;
   return open_input("keys.csv", pieces(text), options);
 }
 
