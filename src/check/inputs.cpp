@@ -254,7 +254,7 @@ MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const
     if (found == columns.compared.end()) continue;
     columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
   }
-  for (const RotationColumns& rotation : keys.rotations.columns) {
+  for (const RotationColumns& rotation : rotation_columns(keys)) {
     if (rotation.shown.form != spline::RotationForm::quaternion) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {

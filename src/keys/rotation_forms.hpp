@@ -17,10 +17,8 @@ inline constexpr double half_turn_rounding = 0x1p-50;
 
 /// What the keys of an input have for rotations.
 struct RotationsOfKeys {
-  std::vector<RotationColumns> columns;
-  std::vector<GivenRotation> given;       ///< how keys give each
-  std::vector<std::size_t> sources = {};  ///< of each channel, the one of keys as they are given; empty: the same
-  bool normalize = false;                 ///< quaternions of any norm, and the rotations nearest to matrices
+  std::vector<RotationSchema> rotations;
+  std::vector<std::size_t> sources = {};  ///< as in Schema; empty: the channels are those that are read
   spline::RotationCurve curve = spline::RotationCurve::squad;
   bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
   bool closed = false;     ///< the first key follows the last one

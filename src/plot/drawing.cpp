@@ -150,9 +150,10 @@ void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
       scene_.frame = {channels_.rotations[0].channels, axes};
     }
   }
-  for (const GivenRotation& rotation : schema.rotations.given) {
+  for (const RotationSchema& rotation : schema.rotations) {
     scene_.strips.push_back(scene_.channels.size());
-    scene_.channels.push_back(fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.columns, ", ")));
+    scene_.channels.push_back(
+        fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.given.columns, ", ")));
   }
 }
 

@@ -85,14 +85,15 @@ Facts intentions(const Job& job, const Schema& schema) {
   for (const AngleColumn& angle : schema.angles) {
     add("angle", schema.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
   }
-  for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
-    const auto& [notation, relative, columns, channels] = schema.rotations.given[i];
-    const auto& shown = schema.rotations.columns[i].shown;
-    const std::string rows = shown == notation ? "" : ", in rows " + in_words(shown);
+  for (std::size_t i = 0; i < schema.rotations.size(); ++i) {
+    const GivenRotation& given = schema.rotations[i].given;
+    const auto& shown = schema.rotations[i].columns.shown;
+    const std::string rows = shown == given.notation ? "" : ", in rows " + in_words(shown);
     add(i == 0 ? "rotation" : fmt::format("rotation {}", i + 1),
-        fmt::format("{}{} {}{}", relative ? "relative " : "", in_words(notation), fmt::join(columns, " "), rows));
+        fmt::format("{}{} {}{}", given.relative ? "relative " : "", in_words(given.notation),
+                    fmt::join(given.columns, " "), rows));
   }
-  const std::string_view others = schema.rotations.columns.empty() && schema.angles.empty() ? "" : "other ";
+  const std::string_view others = schema.rotations.empty() && schema.angles.empty() ? "" : "other ";
   add("metric", job.curve.metric ? job.curve.metric->value : fmt::format("all {}channels", others));
   add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));

@@ -38,12 +38,11 @@ InputOptions input_options(const Job& job, unsigned threads, bool live) {
 InputListOptions input_list_options(const Job& job) {
   const BatchOptions& batch = job.batch;
   const OutputPaths outputs{job.output, job.output_folder, batch.suffix, format_of(job.output_format).ending};
-  const auto can_be_read = [](std::string_view path) { return find_input_format(path).has_value(); };
   return {.files = job.files,
           .list = batch.list,
           .nul = batch.nul,
           .recursive = batch.recursive,
-          .takes = job.input.format ? nullptr : +can_be_read,
+          .endings = job.input.format ? std::vector<std::string_view>{} : input_endings(),
           .update = batch.update,
           .outputs = outputs};
 }

@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-
-#include "text/file_ending.hpp"
+#include <vector>
 
 namespace tcb {
 
@@ -57,13 +56,10 @@ constexpr std::optional<FormatId> find_format(std::string_view name) {
 }
 
 /// The format that can be read and whose ending the path has, before that of compressed files if it has one.
-inline std::optional<FormatId> find_input_format(std::string_view path) {
-  path = without_compression(path);
-  for (const Format& format : formats) {
-    if (format.can_read && path.ends_with(format.ending)) return format.id;
-  }
-  return std::nullopt;
-}
+std::optional<FormatId> find_input_format(std::string_view path);
+
+/// The endings of the formats that can be read.
+std::vector<std::string_view> input_endings();
 
 /// Endings of what is no output of ours, so that none gets such a name: compressed files, tables, scenes, pictures.
 inline constexpr std::array<std::string_view, 55> other_endings{
@@ -74,7 +70,8 @@ inline constexpr std::array<std::string_view, 55> other_endings{
     ".fbx",  ".gltf", ".glb",  ".usd",     ".usda", ".usdc",   ".usdz",    ".abc",     ".dae",   ".obj", ".blend",
 };
 
-/// The same for formats that can be written, in upper or lower case.
+/// The format that can be written and whose ending the path has, in upper or lower case, before that of compressed
+/// files.
 std::optional<FormatId> find_output_format(std::string_view path);
 
 /// The ending of a path that is that of other files than ours; empty: it is not.

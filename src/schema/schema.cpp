@@ -15,15 +15,15 @@ std::vector<std::string*> names_of(Schema& schema) {
   std::vector<std::string*> names;
   if (schema.time.is_given) names.push_back(&schema.time.name);
   const auto is_shown = [&](std::size_t channel) {
-    return std::ranges::none_of(schema.rotations.columns, [&](const RotationColumns& rotation) {
-      return rotation.shown.form != spline::RotationForm::quaternion && rotation.has(channel);
+    return std::ranges::none_of(schema.rotations, [&](const RotationSchema& rotation) {
+      return rotation.columns.shown.form != spline::RotationForm::quaternion && rotation.columns.has(channel);
     });
   };
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
     if (is_shown(i)) names.push_back(&schema.channels[i]);
   }
-  for (auto& list : schema.rotations.names) {
-    for (std::string& name : list) names.push_back(&name);
+  for (RotationSchema& rotation : schema.rotations) {
+    for (std::string& name : rotation.names) names.push_back(&name);
   }
   for (auto* const list : {&schema.groups, &schema.labels}) {
     for (std::string& name : *list) names.push_back(&name);
@@ -32,6 +32,12 @@ std::vector<std::string*> names_of(Schema& schema) {
 }
 
 }  // namespace
+
+std::vector<RotationColumns> rotation_columns(const Schema& schema) {
+  std::vector<RotationColumns> columns;
+  for (const RotationSchema& rotation : schema.rotations) columns.push_back(rotation.columns);
+  return columns;
+}
 
 Schema schema_of(const Columns& columns, TimeNotation notation) {
   Schema schema;
