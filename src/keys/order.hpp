@@ -21,11 +21,11 @@ inline constexpr std::array duplicates_names{
     DuplicatesName{"error", Duplicates::error}, DuplicatesName{"first", Duplicates::first},
     DuplicatesName{"last", Duplicates::last}, DuplicatesName{"break", Duplicates::break_curve}};
 
-/// The same keys. Up to the block with the first time of more than 17 digits, times are doubles or whole numbers; from
-/// there on each is its decimal.
+/// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
+/// whole numbers; from there on each is its decimal.
 Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
 
-/// The same keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
+/// The keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
 
 /// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are

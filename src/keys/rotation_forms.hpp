@@ -32,7 +32,7 @@ struct ConvertedRotation {
   bool in_parent;
 };
 
-/// Those of KeyBlock::given_rotations, in their order.
+/// The rotations that are converted, in the order of KeyBlock::given_rotations.
 std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations);
 
 /// The keys of a curve with the quaternions of rotations that keys give in another form, in blocks that have a channel

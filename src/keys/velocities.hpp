@@ -9,7 +9,7 @@
 
 namespace tcb {
 
-/// The same keys. Throws: Error (data) with the line of a key where a given velocity is missing, except before a
+/// Passes keys on. Throws: Error (data) with the line of a key where a given velocity is missing, except before a
 /// channel's first key and after its last; and about `equal_speed`, which would change them.
 Source<KeyBlock> with_complete_velocities(Source<KeyBlock> blocks, std::vector<std::string> channels, bool equal_speed);
 

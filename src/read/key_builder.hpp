@@ -53,7 +53,7 @@ class KeyBuilder {
   /// Sets the time from a text in the notation of the input; false for another text, and for a time that does not
   /// exist.
   bool set_time_in_words(const Columns::Column& column, std::string_view text);
-  /// A text as in schema/key_block.hpp.
+  /// A text as in schema/texts.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
 
   /// A cell of a column without a role.
@@ -87,7 +87,7 @@ class KeyBuilder {
       block_.columns.push_back(static_cast<std::uint32_t>(column));
     }
   }
-  /// Its number in its list.
+  /// The number of the record that was kept last, in its list.
   void set_number(std::uint64_t number) { block_.numbers.insert(block_.numbers.end(), keys_per_record(), number); }
 
   /// Adds a break before the next key that is kept.

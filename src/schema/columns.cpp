@@ -38,7 +38,7 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
   if (columns.cells[cell].role != Role::ignored) throw column_with_two_roles(name);
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
-                                            : role == Role::carry  ? &columns.carried
+                                            : role == Role::carry  ? &columns.labels
                                                                    : nullptr;
   if (several == nullptr && !is_of_channel(role) && role != Role::unused && columns.has(role)) {
     throw two_columns_for_role(role_name(role), name);
@@ -131,7 +131,7 @@ std::string Columns::name_of(const Column& column) const {
     case Role::time: return time;
     case Role::position: return channels[column.channel];
     case Role::group: return groups[column.channel];
-    case Role::carry: return carried[column.channel - groups.size()];
+    case Role::carry: return labels[column.channel - groups.size()];
     case Role::duration: return "duration";
     default:
       if (are_segments && column.role == Role::velocity_out) return channels[column.channel] + "_v0";

@@ -18,7 +18,7 @@ struct Mark {
   bool is_text = false;  ///< it holds texts
 };
 
-/// At most so many of them are compared.
+/// The largest number of columns without a role that are compared.
 inline constexpr std::size_t most_marks = 4;
 
 /// The meaning of the cells of all records of an input.
@@ -34,9 +34,9 @@ struct Columns {
   std::string time = "t";             ///< name of the time column
   std::vector<std::string> channels;  ///< names of the position channels
   std::vector<std::string> groups;    ///< names of the group columns
-  std::vector<std::string> carried;   ///< names of the columns of labels
+  std::vector<std::string> labels;    ///< names of the columns of labels
   std::vector<std::string> ignored;   ///< names of the columns without a role
-  std::vector<Mark> marks;            ///< the first of them
+  std::vector<Mark> marks;            ///< the first ignored columns
   bool may_be_timed = false;          ///< the first channel may be the time, by its place and its name
   std::optional<spline::RotationForm> likely_rotation = {};  ///< that columns without names may be by their numbers
   bool are_segments = false;  ///< each record is a segment: start, duration, positions and velocities of its ends
@@ -44,7 +44,7 @@ struct Columns {
   bool has(Role role) const;
   /// The names of the roles that shape a curve, such as tension and tension_x, and that a column has.
   std::vector<std::string> shape_roles() const;
-  std::size_t texts() const { return groups.size() + carried.size(); }  ///< of each key
+  std::size_t texts() const { return groups.size() + labels.size(); }  ///< of each key
   /// The name of a column that has a role.
   std::string name_of(const Column& column) const;
 };

@@ -57,7 +57,7 @@ struct ChannelRole {
   friend bool operator==(const ChannelRole&, const ChannelRole&) = default;
 };
 
-/// Its name, as in "tension_x" and "x_vin".
+/// The name of a column with a role in one channel, as in "tension_x" and "x_vin".
 std::string role_name(const ChannelRole& role);
 
 /// The role in a channel that a name such as "tension_x" or "x_v" has, whatever the channel and the case of the

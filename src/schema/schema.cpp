@@ -1,4 +1,4 @@
-// Schema: the meaning of columns, and the same meaning with other channels or names.
+// Schema: what a record means: its time, its channels, the rotations and angles among these, its groups and labels.
 #include "schema/schema.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ Schema schema_of(const Columns& columns, TimeNotation notation) {
   schema.time = {columns.has(Role::time), columns.time, notation, {}, {}, columns.may_be_timed};
   schema.channels = columns.channels;
   schema.groups = columns.groups;
-  schema.labels = columns.carried;
+  schema.labels = columns.labels;
   return schema;
 }
 

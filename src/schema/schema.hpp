@@ -51,11 +51,11 @@ std::vector<RotationColumns> rotation_columns(const Schema& schema);
 /// The meaning of records with these columns, whose times have this notation; all channels are plain.
 Schema schema_of(const Columns& columns, TimeNotation notation);
 
-/// The same times and groups, with other channels, which are plain and have names; without labels.
+/// A schema with the times and groups of another one, and with these names of plain channels; it has no labels.
 Schema with_channels(const Schema& schema, std::vector<std::string> channels);
 
-/// The same with other names. Throws: Error (data) for a name that no column has, and where two columns would have the
-/// same name.
+/// The schema with other names of columns. Throws: Error (data) for a name that no column has, and where two columns
+/// would have the same name.
 Schema renamed(Schema schema, const std::vector<Renaming>& renamings);
 
 /// Throws: Error (data) about an option by which two columns have the same name.

@@ -54,7 +54,7 @@ class Frame {
   /// The layout of rows of the current curve, without their labels.
   const Layout& layout() const { return rows_; }
 
-  /// The text after a row with these labels, each a text as in schema/key_block.hpp.
+  /// The text after a row with these labels, each a text as in schema/texts.hpp.
   std::string row_end(std::span<const std::string_view> labels) const;
 
   /// Whether the current list has no row yet.

@@ -34,7 +34,7 @@ class Labels {
   /// Of each key's texts those from number `first` on are labels.
   explicit Labels(std::size_t first) : first_(first) {}
 
-  /// The same keys; their labels are stored.
+  /// Passes keys on, and stores their labels.
   static Source<KeyBlock> observe(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks);
 
   /// The samples with the texts after their rows. `forget`: segments come in order, so that labels of earlier keys

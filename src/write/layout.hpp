@@ -31,7 +31,7 @@ struct Layout {
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first);
 
-/// The same for cells of which some have their own texts, and the others empty ones.
+/// Appends rows to text. texts[i] is printed in place of the number of cell i, unless it is empty.
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 
@@ -54,7 +54,7 @@ Layout jsonl_layout(const std::vector<OutputColumn>& columns);
 struct OutputFormat {
   Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
   std::string (*text)(
-      std::string_view text);  ///< a cell from a text as in schema/key_block.hpp; null: cells are numbers only
+      std::string_view text);  ///< a cell from a text as in schema/texts.hpp; null: cells are numbers only
   std::string_view divider;    ///< the line between two curves of the same group; empty: impossible
   /// The head with the number of rows, written in place of the layout's head of the same size; null: not needed.
   std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;

@@ -53,7 +53,7 @@ class Writer {
   /// The text of some rows. A pure function until the next begin_curve().
   std::string print(const Table& table, bool first) const;
 
-  /// The same for rows with labels.
+  /// The text of rows with labels.
   std::string print(const LabelledBlock& block, const Evaluate& evaluate) const;
 
   std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }
