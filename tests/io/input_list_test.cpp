@@ -57,7 +57,7 @@ class Inputs : public testing::Test {
 };
 
 TEST_F(Inputs, a_folder_is_mirrored) {
-  for (const char* path : {"in/b.csv", "in/a/x.json", "in/a/x.png", "in/a/deep/y.csv"}) touch(path);
+  for (const char* path : {"in/b.csv", "in/c.csv.gz", "in/a/x.json", "in/a/x.png", "in/a/deep/y.csv"}) touch(path);
   InputListOptions options;
   options.files = {"in"};
   options.recursive = true;
@@ -65,7 +65,7 @@ TEST_F(Inputs, a_folder_is_mirrored) {
   options.outputs.folder = "out";
   options.outputs.ending = ".csv";
   const std::vector<std::string> expected{"in/a/deep/y.csv -> out/a/deep/y.csv", "in/a/x.json -> out/a/x.csv",
-                                          "in/b.csv -> out/b.csv"};
+                                          "in/b.csv -> out/b.csv", "in/c.csv.gz -> out/c.csv"};
   EXPECT_EQ(found(options), expected);
   EXPECT_EQ(find_inputs(options).others, 1);
   options.files = {"./in//"};
