@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
     const tcb::Invocation invocation = tcb::parse(argc, argv);
     if (invocation.job.writes_files()) tcb::remove_unfinished_when_interrupted();
     if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job));
-    const bool draws = tcb::format_of(invocation.job.output_format).is_picture;
+    const bool draws = tcb::format_of(invocation.job.output_format).family == tcb::FormatFamily::picture;
     if (!invocation.text && invocation.job.sampling.mode == tcb::Mode::fit && draws) {
       return static_cast<int>(tcb::draw_fit(invocation.job));
     }

@@ -86,7 +86,7 @@ bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
   if (curve == spline::RotationCurve::squad) return true;
   const bool is_slerp = curve == spline::RotationCurve::slerp;
   const auto has_whole_turn = [&](const Keys& keys, std::size_t rotation) {
-    const GivenRotation& given = kept.schema.rotations.given[rotation];
+    const GivenRotation& given = kept.schema.rotations[rotation].given;
     for (std::size_t key = 0; given.relative && key < keys.size(); ++key) {
       const double angle = keys.position(key)[given.channels[3]];
       if (std::abs(angle) >= spline::whole_turn<double>(given.notation.degrees).hi) return true;
@@ -96,7 +96,7 @@ bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
   for (const KeptCurve& kept_curve : kept.curves) {
     for (const KeyBlock& block : kept_curve.blocks) {
       if (is_slerp && !block.keys.velocities.empty()) return false;
-      for (std::size_t i = 0; !is_slerp && i < kept.schema.rotations.columns.size(); ++i) {
+      for (std::size_t i = 0; !is_slerp && i < kept.schema.rotations.size(); ++i) {
         if (has_whole_turn(block.keys, i)) return false;
       }
     }
@@ -109,7 +109,7 @@ bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
 ComparedParts compared_parts(const Job& job, const ComparisonInputs& inputs) {
   ComparedParts parts{false, false, {}};
   const Schema& keys = inputs.kept.schema;
-  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), keys.rotations.columns);
+  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), rotation_columns(keys));
   bool rotations = false;
   for (const MatchedColumn& column : inputs.columns.compared) {
     const bool is_position = cells[column.computed].rotation == PositionCell::none;

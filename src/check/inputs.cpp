@@ -85,12 +85,13 @@ SampleTable read_samples(const Job& job, const Schema& keys, std::optional<std::
   Source<std::string> bytes = observed(path, progress);
   std::string beginning = bytes().value_or("");
   InputOptions options;
-  options.samples = SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), job.comparison->maps};
-  options.missing = Missing::skip_cell;
-  options.timeless = !time_place;
+  options.columns.samples =
+      SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), job.comparison->maps};
+  options.keys.missing = Missing::skip_cell;
+  options.columns.timeless = !time_place;
   options.threads = job.threads();
-  options.input_rate = job.input.input_rate;
-  options.decimal = decimal_mark_of(beginning);
+  options.units = {.frame_rate = job.input.units.frame_rate, .only_named_frames = true};
+  options.delimited.decimal = decimal_mark_of(beginning);
   const Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
   const Schema& schema = input.schema;
   SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};
@@ -253,7 +254,7 @@ MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const
     if (found == columns.compared.end()) continue;
     columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
   }
-  for (const RotationColumns& rotation : keys.rotations.columns) {
+  for (const RotationColumns& rotation : rotation_columns(keys)) {
     if (rotation.shown.form != spline::RotationForm::quaternion) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -41,7 +41,7 @@ KeptCurves keep(const Job& job, FileProgress* progress = nullptr);
 
 /// Given rows of one curve. Shapes: numbers has a number per column, row after row; a missing one is NaN.
 struct SampleRows {
-  std::vector<std::string> group;  ///< texts as in schema/key_block.hpp
+  std::vector<std::string> group;  ///< texts as in schema/texts.hpp
   std::vector<spline::Time<double>> times;
   std::vector<double> numbers;
   std::vector<std::uint64_t> lines;

@@ -152,7 +152,7 @@ std::uint64_t count_rows(const std::vector<GivenSamples>& samples) {
 std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonInputs& inputs) {
   const std::size_t width = inputs.columns.compared.size();
   const Schema& keys = inputs.kept.schema;
-  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), keys.rotations.columns);
+  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), rotation_columns(keys));
   std::vector<GivenSamples> samples;
   for (Pair& pair : pairs) {
     GivenSamples& sample = samples.emplace_back(GivenSamples{pair.curve, std::move(pair.rows), {}, {}});

@@ -239,7 +239,7 @@ Exit compare(const Job& job) {
   report.expect(1, 0);
   const auto progress = report.begin_file(job.files[0], 0);
   const bool as_json = job.output_format == FormatId::json;
-  if (format_of(job.output_format).is_picture) return draw(job, progress.get());
+  if (format_of(job.output_format).family == FormatFamily::picture) return draw(job, progress.get());
   if (job.comparison->identify) {
     const Identification result = identify(job, read_positions(job, progress.get()));
     return write(job, as_json ? json(result) : text(result), result.fits());

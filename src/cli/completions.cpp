@@ -14,7 +14,7 @@
 #include "cli/options.hpp"
 #include "io/input_file.hpp"
 #include "read/reader.hpp"
-#include "schema/columns.hpp"
+#include "schema/roles.hpp"
 
 namespace tcb {
 namespace {

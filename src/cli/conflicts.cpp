@@ -71,15 +71,15 @@ bool needs_all_channels(const TypedOptions& typed) {
 }  // namespace
 
 bool has_json_input(const TypedOptions& typed) {
-  return typed.job.input.format && !format_of(*typed.job.input.format).has_header;
+  return typed.job.input.format && format_of(*typed.job.input.format).family != FormatFamily::delimited;
 }
 
 bool has_one_comma_for_two(const TypedOptions& typed) {
-  return typed.job.input.decimal == ',' && typed.job.input.delimiter == ',';
+  return typed.job.input.delimited.decimal == ',' && typed.job.input.delimited.delimiter == ',';
 }
 
 bool has_sparse_channels(const TypedOptions& typed) {
-  return typed.job.input.missing == Missing::skip_cell && needs_all_channels(typed);
+  return typed.job.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
 }
 
 bool needs_no_metric(const TypedOptions& typed) {
@@ -124,10 +124,10 @@ bool has_no_format_of_reports(const TypedOptions& typed) {
   return typed.job.output_format != FormatId::json && !has_picture(typed);
 }
 
-bool has_picture(const TypedOptions& typed) { return output_of(typed).is_picture; }
+bool has_picture(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::picture; }
 bool has_no_picture(const TypedOptions& typed) { return !has_picture(typed); }
-bool has_binary_output(const TypedOptions& typed) { return output_of(typed).is_binary; }
-bool has_no_header(const TypedOptions& typed) { return !output_of(typed).has_header; }
+bool has_binary_output(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::array; }
+bool has_no_header(const TypedOptions& typed) { return output_of(typed).family != FormatFamily::delimited; }
 bool has_no_provenance(const TypedOptions& typed) { return !output_of(typed).has_provenance; }
 
 }  // namespace tcb

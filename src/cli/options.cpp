@@ -139,26 +139,26 @@ constexpr OptionRow option_rows[] = {
     {option::delimiter, "-d", "CHAR", input_group,
      "The character between cells, or tab, comma, semicolon, space or pipe; by default the first of tab, semicolon, "
      "comma and space that occurs in the first record",
-     "", name, recorded, [](Typed& to, Text text) { to.job.input.delimiter = delimiter(text); },
+     "", name, recorded, [](Typed& to, Text text) { to.job.input.delimited.delimiter = delimiter(text); },
      [](const Conflicts& of) { of.exclude({option::decimal}, "", has_one_comma_for_two); }, names_in<delimiter_names>},
     {option::header, "", "", input_group,
      "The first record names the columns; by default it does so if one of its cells is not a number", "", flag,
-     recorded, [](Typed& to, Text) { to.job.input.header = true; },
+     recorded, [](Typed& to, Text) { to.job.input.delimited.header = true; },
      [](const Conflicts& of) { of.exclude({option::no_header}); }},
     {option::no_header, "", "", input_group, "The first record is a key", "", flag, recorded,
-     [](Typed& to, Text) { to.job.input.header = false; }},
+     [](Typed& to, Text) { to.job.input.delimited.header = false; }},
     {option::comment, "", "PREFIX", input_group, "Skips lines that begin with PREFIX; none skips no lines", "#", other,
-     recorded, [](Typed& to, Text text) { to.job.input.comment = text == "none" ? "" : text; }},
+     recorded, [](Typed& to, Text text) { to.job.input.delimited.comment = text == "none" ? "" : text; }},
     {option::columns, "", "ROLE=NAME,...", input_group,
      "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label. By default "
      "they follow from the header; without a header, the first column is the time, and the others are positions",
      "", roles, recorded,
      [](Typed& to, Text text) {
        auto roles = parse_roles(text);
-       to.job.input.roles.insert(to.job.input.roles.begin(), roles.begin(), roles.end());
+       to.job.input.columns.roles.insert(to.job.input.columns.roles.begin(), roles.begin(), roles.end());
      }},
     {option::tcb, "", "T,C,B", input_group, "Tension, continuity and bias of keys for which the input has none",
-     "0,0,0", other, recorded, [](Typed& to, Text text) { to.job.input.tcb = tcb_values(text); }},
+     "0,0,0", other, recorded, [](Typed& to, Text text) { to.job.input.keys.tcb = tcb_values(text); }},
     {option::tcb_scale,
      "",
      "SCALE",
@@ -169,22 +169,23 @@ constexpr OptionRow option_rows[] = {
      "",
      name,
      recorded,
-     [](Typed& to, Text text) { to.job.input.tcb_scale = named_row(tcb_scales, text).scale; },
+     [](Typed& to, Text text) { to.job.input.keys.tcb_scale = named_row(tcb_scales, text).scale; },
      {},
      names_in<tcb_scales>},
     {option::decimal, "", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other, recorded,
-     [](Typed& to, Text text) { to.job.input.decimal = decimal_mark(text); }},
+     [](Typed& to, Text text) { to.job.input.delimited.decimal = decimal_mark(text); }},
     {option::group, "-g", "COL[,COL]", input_group,
      "Makes one curve of all rows that have the same values in these columns, in any order; the rows begin with these "
      "columns",
      "", columns, recorded,
      [](Typed& to, Text text) {
-       to.job.input.roles.push_back({Role::group, column_list(text), option::group});
+       to.job.input.columns.roles.push_back({Role::group, column_list(text), option::group});
      }},
     {option::missing, "", "POLICY", input_group,
      "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips the "
      "key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",
-     "error", name, recorded, [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).value; },
+     "error", name, recorded,
+     [](Typed& to, Text text) { to.job.input.keys.missing = named_row(missing_names, text).value; },
      [](const Conflicts& of) {
        of.exclude({option::equal_speed, option::parameter}, ", as all channels are needed at each key",
                   has_sparse_channels);
@@ -192,18 +193,18 @@ constexpr OptionRow option_rows[] = {
      names_in<missing_names>},
     {option::na, "", "TEXT,...", input_group,
      "Further texts that mark a missing number, besides NA, N/A, nan, null, None, missing, - and similar ones", "",
-     other, recorded, [](Typed& to, Text text) { to.job.input.signs = column_list(text); }},
+     other, recorded, [](Typed& to, Text text) { to.job.input.keys.signs = column_list(text); }},
     {option::time_unit, "", "UNIT", input_group,
      "The unit of times: s, ms, us, ns, min, h, d or frames; --rate is then per second. By default the name of the "
      "column tells the unit, as in time_ms",
-     "", name, recorded, [](Typed& to, Text text) { to.job.input.time_unit = named_row(time_units, text).unit; },
+     "", name, recorded, [](Typed& to, Text text) { to.job.input.units.time = named_row(time_units, text).unit; },
      [](const Conflicts& of) { of.exclude({option::input_fps}); }, names_in<time_units>},
     {option::input_fps, "", "HZ", input_group,
      "Times are numbers of frames at HZ frames per second, such as 24 or 30000/1001, and become seconds", "", other,
-     recorded, [](Typed& to, Text text) { to.job.input.input_rate = positive_ratio(text); }},
+     recorded, [](Typed& to, Text text) { to.job.input.units.frame_rate = positive_ratio(text); }},
     {option::scale, "", "CHANNEL=FACTOR,...", input_group,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
-     [](Typed& to, Text text) { to.job.input.scales = channel_scales(text); }},
+     [](Typed& to, Text text) { to.job.input.units.scales = channel_scales(text); }},
     {option::rotation, "", "FORM=COLUMN:...", input_group,
      "The columns, by name or number, that together are a rotation: quaternion=X:Y:Z:W, "
      "axis-angle=X:Y:Z:ANGLE[,relative], euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. Repeat "

@@ -13,11 +13,11 @@
 #include "cli/errors.hpp"
 #include "cli/values.hpp"
 #include "io/input_file.hpp"
+#include "keys/without_faults.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "read/reader.hpp"
-#include "schema/faults.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -87,8 +87,8 @@ std::optional<PlaceColumn> place_column(const std::string& text, std::string_vie
 
 /// The groups of keys as those of the file, where it has columns of these names.
 std::vector<std::string> group_names(const Job& job) {
-  const auto group = std::ranges::find(job.input.roles, Role::group, &RoleRequest::role);
-  return group == job.input.roles.end() ? std::vector<std::string>{} : group->columns;
+  const auto group = std::ranges::find(job.input.columns.roles, Role::group, &RoleRequest::role);
+  return group == job.input.columns.roles.end() ? std::vector<std::string>{} : group->columns;
 }
 
 /// A number as the text of an option.
@@ -100,9 +100,9 @@ std::string text_of(const Rational& value) {
 /// The places in a column of a file, in its order. Throws: Error.
 GroupedPlaces read_places(const PlaceColumn& column, const Job& job) {
   InputOptions options;
-  options.samples = SampleNames{column.name, group_names(job)};
-  options.samples->times_only = column.option;
-  options.input_rate = job.input.input_rate;
+  options.columns.samples = SampleNames{column.name, group_names(job)};
+  options.columns.samples->times_only = column.option;
+  options.units = {.frame_rate = job.input.units.frame_rate, .only_named_frames = true};
   const Input input = open_input(column.path, read_file(column.path), options);
   const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
   SamplingRequest request;

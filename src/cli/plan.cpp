@@ -126,15 +126,16 @@ Job make_job(const TypedOptions& typed) {
   }
   if (job.files.empty() && job.batch.list.empty()) job.files = {"-"};
   (void)make_spec(job.curve);  // refuses rules that do not fit each other
-  job.input.timeless = job.curve.parameter.has_value();
-  job.input.keeps_decimals = typed.has(option::exact_input);
-  if (typed.has(option::tcb) && job.input.tcb_scale == TcbScale::max3ds) {
-    for (double* const value : {&job.input.tcb.tension, &job.input.tcb.continuity, &job.input.tcb.bias}) {
+  job.input.columns.timeless = job.curve.parameter.has_value();
+  job.input.keys.keeps_decimals = typed.has(option::exact_input);
+  if (typed.has(option::tcb) && job.input.keys.tcb_scale == TcbScale::max3ds) {
+    for (double* const value :
+         {&job.input.keys.tcb.tension, &job.input.keys.tcb.continuity, &job.input.keys.tcb.bias}) {
       *value = nearest_double(from_0_to_50(exact_time(Time(*value))));
     }
   }
   const bool to_terminal = job.output == "-" && !job.output_folder && ::isatty(STDOUT_FILENO) != 0;
-  if (to_terminal && format_of(job.output_format).is_binary && !job.explain) {
+  if (to_terminal && format_of(job.output_format).family == FormatFamily::array && !job.explain) {
     throw binary_to_terminal();
   }
   set_side(job, typed);

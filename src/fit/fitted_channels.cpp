@@ -71,11 +71,12 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
 
 FittedChannels fitted_channels(const Schema& schema, const Job& job) {
   const FitOptions& options = job.fit;
-  const auto metric = make_spec(job.curve, schema.channels, schema.rotations.columns, schema.angles).rules.metric;
+  const std::vector<RotationColumns> rotations = rotation_columns(schema);
+  const auto metric = make_spec(job.curve, schema.channels, rotations, schema.angles).rules.metric;
   FittedChannels fitted;
   std::vector<LimitKind> kinds;
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    const bool is_of_rotation = spline::is_in_rotation(schema.rotations.columns, i);
+    const bool is_of_rotation = spline::is_in_rotation(rotations, i);
     if (is_of_rotation && !options.angle) continue;
     const bool is_metric = metric.empty() || std::ranges::count(metric, i) > 0;
     kinds.push_back(is_of_rotation ? LimitKind::rotation : is_metric ? LimitKind::distance : LimitKind::own);
@@ -84,14 +85,12 @@ FittedChannels fitted_channels(const Schema& schema, const Job& job) {
   }
   fitted.groups = groups_of(fitted.names, kinds, options);
   if (!options.angle) return fitted;
-  if (schema.rotations.columns.empty()) throw tolerance_without_rotation().about(option::fit);
-  for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
-    const GivenRotation& given = schema.rotations.given[i];
+  if (rotations.empty()) throw tolerance_without_rotation().about(option::fit);
+  for (const auto& [columns, given, names] : schema.rotations) {
     if (given.notation.form != spline::RotationForm::quaternion) {
       throw fit_of_other_form(given.columns[0]);
     }
-    fitted.groups.push_back(
-        rotation_group(fitted.numbers, schema.rotations.columns[i].channels, *options.angle, options.keys));
+    fitted.groups.push_back(rotation_group(fitted.numbers, columns.channels, *options.angle, options.keys));
   }
   return fitted;
 }

@@ -90,8 +90,7 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
 /// The samples of a curve, whose rotations and angles are checked.
 Source<KeyBlock> checked_samples(Source<KeyBlock> blocks, const Schema& schema, const FitOptions& options) {
   if (options.angle) {
-    blocks = with_quaternions(std::move(blocks), {schema.rotations.columns, schema.rotations.given,
-                                                  schema.rotations.sources, schema.rotations.normalize});
+    blocks = with_quaternions(std::move(blocks), {schema.rotations, schema.sources});
   }
   return with_clear_angles(std::move(blocks), schema.angles, schema.channels);
 }
@@ -128,9 +127,10 @@ Schema curve_of_fit(const Input& samples, const Job& job) {
   if (fitted.names.empty()) throw only_rotations();
   Schema schema = with_channels(samples.schema, fitted.names);
   for (const FitGroup& group : fitted.groups) {
-    if (group.angle) schema.rotations.columns.push_back({{group.rotation()}, {}, {}});
+    if (!group.angle) continue;
+    const GivenRotation& given = samples.schema.rotations[schema.rotations.size()].given;
+    schema.rotations.push_back({{{group.rotation()}, {}, {}}, given, {}});
   }
-  if (job.fit.angle) schema.rotations.given = samples.schema.rotations.given;
   return schema;
 }
 
@@ -250,8 +250,8 @@ std::vector<Note> notes_of_columns(const Schema& schema, const FitOptions& optio
   std::vector<Note> notes;
   if (!schema.labels.empty()) notes.push_back(labels_not_fitted(schema.labels));
   std::vector<std::string> names;
-  for (const GivenRotation& rotation : schema.rotations.given) {
-    names.insert(names.end(), rotation.columns.begin(), rotation.columns.end());
+  for (const RotationSchema& rotation : schema.rotations) {
+    names.insert(names.end(), rotation.given.columns.begin(), rotation.given.columns.end());
   }
   if (!options.angle && !names.empty()) notes.push_back(rotations_not_fitted(names));
   return notes;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "option_names.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 
@@ -58,12 +59,12 @@ Error cannot_read_folder(std::string_view reason) {
   return {Exit::usage, fmt::format("the folder cannot be read: {}", reason)};
 }
 
-Error no_inputs_in_folders(std::uint64_t other_files) {
+Error no_inputs_in_folders(std::uint64_t other_files, std::span<const std::string_view> endings) {
   if (other_files == 0) return {Exit::usage, "the folders hold no files; expected at least one; give other folders"};
   return {Exit::usage,
-          fmt::format("the folders hold no input (other files: {}); expected names that end in .csv, .tsv, "
-                      ".ssv, .json or .jsonl; give {} to take all files",
-                      other_files, option::input_format)};
+          fmt::format("the folders hold no input (other files: {}); expected names that end in one of {}; give {} to "
+                      "take all files",
+                      other_files, listed(endings), option::input_format)};
 }
 
 Error same_output(std::string_view output, std::string_view other_input) {

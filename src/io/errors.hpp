@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "error.hpp"
@@ -28,7 +29,7 @@ Error cannot_read_temporary(std::string_view reason);
 Error nul_in_list();
 Error empty_list();
 Error cannot_read_folder(std::string_view reason);
-Error no_inputs_in_folders(std::uint64_t other_files);
+Error no_inputs_in_folders(std::uint64_t other_files, std::span<const std::string_view> endings);
 Error same_output(std::string_view output, std::string_view other_input);
 Error output_is_input(std::string_view output);
 Error standard_input_without_name();

@@ -52,6 +52,12 @@ bool is_or_should_be_regular(const fs::directory_entry& entry) {
   return entry.is_regular_file(none) || !entry.exists(none);
 }
 
+/// Whether a file in a folder is an input, by its ending before that of compressed files.
+bool is_input(std::string_view path, const InputListOptions& options) {
+  const auto ends = [&](std::string_view ending) { return without_compression(path).ends_with(ending); };
+  return options.endings.empty() || std::ranges::any_of(options.endings, ends);
+}
+
 /// The files below a folder, sorted, except those below the output folder.
 void append_folder(Inputs& inputs, const std::string& folder, const InputListOptions& options) {
   std::error_code error;
@@ -62,7 +68,7 @@ void append_folder(Inputs& inputs, const std::string& folder, const InputListOpt
     std::error_code none;
     if (entry->is_directory(none)) {
       if (fs::equivalent(entry->path(), *options.outputs.folder, none)) entry.disable_recursion_pending();
-    } else if (is_or_should_be_regular(*entry) && (options.takes == nullptr || options.takes(entry->path().native()))) {
+    } else if (is_or_should_be_regular(*entry) && is_input(entry->path().native(), options)) {
       inputs.files.push_back({entry->path().native(), inside});
     } else {
       ++inputs.others;
@@ -132,7 +138,7 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOpti
 
 [[noreturn]] void refuse_none(const Inputs& inputs, const InputListOptions& options) {
   if (inputs.others == 0 && !options.list.empty()) throw empty_list().in(shown_name(options.list));
-  throw no_inputs_in_folders(inputs.others);
+  throw no_inputs_in_folders(inputs.others, options.endings);
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ struct OutputPaths {
 };
 
 struct InputListOptions {
-  std::vector<std::string> files;                  ///< "-" is standard input
-  std::string list;                                ///< a file that names more files; "-": standard input; empty: none
-  bool nul = false;                                ///< the names in the list end in NUL, not in a line end
-  bool recursive = false;                          ///< a folder means the files in it; then outputs have a folder
-  bool (*takes)(std::string_view path) = nullptr;  ///< which files in folders are inputs; null: all
-  bool update = false;                             ///< compare the times of inputs and their outputs
+  std::vector<std::string> files;         ///< "-" is standard input
+  std::string list;                       ///< a file that names more files; "-": standard input; empty: none
+  bool nul = false;                       ///< the names in the list end in NUL, not in a line end
+  bool recursive = false;                 ///< a folder means the files in it; then outputs have a folder
+  std::vector<std::string_view> endings;  ///< of the files in folders that are inputs; none: all are
+  bool update = false;                    ///< compare the times of inputs and their outputs
   OutputPaths outputs;
 };
 
@@ -37,7 +37,7 @@ struct InputFile {
 
 struct Inputs {
   std::vector<InputFile> files;  ///< as named; those of a list in its order, those of a folder sorted by name
-  std::uint64_t others = 0;      ///< files in folders that `takes` leaves out, pipes, devices
+  std::uint64_t others = 0;      ///< files in folders with other endings, pipes, devices
 };
 
 /// Finds the files before any of them is read. Errors within one of them are left to its reader.

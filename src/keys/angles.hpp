@@ -17,12 +17,12 @@ namespace tcb {
 /// Throws: Error (data) for an angle of more turns than its unit allows. `makes_turns`: they count.
 void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line);
 
-/// The same keys. `closed`: the first key follows the last one. Throws: Error (data), at its line, for an angle that is
-/// missing or beyond what its unit allows, and for half a turn between two.
+/// Passes keys on. `closed`: the first key follows the last one. Throws: Error (data), at its line, for an angle that
+/// is missing or beyond what its unit allows, and for half a turn between two.
 Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,
                                    const std::vector<std::string>& channels, bool closed = false);
 
-/// The same keys, with the checks of the step from the last one to the first one at their end.
+/// Passes keys on, and after the last one checks the step from it to the first one.
 template <class Chain>
 Source<KeyBlock> with_checked_seam(Source<KeyBlock> blocks, std::shared_ptr<std::vector<Chain>> chains) {
   return [blocks = std::move(blocks), chains = std::move(chains)] {
@@ -34,7 +34,7 @@ Source<KeyBlock> with_checked_seam(Source<KeyBlock> blocks, std::shared_ptr<std:
   };
 }
 
-/// The same keys. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
+/// Passes keys on. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
 Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& angles);
 
 }  // namespace tcb

@@ -1,4 +1,6 @@
 // Curve labels: the column that distinguishes the curves of keys whose times do not increase.
+#include "keys/curve_labels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,8 +9,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
+#include "schema/usual_names.hpp"
 
 namespace tcb {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "keys/errors.hpp"
-#include "schema/columns.hpp"
 #include "schema/errors.hpp"
+#include "schema/roles.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {

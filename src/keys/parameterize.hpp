@@ -18,7 +18,7 @@ namespace tcb {
 /// or a step is lost in rounding; it has both lines.
 Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric);
 
-/// The same keys of a curve without times. Throws: Error (data) where the first channel, of this name, increases
+/// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
 /// from key to key, up to the thousandth: then it may be the time.
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
 
@@ -60,14 +60,14 @@ S parameter_step(std::span<const P> a, std::span<const P> b, double exponent, st
 /// The scale on which a product shows tension, continuity and bias, where it is not from -1 to 1.
 enum class ShownTcbScale { from_0_to_50, percent };
 
-/// The same keys. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the scale
-/// on which the product shows them.
+/// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
+/// scale on which the product shows them.
 Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
 
-/// The same keys, without their ease.
+/// The keys without their ease.
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks);
 
-/// The same keys, checked: there are at least `least` of them, 1 or 2, and their ease is in [0, 1].
+/// Passes keys on, and checks that there are at least `least` of them, 1 or 2, and that their ease is in [0, 1].
 /// Requires: increasing times. Throws: Error (data) with the line of the key.
 Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least);
 

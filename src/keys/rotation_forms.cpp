@@ -1,4 +1,6 @@
 // Rotations of keys in other forms than quaternions: their checks, and their quaternions.
+#include "keys/rotation_forms.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@
 
 #include "keys/angles.hpp"
 #include "keys/errors.hpp"
-#include "keys/rotations.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
@@ -133,14 +134,12 @@ class RowsOfMatrix {
 class Conversion {
  public:
   /// `number`: among those that are converted.
-  Conversion(std::size_t number, const RotationColumns& rotation, const GivenRotation& given,
-             const RotationsOfKeys& all)
+  Conversion(std::size_t number, const RotationSchema& rotation, const RotationsOfKeys& all)
       : number_(number),
-        channels_(rotation.channels),
-        turn_(rotation.turn),
-        given_(given),
+        channels_(rotation.columns.channels),
+        turn_(rotation.columns.turn),
+        given_(rotation.given),
         in_parent_(all.in_parent),
-        normalize_(all.normalize),
         has_whole_turns_(all.curve == spline::RotationCurve::squad || all.curve == spline::RotationCurve::slerp) {}
 
   void convert(KeyBlock& block) {
@@ -201,7 +200,7 @@ class Conversion {
   void check_matrix(const GivenNumbers& numbers, std::uint64_t line) const {
     const RowsOfMatrix rows(numbers);
     if (!(rows.volume() > 1e-6)) throw matrix_not_a_rotation(given_.columns[0], rows.determinant()).at({"", line, 0});
-    if (normalize_ || rows.deviation() <= 0.001) return;
+    if (given_.normalize || rows.deviation() <= 0.001) return;
     throw matrix_not_orthogonal(given_.columns[0], rows.deviation()).at({"", line, 0});
   }
 
@@ -209,7 +208,7 @@ class Conversion {
   spline::RotationChannels channels_;
   std::optional<std::size_t> turn_;
   GivenRotation given_;
-  bool in_parent_, normalize_, has_whole_turns_;
+  bool in_parent_, has_whole_turns_;
   bool is_first_ = true;
   spline::Quaternion<double> before_{0, 0, 0, 1};
 };
@@ -218,10 +217,9 @@ class Conversion {
 
 std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations) {
   std::vector<ConvertedRotation> converted;
-  for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
-    const auto& [notation, relative, names, channels] = rotations.given[i];
-    if (notation.form == spline::RotationForm::quaternion) continue;
-    converted.push_back({rotations.columns[i], notation, relative, rotations.in_parent});
+  for (const auto& [columns, given, names] : rotations.rotations) {
+    if (given.notation.form == spline::RotationForm::quaternion) continue;
+    converted.push_back({columns, given.notation, given.relative, rotations.in_parent});
   }
   return converted;
 }
@@ -229,14 +227,14 @@ std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotati
 Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const RotationsOfKeys& rotations) {
   std::vector<GivenRotation> given;
   auto conversions = std::make_shared<std::vector<Conversion>>();
-  for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
-    if (rotations.given[i].notation.form == spline::RotationForm::quaternion) continue;
-    conversions->emplace_back(conversions->size(), rotations.columns[i], rotations.given[i], rotations);
-    given.push_back(rotations.given[i]);
+  for (const RotationSchema& rotation : rotations.rotations) {
+    if (rotation.given.notation.form == spline::RotationForm::quaternion) continue;
+    conversions->emplace_back(conversions->size(), rotation, rotations);
+    given.push_back(rotation.given);
   }
   if (given.empty()) return blocks;
   const auto turns = static_cast<std::size_t>(std::ranges::count_if(
-      rotations.columns, [](const RotationColumns& columns) { return columns.turn.has_value(); }));
+      rotations.rotations, [](const RotationSchema& rotation) { return rotation.columns.turn.has_value(); }));
   const auto convert = [given, conversions, turns, sources = rotations.sources](KeyBlock block) {
     keep_given(block, given);
     if (!sources.empty()) select_channels(block, sources);

@@ -25,13 +25,13 @@ double dot(const Numbers& a, const Numbers& b) { return (a[0] * b[0] + a[1] * b[
 /// One rotation of successive keys.
 class SignChain {
  public:
-  SignChain(const RotationColumns& rotation, const GivenRotation& given, const RotationsOfKeys& all)
-      : channels_(rotation.channels),
-        turn_(rotation.turn),
-        name_(given.columns[0]),
-        is_quaternion_(given.notation.form == spline::RotationForm::quaternion),
-        normalize_(all.normalize),
-        has_tangents_(all.curve != spline::RotationCurve::slerp) {}
+  SignChain(const RotationSchema& rotation, spline::RotationCurve curve)
+      : channels_(rotation.columns.channels),
+        turn_(rotation.columns.turn),
+        name_(rotation.given.columns[0]),
+        is_quaternion_(rotation.given.notation.form == spline::RotationForm::quaternion),
+        normalize_(rotation.given.normalize),
+        has_tangents_(curve != spline::RotationCurve::slerp) {}
 
   /// Checks the keys of a block, and negates its quaternions where the one before needs it.
   void add(KeyBlock& block) {
@@ -141,11 +141,9 @@ class SignChain {
 }  // namespace
 
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations) {
-  if (rotations.columns.empty()) return blocks;
+  if (rotations.rotations.empty()) return blocks;
   auto chains = std::make_shared<std::vector<SignChain>>();
-  for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
-    chains->emplace_back(rotations.columns[i], rotations.given[i], rotations);
-  }
+  for (const RotationSchema& rotation : rotations.rotations) chains->emplace_back(rotation, rotations.curve);
   blocks = mapped(with_converted_rotations(std::move(blocks), rotations), [chains](KeyBlock block) {
     for (SignChain& chain : *chains) chain.add(block);
     return block;

@@ -1,52 +1,17 @@
-// Rotations among keys: quaternions from other forms, their checks, and their signs.
+// Rotations among keys: checks of quaternions, and their signs.
 #pragma once
 
-#include <string>
-#include <vector>
-
+#include "keys/rotation_forms.hpp"
 #include "schema/key_block.hpp"
-#include "schema/rotation_options.hpp"
-#include "schema/schema.hpp"
 #include "stream/source.hpp"
-#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 
-/// The rounding of the cosine of half the angle of a turn.
-inline constexpr double half_turn_rounding = 0x1p-50;
-
-/// What the keys of an input have for rotations.
-struct RotationsOfKeys {
-  std::vector<RotationColumns> columns;
-  std::vector<GivenRotation> given;       ///< how keys give each
-  std::vector<std::size_t> sources = {};  ///< of each channel, the one of keys as they are given; empty: the same
-  bool normalize = false;                 ///< quaternions of any norm, and the rotations nearest to matrices
-  spline::RotationCurve curve = spline::RotationCurve::squad;
-  bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
-  bool closed = false;     ///< the first key follows the last one
-};
-
-/// How keys give a rotation that is no quaternion.
-struct ConvertedRotation {
-  RotationColumns columns;
-  spline::RotationNotation notation;
-  bool relative;  ///< to the rotation of the key before
-  bool in_parent;
-};
-
-/// Those of KeyBlock::given_rotations, in their order.
-std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations);
-
-/// The keys of a curve with the quaternions of rotations that keys give in another form, in blocks that have a channel
-/// for each of their numbers. A key may lack all numbers of a rotation.
-/// Throws: Error (data), at its line, for one that is not whole, for an angle beyond what its unit allows, for an axis
-/// of zero, for a matrix that is no rotation, and for velocities.
-Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
-
-/// The same, also with the quaternions that keys give. They are negated where that makes the dot product with the one
+/// The keys of a curve with the quaternions of all rotations: of those in other forms as with_converted_rotations()
+/// makes them, of the others as keys give them. A quaternion is negated where that makes its dot product with the one
 /// before positive, so that signs are continuous.
-/// Throws: Error (data), at its line, also for a quaternion that is zero or not of the norm 1, for half a turn between
-/// two, and for velocities of some numbers alone or with the curve slerp.
+/// Throws: Error (data), at its line, as with_converted_rotations(), for a quaternion that is zero or not of the norm
+/// 1, for half a turn between two, and for velocities of some numbers alone or with the curve slerp.
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
 
 }  // namespace tcb

@@ -150,9 +150,10 @@ void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
       scene_.frame = {channels_.rotations[0].channels, axes};
     }
   }
-  for (const GivenRotation& rotation : schema.rotations.given) {
+  for (const RotationSchema& rotation : schema.rotations) {
     scene_.strips.push_back(scene_.channels.size());
-    scene_.channels.push_back(fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.columns, ", ")));
+    scene_.channels.push_back(
+        fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.given.columns, ", ")));
   }
 }
 
@@ -214,7 +215,7 @@ void Drawing::commit() {
 }
 
 Sink::Sink(const Job& job, const WriterOptions& options, const std::string& path) {
-  if (format_of(job.output_format).is_picture) {
+  if (format_of(job.output_format).family == FormatFamily::picture) {
     drawing.emplace(job, path);
   } else {
     writer.emplace(options, path);

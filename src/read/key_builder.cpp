@@ -70,8 +70,9 @@ std::size_t kinds(const Columns& columns) { return has_channel_roles(columns) ? 
 
 }  // namespace
 
-KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules)
+KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units)
     : rules_(rules),
+      units_(units),
       is_timed_(columns.has(Role::time)),
       has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
@@ -119,7 +120,7 @@ void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal
 bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) {
   const bool is_from_0_to_50 = is_tcb(column.role) && rules_.tcb_scale == TcbScale::max3ds;
   const std::size_t index = number_of_key(column, block_.keys.channels);
-  const Rational factor = index < rules_.factors.size() ? rules_.factors[index] : Rational(1);
+  const Rational factor = index < units_.factors.size() ? units_.factors[index] : Rational(1);
   if (!is_from_0_to_50 && factor == 1) return true;
   const bool is_time = column.role == Role::time;
   const Rational given = parse_rational(decimal).value_or(is_time ? exact_time(time_) : Rational(number(column)));
@@ -135,10 +136,10 @@ bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) 
 }
 
 bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_view text) {
-  const auto seconds = read_time(text, rules_.notation, rules_.frame_rate.value_or(1));
+  const auto seconds = read_time(text, units_.notation, units_.frame_rate.value_or(1));
   if (!seconds) return false;
   constexpr int as_many_as_it_has = 1;
-  time_ = counts_frames(rules_.notation) ? nearest_time(*seconds) : nearest_time(*seconds, as_many_as_it_has);
+  time_ = counts_frames(units_.notation) ? nearest_time(*seconds) : nearest_time(*seconds, as_many_as_it_has);
   if (keeps_decimals()) keep_decimal(column, whole_text(numerator(*seconds)) + "/" + whole_text(denominator(*seconds)));
   return true;
 }

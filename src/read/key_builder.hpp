@@ -11,11 +11,10 @@
 #include <vector>
 
 #include "error.hpp"
-#include "numbers/rational.hpp"
 #include "schema/columns.hpp"
-#include "schema/faults.hpp"
 #include "schema/key_block.hpp"
 #include "schema/key_rules.hpp"
+#include "schema/units.hpp"
 
 namespace tcb {
 
@@ -24,7 +23,7 @@ namespace tcb {
 class KeyBuilder {
  public:
   /// Requires: `columns` outlives it.
-  KeyBuilder(const Columns& columns, const KeyRules& rules);
+  KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units = {});
 
   /// Begins a key; a key that was not ended is dropped.
   void begin_key();
@@ -44,17 +43,17 @@ class KeyBuilder {
     }
   }
   /// The number of a cell may have to be scaled, from its decimal.
-  bool scales() const { return rules_.tcb_scale == TcbScale::max3ds || !rules_.factors.empty(); }
+  bool scales() const { return rules_.tcb_scale == TcbScale::max3ds || !units_.factors.empty(); }
   /// Scales the number of a cell, where that is requested; false for a result beyond the doubles.
   /// Requires: the number is set.
   bool scale(const Columns::Column& column, std::string_view decimal);
   void set_time(const Time& time) { time_ = time; }
   /// The times are numbers, of seconds or another unit.
-  bool has_times_as_numbers() const { return rules_.notation == TimeNotation::seconds; }
+  bool has_times_as_numbers() const { return units_.notation == TimeNotation::seconds; }
   /// Sets the time from a text in the notation of the input; false for another text, and for a time that does not
   /// exist.
   bool set_time_in_words(const Columns::Column& column, std::string_view text);
-  /// A text as in schema/key_block.hpp.
+  /// A text as in schema/texts.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
 
   /// A cell of a column without a role.
@@ -88,7 +87,7 @@ class KeyBuilder {
       block_.columns.push_back(static_cast<std::uint32_t>(column));
     }
   }
-  /// Its number in its list.
+  /// The number of the record that was kept last, in its list.
   void set_number(std::uint64_t number) { block_.numbers.insert(block_.numbers.end(), keys_per_record(), number); }
 
   /// Adds a break before the next key that is kept.
@@ -111,6 +110,7 @@ class KeyBuilder {
   };
 
   const KeyRules rules_;
+  const KeyUnits units_;
   const bool is_timed_, has_tcb_, has_ease_, has_channel_roles_;
   const std::vector<std::size_t> both_sides_;  ///< channels with one velocity for both sides
   KeyBlock block_;

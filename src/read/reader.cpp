@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "io/compression.hpp"
-#include "read/csv/delimited_text.hpp"
+#include "read/csv/csv_reader.hpp"
+#include "read/csv/splitter.hpp"
 #include "read/errors.hpp"
 #include "read/json/shapes.hpp"
 #include "schema/rotation_columns.hpp"
@@ -114,9 +115,9 @@ FormatId detect(const std::string& path, const std::string& beginning) {
 }
 
 Records open_as(FormatId format, Source<std::string> bytes, InputOptions options) {
-  const char delimiter = format_of(format).delimiter;
-  if (delimiter == '\0') return open_json(std::move(bytes), options);
-  if (!options.delimiter && format != FormatId::csv) options.delimiter = delimiter;  // csv: any, to be found
+  if (format_of(format).family == FormatFamily::json) return open_json(std::move(bytes), options);
+  std::optional<char>& delimiter = options.delimited.delimiter;
+  if (!delimiter && format != FormatId::csv) delimiter = format_of(format).delimiter;  // csv: any, to be found
   return open_delimited(std::move(bytes), options);
 }
 
@@ -136,16 +137,16 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   Records records = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
   const Columns& columns = records.columns;
   Input input{schema_of(columns, records.time_notation), std::move(records.facts), std::move(records.keys)};
-  if (!options.samples) input.schema = with_rotations(std::move(input.schema), columns, options.rotation);
-  input.schema = renamed(with_unit(std::move(input.schema), options.units()), options.renamings);
+  if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, options.rotation);
+  input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   input.facts.format = format;
   input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
   input.facts.likely_rotation = columns.likely_rotation;
   KeyTraits& traits = input.keys.traits;
   traits.are_segments = columns.are_segments;
-  traits.may_miss = options.missing == Missing::skip_cell;
-  traits.has_tcb_scale = options.tcb_scale != TcbScale::unknown;
+  traits.may_miss = options.keys.missing == Missing::skip_cell;
+  traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
   traits.marks = columns.marks;
   if (columns.named) traits.channels = columns.channels;
   return input;

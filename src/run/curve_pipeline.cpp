@@ -18,8 +18,9 @@ namespace {
 
 /// Settings of the input that those of the command line replace are checked as well.
 CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, const Schema& schema) {
-  (void)make_spec(of_input, schema.channels, schema.rotations.columns, schema.angles);
-  return make_spec(merged(settings, of_input), schema.channels, schema.rotations.columns, schema.angles);
+  const std::vector<RotationColumns> rotations = rotation_columns(schema);
+  (void)make_spec(of_input, schema.channels, rotations, schema.angles);
+  return make_spec(merged(settings, of_input), schema.channels, rotations, schema.angles);
 }
 
 }  // namespace
@@ -38,13 +39,8 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       threads_(threads),
       may_miss_(traits.may_miss),
       channels_(schema.channels),
-      rotations_{schema.rotations.columns,
-                 schema.rotations.given,
-                 schema.rotations.sources,
-                 schema.rotations.normalize,
-                 spec_.rules.rotation_rules.curve,
-                 spec_.preset == spline::Preset::nel,
-                 spec_.closed} {
+      rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
+                 spec_.preset == spline::Preset::nel, spec_.closed} {
   request_.frame_rate = schema.time.frame_rate;
   for (auto* const bound : {&request_.from, &request_.to}) {
     // The printed time of a frame is the frame.

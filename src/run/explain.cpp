@@ -50,7 +50,7 @@ Facts input_facts(const Input& input) {
   const auto list = [&](std::string_view name, const std::vector<std::string>& values) {
     if (!values.empty()) add(name, fmt::format("{}", fmt::join(values, ", ")));
   };
-  if (format.has_header) {
+  if (format.family == FormatFamily::delimited) {
     const char delimiter = input.facts.delimiter;
     add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
     add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
@@ -76,23 +76,24 @@ Facts input_facts(const Input& input) {
 Facts intentions(const Job& job, const Schema& schema) {
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.missing)));
+  add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.keys.missing)));
   const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates);
   if (schema.time.is_given) add("duplicates", std::string(duplicates));
   if (job.curves.sort) add("sort", "by time");
-  const spline::Tcb<double>& tcb = job.input.tcb;
+  const spline::Tcb<double>& tcb = job.input.keys.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
   for (const AngleColumn& angle : schema.angles) {
     add("angle", schema.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
   }
-  for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
-    const auto& [notation, relative, columns, channels] = schema.rotations.given[i];
-    const auto& shown = schema.rotations.columns[i].shown;
-    const std::string rows = shown == notation ? "" : ", in rows " + in_words(shown);
+  for (std::size_t i = 0; i < schema.rotations.size(); ++i) {
+    const GivenRotation& given = schema.rotations[i].given;
+    const auto& shown = schema.rotations[i].columns.shown;
+    const std::string rows = shown == given.notation ? "" : ", in rows " + in_words(shown);
     add(i == 0 ? "rotation" : fmt::format("rotation {}", i + 1),
-        fmt::format("{}{} {}{}", relative ? "relative " : "", in_words(notation), fmt::join(columns, " "), rows));
+        fmt::format("{}{} {}{}", given.relative ? "relative " : "", in_words(given.notation),
+                    fmt::join(given.columns, " "), rows));
   }
-  const std::string_view others = schema.rotations.columns.empty() && schema.angles.empty() ? "" : "other ";
+  const std::string_view others = schema.rotations.empty() && schema.angles.empty() ? "" : "other ";
   add("metric", job.curve.metric ? job.curve.metric->value : fmt::format("all {}channels", others));
   add("samples", samples_in_words(job.sampling));
   if (job.sampling.from) add("from", shown(*job.sampling.from));
@@ -102,7 +103,7 @@ Facts intentions(const Job& job, const Schema& schema) {
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
   const Format& output = format_of(job.output_format);
   const std::string_view header = job.output_header.value_or(schema.named) ? " with a header" : " without a header";
-  add("output", fmt::format("{}{}", output.name, output.has_header ? header : ""));
+  add("output", fmt::format("{}{}", output.name, output.family == FormatFamily::delimited ? header : ""));
   return facts;
 }
 

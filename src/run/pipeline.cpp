@@ -25,25 +25,24 @@ namespace {
 
 WriterOptions writer_options(const Job& job) {
   return {job.output_format, job.output_header, job.notation,      job.fields,
-          job.meta,          job.file_column,   job.time_notation, job.input.input_rate};
+          job.meta,          job.file_column,   job.time_notation, job.input.units.frame_rate};
 }
 
 InputOptions input_options(const Job& job, unsigned threads, bool live) {
   InputOptions options = job.input;
   options.threads = live && !job.jobs ? 1 : threads;  // with more, a row would wait for later keys
-  if (format_of(job.output_format).is_picture) options.rotation.as_curves = true;
+  if (format_of(job.output_format).family == FormatFamily::picture) options.rotation.as_curves = true;
   return options;
 }
 
 InputListOptions input_list_options(const Job& job) {
   const BatchOptions& batch = job.batch;
   const OutputPaths outputs{job.output, job.output_folder, batch.suffix, format_of(job.output_format).ending};
-  const auto can_be_read = [](std::string_view path) { return find_input_format(path).has_value(); };
   return {.files = job.files,
           .list = batch.list,
           .nul = batch.nul,
           .recursive = batch.recursive,
-          .takes = job.input.format ? nullptr : +can_be_read,
+          .endings = job.input.format ? std::vector<std::string_view>{} : input_endings(),
           .update = batch.update,
           .outputs = outputs};
 }
@@ -114,7 +113,7 @@ class FileRun {
       std::optional<CurveKeys> curve = curves.next();
       if (!curve) return std::nullopt;
       const Format& format = format_of(job_.output_format);
-      if (expected > 0 && curve->group.empty() && format.has_header && format.delimiter != ' ') {
+      if (expected > 0 && curve->group.empty() && format.family == FormatFamily::delimited && format.delimiter != ' ') {
         throw fit_of_sequence(format.name);
       }
       curve->keys = provenance.observe_keys(std::move(curve->keys));
@@ -178,7 +177,7 @@ class FileRun {
     if (job_.sampling.is_rate && input.schema.time.unit == TimeUnit::frames) {
       report_.note(path_, rate_of_frames(input.schema.time.name));
     }
-    const bool chosen = std::ranges::count(job_.input.roles, Role::position, &RoleRequest::role) > 0;
+    const bool chosen = std::ranges::count(job_.input.columns.roles, Role::position, &RoleRequest::role) > 0;
     if (input.facts.ignored.empty()) return;
     report_.note(path_, chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));
   }

@@ -176,8 +176,9 @@ std::string column_suffix(const Field& field, std::size_t column) {
 /// The channels that are not numbers of a rotation.
 std::vector<std::string> moving_channels(const Schema& schema) {
   std::vector<std::string> channels;
+  const std::vector<RotationColumns> rotations = rotation_columns(schema);
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (!spline::is_in_rotation(schema.rotations.columns, i)) channels.push_back(schema.channels[i]);
+    if (!spline::is_in_rotation(rotations, i)) channels.push_back(schema.channels[i]);
   }
   return channels;
 }
@@ -185,9 +186,9 @@ std::vector<std::string> moving_channels(const Schema& schema) {
 /// The names of the cells of a position.
 std::vector<std::string> position_names(const Schema& schema) {
   std::vector<std::string> names;
-  for (const PositionCell& cell : position_cells(schema.channels.size(), schema.rotations.columns)) {
+  for (const PositionCell& cell : position_cells(schema.channels.size(), rotation_columns(schema))) {
     names.push_back(cell.channel != PositionCell::none ? schema.channels[cell.channel]
-                                                       : schema.rotations.names[cell.rotation][cell.number]);
+                                                       : schema.rotations[cell.rotation].names[cell.number]);
   }
   return names;
 }
@@ -206,9 +207,9 @@ std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, co
           columns.push_back({channel + column_suffix(field, i), field.kind});
       }
     } else if (field.per_rotation) {
-      for (std::size_t rotation = 0; rotation < schema.rotations.columns.size(); ++rotation) {
+      for (std::size_t rotation = 0; rotation < schema.rotations.size(); ++rotation) {
         std::string name(field.name);
-        if (schema.rotations.columns.size() > 1) name += std::to_string(rotation + 1);
+        if (schema.rotations.size() > 1) name += std::to_string(rotation + 1);
         if (field.columns == 1) columns.push_back({name, field.kind});
         for (std::size_t i = 0; field.columns > 1 && i < field.columns; ++i) {
           columns.push_back({(name + '_').append(1, "xyz"[i]), field.kind});

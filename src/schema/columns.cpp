@@ -1,4 +1,4 @@
-// Columns: the roles of the cells of a record: time, position, tension, continuity, bias, eases, and texts of a key.
+// Columns: the meaning of the cells of all records of an input.
 #include "schema/columns.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,9 @@
 #include <unordered_set>
 
 #include "option_names.hpp"
+#include "schema/channel_columns.hpp"
 #include "schema/errors.hpp"
+#include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -36,7 +38,7 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
   if (columns.cells[cell].role != Role::ignored) throw column_with_two_roles(name);
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
-                                            : role == Role::carry  ? &columns.carried
+                                            : role == Role::carry  ? &columns.labels
                                                                    : nullptr;
   if (several == nullptr && !is_of_channel(role) && role != Role::unused && columns.has(role)) {
     throw two_columns_for_role(role_name(role), name);
@@ -129,7 +131,7 @@ std::string Columns::name_of(const Column& column) const {
     case Role::time: return time;
     case Role::position: return channels[column.channel];
     case Role::group: return groups[column.channel];
-    case Role::carry: return carried[column.channel - groups.size()];
+    case Role::carry: return labels[column.channel - groups.size()];
     case Role::duration: return "duration";
     default:
       if (are_segments && column.role == Role::velocity_out) return channels[column.channel] + "_v0";
@@ -194,102 +196,20 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   return columns;
 }
 
-namespace {
+Columns requested_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
+                          std::span<const RoleRequest> requests) {
+  std::vector<ColumnOfChannel> none;
+  return requested_columns(header, numeric, requests, none);
+}
 
-/// The columns of samples that are requested: by cell, and by name or number.
-class SampleRequests {
- public:
-  SampleRequests(std::span<const std::string> header, const std::vector<bool>& numeric, const SampleNames& names)
-      : header_(header), numeric_(numeric), names_(names), cells_(std::ssize(numeric)) {}
-
-  /// The groups, if all of them are there.
-  void add_groups() {
-    std::vector<std::ptrdiff_t> groups;
-    for (const std::string& name : names_.groups) {
-      groups.push_back(header_.empty() ? std::ssize(groups)
-                                       : cell_where([&](const auto& other) { return other == name; }));
-    }
-    if (!std::ranges::all_of(groups, [&](std::ptrdiff_t cell) { return cell < cells_; })) return;
-    for (const std::ptrdiff_t cell : groups) add(Role::group, cell);
+std::vector<std::string> default_channel_names(std::size_t channels) {
+  if (channels <= 3) {
+    const std::vector<std::string> names{"x", "y", "z"};
+    return {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(channels)};
   }
-
-  /// The time, where columns have no names.
-  void add_time_by_place() {
-    const auto cell = std::ssize(requests_) + static_cast<std::ptrdiff_t>(names_.time_place);
-    if (cell < cells_) add(Role::time, cell);
-  }
-
-  void add_time_by_name() {
-    std::ptrdiff_t time = cell_where([&](const auto& name) { return name == names_.time; });
-    if (time == cells_) time = cell_where([](const auto& name) { return role_of_name(name) == Role::time; });
-    const bool has_lengths = std::ranges::count(header_, "s") > 0;
-    for (std::ptrdiff_t cell = 0; time == cells_ && !has_lengths && cell < cells_; ++cell) {
-      const auto at = static_cast<std::size_t>(cell);
-      if (!numeric_[at] || !is_usual_time(header_[at])) continue;
-      time = cell;
-      break;
-    }
-    if (time < cells_) add(Role::time, time);
-  }
-
-  /// Every other column of numbers.
-  void add_channels() {
-    for (std::ptrdiff_t cell = 0; cell < cells_; ++cell) {
-      const auto at = static_cast<std::size_t>(cell);
-      const bool is_label = std::ranges::count(names_.labels, header_[at]) > 0;
-      if (numeric_[at] && !is_label && std::ranges::count(taken_, cell) == 0) add(Role::position, cell);
-    }
-  }
-
-  std::vector<RoleRequest>& requests() { return requests_; }
-
- private:
-  /// The first cell with a name for which is_it holds; cells_ where there is none.
-  template <class F>
-  std::ptrdiff_t cell_where(F is_it) const {
-    return std::ranges::find_if(header_, is_it) - header_.begin();
-  }
-
-  void add(Role role, std::ptrdiff_t cell) {
-    taken_.push_back(cell);
-    const auto at = static_cast<std::size_t>(cell);
-    // By name, as another name may be this one's number.
-    const bool by_name = at < header_.size() && std::ranges::count(header_, header_[at]) == 1;
-    requests_.push_back({role, {by_name ? header_[at] : fmt::format("{}", cell + 1)}});
-  }
-
-  std::span<const std::string> header_;
-  const std::vector<bool>& numeric_;
-  const SampleNames& names_;
-  std::ptrdiff_t cells_;
-  std::vector<RoleRequest> requests_;
-  std::vector<std::ptrdiff_t> taken_;
-};
-
-}  // namespace
-
-Columns find_sample_columns(std::span<const std::string> given, const std::vector<bool>& numeric,
-                            const SampleNames& names, bool timeless) {
-  std::vector<std::string> header(given.begin(), given.end());
-  for (const auto& [theirs, ours] : names.maps) {
-    const auto found = std::ranges::find(given, theirs);
-    if (found == given.end()) throw no_such_column(theirs, header).about(option::map);
-    header[static_cast<std::size_t>(found - given.begin())] = ours;
-  }
-  SampleRequests samples(header, numeric, names);
-  samples.add_groups();
-  if (!names.times_only.empty()) {
-    samples.requests().push_back({Role::time, {names.time}, names.times_only});
-    std::vector<ColumnOfChannel> none;
-    return requested_columns(header, numeric, samples.requests(), none);
-  }
-  if (header.empty()) {
-    if (!timeless) samples.add_time_by_place();
-    return find_columns(header, numeric, samples.requests(), timeless);
-  }
-  samples.add_time_by_name();
-  samples.add_channels();
-  return find_columns(header, numeric, samples.requests(), true);
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= channels; ++i) names.push_back(fmt::format("p{}", i));
+  return names;
 }
 
 }  // namespace tcb

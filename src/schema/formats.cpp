@@ -1,9 +1,27 @@
-// Formats by the endings of outputs.
+// Formats: the table of their names, file endings and capabilities.
 #include "schema/formats.hpp"
 
 #include <algorithm>
 
+#include "text/file_ending.hpp"
+
 namespace tcb {
+
+std::optional<FormatId> find_input_format(std::string_view path) {
+  path = without_compression(path);
+  for (const Format& format : formats) {
+    if (format.can_read && path.ends_with(format.ending)) return format.id;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string_view> input_endings() {
+  std::vector<std::string_view> endings;
+  for (const Format& format : formats) {
+    if (format.can_read) endings.push_back(format.ending);
+  }
+  return endings;
+}
 
 std::optional<FormatId> find_output_format(std::string_view path) {
   path = without_compression(path);

@@ -5,12 +5,19 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-
-#include "text/file_ending.hpp"
+#include <vector>
 
 namespace tcb {
 
 enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, npy, svg };
+
+/// What formats have in common.
+enum class FormatFamily {
+  delimited,  ///< lines of cells, with the names of the columns in one line above the rows
+  json,       ///< an object for each row
+  array,      ///< doubles, not their texts; it can hold neither other texts nor more than one table
+  picture,    ///< curves and samples, without rows
+};
 
 /// A format of inputs, outputs, or both. To add one: a row here, and how it is read (read/reader.cpp), written
 /// (write/layout.cpp) or drawn (plot/).
@@ -18,26 +25,24 @@ struct Format {
   FormatId id;
   std::string_view name;
   std::string_view ending;  ///< of file names, with the point
+  FormatFamily family;
   bool can_read;
   bool can_write;
-  bool has_header;      ///< the names of the columns are in one line above the rows
   bool has_provenance;  ///< an output may hold its provenance
   bool nests;           ///< an output with groups is an object for each curve, with a list of rows
-  bool is_binary;       ///< it holds doubles, not their texts; it cannot hold other texts, nor more than one table
-  bool is_picture;      ///< it shows curves and samples, and has no rows
-  char delimiter;       ///< between cells; 0 where there is none; ' ' is any run of blanks and tabs
+  char delimiter = 0;   ///< between the cells of delimited text; ' ' is any run of blanks and tabs
 };
 
 /// All formats, in the order of FormatId. The first is the default for output.
 inline constexpr std::array<Format, 7> formats{{
-    // id              name     ending    read   write header provenance nests binary picture delimiter
-    {FormatId::csv, "csv", ".csv", true, true, true, true, false, false, false, ','},
-    {FormatId::tsv, "tsv", ".tsv", true, true, true, true, false, false, false, '\t'},
-    {FormatId::ssv, "ssv", ".ssv", true, true, true, true, false, false, false, ' '},
-    {FormatId::json, "json", ".json", true, true, false, true, true, false, false, '\0'},
-    {FormatId::jsonl, "jsonl", ".jsonl", true, true, false, true, false, false, false, '\0'},
-    {FormatId::npy, "npy", ".npy", false, true, false, false, false, true, false, '\0'},
-    {FormatId::svg, "svg", ".svg", false, true, false, false, false, false, true, '\0'},
+    // id, name, ending, family, read, write, provenance, nests, delimiter
+    {FormatId::csv, "csv", ".csv", FormatFamily::delimited, true, true, true, false, ','},
+    {FormatId::tsv, "tsv", ".tsv", FormatFamily::delimited, true, true, true, false, '\t'},
+    {FormatId::ssv, "ssv", ".ssv", FormatFamily::delimited, true, true, true, false, ' '},
+    {FormatId::json, "json", ".json", FormatFamily::json, true, true, true, true},
+    {FormatId::jsonl, "jsonl", ".jsonl", FormatFamily::json, true, true, true, false},
+    {FormatId::npy, "npy", ".npy", FormatFamily::array, false, true, false, false},
+    {FormatId::svg, "svg", ".svg", FormatFamily::picture, false, true, false, false},
 }};
 
 constexpr const Format& format_of(FormatId id) { return formats[static_cast<std::size_t>(id)]; }
@@ -51,13 +56,10 @@ constexpr std::optional<FormatId> find_format(std::string_view name) {
 }
 
 /// The format that can be read and whose ending the path has, before that of compressed files if it has one.
-inline std::optional<FormatId> find_input_format(std::string_view path) {
-  path = without_compression(path);
-  for (const Format& format : formats) {
-    if (format.can_read && path.ends_with(format.ending)) return format.id;
-  }
-  return std::nullopt;
-}
+std::optional<FormatId> find_input_format(std::string_view path);
+
+/// The endings of the formats that can be read.
+std::vector<std::string_view> input_endings();
 
 /// Endings of what is no output of ours, so that none gets such a name: compressed files, tables, scenes, pictures.
 inline constexpr std::array<std::string_view, 55> other_endings{
@@ -68,7 +70,8 @@ inline constexpr std::array<std::string_view, 55> other_endings{
     ".fbx",  ".gltf", ".glb",  ".usd",     ".usda", ".usdc",   ".usdz",    ".abc",     ".dae",   ".obj", ".blend",
 };
 
-/// The same for formats that can be written, in upper or lower case.
+/// The format that can be written and whose ending the path has, in upper or lower case, before that of compressed
+/// files.
 std::optional<FormatId> find_output_format(std::string_view path);
 
 /// The ending of a path that is that of other files than ours; empty: it is not.

@@ -1,109 +1,24 @@
-// Key blocks: successive keys with their texts, text positions, gaps and faults, and the settings of their curve.
+// Key blocks: successive keys with their texts, text positions, gaps and faults.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "error.hpp"
-#include "option_names.hpp"
+#include "schema/curve_settings.hpp"
+#include "schema/texts.hpp"
 #include "tcb/spline/key.hpp"
-#include "tcb/spline/rules.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
 
-/// A text of a key begins with a quote if it is a string; otherwise it is a number or a word of JSON, or empty if it is
-/// missing. So it can be written as a cell and as JSON, whatever its format was.
-inline bool is_string(std::string_view text) { return text.starts_with('"'); }
-
-/// Its characters.
-inline std::string_view content(std::string_view text) { return is_string(text) ? text.substr(1) : text; }
-
-/// The characters of a group's texts, without their kinds, which differ between formats.
-std::vector<std::string> contents(const std::vector<std::string>& group);
-
-/// NAME=VALUE for each column of a group.
-std::vector<std::string> group_title(const std::vector<std::string>& names, const std::vector<std::string>& group);
-
-/// Many texts in one string.
-class Texts {
- public:
-  std::size_t size() const { return ends_.size(); }
-  bool empty() const { return ends_.empty(); }
-  std::string_view operator[](std::size_t i) const {
-    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
-    return std::string_view(bytes_).substr(begin, ends_[i] - begin);
-  }
-
-  void add(std::string_view text) {
-    bytes_ += text;
-    ends_.push_back(bytes_.size());
-  }
-
-  /// Appends the texts [first, last) of another list.
-  void append(const Texts& other, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) add(other[i]);
-  }
-
-  /// Keeps the first `size` texts. Requires: size <= size().
-  void cut(std::size_t size) {
-    ends_.resize(size);
-    bytes_.resize(ends_.empty() ? 0 : ends_.back());
-  }
-
- private:
-  std::string bytes_;
-  std::vector<std::size_t> ends_;
-};
-
 using Keys = spline::Keys<double>;
 using Time = spline::Time<double>;
-
-/// Where a setting comes from: an option, or a member of JSON at a text position.
-struct SettingOrigin {
-  std::string_view subject;  ///< the name of the option or the member
-  TextPosition position = {};
-
-  /// The exit code of an error about the setting.
-  Exit exit() const { return position.line == 0 ? Exit::usage : Exit::data; }
-};
-
-template <class T>
-struct Setting {
-  T value;
-  SettingOrigin origin = {};
-};
-using TextSetting = Setting<std::string>;
-
-/// Settings of a curve as values of options or JSON members, before names are looked up.
-struct CurveSettings {
-  std::optional<TextSetting> preset;
-  std::optional<TextSetting> tangents;
-  std::optional<TextSetting> ends;  ///< RULE[,RULE]
-  std::optional<Setting<bool>> closed;
-  std::optional<TextSetting> period;     ///< a decimal or a ratio; implies closed
-  std::optional<TextSetting> parameter;  ///< for keys without times: uniform, chordal, centripetal, or an exponent
-  std::optional<TextSetting> extrapolate;
-  std::optional<TextSetting> metric;  ///< names or numbers of channels, separated by commas
-  std::optional<TextSetting> rotation_curve = {};
-  std::optional<spline::Preset> rotation_preset = {};  ///< whose rules of rotations replace tangents and ends for these
-  bool equal_speed = false;
-  bool no_ease = false;
-};
-
-/// The information of an input about a curve, besides its keys.
-struct CurveInfo {
-  CurveSettings settings;
-  std::vector<std::pair<std::string, TextPosition>> places = {};  ///< the text position of each setting
-  std::string id = {};                                            ///< a text as in schema/key_block.hpp
-};
 
 /// The index of a number among the decimals of its key; from `position` on, channel by channel: first all positions,
 /// then all numbers of the next kind, where a column has them. An empty text means the shortest decimal of the double,
@@ -127,6 +42,9 @@ struct NumberOfKey {
   }
 };
 
+/// The largest number of faults of an input that are reported.
+inline constexpr std::size_t most_faults = 10;
+
 /// Successive keys. If the input has no times, the keys have none either. A position that is NaN is missing; in a
 /// gap the time may be NaN too.
 struct KeyBlock {
@@ -139,12 +57,12 @@ struct KeyBlock {
   Texts texts = {};                         ///< of each key: those of its groups, then its labels
   Texts decimals = {};                      ///< of each key in the order of NumberOfKey: its numbers as written
 
-  /// Of each key: the numbers of each rotation that is given in another form than a quaternion, and each of them as
+  /// For each key and each rotation in another form than a quaternion: the numbers of the rotation, and each number as
   /// written.
   std::vector<spline::RotationNumbers<double>> given_rotations = {};
   Texts given_decimals = {};
 
-  std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of Input::marks
+  std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of KeyTraits::marks
 
   // Indices of keys, increasing:
   std::vector<std::size_t> gaps = {};    ///< entries that are not keys, but breaks in place of one

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "numbers/rational.hpp"
-#include "numbers/time_notation.hpp"
 #include "schema/missing.hpp"
 #include "tcb/spline/key.hpp"
 
@@ -35,12 +33,9 @@ inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }
 struct KeyRules {
   spline::Tcb<double> tcb = {};  ///< of keys that have none
   Missing missing = Missing::error;
-  bool keeps_decimals = false;                    ///< keys keep their numbers as written
-  std::vector<std::string> signs = {};            ///< of missing cells, besides the common ones
-  TcbScale tcb_scale = TcbScale::none;            ///< of keys
-  TimeNotation notation = TimeNotation::seconds;  ///< of the times
-  std::optional<Rational> frame_rate = {};        ///< of timecode
-  std::vector<Rational> factors = {};             ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
+  bool keeps_decimals = false;             ///< keys keep their numbers as written
+  std::vector<std::string> signs = {};     ///< of missing cells, besides the common ones
+  TcbScale tcb_scale = TcbScale::unknown;  ///< of the keys
 };
 
 }  // namespace tcb

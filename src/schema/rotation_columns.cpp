@@ -107,9 +107,12 @@ std::vector<std::string> names_in(const spline::RotationNotation& notation, cons
   return names;
 }
 
-/// The rotation whose numbers a channel of keys as they are read is one of; the number of rotations if it is none.
-std::size_t rotation_with(const std::vector<GivenRotation>& rotations, std::size_t channel) {
-  const auto has = [channel](const GivenRotation& given) { return std::ranges::count(given.channels, channel) > 0; };
+/// The index of the rotation whose numbers a channel of keys as they are read is one of; the number of rotations if it
+/// is none.
+std::size_t rotation_with(const std::vector<RotationSchema>& rotations, std::size_t channel) {
+  const auto has = [channel](const RotationSchema& rotation) {
+    return std::ranges::count(rotation.given.channels, channel) > 0;
+  };
   return static_cast<std::size_t>(std::ranges::find_if(rotations, has) - rotations.begin());
 }
 
@@ -121,17 +124,18 @@ void require_own_columns(const Schema& schema, const Columns& columns) {
     taken[channel] = true;
   };
   for (const AngleColumn& angle : schema.angles) take(angle.channel, option::angle);
-  for (const GivenRotation& given : schema.rotations.given) {
-    for (const std::size_t channel : given.channels) take(channel, option::rotation);
+  for (const RotationSchema& rotation : schema.rotations) {
+    for (const std::size_t channel : rotation.given.channels) take(channel, option::rotation);
   }
 }
 
 /// Adds the channels of a quaternion in place of the columns of another form. They are named after these.
-void add_quaternion(Schema& schema, const GivenRotation& given, RotationColumns& rotation) {
-  for (std::size_t i = 0; i < rotation.channels.size(); ++i) {
-    rotation.channels[i] = schema.channels.size();
+void add_quaternion(Schema& schema, RotationSchema& rotation) {
+  const GivenRotation& given = rotation.given;
+  for (std::size_t i = 0; i < rotation.columns.channels.size(); ++i) {
+    rotation.columns.channels[i] = schema.channels.size();
     schema.channels.push_back(i < given.columns.size() ? given.columns[i] : "rotation of " + given.columns[0]);
-    schema.rotations.sources.push_back(given.channels[0]);
+    schema.sources.push_back(given.channels[0]);
   }
 }
 
@@ -141,24 +145,22 @@ void set_channels(Schema& schema, const Columns& columns) {
   std::vector<std::size_t> now(columns.channels.size());  // the channel of each that is read
   for (std::size_t read = 0; read < now.size(); ++read) {
     now[read] = schema.channels.size();
-    const std::size_t index = rotation_with(schema.rotations.given, read);
-    const bool is_plain = index == schema.rotations.columns.size() ||
-                          schema.rotations.given[index].notation.form == spline::RotationForm::quaternion;
+    const std::size_t index = rotation_with(schema.rotations, read);
+    const bool is_plain = index == schema.rotations.size() ||
+                          schema.rotations[index].given.notation.form == spline::RotationForm::quaternion;
     if (is_plain) {
       schema.channels.push_back(columns.channels[read]);
-      schema.rotations.sources.push_back(read);
-    } else if (read == std::ranges::min(schema.rotations.given[index].channels)) {
-      add_quaternion(schema, schema.rotations.given[index], schema.rotations.columns[index]);
+      schema.sources.push_back(read);
+    } else if (read == std::ranges::min(schema.rotations[index].given.channels)) {
+      add_quaternion(schema, schema.rotations[index]);
     }
   }
-  if (rotation_with(schema.rotations.given, 0) < schema.rotations.columns.size())
-    schema.time.may_be_first_channel = false;
+  if (rotation_with(schema.rotations, 0) < schema.rotations.size()) schema.time.may_be_first_channel = false;
   for (AngleColumn& angle : schema.angles) angle.channel = now[angle.channel];
-  for (std::size_t i = 0; i < schema.rotations.columns.size(); ++i) {
-    const GivenRotation& given = schema.rotations.given[i];
-    if (given.notation.form != spline::RotationForm::quaternion) continue;
-    std::ranges::transform(given.channels, schema.rotations.columns[i].channels.begin(),
-                           [&](std::size_t j) { return now[j]; });
+  for (RotationSchema& rotation : schema.rotations) {
+    if (rotation.given.notation.form != spline::RotationForm::quaternion) continue;
+    std::ranges::transform(rotation.given.channels, rotation.columns.channels.begin(),
+                           [&](std::size_t i) { return now[i]; });
   }
 }
 
@@ -166,13 +168,13 @@ void set_channels(Schema& schema, const Columns& columns) {
 void set_places(Schema& schema, const Columns& columns) {
   std::size_t next = 0;
   for (std::size_t read = 0; read < columns.channels.size(); ++read) {
-    const std::size_t index = rotation_with(schema.rotations.given, read);
-    if (index == schema.rotations.columns.size()) {
+    const std::size_t index = rotation_with(schema.rotations, read);
+    if (index == schema.rotations.size()) {
       ++next;
       continue;
     }
-    const GivenRotation& given = schema.rotations.given[index];
-    RotationColumns& rotation = schema.rotations.columns[index];
+    const GivenRotation& given = schema.rotations[index].given;
+    RotationColumns& rotation = schema.rotations[index].columns;
     const auto number = static_cast<std::size_t>(std::ranges::find(given.channels, read) - given.channels.begin());
     if (rotation.shown == given.notation) {
       rotation.places[number] = next++;
@@ -185,26 +187,26 @@ void set_places(Schema& schema, const Columns& columns) {
 /// Sets the form in which rows show a rotation, and the names of its numbers: those of the columns if it is the given
 /// one.
 void show_rotation(Schema& schema, std::size_t index, const spline::RotationNotation& shown) {
-  const GivenRotation& given = schema.rotations.given[index];
-  const std::string number = schema.rotations.columns.size() == 1 ? "" : "_" + std::to_string(index + 1);
-  std::vector<std::string> names = shown == given.notation ? given.columns : names_in(shown, number);
-  schema.rotations.columns[index].shown = shown;
+  RotationSchema& rotation = schema.rotations[index];
+  const std::string number = schema.rotations.size() == 1 ? "" : "_" + std::to_string(index + 1);
+  std::vector<std::string> names = shown == rotation.given.notation ? rotation.given.columns : names_in(shown, number);
+  rotation.columns.shown = shown;
   if (shown.form == spline::RotationForm::quaternion) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-      schema.channels[schema.rotations.columns[index].channels[i]] = names[i];
+    for (std::size_t i = 0; i < names.size(); ++i) schema.channels[rotation.columns.channels[i]] = names[i];
   } else {
-    schema.rotations.names[index] = std::move(names);
+    rotation.names = std::move(names);
   }
 }
 
 /// Adds a rotation with channels of keys as they are read.
 void add_rotation(Schema& schema, GivenRotation given, const Columns& columns) {
-  RotationColumns& rotation = schema.rotations.columns.emplace_back();
-  const auto is_relative = std::ranges::count(schema.rotations.given, true, &GivenRotation::relative);
-  if (given.relative) rotation.turn = static_cast<std::size_t>(is_relative);
+  RotationSchema rotation;
+  const auto turns = std::ranges::count_if(schema.rotations, [](const auto& other) { return other.given.relative; });
+  if (given.relative) rotation.columns.turn = static_cast<std::size_t>(turns);
   given.columns.clear();
   for (const std::size_t channel : given.channels) given.columns.push_back(columns.channels[channel]);
-  schema.rotations.given.push_back(std::move(given));
+  rotation.given = std::move(given);
+  schema.rotations.push_back(std::move(rotation));
 }
 
 }  // namespace
@@ -228,32 +230,30 @@ std::optional<spline::RotationForm> likely_rotation(std::span<const double> reco
 }
 
 Schema with_rotations(Schema schema, const Columns& columns, const RotationOptions& options) {
-  RotationSchema& rotations = schema.rotations;
-  rotations.normalize = options.normalize;
   for (const NamedAngle& angle : options.angles) {
     schema.angles.push_back({{requested_channel(angle.channel, columns, option::angle), angle.degrees}, false});
   }
   if (options.requests.empty() && !options.none) {
     for (const spline::RotationChannels& channels : rotations_by_name(columns.channels)) {
-      add_rotation(schema, {{}, false, {}, {channels.begin(), channels.end()}}, columns);
+      add_rotation(schema, {{}, false, {}, {channels.begin(), channels.end()}, options.normalize}, columns);
     }
   }
   for (GivenRotation request : options.requests) {
     request.notation.degrees = options.degrees;
+    request.normalize = options.normalize;
     for (const std::string& column : request.columns) {
       request.channels.push_back(requested_channel(column, columns, option::rotation));
     }
     add_rotation(schema, std::move(request), columns);
   }
   require_own_columns(schema, columns);
-  if (options.shown && rotations.columns.empty()) {
+  if (options.shown && schema.rotations.empty()) {
     const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
     throw no_rotation_to_show(form->name).about(option::rotation_output);
   }
   set_channels(schema, columns);
-  rotations.names.resize(rotations.columns.size());
-  for (std::size_t i = 0; i < rotations.columns.size(); ++i) {
-    const spline::RotationNotation& given = rotations.given[i].notation;
+  for (std::size_t i = 0; i < schema.rotations.size(); ++i) {
+    const spline::RotationNotation& given = schema.rotations[i].given.notation;
     spline::RotationNotation shown = options.as_curves ? spline::RotationNotation{} : options.shown.value_or(given);
     shown.degrees = options.degrees;
     if (shown.form != spline::RotationForm::quaternion || given.form != spline::RotationForm::quaternion) {

@@ -35,6 +35,7 @@ struct GivenRotation {
   bool relative = false;                   ///< to the rotation of the key before
   std::vector<std::string> columns = {};   ///< names of those of its numbers
   std::vector<std::size_t> channels = {};  ///< those of its numbers, in keys as they are read
+  bool normalize = false;                  ///< a quaternion of any norm, or the rotation nearest to a matrix
 };
 
 /// A channel that is an angle.

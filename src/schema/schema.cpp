@@ -1,4 +1,4 @@
-// Schema: the meaning of columns, and the same meaning with other channels or names.
+// Schema: what a record means: its time, its channels, the rotations and angles among these, its groups and labels.
 #include "schema/schema.hpp"
 
 #include <algorithm>
@@ -15,15 +15,15 @@ std::vector<std::string*> names_of(Schema& schema) {
   std::vector<std::string*> names;
   if (schema.time.is_given) names.push_back(&schema.time.name);
   const auto is_shown = [&](std::size_t channel) {
-    return std::ranges::none_of(schema.rotations.columns, [&](const RotationColumns& rotation) {
-      return rotation.shown.form != spline::RotationForm::quaternion && rotation.has(channel);
+    return std::ranges::none_of(schema.rotations, [&](const RotationSchema& rotation) {
+      return rotation.columns.shown.form != spline::RotationForm::quaternion && rotation.columns.has(channel);
     });
   };
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
     if (is_shown(i)) names.push_back(&schema.channels[i]);
   }
-  for (auto& list : schema.rotations.names) {
-    for (std::string& name : list) names.push_back(&name);
+  for (RotationSchema& rotation : schema.rotations) {
+    for (std::string& name : rotation.names) names.push_back(&name);
   }
   for (auto* const list : {&schema.groups, &schema.labels}) {
     for (std::string& name : *list) names.push_back(&name);
@@ -33,13 +33,19 @@ std::vector<std::string*> names_of(Schema& schema) {
 
 }  // namespace
 
+std::vector<RotationColumns> rotation_columns(const Schema& schema) {
+  std::vector<RotationColumns> columns;
+  for (const RotationSchema& rotation : schema.rotations) columns.push_back(rotation.columns);
+  return columns;
+}
+
 Schema schema_of(const Columns& columns, TimeNotation notation) {
   Schema schema;
   schema.named = columns.named;
   schema.time = {columns.has(Role::time), columns.time, notation, {}, {}, columns.may_be_timed};
   schema.channels = columns.channels;
   schema.groups = columns.groups;
-  schema.labels = columns.carried;
+  schema.labels = columns.labels;
   return schema;
 }
 

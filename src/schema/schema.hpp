@@ -26,15 +26,11 @@ struct TimeSchema {
   bool may_be_first_channel = false;              ///< by its place and its name
 };
 
-/// The rotations of records: how keys give each, and how rows show it.
+/// A rotation of records.
 struct RotationSchema {
-  // An entry for each rotation:
-  std::vector<RotationColumns> columns = {};         ///< which channels make them
-  std::vector<GivenRotation> given = {};             ///< how keys give them
-  std::vector<std::vector<std::string>> names = {};  ///< of their cells in rows, where these are not channels
-
-  std::vector<std::size_t> sources = {};  ///< index of the channel of keys as they are read, for each channel
-  bool normalize = false;                 ///< quaternions may have any norm
+  RotationColumns columns = {};         ///< which channels make it, and how rows show it
+  GivenRotation given = {};             ///< how keys give it
+  std::vector<std::string> names = {};  ///< of its cells in rows, where these are not channels
 };
 
 /// What a record means: a key as it is read, or a sample as it is written.
@@ -42,20 +38,24 @@ struct Schema {
   bool named = false;  ///< the columns have names
   TimeSchema time = {};
   std::vector<std::string> channels = {};  ///< names of the position channels
-  RotationSchema rotations = {};           ///< which channels make rotations
-  std::vector<AngleColumn> angles = {};    ///< which channels are angles
-  std::vector<std::string> groups = {};    ///< names of the group columns
-  std::vector<std::string> labels = {};    ///< names of the columns of labels
+  std::vector<std::size_t> sources = {};   ///< index of the channel of keys as they are read, for each channel
+  std::vector<RotationSchema> rotations = {};
+  std::vector<AngleColumn> angles = {};  ///< which channels are angles
+  std::vector<std::string> groups = {};  ///< names of the group columns
+  std::vector<std::string> labels = {};  ///< names of the columns of labels
 };
+
+/// The columns of each rotation.
+std::vector<RotationColumns> rotation_columns(const Schema& schema);
 
 /// The meaning of records with these columns, whose times have this notation; all channels are plain.
 Schema schema_of(const Columns& columns, TimeNotation notation);
 
-/// The same times and groups, with other channels, which are plain and have names; without labels.
+/// A schema with the times and groups of another one, and with these names of plain channels; it has no labels.
 Schema with_channels(const Schema& schema, std::vector<std::string> channels);
 
-/// The same with other names. Throws: Error (data) for a name that no column has, and where two columns would have the
-/// same name.
+/// The schema with other names of columns. Throws: Error (data) for a name that no column has, and where two columns
+/// would have the same name.
 Schema renamed(Schema schema, const std::vector<Renaming>& renamings);
 
 /// Throws: Error (data) about an option by which two columns have the same name.

@@ -9,7 +9,6 @@
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
-#include "schema/key_rules.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {
@@ -25,15 +24,22 @@ struct UnitOptions {
   std::optional<TimeUnit> time = {};        ///< nothing: that of the column's name, if it has one
   std::optional<Rational> frame_rate = {};  ///< the times are frames, so many of them a second
   std::vector<ChannelScale> scales = {};    ///< factors of channels
-  bool of_samples = false;                  ///< times are frames only where the column's name says so
+  bool only_named_frames = false;           ///< the times are frames only where the column's name says so
 };
 
-/// Sets the notation of the times, by the first of them, and the factors of the numbers. Throws: Error (data) for
-/// timecode without a rate, units of time that contradict each other, and a channel that no column is.
-void set_units(KeyRules& rules, const UnitOptions& options, const Columns& columns, std::string_view first_time);
+/// The units of the numbers of keys.
+struct KeyUnits {
+  TimeNotation notation = TimeNotation::seconds;  ///< of the times
+  std::optional<Rational> frame_rate = {};        ///< of timecode
+  std::vector<Rational> factors = {};             ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
+};
 
-/// The meaning of records once their times have the unit to which set_units() converts them. Throws: Error (data) for
-/// a unit of times that records do not have.
+/// The units of keys, whose notation of times is that of the first of them. Throws: Error (data) for timecode without a
+/// rate, units of time that contradict each other, and a channel that no column is.
+KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::string_view first_time);
+
+/// The meaning of records once their times have the unit to which the factors of units_of_keys() convert them. Throws:
+/// Error (data) for a unit of times that records do not have.
 Schema with_unit(Schema schema, const UnitOptions& options);
 
 }  // namespace tcb

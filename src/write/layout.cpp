@@ -1,11 +1,10 @@
-// Layouts: the texts around cells and rows, the frame around curves, and the loop that prints rows.
+// Layouts: the texts around cells and rows of each format, and the loop that prints rows.
 #include "write/layout.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -117,8 +116,6 @@ std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
   return before;
 }
 
-std::ptrdiff_t signed_size(std::size_t size) { return static_cast<std::ptrdiff_t>(size); }
-
 }  // namespace
 
 std::string delimited_text(std::string_view text, char delimiter) {
@@ -199,71 +196,6 @@ Layout json_layout(const std::vector<OutputColumn>& columns) {
 
 Layout jsonl_layout(const std::vector<OutputColumn>& columns) {
   return {"", members(columns), "}\n", "null", "", "", "", ""};
-}
-
-std::vector<std::string> OutputColumns::names() const {
-  std::vector<std::string> all = groups;
-  std::ranges::transform(numbers, std::back_inserter(all), &OutputColumn::name);
-  all.insert(all.end(), labels.begin(), labels.end());
-  return all;
-}
-
-Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
-    : options_(options),
-      nested_(format_of(options.format).nests && !columns.groups.empty()),
-      groups_(columns.groups.size()),
-      numbers_(columns.numbers.size()) {
-  if (format_of(options.format).is_binary && groups_ + columns.labels.size() > 0) {
-    throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
-                                format_of(options.format).name);
-  }
-  std::vector<OutputColumn> all;
-  for (const std::string& name : columns.names()) all.push_back({name});
-  const auto layout = output_format(options.format).layout;
-  all_ = layout(all, options.header);
-  head_ = nested_ ? "{\"curves\":[\n" : (options.has_member ? "{\"rows\":" : "") + all_.head;
-  rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, options.header) : all_;
-  const auto labels_begin = rows_.before.begin() + signed_size(numbers_ + (nested_ ? 0 : groups_));
-  rows_.before.assign(rows_.before.begin() + signed_size(nested_ ? 0 : groups_), labels_begin);
-  if (options.notation.kind != Notation::Kind::shortest) rows_.notation = options.notation;
-}
-
-std::string Frame::begin(std::span<const std::string> group, bool divided) {
-  const OutputFormat& format = output_format(options_.format);
-  const bool follows = std::exchange(any_curves_, true);
-  std::string cells;
-  for (std::size_t i = 0; i < group.size(); ++i) cells += all_.before[i] + format.text(group[i]);
-  if (nested_) {
-    std::string text = (follows ? end_curve() + ",\n" : "") + cells + ",\"rows\":" + all_.head;
-    any_rows_ = false;
-    return text;
-  }
-  rows_.before[0] = cells + all_.before[groups_];
-  if (!divided || !any_rows_) return "";
-  if (format.divider.empty()) {
-    throw several_curves_in_one_table(format_of(options_.format).name);
-  }
-  return all_.between_rows + std::string(format.divider);
-}
-
-std::string Frame::row_end(std::span<const std::string_view> labels) const {
-  const OutputFormat& format = output_format(options_.format);
-  std::string text;
-  for (std::size_t i = 0; i < labels.size(); ++i) text += all_.before[groups_ + numbers_ + i] + format.text(labels[i]);
-  return text + all_.row_end;
-}
-
-std::string Frame::counted_head(std::uint64_t bytes) const {
-  const auto head = output_format(options_.format).counted_head;
-  return head == nullptr ? "" : head(numbers_, bytes / (numbers_ * sizeof(double)));
-}
-
-std::string Frame::tail(std::string_view member) const {
-  std::string text = any_rows_ ? all_.tail : all_.no_rows;
-  if (nested_) text = any_curves_ ? end_curve() + "\n]" : "]";
-  if (options_.has_member) text += fmt::format(",\n{}", member);
-  if (nested_ || options_.has_member) text += '}';
-  return text + all_.end;
 }
 
 }  // namespace tcb

@@ -1,9 +1,8 @@
-// Layouts: the texts around cells and rows of each format, the frame around curves, and the loop that prints rows.
+// Layouts: the texts around cells and rows of each format, and the loop that prints rows.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +31,7 @@ struct Layout {
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first);
 
-/// The same for cells of which some have their own texts, and the others empty ones.
+/// Appends rows to text. texts[i] is printed in place of the number of cell i, unless it is empty.
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 
@@ -55,7 +54,7 @@ Layout jsonl_layout(const std::vector<OutputColumn>& columns);
 struct OutputFormat {
   Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
   std::string (*text)(
-      std::string_view text);  ///< a cell from a text as in schema/key_block.hpp; null: cells are numbers only
+      std::string_view text);  ///< a cell from a text as in schema/texts.hpp; null: cells are numbers only
   std::string_view divider;    ///< the line between two curves of the same group; empty: impossible
   /// The head with the number of rows, written in place of the layout's head of the same size; null: not needed.
   std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;
@@ -70,66 +69,5 @@ std::string npy_head(std::size_t columns, std::uint64_t rows);
 
 /// Rows of doubles, the lowest byte first, after such a head with 0 rows.
 Layout npy_layout(const std::vector<OutputColumn>& columns);
-
-/// The columns of an output: texts that identify curves, numbers, and labels.
-struct OutputColumns {
-  std::vector<std::string> groups;
-  std::vector<OutputColumn> numbers;
-  std::vector<std::string> labels;
-
-  /// The names of all of them, in order.
-  std::vector<std::string> names() const;
-};
-
-/// The options of a frame besides the columns.
-struct FrameOptions {
-  FormatId format = FormatId::csv;
-  bool header = true;
-  Notation notation = {};
-  bool has_member = false;  ///< in JSON: the output is an object, with another member after the rows
-};
-
-/// Everything around the numbers of the rows. The group of a curve is in cells of each of its rows, or in JSON in an
-/// object around its rows. Curves of the same group are divided by a line without a row: empty, or null in JSON.
-class Frame {
- public:
-  Frame() = default;
-  /// Throws: Error (data) for texts in a format of numbers only.
-  Frame(const OutputColumns& columns, const FrameOptions& options);
-
-  /// The text before all rows.
-  const std::string& head() const { return head_; }
-
-  /// The text that replaces the head once all rows, of so many bytes, are written; empty: none.
-  std::string counted_head(std::uint64_t bytes) const;
-
-  /// The text before the next curve's rows. `divided`: the previous curve has the same group.
-  /// Throws: Error (data) if the format cannot divide curves.
-  std::string begin(std::span<const std::string> group, bool divided);
-
-  /// The layout of rows of the current curve, without their labels.
-  const Layout& layout() const { return rows_; }
-
-  /// The text after a row with these labels, each a text as in schema/key_block.hpp.
-  std::string row_end(std::span<const std::string_view> labels) const;
-
-  /// Whether the current list has no row yet.
-  bool is_first() const { return !any_rows_; }
-  void set_written() { any_rows_ = true; }
-
-  /// The text after all rows. `member`: the other member, if there is one.
-  std::string tail(std::string_view member = {}) const;
-
- private:
-  std::string end_curve() const { return (any_rows_ ? rows_.tail : rows_.no_rows) + "}"; }
-
-  FrameOptions options_;
-  bool nested_ = false;  ///< each curve is an object with its rows
-  Layout all_;           ///< with the texts of all columns before their cells
-  Layout rows_;          ///< as append_rows takes it
-  std::size_t groups_ = 0, numbers_ = 0;
-  std::string head_;
-  bool any_curves_ = false, any_rows_ = false;
-};
 
 }  // namespace tcb

@@ -45,7 +45,7 @@ std::string json_member(const Provenance& provenance) {
 }  // namespace
 
 std::string text_before_rows(const Provenance& provenance, FormatId format) {
-  if (!format_of(format).has_header) return "";
+  if (format_of(format).family != FormatFamily::delimited) return "";
   std::string out = fmt::format("# {}\n", provenance.program);
   for (const auto& [name, value] : provenance.rules) out += line(name, value);
   for (const std::string& option : provenance.options) out += line("option", option);
@@ -54,7 +54,7 @@ std::string text_before_rows(const Provenance& provenance, FormatId format) {
 
 std::string text_after_rows(const Provenance& provenance, FormatId format) {
   if (format_of(format).nests) return json_member(provenance);
-  if (!format_of(format).has_header) return "{" + json_member(provenance) + "}\n";
+  if (format_of(format).family != FormatFamily::delimited) return "{" + json_member(provenance) + "}\n";
   std::string out;
   for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
     out += line("input", provenance.inputs[i].first) + line("sha256", provenance.inputs[i].second);

@@ -58,7 +58,7 @@ class ProvenanceRecorder {
   /// Rows that no block has.
   void count_rows(std::uint64_t rows);
   void set_rules(Facts rules);
-  /// Of the current input, in words.
+  /// Sets the results of the current input, in words.
   void set_results(Facts results);
 
   /// Ends the current curve, or input.

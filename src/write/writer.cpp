@@ -1,10 +1,9 @@
-// Writer: one output with its frames, rows and labels.
+// Writer: one output with its frames and rows.
 #include "write/writer.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -16,14 +15,6 @@ namespace tcb {
 
 namespace {
 
-/// The first `count` cells from `begin` on; none if there are none at all.
-template <class T>
-std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
-  if (cells.empty()) return {};
-  const auto first = cells.begin() + static_cast<std::ptrdiff_t>(begin);
-  return {first, first + static_cast<std::ptrdiff_t>(count)};
-}
-
 /// Throws: Error (data) where the name is another column's, or the file's is not UTF-8.
 void add_file_column(OutputColumns& columns, const std::string& name, const std::string& file) {
   if (std::ranges::count(columns.names(), name) > 0) throw file_column_taken(name);
@@ -33,75 +24,6 @@ void add_file_column(OutputColumns& columns, const std::string& name, const std:
 }
 
 }  // namespace
-
-Source<KeyBlock> Labels::observe(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks) {
-  return mapped(std::move(blocks), [labels](KeyBlock block) {
-    if (!block.empty()) labels->add(block);
-    return block;
-  });
-}
-
-Source<LabelledBlock> Labels::attach(const std::shared_ptr<Labels>& labels, Source<SampleBlock> blocks, RowEnd row_end,
-                                     bool forget) {
-  return mapped(std::move(blocks), [labels, row_end = std::move(row_end), forget](SampleBlock samples) {
-    LabelledBlock labelled{std::move(samples), {}};
-    for (const SampleBlock::Part& part : labelled.samples.parts) {
-      const CurveSegment& segment = part.segment;
-      if (forget) labels->forget_before(segment.number);
-      // A single key is a segment without duration, and has no key at its end.
-      const bool is_single = segment.start == segment.end;
-      labelled.ends.emplace_back(row_end(labels->of(segment.number)),
-                                 row_end(labels->of(is_single ? segment.number : segment.end_key)));
-    }
-    return labelled;
-  });
-}
-
-void Labels::add(const KeyBlock& block) {
-  const std::uint64_t next = blocks_.empty() ? 0 : blocks_.back().first_key + blocks_.back().keys;
-  const std::size_t per_key = block.texts_per_key();
-  BlockLabels added{{}, next, block.size()};
-  for (std::size_t key = 0; key < block.size(); ++key) {
-    added.texts.append(block.texts, key * per_key + first_, (key + 1) * per_key);
-  }
-  blocks_.push_back(std::move(added));
-}
-
-std::vector<std::string_view> Labels::of(std::uint64_t key) const {
-  const auto after = std::ranges::upper_bound(blocks_, key, {}, &BlockLabels::first_key);
-  const BlockLabels& block = *std::prev(after);
-  const std::size_t per_key = block.texts.size() / block.keys;
-  std::vector<std::string_view> texts;
-  for (std::size_t i = 0; i < per_key; ++i) texts.push_back(block.texts[(key - block.first_key) * per_key + i]);
-  return texts;
-}
-
-void Labels::forget_before(std::uint64_t key) {
-  while (blocks_.size() > 2 && blocks_[2].first_key <= key) blocks_.erase(blocks_.begin() + 1);
-}
-
-std::string print_labelled(
-    const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
-    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print) {
-  std::vector<std::size_t> with_key(chosen.begin(), chosen.end());
-  with_key.push_back(field_of("key"));
-  std::string out;
-  bool first = block.samples.first;
-  for (std::size_t i = 0; i < block.samples.parts.size(); ++i) {
-    const SampleBlock::Part& part = block.samples.parts[i];
-    const Table table = evaluate({block.samples.owner, {part}, false}, with_key);
-    const std::size_t width = table.cells.size() / (part.last - part.first);
-    for (std::size_t row = 0; row < table.cells.size(); row += width) {
-      const Cell& key = table.cells[row + width - 1];
-      const bool at_end = !is_empty(key) && key.hi == static_cast<double>(part.segment.end_key) &&
-                          key.hi != static_cast<double>(part.segment.number);
-      print(out, {range(table.cells, row, width - 1), range(table.texts, row, width - 1)},
-            at_end ? block.ends[i].second : block.ends[i].first, first);
-      first = false;
-    }
-  }
-  return out;
-}
 
 void Writer::begin(const Schema& schema, bool live, Facts rules, const std::string& file) {
   OutputColumns columns{schema.groups, output_columns(options_.fields, schema), schema.labels};
@@ -133,7 +55,7 @@ void Writer::begin_curve(std::vector<std::string> group) {
 void Writer::set_times(const Schema& schema) {
   const auto given = options_.time_notation;
   if (!given) {
-    if (!format_of(options_.format).is_binary) notation_ = schema.time.notation;
+    if (format_of(options_.format).family != FormatFamily::array) notation_ = schema.time.notation;
     return;
   }
   if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
@@ -149,7 +71,7 @@ std::vector<std::string> Writer::texts(const Table& table) const {
   texts.resize(table.cells.size());
   const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
   const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
-  const bool in_quotes = format_of(options_.format).delimiter == '\0';
+  const bool in_quotes = format_of(options_.format).family == FormatFamily::json;
   for (std::size_t i = 0; i < table.cells.size(); ++i) {
     if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
     const Rational seconds = exact_time(table.cells[i]) * unit_, rate = options_.frame_rate.value_or(1);

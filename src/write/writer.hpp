@@ -1,15 +1,11 @@
-// Writer: one output with its frames, rows and labels.
+// Writer: one output with its frames and rows.
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "io/atomic_output.hpp"
@@ -17,54 +13,11 @@
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
-#include "write/layout.hpp"
+#include "write/frame.hpp"
+#include "write/labels.hpp"
 #include "write/provenance.hpp"
 
 namespace tcb {
-
-/// Samples with the texts after their rows.
-struct LabelledBlock {
-  SampleBlock samples;
-  /// Of each part: the text after a row on its segment, and after one at the segment's last key.
-  std::vector<std::pair<std::string, std::string>> ends;
-};
-
-/// The labels of a curve's keys, kept as long as rows may need them.
-class Labels {
- public:
-  /// Makes the text after a row from its labels.
-  using RowEnd = std::function<std::string(std::span<const std::string_view> labels)>;
-
-  /// Of each key's texts those from number `first` on are labels.
-  explicit Labels(std::size_t first) : first_(first) {}
-
-  /// The same keys; their labels are stored.
-  static Source<KeyBlock> observe(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks);
-
-  /// The samples with the texts after their rows. `forget`: segments come in order, so that labels of earlier keys
-  /// are not needed again.
-  static Source<LabelledBlock> attach(const std::shared_ptr<Labels>& labels, Source<SampleBlock> blocks, RowEnd row_end,
-                                      bool forget);
-
- private:
-  void add(const KeyBlock& block);
-  std::vector<std::string_view> of(std::uint64_t key) const;
-  /// Keeps the first keys, to which a closed curve returns.
-  void forget_before(std::uint64_t key);
-
-  struct BlockLabels {
-    Texts texts;
-    std::uint64_t first_key, keys;
-  };
-  std::size_t first_;
-  std::deque<BlockLabels> blocks_;
-};
-
-/// Prints the rows of a block one by one: `print` appends a row with the text after it to `out`.
-/// A pure function.
-std::string print_labelled(
-    const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
-    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print);
 
 /// The form of an output.
 struct WriterOptions {
@@ -84,7 +37,7 @@ class Writer {
   /// Requires: the options outlive the writer.
   Writer(const WriterOptions& options, std::string path)
       : options_(options),
-        output_(std::move(path), format_of(options.format).is_binary),
+        output_(std::move(path), format_of(options.format).family == FormatFamily::array),
         recorder_(options.provenance) {}
 
   /// The recorder of the output's provenance, to be attached to the sources of its rows.
@@ -100,7 +53,7 @@ class Writer {
   /// The text of some rows. A pure function until the next begin_curve().
   std::string print(const Table& table, bool first) const;
 
-  /// The same for rows with labels.
+  /// The text of rows with labels.
   std::string print(const LabelledBlock& block, const Evaluate& evaluate) const;
 
   std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }

@@ -22,7 +22,7 @@ SampleTable table_of(const std::string& rows) {
 TEST(KeptCurves, can_be_read_more_than_once) {
   const Comparing files("id,t,x\na,0,1\nb,0,2\na,1,3\n", "");
   Job job = files.job;
-  job.input.roles = {{Role::group, {"id"}}};
+  job.input.columns.roles = {{Role::group, {"id"}}};
   const KeptCurves kept = keep(job);
   ASSERT_EQ(kept.curves.size(), 2U);
   EXPECT_EQ(kept.curves[0].key_count(), 2U);
@@ -69,7 +69,7 @@ TEST(ComparisonInputs, errors_name_the_file) {
 TEST(ComparisonInputs, have_places_in_time_or_in_arc_length) {
   const Comparing in_time("clock,x\n0,0\n1,1\n", "clock,x\n0,0\n");
   Job job = in_time.job;
-  job.input.roles = {{Role::time, {"clock"}}};
+  job.input.columns.roles = {{Role::time, {"clock"}}};
   EXPECT_EQ(read_inputs(job, {}).place_name(), "clock");
   const Comparing in_length("t,x\n0,0\n1,1\n", "s,x\n0,0\n");
   EXPECT_EQ(read_inputs(in_length.job, {}).place_name(), "s");

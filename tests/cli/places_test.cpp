@@ -47,7 +47,7 @@ TEST_F(Places, a_name_of_a_file_may_have_a_colon) {
 
 TEST_F(Places, of_groups_are_kept_by_the_contents_of_their_texts) {
   TypedOptions options;
-  options.job.input.roles.push_back({Role::group, {"id"}});
+  options.job.input.columns.roles.push_back({Role::group, {"id"}});
   store_places(options, option::at,
                "@" + made("a.json", R"([{"id":"a","t":1},{"id":2,"t":3},{"id":"a","t":0}])") + ":t");
   read_place_column(options);

@@ -22,11 +22,11 @@ TEST(Plan, without_options_but_a_step_all_is_default) {
   EXPECT_EQ(job.output_format, FormatId::csv);
   EXPECT_FALSE(job.output_header || job.output_folder || job.comparison || job.golden || job.meta);
   EXPECT_EQ(job.output, "-");
-  EXPECT_FALSE(job.input.format || job.input.delimiter || job.input.header);
-  EXPECT_EQ(job.input.comment, "#");
-  EXPECT_EQ(job.input.decimal, '.');
-  EXPECT_EQ(job.input.missing, Missing::error);
-  EXPECT_EQ(job.input.tcb, spline::Tcb<double>{});
+  EXPECT_FALSE(job.input.format || job.input.delimited.delimiter || job.input.delimited.header);
+  EXPECT_EQ(job.input.delimited.comment, "#");
+  EXPECT_EQ(job.input.delimited.decimal, '.');
+  EXPECT_EQ(job.input.keys.missing, Missing::error);
+  EXPECT_EQ(job.input.keys.tcb, spline::Tcb<double>{});
   EXPECT_EQ(job.curves.duplicates, Duplicates::error);
   EXPECT_FALSE(job.curves.sort);
 }
@@ -80,20 +80,20 @@ TEST(Plan, the_range_is_exact_and_goes_forward) {
 
 TEST(Plan, options_about_the_input_have_their_meaning) {
   EXPECT_EQ(stepped({"-i", "jsonl"}).input.format, FormatId::jsonl);
-  EXPECT_EQ(stepped({"--comment", "//"}).input.comment, "//");
-  EXPECT_EQ(stepped({"--comment", "none"}).input.comment, "");
-  EXPECT_EQ(stepped({"--header"}).input.header, true);
-  EXPECT_EQ(stepped({"--no-header"}).input.header, false);
-  EXPECT_EQ(stepped({"--decimal", ","}).input.decimal, ',');
-  EXPECT_EQ(stepped({"--missing", "skip-cell"}).input.missing, Missing::skip_cell);
+  EXPECT_EQ(stepped({"--comment", "//"}).input.delimited.comment, "//");
+  EXPECT_EQ(stepped({"--comment", "none"}).input.delimited.comment, "");
+  EXPECT_EQ(stepped({"--header"}).input.delimited.header, true);
+  EXPECT_EQ(stepped({"--no-header"}).input.delimited.header, false);
+  EXPECT_EQ(stepped({"--decimal", ","}).input.delimited.decimal, ',');
+  EXPECT_EQ(stepped({"--missing", "skip-cell"}).input.keys.missing, Missing::skip_cell);
   EXPECT_EQ(stepped({"--duplicates", "break"}).curves.duplicates, Duplicates::break_curve);
-  EXPECT_TRUE(stepped({"--parameter", "chordal"}).input.timeless);
+  EXPECT_TRUE(stepped({"--parameter", "chordal"}).input.columns.timeless);
 }
 
 TEST(Plan, groups_come_after_the_columns_whatever_their_order) {
   for (const auto& words : {std::vector<std::string>{"--group", "id,take", "--columns", "carry=label"},
                             std::vector<std::string>{"--columns", "carry=label", "--group", "id,take"}}) {
-    const auto roles = stepped(words).input.roles;
+    const auto roles = stepped(words).input.columns.roles;
     ASSERT_EQ(roles.size(), 2U);
     EXPECT_EQ(roles[0].role, Role::carry);
     EXPECT_EQ(roles[1].role, Role::group);
@@ -113,7 +113,7 @@ TEST(Plan, notations_have_their_count) {
 TEST(Plan, golden_rows_take_more_digits_and_exact_input) {
   const Job job = stepped({"--golden", "--exact-input", "--digits", "100"});
   ASSERT_TRUE(job.golden.has_value());
-  EXPECT_TRUE(job.golden->decimal && job.input.keeps_decimals);
+  EXPECT_TRUE(job.golden->decimal && job.input.keys.keeps_decimals);
   EXPECT_EQ(job.golden->notation.count, 100);
   EXPECT_FALSE(stepped({"--golden"}).golden->decimal);
 }

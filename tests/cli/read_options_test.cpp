@@ -25,7 +25,7 @@ TEST(CommandLine, a_value_may_be_negative) {
   const Job job = job_of({"-s1", "--from", "-1.5", "--to", "-.5", "--tcb", "-1,0,.5"});
   EXPECT_EQ(job.sampling.from, Rational(-3, 2));
   EXPECT_EQ(job.sampling.to, Rational(-1, 2));
-  EXPECT_EQ(job.input.tcb, (spline::Tcb<double>{-1, 0, 0.5}));
+  EXPECT_EQ(job.input.keys.tcb, (spline::Tcb<double>{-1, 0, 0.5}));
 }
 
 TEST(CommandLine, rate_and_fps_are_one_option) {

@@ -17,8 +17,7 @@ Schema schema_of_drive() {
   Schema schema;
   schema.channels = {"x", "y", "heading", "qx", "qy", "qz", "qw"};
   schema.angles = {{2, true}};
-  schema.rotations.columns = {{{3, 4, 5, 6}}};
-  schema.rotations.given.resize(1);
+  schema.rotations = {{{{{3, 4, 5, 6}}}}};
   return schema;
 }
 

@@ -50,10 +50,10 @@ TEST(Fitting, columns_carry_what_the_keys_do) {
 
 TEST(Fitting, rotations_are_left_out) {
   Input input = input_of({"x", "qx", "qy", "qz", "qw"});
-  input.schema.rotations.columns = {{{1, 2, 3, 4}}};
+  input.schema.rotations = {{{{{1, 2, 3, 4}}}}};
   EXPECT_THAT(keys_of_fit(input, job_with({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
   input.schema.channels[0] = "q0";
-  input.schema.rotations.columns = {{{1, 2, 3, 4}}, {{0, 0, 0, 0}}};
+  input.schema.rotations = {{{{{1, 2, 3, 4}}}}, {{{{0, 0, 0, 0}}}}};
   EXPECT_EQ(refusal(input, job_with({{"", 1}})), only_rotations().message());
 }
 

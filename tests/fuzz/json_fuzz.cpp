@@ -11,10 +11,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzedDataProvider choices(data, size);
   InputOptions options;
   options.format = find_format(choices.PickValueInArray({"json", "jsonl"}));
-  options.missing = choices.PickValueInArray(missing_names).value;
-  options.timeless = choices.ConsumeBool();
+  options.keys.missing = choices.PickValueInArray(missing_names).value;
+  options.columns.timeless = choices.ConsumeBool();
   const char* const columns = choices.PickValueInArray({"", "", "carry=label", "group=id", "position=x:y,time=t"});
-  if (*columns != '\0') options.roles = parse_roles(columns);
+  if (*columns != '\0') options.columns.roles = parse_roles(columns);
   const auto piece = choices.ConsumeIntegralInRange<std::size_t>(1, 64);
   fuzz::require_same_readings(choices.ConsumeRemainingBytesAsString(), options, piece, false);
   return 0;

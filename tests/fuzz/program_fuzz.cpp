@@ -148,7 +148,7 @@ void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
 /// Requires: rows without an error.
 void require_sound(const Job& plan, std::string_view text, std::string_view rows) {
   const Format& format = format_of(plan.output_format);
-  if (format.is_binary || format.is_picture) return;
+  if (format.family == FormatFamily::array || format.family == FormatFamily::picture) return;
   if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
   if (format.name == "jsonl") {
     for (const std::string_view row : split(rows, '\n')) {

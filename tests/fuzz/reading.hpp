@@ -13,8 +13,8 @@
 #include "error.hpp"
 #include "invariant.hpp"
 #include "io/terminal.hpp"
+#include "keys/without_faults.hpp"
 #include "read/reader.hpp"
-#include "schema/faults.hpp"
 
 namespace tcb::fuzz {
 

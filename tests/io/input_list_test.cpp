@@ -57,20 +57,20 @@ class Inputs : public testing::Test {
 };
 
 TEST_F(Inputs, a_folder_is_mirrored) {
-  for (const char* path : {"in/b.csv", "in/a/x.json", "in/a/x.png", "in/a/deep/y.csv"}) touch(path);
+  for (const char* path : {"in/b.csv", "in/c.csv.gz", "in/a/x.json", "in/a/x.png", "in/a/deep/y.csv"}) touch(path);
   InputListOptions options;
   options.files = {"in"};
   options.recursive = true;
-  options.takes = [](std::string_view path) { return !path.ends_with(".png"); };
+  options.endings = {".csv", ".json"};
   options.outputs.folder = "out";
   options.outputs.ending = ".csv";
   const std::vector<std::string> expected{"in/a/deep/y.csv -> out/a/deep/y.csv", "in/a/x.json -> out/a/x.csv",
-                                          "in/b.csv -> out/b.csv"};
+                                          "in/b.csv -> out/b.csv", "in/c.csv.gz -> out/c.csv"};
   EXPECT_EQ(found(options), expected);
   EXPECT_EQ(find_inputs(options).others, 1);
   options.files = {"./in//"};
   EXPECT_EQ(found(options).at(1), "./in//a/x.json -> out/a/x.csv");
-  options.takes = nullptr;
+  options.endings.clear();
   EXPECT_NE(refusal(options).find("a/x.csv is also the output of"), std::string::npos);
 }
 

@@ -1,7 +1,7 @@
 // Curve labels: the column that distinguishes curves.
-#include <gtest/gtest.h>
+#include "keys/curve_labels.hpp"
 
-#include "keys/curves.hpp"
+#include <gtest/gtest.h>
 
 namespace tcb {
 namespace {

@@ -21,12 +21,8 @@ using testing::HasSubstr;
 Numbers quaternions_of(const std::vector<Numbers>& keys, bool relative, bool in_parent) {
   const GivenRotation given{
       {spline::RotationForm::axis_angle, {}, true, true}, relative, {"ax", "ay", "az", "angle"}, {1, 2, 3, 4}};
-  return with_quaternions(source_of(block_of(keys)), {{RotationColumns{{{1, 2, 3, 4}, 0}, {}, {}}},
-                                                      {given},
-                                                      {},
-                                                      false,
-                                                      spline::RotationCurve::squad,
-                                                      in_parent})()
+  const RotationSchema rotation{{{{1, 2, 3, 4}, 0}, {}, {}}, given};
+  return with_quaternions(source_of(block_of(keys)), {{rotation}, {}, spline::RotationCurve::squad, in_parent})()
       ->keys.positions;
 }
 
@@ -56,7 +52,8 @@ TEST(Rotations, of_three_angles_get_a_channel_more) {
     block.decimals.add(decimal);
   }
   const GivenRotation given{{spline::RotationForm::euler, {2, 1, 0}, true, true}, false, {"a", "b", "c"}, {0, 1, 2}};
-  const KeyBlock wider = *with_quaternions(source_of(block), {{{{0, 1, 2, 3}}}, {given}, {0, 0, 0, 0, 3}})();
+  const RotationSchema rotation{{{{0, 1, 2, 3}}}, given};
+  const KeyBlock wider = *with_quaternions(source_of(block), {{rotation}, {0, 0, 0, 0, 3}})();
   EXPECT_EQ(wider.keys.channels, 5U);
   const double root = std::sqrt(0.5);
   expect_near(wider.keys.positions, {root, 0, 0, root, 7, 0, 0, 0, 1, 8});
@@ -75,8 +72,9 @@ Numbers quaternion_of(const Numbers& matrix, bool normalize) {
   block.keys.positions = matrix;
   block.keys.positions.insert(block.keys.positions.begin() + 3, 7);
   block.lines = {2};
-  const GivenRotation given{{spline::RotationForm::matrix}, false, {"r11"}, {0, 1, 2, 4, 5, 6, 7, 8, 9}};
-  return with_quaternions(source_of(block), {{{{0, 1, 2, 3}}}, {given}, {0, 0, 0, 0, 3}, normalize})()->keys.positions;
+  const GivenRotation given{{spline::RotationForm::matrix}, false, {"r11"}, {0, 1, 2, 4, 5, 6, 7, 8, 9}, normalize};
+  const RotationSchema rotation{{{{0, 1, 2, 3}}}, given};
+  return with_quaternions(source_of(block), {{rotation}, {0, 0, 0, 0, 3}})()->keys.positions;
 }
 
 std::string refusal_of_matrix(const Numbers& matrix, bool normalize = false) {

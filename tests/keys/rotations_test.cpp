@@ -19,8 +19,8 @@ namespace {
 using testing::MatchesRegex;
 
 KeyBlock checked(const KeyBlock& block, bool normalize = false) {
-  const GivenRotation given{{}, false, {"qx", "qy", "qz", "qw"}};
-  return *with_quaternions(source_of(block), {{{{1, 2, 3, 4}}}, {given}, {}, normalize})();
+  const RotationSchema rotation{{{{1, 2, 3, 4}}}, {{}, false, {"qx", "qy", "qz", "qw"}, {}, normalize}};
+  return *with_quaternions(source_of(block), {{rotation}})();
 }
 
 /// The line and the message of the error of keys with these quaternions.

@@ -101,7 +101,7 @@ TEST(Drawing, a_single_key_is_drawn_without_samples) {
 
 TEST(Drawing, curves_beyond_the_most_are_counted) {
   Job job = sampled();
-  job.input.roles = {{Role::group, {"id"}, option::group}};
+  job.input.columns.roles = {{Role::group, {"id"}, option::group}};
   std::string text = "id,time,x\n";
   for (int i = 0; i < 402; ++i) text += fmt::format("{0},0,{0}\n{0},1,0\n", i);
   EXPECT_THAT(drawn(job, {text}), HasSubstr("400 of 402 curves"));

@@ -1,10 +1,8 @@
-// Reader: how the format of an input is found, what may precede its first byte, and faults gathered into one error.
+// Reader: how the format of an input is found, and what may precede its first byte.
 #include "read/reader.hpp"
 
 #include <gtest/gtest.h>
 
-#include "read/csv/errors.hpp"
-#include "read/errors.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -38,7 +36,7 @@ TEST(OpenInput, a_given_format_has_priority) {
 
 TEST(OpenInput, a_given_delimiter_has_priority_over_the_format) {
   InputOptions options;
-  options.delimiter = ';';
+  options.delimited.delimiter = ';';
   EXPECT_EQ(read("t;x\n0;1\n", options, 1, "keys.tsv"), "t x\n2: 0 1\n");
 }
 
@@ -61,53 +59,6 @@ TEST(OpenInput, an_input_shorter_than_a_mark_is_read) {
       read("7"),
       "f:1: error: there is no position column; expected at least one column of numbers besides the time; name it "
       "with --columns position=NAME");
-}
-
-/// Blocks with faults on these lines.
-Source<KeyBlock> blocks(std::vector<std::vector<std::uint64_t>> lines, bool ends_badly = false) {
-  return [lines, ends_badly, next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
-    if (next == lines.size() && ends_badly) throw nul_in_text().at({"", 99, 1});
-    if (next == lines.size()) return std::nullopt;
-    KeyBlock block;
-    for (const std::uint64_t line : lines[next]) block.faults.push_back(quote_not_closed().at({"", line, 1}));
-    ++next;
-    return block;
-  };
-}
-
-/// The lines of the faults.
-std::string lines_of(const Source<KeyBlock>& source) {
-  try {
-    while (source()) {
-    }
-  } catch (const Error& error) {
-    std::string lines = fmt::format("{} ", error.position().line);
-    for (const Error& other : error.others()) lines += fmt::format("{} ", other.position().line);
-    return lines;
-  }
-  return "";
-}
-
-TEST(Faults, all_are_reported_in_the_order_of_their_lines) {
-  EXPECT_EQ(lines_of(without_faults(blocks({{}, {5, 3}, {}, {8}}), false)), "3 5 8 ");
-}
-
-TEST(Faults, at_most_ten_are_reported) {
-  EXPECT_EQ(lines_of(without_faults(blocks({{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11}, {12}}), false)),
-            "1 2 3 4 5 6 7 8 9 10 ");
-}
-
-TEST(Faults, a_live_input_is_read_no_further) { EXPECT_EQ(lines_of(without_faults(blocks({{1}, {2}}), true)), "1 "); }
-
-TEST(Faults, an_error_that_ends_the_reading_comes_last) {
-  EXPECT_EQ(lines_of(without_faults(blocks({{1}}, true), false)), "1 99 ");
-}
-
-TEST(Faults, blocks_without_faults_pass) {
-  const auto source = without_faults(blocks({{}, {}}), false);
-  EXPECT_TRUE(source().has_value());
-  EXPECT_TRUE(source().has_value());
-  EXPECT_FALSE(source().has_value());
 }
 
 }  // namespace

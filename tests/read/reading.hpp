@@ -10,8 +10,8 @@
 
 #include "error.hpp"
 #include "io/terminal.hpp"
+#include "keys/without_faults.hpp"
 #include "read/reader.hpp"
-#include "schema/faults.hpp"
 
 namespace tcb {
 
@@ -72,7 +72,7 @@ inline std::string read(const std::string& text, const InputOptions& options = {
 /// Options with this --columns.
 inline InputOptions with_columns(std::string_view columns) {
   InputOptions options;
-  options.roles = parse_roles(columns);
+  options.columns.roles = parse_roles(columns);
   return options;
 }
 

@@ -21,7 +21,7 @@ std::string explained(const std::string& text, std::uint64_t count, const std::v
   job.sampling.mode = Mode::count;
   job.sampling.count = count;
   job.fields = {0, 1};
-  if (!groups.empty()) job.input.roles.push_back({Role::group, groups, option::group});
+  if (!groups.empty()) job.input.columns.roles.push_back({Role::group, groups, option::group});
   const std::string result = explanation(path.string(), job);
   std::filesystem::remove(path);
   return result;

@@ -28,13 +28,13 @@ TEST(Fields, a_row_has_a_cell_for_each_channel_or_one) {
 TEST(Fields, motion_is_that_of_channels_without_rotation) {
   Schema schema;
   schema.channels = {"x", "qx", "qy", "qz", "qw"};
-  schema.rotations.columns = {{{1, 2, 3, 4}}};
+  schema.rotations = {{{{{1, 2, 3, 4}}}}};
   const std::array chosen{field_of("velocity"), field_of("angular_velocity"), field_of("angular_speed")};
   std::string names;
   for (const OutputColumn& column : output_columns(chosen, schema)) names += column.name + " ";
   EXPECT_EQ(names, "x_v angular_velocity_x angular_velocity_y angular_velocity_z angular_speed ");
-  EXPECT_EQ(cells_in_row(chosen, {5, schema.rotations.columns}), 5U);
-  schema.rotations.columns.push_back({{4, 3, 2, 1}});
+  EXPECT_EQ(cells_in_row(chosen, {5, rotation_columns(schema)}), 5U);
+  schema.rotations.push_back({{{{4, 3, 2, 1}}}});
   EXPECT_EQ(output_columns(std::array{field_of("angular_speed")}, schema)[1].name, "angular_speed2");
 }
 

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 Input opened(const std::string& text, const RotationOptions& rotation, bool timeless = false) {
   InputOptions options;
   options.rotation = rotation;
-  options.timeless = timeless;
+  options.columns.timeless = timeless;
   return open_input("keys.csv", pieces(text), options);
 }
 
@@ -26,7 +26,7 @@ TEST(RotationsByName, four_names_that_differ_in_a_letter_after_a_q) {
   const auto rotations = [](const std::string& header, const RotationOptions& options = {}) {
     std::vector<Four> channels;
     const Input input = opened(header + "\n0,1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1,1\n", options);
-    for (const RotationColumns& rotation : input.schema.rotations.columns) channels.push_back(rotation.channels);
+    for (const RotationColumns& rotation : rotation_columns(input.schema)) channels.push_back(rotation.channels);
     return channels;
   };
   EXPECT_THAT(rotations("t,x,y,z,qx,qy,qz,qw,b"), ElementsAre(Four{3, 4, 5, 6}));
@@ -55,8 +55,8 @@ TEST(RotationColumns, are_requested_by_the_numbers_of_columns) {
     return RotationOptions{.requests = {{{}, false, std::move(columns)}}};
   };
   const Input input = opened(tum, quaternion({"5", "6", "7", "8"}));
-  EXPECT_EQ(input.schema.rotations.columns.at(0).channels, (spline::RotationChannels{3, 4, 5, 6}));
-  EXPECT_THAT(input.schema.rotations.given[0].columns, ElementsAre("p4", "p5", "p6", "p7"));
+  EXPECT_EQ(input.schema.rotations.at(0).columns.channels, (spline::RotationChannels{3, 4, 5, 6}));
+  EXPECT_THAT(input.schema.rotations[0].given.columns, ElementsAre("p4", "p5", "p6", "p7"));
   EXPECT_THAT(error_of([&] { opened(tum, quaternion({"1", "6", "7", "8"})); }), HasSubstr("column 1 is the time"));
   EXPECT_THAT(error_of([&] {
                 opened(tum, quaternion({"5", "6", "7", "9"}));
@@ -64,7 +64,7 @@ TEST(RotationColumns, are_requested_by_the_numbers_of_columns) {
               HasSubstr("no column \"9\"; the columns have no names"));
   EXPECT_EQ(opened(tum, {.angles = {{"8", true}}}).schema.angles.at(0).channel, 6U);
   const std::string named = "6,t,a,b,c,d,e\n0,0,0,0,0,0,1\n0,1,0,0,0,0,1\n";
-  EXPECT_EQ(opened(named, quaternion({"6", "3", "4", "7"})).schema.rotations.columns.at(0).channels,
+  EXPECT_EQ(opened(named, quaternion({"6", "3", "4", "7"})).schema.rotations.at(0).columns.channels,
             (spline::RotationChannels{0, 1, 2, 5}))
       << "names come first";
 }
@@ -74,10 +74,10 @@ TEST(RotationColumns, of_a_matrix_become_four_channels_and_stay_where_they_are_i
   RotationOptions options{.requests = {{{spline::RotationForm::matrix}, false, {}}}};
   options.requests[0].columns = {"1", "2", "3", "5", "6", "7", "9", "10", "11"};
   const Input input = opened(kitti, options, true);
-  EXPECT_EQ(input.schema.rotations.columns.at(0).channels, (spline::RotationChannels{0, 1, 2, 3}));
+  EXPECT_EQ(input.schema.rotations.at(0).columns.channels, (spline::RotationChannels{0, 1, 2, 3}));
   EXPECT_THAT(input.schema.channels, ElementsAre("p1", "p2", "p3", "p5", "p4", "p8", "p12"));
-  EXPECT_THAT(input.schema.rotations.sources, ElementsAre(0, 0, 0, 0, 3, 7, 11));
-  EXPECT_THAT(input.schema.rotations.columns[0].places, ElementsAre(0, 1, 2, 4, 5, 6, 8, 9, 10));
+  EXPECT_THAT(input.schema.sources, ElementsAre(0, 0, 0, 0, 3, 7, 11));
+  EXPECT_THAT(input.schema.rotations[0].columns.places, ElementsAre(0, 1, 2, 4, 5, 6, 8, 9, 10));
   options.shown.emplace();
   EXPECT_THAT(opened(kitti, options, true).schema.channels, ElementsAre("qx", "qy", "qz", "qw", "p4", "p8", "p12"));
 }

@@ -1,4 +1,4 @@
-// Units: the unit in a column's name, frames as seconds, factors of channels, and other names.
+// Units: frames as seconds, factors of channels, and other names.
 #include <gmock/gmock.h>
 
 #include "read/reading.hpp"
@@ -13,29 +13,9 @@ Input opened(const std::string& text, const InputOptions& options) {
   return open_input("keys.csv", pieces(text), options);
 }
 
-TEST(UnitOfTime, is_that_of_the_name) {
-  const auto unit = [](std::string_view name) {
-    const auto found = unit_of_time(name);
-    return found ? row_of(*found).name : "none";
-  };
-  for (const char* name : {"timestamp [ns]", "time_ns", "t (ns)", "timeNanoseconds", "ns"}) {
-    EXPECT_EQ(unit(name), "ns") << name;
-  }
-  for (const char* name : {"time_ms", "ms", "elapsed [ms]", "timestamp_ms", "milliseconds"})
-    EXPECT_EQ(unit(name), "ms");
-  for (const char* name : {"seconds", "sec", "t [s]", "t_s", "time (s)", "unix_time_s"}) EXPECT_EQ(unit(name), "s");
-  for (const char* name : {"frame", "Frame Number", "frames", "keyframe", "t [frames]"})
-    EXPECT_EQ(unit(name), "frames");
-  EXPECT_EQ(unit("time [min]"), "min");
-  EXPECT_EQ(unit("hours"), "h");
-  for (const char* name : {"t", "time", "times", "ts", "timestamp", "ticks", "date", "x", "frame_time"}) {
-    EXPECT_EQ(unit(name), "none") << name;
-  }
-}
-
 TEST(Units, frames_become_seconds_rounded_once) {
   InputOptions options;
-  options.input_rate = Rational(30000, 1001);
+  options.units.frame_rate = Rational(30000, 1001);
   const Input input = opened("frame,x\n0,1\n1,2\n107892,3\n", options);
   EXPECT_EQ(input.schema.time.name, "time");
   EXPECT_EQ(input.schema.time.unit, TimeUnit::s);
@@ -45,14 +25,14 @@ TEST(Units, frames_become_seconds_rounded_once) {
 
 TEST(Units, channels_are_scaled_from_their_decimals) {
   InputOptions options;
-  options.scales = {{"x", Rational(1, 10)}};
-  options.keeps_decimals = true;
+  options.units.scales = {{"x", Rational(1, 10)}};
+  options.keys.keeps_decimals = true;
   const auto block = opened("t,x,y\n0,3,3\n1,0.7,2\n", options).keys.blocks();
   EXPECT_THAT(block->keys.positions, ElementsAre(0.3, 3, 0.07, 2)) << "3 * 0.1 is another double than 0.3";
   EXPECT_EQ(block->decimals[NumberOfKey::position], "3/10");
-  options.scales = {{"z", 2}};
+  options.units.scales = {{"z", 2}};
   EXPECT_THAT(error_of([&] { opened("t,x\n0,3\n1,2\n", options); }), HasSubstr("no column \"z\""));
-  options.scales = {{"x", Rational(parse_rational("1e308").value())}};
+  options.units.scales = {{"x", Rational(parse_rational("1e308").value())}};
   EXPECT_THAT(error_of([&] {
                 const auto keys = opened("t,x\n0,3\n1,2\n", options).keys.blocks();
                 throw keys->faults.at(0);
@@ -62,15 +42,15 @@ TEST(Units, channels_are_scaled_from_their_decimals) {
 
 TEST(Units, that_contradict_the_name_are_refused) {
   InputOptions options;
-  options.time_unit = TimeUnit::ms;
+  options.units.time = TimeUnit::ms;
   EXPECT_THAT(error_of([&] { opened("time_ns,x\n0,1\n1,2\n", options); }),
               HasSubstr("in ms by this option, but in ns"));
   EXPECT_EQ(opened("t,x\n0,1\n1,2\n", options).schema.time.unit, TimeUnit::ms);
   options = {};
-  options.input_rate = 24;
+  options.units.frame_rate = 24;
   EXPECT_THAT(error_of([&] { opened("time_ns,x\n0,1\n1,2\n", options); }),
               HasSubstr("in frames by this option, but in ns"));
-  options.timeless = true;
+  options.columns.timeless = true;
   EXPECT_THAT(error_of([&] { opened("x,y\n0,1\n1,2\n", options); }), HasSubstr("no time column"));
 }
 

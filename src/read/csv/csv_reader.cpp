@@ -1,16 +1,20 @@
-// Reader of delimited text: from records to keys.
+// Reader of delimited text: from bytes to keys.
+#include "read/csv/csv_reader.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "numbers/parse_number.hpp"
-#include "read/csv/delimited_text.hpp"
+#include "read/csv/delimiter.hpp"
 #include "read/csv/errors.hpp"
+#include "read/csv/invalid_number.hpp"
+#include "read/csv/splitter.hpp"
+#include "read/csv/tokenizer.hpp"
 #include "read/errors.hpp"
 #include "read/key_builder.hpp"
 #include "stream/ordered_map.hpp"
-#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -29,18 +33,14 @@ std::string_view bare(std::string_view cell) {
   return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
 }
 
-/// The text with a point where it has a comma.
-std::string with_point(std::string_view text) {
-  std::string changed(text);
-  std::ranges::replace(changed, ',', '.');
-  return changed;
-}
-
 /// Reads the records of a chunk as keys.
 class RecordReader {
  public:
   RecordReader(const Chunk& chunk, const DelimitedHead& head)
-      : head_(head), tokenizer_(chunk, head.dialect), decimals_(head.decimal), keys_(head.columns, head.rules) {
+      : head_(head),
+        tokenizer_(chunk, head.dialect),
+        decimals_(head.decimal),
+        keys_(head.columns, head.rules, head.units) {
     const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
     time_cell_ = static_cast<std::size_t>(time - head.columns.cells.begin());
   }
@@ -134,7 +134,7 @@ class RecordReader {
     if (is_missing_sign(text, head_.rules.signs)) {
       add_fault(cell, is_time ? time_is_missing(name, text) : number_is_missing(name, text));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
-      const bool has_notation = head_.rules.notation == find_notation(text);
+      const bool has_notation = head_.units.notation == find_notation(text);
       add_fault(cell, has_notation ? no_such_time(name, text) : time_in_other_notation(name, text));
     } else {
       add_fault(cell, why_not_number(name, text, head_.decimal));
@@ -163,55 +163,30 @@ class RecordReader {
 
 }  // namespace
 
-bool has_thousands_separators(std::string_view text) {
-  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
-  const auto groups = split(text.substr(0, text.find('.')), ',');
-  const bool is_fraction = text.starts_with('0');  // as in 0,125
-  if (groups.size() < 2 || groups[0].empty() || groups[0].size() > 3 || is_fraction) return false;
-  if (std::any_of(groups.begin() + 1, groups.end(), [](std::string_view group) { return group.size() != 3; }))
-    return false;
-  std::string digits(text);
-  std::erase(digits, ',');
-  return digits.find_first_not_of(".0123456789") == std::string::npos && parse_number(digits);
-}
-
-Error why_not_number(std::string_view column, std::string_view cell, char decimal) {
-  if (looks_numeric(cell) || (decimal != '.' && looks_numeric(with_point(cell)))) {
-    const bool has_point = decimal != '.' && cell.find('.') != std::string_view::npos;
-    return has_point ? number_with_decimal_point(column, cell) : number_beyond_doubles(column, cell);
-  }
-  const bool has_comma = decimal == '.' && cell.find(',') != std::string_view::npos;
-  if (has_comma && has_thousands_separators(cell)) return number_with_thousands(column, cell);
-  if (has_comma && parse_number(with_point(cell))) return number_with_decimal_comma(column, cell);
-  const std::size_t blank = cell.find_first_of(" \t");
-  const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
-  return several ? several_numbers_in_cell(column, cell) : cell_is_not_a_number(column, cell);
-}
-
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
 
 Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const std::optional<char> named = take_named_delimiter(bytes);
-  const std::optional<char> delimiter = options.delimiter ? options.delimiter : named;
+  const std::optional<char> delimiter = options.delimited.delimiter ? options.delimited.delimiter : named;
   Beginning beginning;
   if (delimiter) beginning.delimiter = *delimiter;
-  if (!delimiter) beginning = find_delimiter(bytes, options);
+  if (!delimiter) beginning = find_delimiter(bytes, options.delimited);
   if (named) ++beginning.line;
-  const Dialect dialect{beginning.delimiter, options.comment, options.samples.has_value()};
-  if (dialect.delimiter == options.decimal) throw decimal_comma_is_delimiter();
+  const Dialect dialect{beginning.delimiter, options.delimited.comment, options.columns.samples.has_value()};
+  if (dialect.delimiter == options.delimited.decimal) throw decimal_comma_is_delimiter();
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;
   const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
-  Records records{head->columns, head->rules.notation};
+  Records records{head->columns, head->units.notation};
   records.facts.delimiter = dialect.delimiter;
   records.facts.comment = dialect.comment;
-  records.facts.decimal = options.decimal;
+  records.facts.decimal = options.delimited.decimal;
   records.keys.blocks = ordered_map(std::move(chunks), parse, options.threads);
   records.keys.traits.may_break =
-      dialect.delimiter == ' ' || dialect.divided || options.missing == Missing::break_curve;
+      dialect.delimiter == ' ' || dialect.divided || options.keys.missing == Missing::break_curve;
   return records;
 }
 

@@ -1,4 +1,6 @@
 // Header of delimited text: names and roles of the columns, from the first three records.
+#include "read/csv/header.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +11,10 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
-#include "read/csv/delimited_text.hpp"
 #include "read/csv/errors.hpp"
+#include "read/csv/invalid_number.hpp"
+#include "read/csv/tokenizer.hpp"
+#include "schema/near_misses.hpp"
 #include "schema/rotation_columns.hpp"
 #include "text/utf8.hpp"
 
@@ -121,7 +125,7 @@ void require_characters(const std::vector<std::string>& names, const TextPositio
 }
 
 /// Whether the name gives its column a role, or is requested.
-bool has_meaning(const std::string& name, const InputOptions& options) {
+bool has_meaning(const std::string& name, const ColumnOptions& options) {
   return role_of_name(name) != Role::position || std::ranges::any_of(options.roles, [&](const RoleRequest& role) {
            return std::ranges::count(role.columns, name) > 0;
          });
@@ -129,7 +133,7 @@ bool has_meaning(const std::string& name, const InputOptions& options) {
 
 /// Whether a comment names columns: one of its words gives a role, and none is a number. Otherwise it may be any text,
 /// or a key that was commented out.
-bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const InputOptions& options) {
+bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const ColumnOptions& options) {
   const auto is_number = [&](const std::string& word) { return may_be_number(word, head); };
   return std::ranges::none_of(words, is_number) &&
          (options.timeless ||
@@ -154,7 +158,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
 
 /// Throws: Error (data) if the first record may be a header, or a key with a misspelt number: one of its cells is
 /// text, another a number, and none a name with a meaning.
-void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const InputOptions& options) {
+void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const ColumnOptions& options) {
   const auto is_number = [&](const std::string& cell) {
     return !is_missing_sign(cell, head.rules.signs) && may_be_number(cell, head);
   };
@@ -210,19 +214,20 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
 
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
                         std::vector<Chunk>& rest) {
+  const ColumnOptions& columns = options.columns;
   FirstRecords first(chunks, dialect);
-  DelimitedHead head{dialect, {}, options.key_rules(), options.decimal};
+  DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.decimal};
   if (first.records.empty()) throw empty_input();
-  if (!options.delimiter) require_delimiter(first, dialect);
-  const bool header = options.header.value_or(is_header(first.records[0], head, options.samples));
+  if (!options.delimited.delimiter) require_delimiter(first, dialect);
+  const bool header = options.delimited.header.value_or(is_header(first.records[0], head, columns.samples));
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   TextPosition position{"", first.records[0].line, 0};  // of the names
-  if (header && !options.header) require_clear_header(first.records[0], head, options);
+  if (header && !options.delimited.header) require_clear_header(first.records[0], head, columns);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
-  if (!header && !options.header && !first.records[0].comment.empty()) {
+  if (!header && !options.delimited.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);
-    if (above.size() == first.records[0].cells.size() && are_names(above, head, options)) {
+    if (above.size() == first.records[0].cells.size() && are_names(above, head, columns)) {
       names = std::move(above);
       --position.line;
     }
@@ -237,14 +242,14 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);
   at_position(position, [&] {
-    head.columns = options.samples ? find_sample_columns(names, numeric, *options.samples, options.timeless)
-                                   : find_columns(names, numeric, options.roles, options.timeless);
-    if (!options.samples) require_no_near_miss(names, head.columns, options.roles, options.timeless);
-    set_units(head.rules, options.units(), head.columns, first_time(row.cells, head.columns));
+    head.columns = columns.samples ? find_sample_columns(names, numeric, *columns.samples, columns.timeless)
+                                   : find_columns(names, numeric, columns.roles, columns.timeless);
+    if (!columns.samples) require_no_near_miss(names, head.columns, columns.roles, columns.timeless);
+    head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });
-  if (names.empty() && options.roles.empty()) head.columns.likely_rotation = likely_rotation_of(first, head.decimal);
-  const bool chosen = std::ranges::any_of(options.roles, [](const auto& role) { return role.role == Role::position; });
-  if (!chosen && !options.samples) require_text(rest[0], head, numeric);
+  if (names.empty() && columns.roles.empty()) head.columns.likely_rotation = likely_rotation_of(first, head.decimal);
+  const bool chosen = std::ranges::any_of(columns.roles, [](const auto& role) { return role.role == Role::position; });
+  if (!chosen && !columns.samples) require_text(rest[0], head, numeric);
   return head;
 }
 

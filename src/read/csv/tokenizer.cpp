@@ -1,5 +1,5 @@
 // Tokenizer of delimited text: records and their cells.
-#include "read/csv/delimited_text.hpp"
+#include "read/csv/tokenizer.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -10,6 +10,7 @@
 #include "numbers/parse_number.hpp"
 #include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
+#include "schema/missing.hpp"
 
 namespace tcb {
 namespace {
@@ -130,9 +131,10 @@ class LaterKeys : public JsonObjectReader {
 };
 
 /// Members that are texts in the first key may hold numbers.
-void find_missing_numbers(std::vector<FoundMember>& members, const JsonPart& part, const InputOptions& options) {
+void find_missing_numbers(std::vector<FoundMember>& members, const JsonPart& part,
+                          const std::vector<std::string>& signs) {
   if (std::ranges::none_of(members, &FoundMember::text)) return;
-  LaterKeys keys(part, options.signs);
+  LaterKeys keys(part, signs);
   try {
     keys.parse();
   } catch (const Error&) {  // thrown again when the keys are read
@@ -180,16 +182,17 @@ std::vector<std::string> quaternion_columns(const FoundMember& member) {
   return names;
 }
 
-FirstKey read_first_key(const JsonPart& part, const InputOptions& options) {
+FirstKey read_first_key(const JsonPart& part, const std::vector<RoleRequest>& requests,
+                        const std::vector<std::string>& signs) {
   std::vector<std::string> texts;
-  for (const RoleRequest& role : options.roles) {
+  for (const RoleRequest& role : requests) {
     if (role.role == Role::group || role.role == Role::carry) {
       texts.insert(texts.end(), role.columns.begin(), role.columns.end());
     }
   }
-  FirstKeyReader first(part, std::move(texts), options.signs);
+  FirstKeyReader first(part, std::move(texts), signs);
   first.parse();
-  find_missing_numbers(first.members, part, options);
+  find_missing_numbers(first.members, part, signs);
   return {std::move(first.members), first.position()};
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "error.hpp"
-#include "read/input_options.hpp"
 #include "read/json/splitter.hpp"
 
 namespace tcb {
@@ -50,6 +49,7 @@ std::vector<std::string> quaternion_columns(const FoundMember& member);
 
 /// Reads the first key of a part. A member with a text there holds numbers if one of the first keys has a number, or
 /// all have signs of missing ones. Throws: Error (data).
-FirstKey read_first_key(const JsonPart& part, const InputOptions& options);
+FirstKey read_first_key(const JsonPart& part, const std::vector<RoleRequest>& requests,
+                        const std::vector<std::string>& signs);
 
 }  // namespace tcb

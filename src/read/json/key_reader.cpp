@@ -26,7 +26,7 @@ class KeyReader : public JsonObjectReader {
       : JsonObjectReader(part),
         columns_(columns),
         signs_(columns.rules.signs),
-        keys_(columns.columns, columns.rules),
+        keys_(columns.columns, columns.rules, columns.units),
         path_(part.chunk.path),
         seen_(columns.members.size()) {}
 
@@ -93,7 +93,7 @@ class KeyReader : public JsonObjectReader {
     if (column->role == Role::time && is_quoted()) {
       if (keys_.set_time_in_words(*column, text)) return true;
       if (find_notation(text) || (!keys_.has_times_as_numbers() && !is_missing_sign(text, signs_))) {
-        return add_value_fault(columns_.rules.notation == find_notation(text) ? json::no_such_time(text)
+        return add_value_fault(columns_.units.notation == find_notation(text) ? json::no_such_time(text)
                                                                               : json::time_in_other_notation(text));
       }
     }

@@ -8,6 +8,8 @@
 
 #include "read/json/errors.hpp"
 #include "read/json/first_key.hpp"
+#include "schema/near_misses.hpp"
+#include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -36,7 +38,7 @@ struct Arrays {
 Arrays arrays_of(const std::vector<Found>& members, const InputOptions& options,
                  const std::vector<std::string>& channels) {
   Arrays arrays{{}, channels};
-  for (const RoleRequest& request : options.roles) {
+  for (const RoleRequest& request : options.columns.roles) {
     if (request.role != Role::position) continue;
     for (const std::string& name : request.columns) {
       const auto array = std::ranges::find_if(
@@ -99,7 +101,7 @@ std::vector<std::string> cell_names(const Found& member, const Arrays& arrays, c
 
 /// The requests with the names of an array's numbers in the place of its own.
 std::vector<RoleRequest> requests_of(const std::vector<Found>& members, const Arrays& arrays,
-                                     const InputOptions& options) {
+                                     const ColumnOptions& options) {
   std::vector<RoleRequest> requests = options.roles;
   for (RoleRequest& request : requests) {
     if (request.role != Role::position) continue;
@@ -147,7 +149,7 @@ void add_optional_members(JsonColumns& columns) {
 
 /// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
 /// requested.
-void require_shape(const Found& member, const InputOptions& options) {
+void require_shape(const Found& member, const ColumnOptions& options) {
   const bool is_array = holds_tcb(member.name);
   if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
   const auto names_it = [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; };
@@ -158,7 +160,7 @@ void require_shape(const Found& member, const InputOptions& options) {
 }
 
 /// Throws: Error (data) for a number whose name is a near miss of a role's.
-void require_no_near_miss(const Found& member, const Columns& columns, const InputOptions& options) {
+void require_no_near_miss(const Found& member, const Columns& columns, const ColumnOptions& options) {
   if (member.array || member.text || member.numbers == 0) return;
   const auto near = near_miss(member.name, columns, options.roles, options.timeless);
   if (near) throw json::nearly_role(member.name, *near).about(member.path).at(member.position);
@@ -175,7 +177,7 @@ bool is_required(const JsonColumns& columns, const Member& member) {
 
 /// Throws: Error (data) where an array or an object is not used and may be the position, for single numbers are, or the
 /// time.
-void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arrays, const InputOptions& options) {
+void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arrays, const ColumnOptions& options) {
   const auto is_requested = [&](Role role) { return std::ranges::count(options.roles, role, &RoleRequest::role) > 0; };
   const auto is_used = [&](const Found& member) { return arrays.has(member); };
   const auto is_time = [](const Found& member) { return is_usual_time(member.name); };
@@ -229,6 +231,7 @@ std::vector<bool> numeric_cells(const std::vector<Found>& found, const std::vect
 /// What the members of the first key mean.
 JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& options,
                        const std::vector<std::string>& channels) {
+  const ColumnOptions& requested = options.columns;
   const Arrays arrays = arrays_of(members, options, channels);
   const bool has_array = std::ranges::any_of(members, [&](const auto& member) { return arrays.has(member); });
   JsonColumns result;
@@ -241,38 +244,38 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
     if (names.empty() && !found.empty) unused.push_back(found.name);
   }
   const auto numeric = numeric_cells(members, result.members, header, arrays);
-  const bool is_chosen = std::ranges::count(options.roles, Role::position, &RoleRequest::role) > 0;
-  if (!options.samples && !options.rotation.none && !is_chosen) require_quaternion(members);
-  if (!options.samples) require_no_lost_arrays(members, arrays, options);
-  result.columns = options.samples
-                       ? find_sample_columns(header, numeric, *options.samples, options.timeless)
-                       : find_columns(header, numeric, requests_of(members, arrays, options), options.timeless);
+  const bool is_chosen = std::ranges::count(requested.roles, Role::position, &RoleRequest::role) > 0;
+  if (!requested.samples && !options.rotation.none && !is_chosen) require_quaternion(members);
+  if (!requested.samples) require_no_lost_arrays(members, arrays, requested);
+  result.columns = requested.samples
+                       ? find_sample_columns(header, numeric, *requested.samples, requested.timeless)
+                       : find_columns(header, numeric, requests_of(members, arrays, requested), requested.timeless);
   result.columns.may_be_timed = result.columns.may_be_timed && !has_array;
   for (const auto& found : members) {
-    if (options.samples) break;  // their names may be any
-    require_shape(found, options);
-    require_no_near_miss(found, result.columns, options);
+    if (requested.samples) break;  // their names may be any
+    require_shape(found, requested);
+    require_no_near_miss(found, result.columns, requested);
   }
-  const bool lacks_time = !result.columns.has(Role::time) && !options.timeless && !options.samples;
+  const bool lacks_time = !result.columns.has(Role::time) && !requested.timeless && !requested.samples;
   if (has_array && lacks_time) require_no_lost_time(members, result.columns);
   result.columns.ignored.insert(result.columns.ignored.end(), unused.begin(), unused.end());
   result.found = result.columns.cells.size();
   add_optional_members(result);
   for (Member& member : result.members) member.required = is_required(result, member);
-  result.rules = options.key_rules();
+  result.rules = options.keys;
   const auto is_time = [&](const Member& member) {
     return member.cells == 1 && result.columns.cells[member.cell].role == Role::time;
   };
   const auto time = std::ranges::find_if(result.members, is_time);
   const auto index = static_cast<std::size_t>(time - result.members.begin());
-  set_units(result.rules, options.units(), result.columns, index < members.size() ? members[index].value : "");
+  result.units = units_of_keys(options.units, result.columns, index < members.size() ? members[index].value : "");
   return result;
 }
 
 }  // namespace
 
 JsonColumns find_members(const JsonPart& part, const InputOptions& options, const std::vector<std::string>& channels) {
-  const FirstKey first = read_first_key(part, options);
+  const FirstKey first = read_first_key(part, options.columns.roles, options.keys.signs);
   return at_position(first.position, [&] { return columns_of(first.members, options, channels); });
 }
 

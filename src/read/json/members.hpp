@@ -12,6 +12,7 @@
 #include "read/json/splitter.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_rules.hpp"
+#include "schema/units.hpp"
 
 namespace tcb {
 
@@ -28,6 +29,7 @@ struct JsonColumns {
   std::vector<Member> members;
   std::size_t found = 0;  ///< the number of cells of the first key; others may come in any key
   KeyRules rules;
+  KeyUnits units;
 };
 
 /// The meaning of the members of the first key of a part. `channels` are names for the numbers of "position", if any.

@@ -10,7 +10,7 @@
 #include "option_names.hpp"
 #include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
-#include "schema/columns.hpp"
+#include "schema/roles.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "read/json/splitter.hpp"
-#include "schema/key_block.hpp"
+#include "schema/curve_settings.hpp"
 
 namespace tcb {
 

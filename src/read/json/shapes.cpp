@@ -147,7 +147,7 @@ Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
 }
 
 Records records_of(const JsonColumns& meaning, JsonShape shape) {
-  Records records{meaning.columns, meaning.rules.notation};
+  Records records{meaning.columns, meaning.units.notation};
   records.columns.cells.resize(meaning.found);
   records.columns.named = true;
   records.facts.shape = shape;
@@ -166,9 +166,7 @@ Records open_list(Source<Task> source, JsonShape shape, unsigned threads) {
 }  // namespace
 
 Records open_json(Source<std::string> bytes, const InputOptions& options) {
-  if (options.delimiter || options.header || options.decimal != '.' || options.comment != "#") {
-    throw json::options_of_delimited_text();
-  }
+  if (options.delimited != DelimitedOptions{}) throw json::options_of_delimited_text();
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
   Source<Task> source = tasks(splitter, options);
   std::optional<Task> first = source();

@@ -1,10 +1,10 @@
 // Reader of delimited text: keys and their lines, every error with its position, in pieces of any size.
+#include "read/csv/csv_reader.hpp"
+
 #include <gmock/gmock.h>
 
 #include <random>
 
-#include "read/csv/delimited_text.hpp"
-#include "read/csv/errors.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -14,7 +14,7 @@ TEST(Csv, the_delimiter_is_found_or_given) {
   for (const char* text : {"t,x y\n0,1\n", "t\tx y\n0\t1\n", "t;x y\n0;1\n"}) EXPECT_EQ(read(text), "t x y\n2: 0 1\n");
   EXPECT_EQ(read("t  x\n 0\t1 \n"), "t x\n2: 0 1\n");
   InputOptions pipe;
-  pipe.delimiter = '|';
+  pipe.delimited.delimiter = '|';
   EXPECT_EQ(read("t|a,b\n0|1\n", pipe), "t a,b\n2: 0 1\n");
 }
 
@@ -22,7 +22,7 @@ TEST(Csv, numbers_may_be_quoted) { EXPECT_EQ(read("t,x\n\"0\",\"1.5\"\n"), "t x\
 
 TEST(Csv, keys_without_tcb_have_the_given_one) {
   InputOptions options;
-  options.tcb = {1, 2, 3};
+  options.keys.tcb = {1, 2, 3};
   EXPECT_EQ(read("t,x\n0,1\n", options), "t x\n2: 0 1 [1 2 3]\n");
   EXPECT_EQ(read("t,x,C\n0,1,0\n", options), "t x\n2: 0 1 [1 0 3]\n");
 }
@@ -35,7 +35,7 @@ TEST(Csv, whole_times_beyond_2_to_53_are_exact) {
 TEST(Csv, comments_blank_lines_and_line_ends_change_nothing_but_the_lines) {
   EXPECT_EQ(read("# c\r\n\r\nt,x\r\n# d\r\n0,1\r\n \r\n1,2"), "t x\n5: 0 1\n7: 1 2\n");
   InputOptions options;
-  options.comment = "//";
+  options.delimited.comment = "//";
   EXPECT_EQ(read("// c\nt,#\n0,1\n//\n", options), "t #\n3: 0 1\n");
 }
 
@@ -99,10 +99,10 @@ void expect_same_in_pieces(const std::string& text) {
 TEST(Csv, missing_numbers_are_treated_as_requested) {
   InputOptions options;
   const std::string text = "t,x,y,T\n0,1,2,0.5\n1,,NA,\n2,3,null,1\n";
-  options.missing = Missing::skip_row;
+  options.keys.missing = Missing::skip_row;
   EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n");
-  options.missing = Missing::skip_cell;
-  options.tcb = {0.25, 0, 0};
+  options.keys.missing = Missing::skip_cell;
+  options.keys.tcb = {0.25, 0, 0};
   EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n3: 1 nan nan [0.25 0 0]\n4: 2 3 nan [1 0 0]\n");
   EXPECT_EQ(read("t,x\n0,1\n,2\n", options),
             "f:3:1: error: t: an empty cell where a time was expected; fill it in, or give --missing skip-row or break")
@@ -197,23 +197,6 @@ TEST(Csv, random_texts_give_their_keys_in_pieces_of_any_size) {
       ASSERT_EQ(read(csv.text, {}, piece), csv.expected) << csv.text << " in pieces of " << piece;
     }
   }
-}
-
-TEST(Csv, a_cell_that_is_not_a_number_has_the_error_with_its_remedy) {
-  const auto why = [](std::string_view cell, char decimal) { return why_not_number("x", cell, decimal).message(); };
-  const auto expect = [&](std::string_view cell, char decimal, Error (*fault)(std::string_view, std::string_view)) {
-    EXPECT_EQ(why(cell, decimal), fault("x", cell).message());
-  };
-  expect("0,5", '.', number_with_decimal_comma);
-  expect("0,500", '.', number_with_decimal_comma);
-  expect("1,234", '.', number_with_thousands);
-  expect("-1,234,567.8", '.', number_with_thousands);
-  expect("1234,567.8", '.', cell_is_not_a_number);
-  expect("1.234,5", '.', cell_is_not_a_number);  // that is two marks
-  expect("1.5", ',', number_with_decimal_point);
-  expect("1,5e999", ',', number_beyond_doubles);
-  expect("1 2", '.', several_numbers_in_cell);
-  expect("0x1F", '.', cell_is_not_a_number);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // Header of delimited text: names and roles of the columns.
+#include "read/csv/header.hpp"
+
 #include <gmock/gmock.h>
 
-#include "read/csv/delimited_text.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -9,7 +10,7 @@ namespace {
 
 InputOptions with_header(bool header) {
   InputOptions options;
-  options.header = header;
+  options.delimited.header = header;
   return options;
 }
 
@@ -50,7 +51,7 @@ TEST(Header, carriage_returns_alone_end_no_lines) {
 
 TEST(Header, a_header_may_be_forced_or_denied) {
   InputOptions options = with_columns("time=1");
-  options.header = true;
+  options.delimited.header = true;
   EXPECT_EQ(read("10,20\n0,1\n", options), "10 20\n2: 0 1\n");
   EXPECT_EQ(read("0,1\nx,2\n", with_header(false)),
             "f:2:1: error: t: \"x\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");

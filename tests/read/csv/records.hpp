@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "read/csv/delimited_text.hpp"
+#include "read/csv/splitter.hpp"
+#include "read/csv/tokenizer.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {

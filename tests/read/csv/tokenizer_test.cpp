@@ -1,5 +1,5 @@
 // Tokenizer: records, their cells and text positions.
-#include "read/csv/delimited_text.hpp"
+#include "read/csv/tokenizer.hpp"
 
 #include <gmock/gmock.h>
 

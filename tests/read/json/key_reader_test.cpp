@@ -20,7 +20,7 @@ TEST(JsonKeys, tension_continuity_and_bias_are_members_or_one_array) {
 
 TEST(JsonKeys, keys_without_tcb_have_the_given_one) {
   InputOptions options;
-  options.tcb = {1, 2, 3};
+  options.keys.tcb = {1, 2, 3};
   EXPECT_EQ(read(R"([{"t":0,"x":1,"bias":0},{"t":1,"x":1}])", options), "t x\n1: 0 1 [1 2 0]\n1: 1 1 [1 2 3]\n");
 }
 
@@ -94,9 +94,9 @@ TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
 TEST(JsonKeys, missing_numbers_are_treated_as_requested) {
   InputOptions options;
   const std::string text = R"([{"t":0,"x":1,"y":2},{"t":1,"x":null,"y":3},{"t":2,"y":4},{"t":3,"x":5,"y":6}])";
-  options.missing = Missing::skip_row;
+  options.keys.missing = Missing::skip_row;
   EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 3 5 6\n");
-  options.missing = Missing::skip_cell;
+  options.keys.missing = Missing::skip_cell;
   EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 1 nan 3\n1: 2 nan 4\n1: 3 5 6\n");
   EXPECT_EQ(read(R"([{"t":0,"position":[1,null]},{"t":1,"position":[null,2]}])", options),
             "t x y\n1: 0 1 nan\n1: 1 nan 2\n");

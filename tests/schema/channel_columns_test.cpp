@@ -1,8 +1,9 @@
-// Channel roles: names such as "tension_x", requests of them, near misses, and errors.
+// Channel columns: names such as "tension_x", requests of them, segments, and errors.
+#include "schema/channel_columns.hpp"
+
 #include <gmock/gmock.h>
 
 #include "read/reading.hpp"
-#include "schema/columns.hpp"
 
 namespace tcb {
 namespace {
@@ -21,17 +22,7 @@ std::string error_in(const Names& header, std::string_view asked = "") {
   return error_of([&] { (void)find(header, asked); });
 }
 
-TEST(ChannelRoles, a_name_has_the_role_and_the_channel) {
-  EXPECT_EQ(channel_role_of("tension_x"), (ChannelRole{Role::channel_tension, "x"}));
-  EXPECT_EQ(channel_role_of("Continuity_Pos Y"), (ChannelRole{Role::channel_continuity, "Pos Y"}));
-  EXPECT_EQ(channel_role_of("BIAS_p1_a"), (ChannelRole{Role::channel_bias, "p1_a"}));
-  for (const char* name : {"tension_", "tension", "x_tension", "tensionx", "bias", "x", ""}) {
-    EXPECT_EQ(channel_role_of(name), std::nullopt) << name;
-  }
-  EXPECT_EQ(role_name(ChannelRole{Role::channel_bias, "p1"}), "bias_p1");
-}
-
-TEST(ChannelRoles, columns_are_for_their_channel_in_any_order_and_case) {
+TEST(ChannelColumns, columns_are_for_their_channel_in_any_order_and_case) {
   const Columns columns = find({"tension_y", "t", "x", "BIAS_X", "Y", "continuity_x", "T"});
   EXPECT_THAT(columns.channels, ElementsAre("x", "Y"));
   EXPECT_EQ(columns.cells[0].role, Role::channel_tension);
@@ -42,13 +33,13 @@ TEST(ChannelRoles, columns_are_for_their_channel_in_any_order_and_case) {
   EXPECT_TRUE(columns.ignored.empty());
 }
 
-TEST(ChannelRoles, an_exact_name_has_priority_over_one_in_another_case) {
+TEST(ChannelColumns, an_exact_name_has_priority_over_one_in_another_case) {
   const Columns columns = find({"t", "X", "x", "tension_x"});
   EXPECT_EQ(columns.cells[3].channel, 1U);
   EXPECT_EQ(find({"t", "x", "X", "tension_X"}).cells[3].channel, 1U);
 }
 
-TEST(ChannelRoles, velocities_are_for_one_side_or_both) {
+TEST(ChannelColumns, velocities_are_for_one_side_or_both) {
   const Columns columns = find({"t", "x_v", "x", "y", "Y_vout", "y_VIN", "z", "T"});
   EXPECT_THAT(columns.channels, ElementsAre("x", "y", "z"));
   EXPECT_EQ(columns.cells[1].role, Role::velocity);
@@ -58,7 +49,7 @@ TEST(ChannelRoles, velocities_are_for_one_side_or_both) {
   EXPECT_EQ(role_name(ChannelRole{Role::velocity_out, "x"}), "x_vout");
 }
 
-TEST(ChannelRoles, a_velocity_of_no_channel_is_a_channel) {
+TEST(ChannelColumns, a_velocity_of_no_channel_is_a_channel) {
   const Columns columns = find({"t", "q_v", "x", "x_v", "x_v_v", "t_v"});
   EXPECT_THAT(columns.channels, ElementsAre("q_v", "x", "x_v_v", "t_v"));
   EXPECT_THAT(find({"t", "q_v", "tension_q_v"}).channels, ElementsAre("q_v"));
@@ -66,7 +57,7 @@ TEST(ChannelRoles, a_velocity_of_no_channel_is_a_channel) {
   EXPECT_THAT(error_in({"t", "x", "q_vin"}), HasSubstr("column \"q_vin\" belongs to a channel \"q\""));
 }
 
-TEST(ChannelRoles, velocities_are_whole_and_without_tension) {
+TEST(ChannelColumns, velocities_are_whole_and_without_tension) {
   EXPECT_THAT(error_in({"t", "x", "x_vin"}), HasSubstr("there is no \"x_vout\" for the other side"));
   EXPECT_THAT(error_in({"t", "x", "x_vout"}), HasSubstr("there is no \"x_vin\" for the other side"));
   EXPECT_THAT(error_in({"t", "x", "x_v", "x_vin"}), HasSubstr("\"x_v\" and \"x_vin\" both give the velocity"));
@@ -76,7 +67,7 @@ TEST(ChannelRoles, velocities_are_whole_and_without_tension) {
   EXPECT_THAT(find({"t", "x", "y", "x_v", "C", "bias_y"}).channels, ElementsAre("x", "y"));
 }
 
-TEST(ChannelRoles, columns_can_be_ignored) {
+TEST(ChannelColumns, columns_can_be_ignored) {
   const Columns columns = find({"t", "x", "x_v", "x_vin", "T", "y"}, "ignore=x_v:x_vin,ignore=T");
   EXPECT_THAT(columns.channels, ElementsAre("x", "y"));
   EXPECT_THAT(columns.ignored, ElementsAre("x_v", "x_vin", "T"));
@@ -84,7 +75,7 @@ TEST(ChannelRoles, columns_can_be_ignored) {
   EXPECT_EQ(find_columns({}, {true, true, true}, parse_roles("ignore=1")).cells[1].role, Role::time);
 }
 
-TEST(ChannelRoles, requests_name_them) {
+TEST(ChannelColumns, requests_name_them) {
   const Columns columns = find({"t", "x", "y", "k"}, "tension_y=k");
   EXPECT_EQ(columns.cells[3].role, Role::channel_tension);
   EXPECT_EQ(columns.cells[3].channel, 1U);
@@ -99,11 +90,11 @@ TEST(ChannelRoles, requests_name_them) {
   EXPECT_THAT(chosen.ignored, ElementsAre("x", "tension_x"));
 }
 
-TEST(ChannelRoles, a_channel_may_have_such_a_name_where_it_is_requested) {
+TEST(ChannelColumns, a_channel_may_have_such_a_name_where_it_is_requested) {
   EXPECT_THAT(find({"t", "x", "tension_x"}, "position=x:tension_x").channels, ElementsAre("x", "tension_x"));
 }
 
-TEST(ChannelRoles, an_unknown_channel_is_an_error) {
+TEST(ChannelColumns, an_unknown_channel_is_an_error) {
   EXPECT_THAT(
       error_in({"t", "x", "y", "tension_q"}),
       HasSubstr(
@@ -116,7 +107,7 @@ TEST(ChannelRoles, an_unknown_channel_is_an_error) {
   EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("has the role tension_x"));
 }
 
-TEST(ChannelRoles, rows_may_be_segments) {
+TEST(ChannelColumns, rows_may_be_segments) {
   const Columns columns = find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "s"});
   EXPECT_TRUE(columns.are_segments);
   EXPECT_THAT(columns.channels, ElementsAre("x"));
@@ -133,19 +124,6 @@ TEST(ChannelRoles, rows_may_be_segments) {
   EXPECT_THAT(find(incomplete, "ignore=y_p0").channels, ElementsAre("x"));
   EXPECT_THAT(error_in({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "x_p0"}),
               HasSubstr("two columns are called \"x_p0\""));
-}
-
-TEST(ChannelRoles, near_misses_are_errors) {
-  EXPECT_THAT(error_of([] {
-                const Names header{"t", "x", "tensoin_x"};
-                require_no_near_miss(header, find(header), {}, false);
-              }),
-              HasSubstr("column \"tensoin_x\" would be a channel, but its name is close to the role tension_x"));
-  EXPECT_EQ(near_channel_role("x_tension", {"x"}), (ChannelRole{Role::channel_tension, "x"}));
-  EXPECT_EQ(near_channel_role("Bais_Pos_X", {"y", "pos_x"}), (ChannelRole{Role::channel_bias, "pos_x"}));
-  for (const char* name : {"tensor_x", "tensoin_y", "x_T", "x", "x_", "_x", "x_y", "time_x"}) {
-    EXPECT_EQ(near_channel_role(name, {"x"}), std::nullopt) << name;
-  }
 }
 
 }  // namespace

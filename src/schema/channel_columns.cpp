@@ -1,4 +1,6 @@
-// Channel roles: columns with the tension or a velocity of one channel, by name or on request, and near misses.
+// Channel columns: the columns with the tension or a velocity of one channel, and those of segments.
+#include "schema/channel_columns.hpp"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -6,31 +8,11 @@
 #include <unordered_map>
 
 #include "option_names.hpp"
-#include "schema/columns.hpp"
 #include "schema/errors.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
-
-/// The text before or after the name of a channel in the names of its columns.
-struct Affix {
-  std::string_view text;
-  Role role;
-  bool is_prefix;
-};
-
-constexpr std::array affixes{
-    Affix{"tension_", Role::channel_tension, true},
-    Affix{"continuity_", Role::channel_continuity, true},
-    Affix{"bias_", Role::channel_bias, true},
-    Affix{"_v", Role::velocity, false},
-    Affix{"_vin", Role::velocity_in, false},
-    Affix{"_vout", Role::velocity_out, false},
-    // Of segments only:
-    Affix{"_p1", Role::end_position, false},
-    Affix{"_v1", Role::end_velocity, false},
-};
 
 /// Finds names: exactly, or else in another case.
 class NameIndex {
@@ -51,13 +33,6 @@ class NameIndex {
  private:
   std::unordered_map<std::string, std::size_t> exact_, other_;
 };
-
-/// Tension, continuity or bias, if a text is the name of one or a near miss; not as in x_T, which may be anything.
-std::optional<Role> tcb_role(std::string_view text) {
-  const Role role = near_role(text).value_or(role_of_name(text));
-  const bool is_tcb = role == Role::tension || role == Role::continuity || role == Role::bias;
-  return is_tcb && text.size() > 1 ? std::optional(role) : std::nullopt;
-}
 
 /// The columns with roles in one channel.
 class RolesOfChannel {
@@ -105,24 +80,9 @@ void require_whole_velocities(const Columns& columns) {
   }
 }
 
-}  // namespace
-
-std::string role_name(const ChannelRole& role) {
-  const auto affix = std::ranges::find(affixes, role.role, &Affix::role);
-  const std::string text(affix->text);
-  return affix->is_prefix ? text + role.channel : role.channel + text;
-}
-
-std::optional<ChannelRole> channel_role_of(std::string_view name) {
-  for (const auto& [text, role, is_prefix] : affixes) {
-    if (name.size() <= text.size() || role > Role::velocity_out) continue;
-    const std::size_t rest = name.size() - text.size();
-    if (!same_in_any_case(is_prefix ? name.substr(0, text.size()) : name.substr(rest), text)) continue;
-    return ChannelRole{role, std::string(is_prefix ? name.substr(text.size()) : name.substr(0, rest))};
-  }
-  return std::nullopt;
-}
-
+/// For each column, its role in one channel, if its name has one: that of a column that may be a channel. `chosen`: the
+/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`;
+/// but "q_v" is then any other name.
 std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
                                                       const std::vector<bool>& may_be_channel, bool chosen) {
   std::vector<std::optional<ChannelRole>> named, roles(header.size());
@@ -151,6 +111,8 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
   }
   return roles;
 }
+
+}  // namespace
 
 std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::span<const std::string> header,
                                                  const std::vector<bool>& numeric, const std::vector<bool>& times) {
@@ -186,20 +148,6 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
   if (!found.empty()) require_whole_velocities(columns);
 }
 
-std::optional<ChannelRole> near_channel_role(std::string_view name, const std::vector<std::string>& channels) {
-  for (std::size_t at = name.find('_'); at != std::string_view::npos; at = name.find('_', at + 1)) {
-    const std::string_view first = name.substr(0, at), second = name.substr(at + 1);
-    for (const auto& [role, channel] : {std::pair{first, second}, std::pair{second, first}}) {
-      const std::optional<Role> meant = tcb_role(role);
-      if (!meant) continue;
-      const auto found = std::ranges::find_if(
-          channels, [&, &text = channel](const std::string& known) { return same_in_any_case(known, text); });
-      if (found != channels.end()) return channel_role_of(std::string(role_name(*meant)) + "_" + *found);
-    }
-  }
-  return std::nullopt;
-}
-
 bool assign_segments(Columns& columns, std::span<const std::string> header) {
   constexpr std::array endings{std::pair{"_p0", Role::position}, std::pair{"_v0", Role::velocity_out},
                                std::pair{"_p1", Role::end_position}, std::pair{"_v1", Role::end_velocity}};
@@ -228,49 +176,6 @@ bool assign_segments(Columns& columns, std::span<const std::string> header) {
   columns.cells[static_cast<std::size_t>(duration - header.begin())].role = Role::duration;
   columns.time = "time";
   return columns.are_segments = true;
-}
-
-std::vector<RoleRequest> parse_roles(std::string_view text) {
-  std::vector<RoleRequest> requests;
-  for (const std::string_view part : split(text, ',')) {
-    const std::size_t equals = part.find('=');
-    const std::string_view name = part.substr(0, equals);
-    const std::optional<Role> known = find_role(name);
-    const std::optional<ChannelRole> of_channel = known ? std::nullopt : channel_role_of(name);
-    if (equals == std::string::npos || equals + 1 == part.size() || !(known || of_channel)) {
-      throw not_a_role_with_columns(part);
-    }
-    const auto columns = split(part.substr(equals + 1), ':');
-    requests.push_back({known ? *known : of_channel->role, {columns.begin(), columns.end()}});
-    if (of_channel) requests.back().channel = of_channel->channel;
-  }
-  return requests;
-}
-
-std::optional<std::string> near_miss(const std::string& name, const Columns& columns,
-                                     std::span<const RoleRequest> requests, bool timeless) {
-  if (std::ranges::count(requests, Role::position, &RoleRequest::role) > 0) return std::nullopt;
-  if (const auto near = near_channel_role(name, columns.channels)) {
-    const auto channel = std::ranges::find(columns.channels, near->channel);
-    const auto index = static_cast<std::size_t>(channel - columns.channels.begin());
-    const bool is_taken = std::ranges::any_of(columns.cells, [&](const Columns::Column& column) {
-      return column.role == near->role && column.channel == index;
-    });
-    if (!is_taken) return role_name(*near);
-  }
-  const std::optional<Role> near = near_role(name);
-  if (!near || columns.has(*near) || (timeless && *near == Role::time)) return std::nullopt;
-  return std::string(role_name(*near));
-}
-
-void require_no_near_miss(std::span<const std::string> header, const Columns& columns,
-                          std::span<const RoleRequest> requests, bool timeless) {
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (columns.cells[cell].role != Role::position) continue;
-    const auto near = near_miss(header[cell], columns, requests, timeless);
-    if (!near) continue;
-    throw column_nearly_role(header[cell], *near);
-  }
 }
 
 }  // namespace tcb

@@ -1,4 +1,6 @@
-// Groups: keys of several curves with their rows in any order, split into curves, and keys sorted by time.
+// Grouping: keys of several curves with their rows in any order, split into curves, and keys sorted by time.
+#include "keys/grouping.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "keys/curves.hpp"
 #include "keys/errors.hpp"
 #include "numbers/decimal_time.hpp"
 

@@ -1,7 +1,7 @@
-// Role names: usual names of times, of positions, of coordinates and of labels.
-#include <gtest/gtest.h>
+// Usual names: those of times and their units, of positions, of coordinates and of labels.
+#include "schema/usual_names.hpp"
 
-#include "schema/columns.hpp"
+#include <gtest/gtest.h>
 
 namespace tcb {
 namespace {
@@ -24,6 +24,26 @@ TEST(UsualTime, other_names_are_not_of_times) {
                            "second",   "tension", "tide",       "temp",     "temperature", "T [K]", "tx", "timer",
                            "lifetime", "update",  "frame_rate", "stamps_x", "period",      "us"}) {
     EXPECT_FALSE(is_usual_time(name)) << name;
+  }
+}
+
+TEST(UnitOfTime, is_that_of_the_name) {
+  const auto unit = [](std::string_view name) {
+    const auto found = unit_of_time(name);
+    return found ? row_of(*found).name : "none";
+  };
+  for (const char* name : {"timestamp [ns]", "time_ns", "t (ns)", "timeNanoseconds", "ns"}) {
+    EXPECT_EQ(unit(name), "ns") << name;
+  }
+  for (const char* name : {"time_ms", "ms", "elapsed [ms]", "timestamp_ms", "milliseconds"})
+    EXPECT_EQ(unit(name), "ms");
+  for (const char* name : {"seconds", "sec", "t [s]", "t_s", "time (s)", "unix_time_s"}) EXPECT_EQ(unit(name), "s");
+  for (const char* name : {"frame", "Frame Number", "frames", "keyframe", "t [frames]"})
+    EXPECT_EQ(unit(name), "frames");
+  EXPECT_EQ(unit("time [min]"), "min");
+  EXPECT_EQ(unit("hours"), "h");
+  for (const char* name : {"t", "time", "times", "ts", "timestamp", "ticks", "date", "x", "frame_time"}) {
+    EXPECT_EQ(unit(name), "none") << name;
   }
 }
 

@@ -1,5 +1,5 @@
-// Faults: errors of keys, gathered from the blocks of an input into one error.
-#include "schema/faults.hpp"
+// Keys without faults: the faults of an input, gathered from its blocks into one error.
+#include "keys/without_faults.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,0 +1,170 @@
+// Order: keys without gaps, whose times increase up to the next break.
+#include "keys/order.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "keys/errors.hpp"
+#include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
+
+namespace tcb {
+namespace {
+
+/// Where a key is in its input, for messages about later keys.
+struct KeyLocation {
+  spline::Time<double> time;
+  std::uint64_t line = 0;
+  std::string list_position;  ///< as KeyBlock::list_position()
+
+  ShownKey shown() const { return {time_text(time), line, list_position}; }
+};
+
+/// The stage of in_order().
+class Order {
+ public:
+  Order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels)
+      : blocks_(std::move(blocks)), duplicates_(duplicates), labels_(std::move(labels)) {}
+
+  std::optional<KeyBlock> next() {
+    std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : blocks_();
+    if (!held_.empty() && (!block || block->begins_curve(0))) {
+      waiting_ = std::move(block);
+      return std::exchange(held_, {});
+    }
+    if (!block) return std::nullopt;
+    if (!held_.empty() || !is_in_order(*block)) block = filtered(std::move(*block));
+    if (block->empty()) return block;
+    before_ = location(*block, block->size() - 1);
+    // The next key may replace the last one.
+    if (duplicates_ == Duplicates::last) held_ = block->split_last();
+    return block;
+  }
+
+ private:
+  bool is_in_order(const KeyBlock& block) const {
+    const auto& times = block.keys.times;
+    if (before_ && !times.empty() && !block.begins_curve(0) && !is_earlier(before_->time, times[0])) return false;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      if (!is_earlier(times[i - 1], times[i]) && !block.begins_curve(i)) return false;
+    }
+    return true;
+  }
+
+  static KeyLocation location(const KeyBlock& block, std::size_t key) {
+    return {block.keys.times[key], block.lines[key], block.list_position(key)};
+  }
+
+  /// The keys to keep; the others are dropped, or are faults of the block.
+  KeyBlock filtered(KeyBlock block) {
+    KeyBlock all = std::exchange(held_, {});
+    const std::size_t held = all.size();
+    std::vector<std::size_t> kept, breaks = all.breaks;
+    all.append(block, 0, block.size());
+    if (held > 0) kept.push_back(0);
+    if (column_.empty() && !is_in_order(block)) column_ = labels_.distinguishing(all, duplicates_ != Duplicates::error);
+    for (std::size_t i = held; i < all.size(); ++i) {
+      const bool begins_curve = block.begins_curve(i - held);
+      const Placement placement = begins_curve ? Placement::begins_curve : placement_of(all.keys.times[i]);
+      const bool repeats = placement == Placement::repeats;
+      if (repeats || placement == Placement::goes_back) block.faults.push_back(fault(all, i, repeats));
+      if (repeats || placement == Placement::dropped) continue;
+      if (placement == Placement::replaces_last) kept.pop_back();
+      if (placement == Placement::begins_curve) breaks.push_back(kept.size());
+      before_ = location(all, i);
+      kept.push_back(i);
+    }
+    KeyBlock result = all.selected(kept);
+    if (held > 0) result.curve_info = std::move(all.curve_info);
+    result.breaks = std::move(breaks);
+    result.take_block_data(block);
+    return result;
+  }
+
+  /// The place of a key after those that were kept. With the time of the last one it is a fault or as requested;
+  /// with an earlier time it is a fault, and the next key is compared with it.
+  enum class Placement { follows, begins_curve, replaces_last, dropped, repeats, goes_back };
+  Placement placement_of(const Time& time) const {
+    if (!before_ || is_earlier(before_->time, time)) return Placement::follows;
+    if (is_earlier(time, before_->time)) return Placement::goes_back;
+    if (!column_.empty()) return Placement::repeats;
+    switch (duplicates_) {
+      case Duplicates::first: return Placement::dropped;
+      case Duplicates::last: return Placement::replaces_last;
+      case Duplicates::break_curve: return Placement::begins_curve;
+      case Duplicates::error: break;
+    }
+    return Placement::repeats;
+  }
+
+  Error fault(const KeyBlock& block, std::size_t key, bool equal) const {
+    const ShownKey shown = location(block, key).shown(), before = before_->shown();
+    const Error error = !column_.empty() ? curves_interleaved(shown, before, column_)
+                        : equal          ? equal_times(shown, before)
+                                         : decreasing_times(shown, before, labels_.channels.empty());
+    return error.at(block.text_position(key));
+  }
+
+  Source<KeyBlock> blocks_;
+  Duplicates duplicates_;
+  CurveLabels labels_;
+  std::string column_;                 ///< that distinguishes curves, if one does
+  std::optional<KeyLocation> before_;  ///< of the last key that remained
+  KeyBlock held_;                      ///< that key, where the next one may replace it
+  std::optional<KeyBlock> waiting_;
+};
+
+}  // namespace
+
+Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
+  return [blocks = std::move(blocks), broken = false, any = false]() mutable -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block) return std::nullopt;
+    if (block->gaps.empty() && block->breaks.empty() && !broken) {
+      any = any || !block->empty();
+      broken = std::exchange(block->break_after, false) && any;
+      return block;
+    }
+    std::vector<std::size_t> kept, breaks;
+    for (std::size_t i = 0; i < block->size(); ++i) {
+      const bool gap = block->has_gap_at(i);
+      broken = broken || gap || block->has_break_before(i);
+      if (gap) continue;
+      if (std::exchange(broken, false) && any) breaks.push_back(kept.size());
+      kept.push_back(i);
+      any = true;
+    }
+    broken = broken || block->break_after;
+    if (!block->gaps.empty()) {
+      KeyBlock rest = block->selected(kept);
+      rest.take_block_data(*block);
+      block = std::move(rest);
+    }
+    block->breaks = std::move(breaks);
+    block->gaps.clear();
+    block->break_after = false;
+    return block;
+  };
+}
+
+Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels) {
+  const auto order = std::make_shared<Order>(std::move(blocks), duplicates, std::move(labels));
+  return [order] { return order->next(); };
+}
+
+Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks) {
+  return mapped(std::move(blocks), [many = false](KeyBlock block) mutable {
+    std::vector<Time>& times = block.keys.times;
+    many = many || std::ranges::any_of(times, has_many_digits);
+    for (Time& time : times) {
+      if (many || time.lo != 0) time = many ? with_all_digits(time) : as_double(time);
+    }
+    return block;
+  });
+}
+
+}  // namespace tcb

@@ -1,0 +1,36 @@
+// Order: keys without gaps, whose times increase up to the next break.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "keys/curve_labels.hpp"
+#include "schema/key_block.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// The treatment of keys with equal times.
+enum class Duplicates { error, first, last, break_curve };
+
+struct DuplicatesName {
+  std::string_view name;
+  Duplicates value;
+};
+inline constexpr std::array duplicates_names{
+    DuplicatesName{"error", Duplicates::error}, DuplicatesName{"first", Duplicates::first},
+    DuplicatesName{"last", Duplicates::last}, DuplicatesName{"break", Duplicates::break_curve}};
+
+/// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
+/// whole numbers; from there on each is its decimal.
+Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
+
+/// The keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
+Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
+
+/// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are
+/// faults of the block, which name the column that distinguishes curves, if one does. Duplicates::last delays one key
+/// until the next is read.
+Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels = {});
+
+}  // namespace tcb

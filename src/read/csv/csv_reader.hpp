@@ -1,0 +1,26 @@
+// Reader of delimited text: from bytes to keys.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "read/chunk.hpp"
+#include "read/csv/header.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
+#include "schema/key_block.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// In a column of text a number is a fault up to this line; in those after it, it is a text.
+inline constexpr std::uint64_t last_line_of_roles = 1000;
+
+/// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; at most ten.
+KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
+
+/// Opens delimited text whose delimiter is given, or else detected in the first record.
+/// Requires: the bytes have no byte order mark. Throws: Error (data).
+Records open_delimited(Source<std::string> bytes, const InputOptions& options);
+
+}  // namespace tcb

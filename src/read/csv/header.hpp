@@ -1,0 +1,30 @@
+// Header of delimited text: names and roles of the columns, from the first three records.
+#pragma once
+
+#include <vector>
+
+#include "read/chunk.hpp"
+#include "read/csv/dialect.hpp"
+#include "read/input_options.hpp"
+#include "schema/columns.hpp"
+#include "schema/key_rules.hpp"
+#include "schema/units.hpp"
+#include "stream/source.hpp"
+
+namespace tcb {
+
+/// What the header and the first records determine.
+struct DelimitedHead {
+  Dialect dialect;
+  Columns columns;
+  KeyRules rules;
+  KeyUnits units;
+  char decimal = '.';
+};
+
+/// Dialect and columns, from the header if there is one and the first two records after it; `rest` gets the text that
+/// was read, from the first record of numbers on. Throws: Error (data).
+DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
+                        std::vector<Chunk>& rest);
+
+}  // namespace tcb

@@ -1,0 +1,17 @@
+// Invalid numbers: why a cell of delimited text is not a number.
+#pragma once
+
+#include <string_view>
+
+#include "error.hpp"
+
+namespace tcb {
+
+/// Whether a text is a number such as 1,234.5 or 1,234,567.
+bool has_thousands_separators(std::string_view text);
+
+/// Why a cell of a column is not a number, which was expected. `decimal` is the decimal mark.
+/// Requires: it is not a sign of a missing number.
+Error why_not_number(std::string_view column, std::string_view cell, char decimal);
+
+}  // namespace tcb

@@ -1,0 +1,62 @@
+// Tokenizer of delimited text: records and their cells.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "error.hpp"
+#include "read/chunk.hpp"
+#include "read/csv/dialect.hpp"
+
+namespace tcb {
+
+inline constexpr std::size_t most_cells = std::size_t{1} << 20;  ///< of a record
+
+/// Reads the records of a chunk one after another.
+class Tokenizer {
+ public:
+  Tokenizer(const Chunk& chunk, const Dialect& dialect);
+
+  /// The cells of the next record as written, without blanks around them; false at the end. Comments and blank lines
+  /// are skipped; the last comment skipped is in comment(). Throws: Error (data) for a misplaced quote and for more
+  /// than most_cells, after it has skipped the record.
+  bool next(std::vector<std::string_view>& cells);
+
+  /// Whether a line before this record, or at the end one after the last record, ends the curve.
+  bool broken() const { return broken_; }
+  /// Whether there is a blank line before this record.
+  bool follows_blank() const { return follows_blank_; }
+
+  std::uint64_t line() const { return record_line_; }
+  std::size_t offset() const { return static_cast<std::size_t>(record_ - begin_); }
+  std::string_view comment() const { return comment_; }
+
+  /// The text position of a cell of the current record.
+  TextPosition position(std::string_view cell) const;
+
+ private:
+  bool skip_to_record();
+  void skip_line();
+  [[noreturn]] void refuse_cells();
+  std::string_view take_cell();
+  std::string_view take_quoted();
+  bool at_line_end() const {
+    return at_ == end_ || *at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] == '\n'));
+  }
+  void pass_line_end();
+
+  const Dialect& dialect_;
+  const char *begin_, *at_, *end_;
+  const char* record_;
+  std::uint64_t line_, record_line_;
+  std::string_view comment_;
+  bool broken_ = false, follows_blank_ = false;
+};
+
+/// The text of a cell without its quotes.
+std::string unquoted(std::string_view cell);
+
+}  // namespace tcb

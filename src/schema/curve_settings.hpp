@@ -1,0 +1,54 @@
+// Curve settings: the settings of a curve as they are given, and where they come from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "error.hpp"
+#include "tcb/spline/rules.hpp"
+
+namespace tcb {
+
+/// Where a setting comes from: an option, or a member of JSON at a text position.
+struct SettingOrigin {
+  std::string_view subject;  ///< the name of the option or the member
+  TextPosition position = {};
+
+  /// The exit code of an error about the setting.
+  Exit exit() const { return position.line == 0 ? Exit::usage : Exit::data; }
+};
+
+template <class T>
+struct Setting {
+  T value;
+  SettingOrigin origin = {};
+};
+using TextSetting = Setting<std::string>;
+
+/// Settings of a curve as values of options or JSON members, before names are looked up.
+struct CurveSettings {
+  std::optional<TextSetting> preset;
+  std::optional<TextSetting> tangents;
+  std::optional<TextSetting> ends;  ///< RULE[,RULE]
+  std::optional<Setting<bool>> closed;
+  std::optional<TextSetting> period;     ///< a decimal or a ratio; implies closed
+  std::optional<TextSetting> parameter;  ///< for keys without times: uniform, chordal, centripetal, or an exponent
+  std::optional<TextSetting> extrapolate;
+  std::optional<TextSetting> metric;  ///< names or numbers of channels, separated by commas
+  std::optional<TextSetting> rotation_curve = {};
+  std::optional<spline::Preset> rotation_preset = {};  ///< whose rules of rotations replace tangents and ends for these
+  bool equal_speed = false;
+  bool no_ease = false;
+};
+
+/// The information of an input about a curve, besides its keys.
+struct CurveInfo {
+  CurveSettings settings;
+  std::vector<std::pair<std::string, TextPosition>> places = {};  ///< the text position of each setting
+  std::string id = {};                                            ///< a text as in schema/texts.hpp
+};
+
+}  // namespace tcb

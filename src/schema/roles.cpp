@@ -1,0 +1,85 @@
+// Roles: what a column of a record means, the names of roles, and requests for columns with a role.
+#include "schema/roles.hpp"
+
+#include <algorithm>
+
+#include "schema/errors.hpp"
+#include "schema/usual_names.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+/// The text before or after the name of a channel in the names of its columns.
+struct Affix {
+  std::string_view text;
+  Role role;
+  bool is_prefix;
+};
+
+constexpr std::array affixes{
+    Affix{"tension_", Role::channel_tension, true},
+    Affix{"continuity_", Role::channel_continuity, true},
+    Affix{"bias_", Role::channel_bias, true},
+    Affix{"_v", Role::velocity, false},
+    Affix{"_vin", Role::velocity_in, false},
+    Affix{"_vout", Role::velocity_out, false},
+    // Of segments only:
+    Affix{"_p1", Role::end_position, false},
+    Affix{"_v1", Role::end_velocity, false},
+};
+
+}  // namespace
+
+std::string_view role_name(Role role) { return role_names[static_cast<std::size_t>(role) - 1].name; }
+
+std::optional<Role> find_role(std::string_view name) {
+  const auto known = std::ranges::find(role_names, name, &RoleName::name);
+  return known == role_names.end() ? std::nullopt : std::optional(known->role);
+}
+
+Role role_of_name(std::string_view name) {
+  const auto role_of = [](std::string_view written) {
+    const auto row = std::ranges::find_if(role_names, [&](const RoleName& known) {
+      return known.in_header && (known.any_case ? same_in_any_case(written, known.name) : written == known.name);
+    });
+    return row == role_names.end() ? Role::position : row->role;
+  };
+  const std::string_view alone = without_unit(name);
+  return alone.size() < name.size() && role_of(alone) == Role::time ? Role::time : role_of(name);
+}
+
+std::string role_name(const ChannelRole& role) {
+  const auto affix = std::ranges::find(affixes, role.role, &Affix::role);
+  const std::string text(affix->text);
+  return affix->is_prefix ? text + role.channel : role.channel + text;
+}
+
+std::optional<ChannelRole> channel_role_of(std::string_view name) {
+  for (const auto& [text, role, is_prefix] : affixes) {
+    if (name.size() <= text.size() || role > Role::velocity_out) continue;
+    const std::size_t rest = name.size() - text.size();
+    if (!same_in_any_case(is_prefix ? name.substr(0, text.size()) : name.substr(rest), text)) continue;
+    return ChannelRole{role, std::string(is_prefix ? name.substr(text.size()) : name.substr(0, rest))};
+  }
+  return std::nullopt;
+}
+
+std::vector<RoleRequest> parse_roles(std::string_view text) {
+  std::vector<RoleRequest> requests;
+  for (const std::string_view part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string_view name = part.substr(0, equals);
+    const std::optional<Role> known = find_role(name);
+    const std::optional<ChannelRole> of_channel = known ? std::nullopt : channel_role_of(name);
+    if (equals == std::string::npos || equals + 1 == part.size() || !(known || of_channel)) {
+      throw not_a_role_with_columns(part);
+    }
+    const auto columns = split(part.substr(equals + 1), ':');
+    requests.push_back({known ? *known : of_channel->role, {columns.begin(), columns.end()}});
+    if (of_channel) requests.back().channel = of_channel->channel;
+  }
+  return requests;
+}
+
+}  // namespace tcb

@@ -1,0 +1,113 @@
+// Roles: what a column of a record means, the names of roles, and requests for columns with a role.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "option_names.hpp"
+
+namespace tcb {
+
+/// What a column means.
+enum class Role {
+  ignored,
+  time,
+  position,
+  tension,
+  continuity,
+  bias,
+  ease_in,
+  ease_out,
+  group,
+  carry,
+  unused,  ///< ignored because it is requested
+  // Of one channel:
+  channel_tension,
+  channel_continuity,
+  channel_bias,
+  velocity,
+  velocity_in,
+  velocity_out,
+  end_position,  ///< of a record that is a segment; its position is at its start
+  end_velocity,
+  // Of a record that is a segment:
+  duration,
+};
+
+inline constexpr std::size_t role_count = 20;
+inline constexpr auto first_channel_role = Role::channel_tension;
+
+/// The role is one in a channel.
+constexpr bool is_of_channel(Role role) { return role >= first_channel_role && role < Role::duration; }
+
+/// The role is a velocity of a key.
+constexpr bool is_velocity(Role role) { return role >= Role::velocity && role <= Role::velocity_out; }
+
+/// The name of a role where roles are requested. Requires: not ignored, not of one channel.
+std::string_view role_name(Role role);
+
+/// A role in one channel.
+struct ChannelRole {
+  Role role = Role::ignored;
+  std::string channel;
+  friend bool operator==(const ChannelRole&, const ChannelRole&) = default;
+};
+
+/// The name of a column with a role in one channel, as in "tension_x" and "x_vin".
+std::string role_name(const ChannelRole& role);
+
+/// The role in a channel that a name such as "tension_x" or "x_v" has, whatever the channel and the case of the
+/// letters.
+std::optional<ChannelRole> channel_role_of(std::string_view name);
+
+/// The role with this name.
+std::optional<Role> find_role(std::string_view name);
+
+/// The role that a column has by its name; position if the name gives none.
+/// Case does not matter, except that t is time and T, C, B are tension, continuity and bias.
+Role role_of_name(std::string_view name);
+
+struct RoleName {
+  std::string_view name;
+  Role role;
+  bool any_case;
+  bool in_header = true;  ///< a column of that name has that role
+};
+
+/// Names that give a column its role. The first ones, in the order of Role, are also the names of the roles.
+inline constexpr std::array role_names{
+    RoleName{"time", Role::time, true},
+    RoleName{"position", Role::position, true},
+    RoleName{"tension", Role::tension, true},
+    RoleName{"continuity", Role::continuity, true},
+    RoleName{"bias", Role::bias, true},
+    RoleName{"ease_in", Role::ease_in, true},
+    RoleName{"ease_out", Role::ease_out, true},
+    RoleName{"group", Role::group, true, false},
+    RoleName{"carry", Role::carry, true, false},
+    RoleName{"ignore", Role::unused, true, false},
+    RoleName{"t", Role::time, false},
+    RoleName{"frame", Role::time, true},
+    RoleName{"timestamp", Role::time, true},
+    RoleName{"seconds", Role::time, true},
+    RoleName{"T", Role::tension, false},
+    RoleName{"C", Role::continuity, false},
+    RoleName{"B", Role::bias, false},
+};
+
+/// A requested role: its columns by name or by number from 1, and the option that requests it.
+struct RoleRequest {
+  Role role;
+  std::vector<std::string> columns;
+  std::string_view option = option::columns;
+  std::string channel = {};  ///< of a role in one channel
+};
+
+/// "time=frame,position=px:py:pz". Throws: Error (usage).
+std::vector<RoleRequest> parse_roles(std::string_view text);
+
+}  // namespace tcb

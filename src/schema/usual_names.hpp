@@ -1,0 +1,29 @@
+// Usual names: those of times with their units, of positions, of labels of curves, and of coordinates.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "numbers/time_notation.hpp"
+
+namespace tcb {
+
+/// A name such as "timestamp [ns]" or "time (s)" without its unit.
+std::string_view without_unit(std::string_view name);
+
+/// Whether a name is a usual one of times, such as "Frame Number", "time_ms" or "header.stamp".
+bool is_usual_time(std::string_view name);
+
+/// The unit of times in a column of this name, such as "timestamp [ns]", "time_ms" or "frame"; nothing if it has none.
+std::optional<TimeUnit> unit_of_time(std::string_view name);
+
+/// Whether a name is a usual one of positions with several coordinates, such as "pos" or "translation".
+bool is_usual_position(std::string_view name);
+
+/// Whether a name is a usual one of what distinguishes curves, such as "id" or "track_id".
+bool is_usual_label(std::string_view name);
+
+/// Whether a name is that of a coordinate, such as "x", "pos_y" or "p3".
+bool is_coordinate(std::string_view name);
+
+}  // namespace tcb

@@ -1,0 +1,62 @@
+// Keys without faults: the faults of all blocks in one error.
+#include "keys/without_faults.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "keys/errors.hpp"
+
+namespace tcb {
+namespace {
+
+/// Blocks with faults on these lines.
+Source<KeyBlock> blocks(std::vector<std::vector<std::uint64_t>> lines, bool ends_badly = false) {
+  return [lines, ends_badly, next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+    if (next == lines.size() && ends_badly) throw sort_without_times().at({"", 99, 1});
+    if (next == lines.size()) return std::nullopt;
+    KeyBlock block;
+    for (const std::uint64_t line : lines[next]) block.faults.push_back(sort_of_segments().at({"", line, 1}));
+    ++next;
+    return block;
+  };
+}
+
+/// The lines of the faults.
+std::string lines_of(const Source<KeyBlock>& source) {
+  try {
+    while (source()) {
+    }
+  } catch (const Error& error) {
+    std::string lines = fmt::format("{} ", error.position().line);
+    for (const Error& other : error.others()) lines += fmt::format("{} ", other.position().line);
+    return lines;
+  }
+  return "";
+}
+
+TEST(WithoutFaults, all_are_reported_in_the_order_of_their_lines) {
+  EXPECT_EQ(lines_of(without_faults(blocks({{}, {5, 3}, {}, {8}}), false)), "3 5 8 ");
+}
+
+TEST(WithoutFaults, at_most_ten_are_reported) {
+  EXPECT_EQ(lines_of(without_faults(blocks({{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11}, {12}}), false)),
+            "1 2 3 4 5 6 7 8 9 10 ");
+}
+
+TEST(WithoutFaults, a_live_input_is_read_no_further) {
+  EXPECT_EQ(lines_of(without_faults(blocks({{1}, {2}}), true)), "1 ");
+}
+
+TEST(WithoutFaults, an_error_that_ends_the_reading_comes_last) {
+  EXPECT_EQ(lines_of(without_faults(blocks({{1}}, true), false)), "1 99 ");
+}
+
+TEST(WithoutFaults, blocks_without_faults_pass) {
+  const auto source = without_faults(blocks({{}, {}}), false);
+  EXPECT_TRUE(source().has_value());
+  EXPECT_TRUE(source().has_value());
+  EXPECT_FALSE(source().has_value());
+}
+
+}  // namespace
+}  // namespace tcb

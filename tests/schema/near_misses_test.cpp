@@ -1,0 +1,49 @@
+// Near misses: misspelt names of roles, and the error that they are.
+#include "schema/near_misses.hpp"
+
+#include <gmock/gmock.h>
+
+#include "read/reading.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(NearMisses, are_of_one_letter) {
+  for (const char* name :
+       {"tme", "tim", "ime", "tmie", "itme", "times", "Timee", "xtime", "tme (s)", "frmae", "fraem"}) {
+    EXPECT_EQ(near_role(name), Role::time) << name;
+  }
+  for (const char* name : {"Tensoin", "tenison", "tensiom", "rension", "tenssion", "ension", "TENSON"}) {
+    EXPECT_EQ(near_role(name), Role::tension) << name;
+  }
+  EXPECT_EQ(near_role("biass"), Role::bias);
+  EXPECT_EQ(near_role("easein"), std::nullopt) << "no letter is missing";
+  EXPECT_EQ(near_role("ease_im"), Role::ease_in);
+}
+
+TEST(NearMisses, other_names_are_none) {
+  for (const char* name :
+       {"",        "x",      "t",    "T",      "time",     "Tension",   "torsion", "extension", "tensor",
+        "version", "bits",   "bins", "tide",   "dime",     "bias_x",    "bias1",   "time2",     "name",
+        "game",    "period", "temp", "timer2", "position", "positions", "carry",   "group"}) {
+    EXPECT_EQ(near_role(name), std::nullopt) << name;
+  }
+}
+
+TEST(NearMisses, of_a_channel_are_errors) {
+  EXPECT_THAT(error_of([] {
+                const Names header{"t", "x", "tensoin_x"};
+                require_no_near_miss(header, find_columns(header, {true, true, true}, {}), {}, false);
+              }),
+              HasSubstr("column \"tensoin_x\" would be a channel, but its name is close to the role tension_x"));
+  EXPECT_EQ(near_channel_role("x_tension", {"x"}), (ChannelRole{Role::channel_tension, "x"}));
+  EXPECT_EQ(near_channel_role("Bais_Pos_X", {"y", "pos_x"}), (ChannelRole{Role::channel_bias, "pos_x"}));
+  for (const char* name : {"tensor_x", "tensoin_y", "x_T", "x", "x_", "_x", "x_y", "time_x"}) {
+    EXPECT_EQ(near_channel_role(name, {"x"}), std::nullopt) << name;
+  }
+}
+
+}  // namespace
+}  // namespace tcb
