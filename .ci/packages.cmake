@@ -26,14 +26,19 @@ tcbsample (0.1.0-1) unstable; urgency=medium
  -- tcbsample maintainers <maintainers@tcbsample.example>  Sun, 01 Nov 2026 00:00:00 +0000
 ")
 configure_file(CHANGELOG.md ${documents}/changelog COPYONLY)
-set(manuals tcbsample.1 tcbsample-numerics.7 tcbsample-clusters.7)
-foreach(manual ${manuals})
-  configure_file(man/${manual} ${documents}/${manual} COPYONLY)
+set(pages tcbsample-numerics.7 tcbsample-clusters.7)
+foreach(page ${pages})
+  configure_file(man/${page} ${documents}/${page} COPYONLY)
 endforeach()
-foreach(document changelog changelog.Debian ${manuals})
+foreach(document changelog changelog.Debian ${pages})
   execute_process(COMMAND gzip -9nkf ${documents}/${document} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-install(FILES ${documents}/tcbsample.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+if(manual)
+  add_custom_command(OUTPUT ${documents}/tcbsample.1.gz COMMAND gzip -9nc ${manual} > ${documents}/tcbsample.1.gz
+                     DEPENDS ${manual} VERBATIM)
+  add_custom_target(compressed_manual ALL DEPENDS ${documents}/tcbsample.1.gz)
+  install(FILES ${documents}/tcbsample.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+endif()
 install(FILES ${documents}/tcbsample-numerics.7.gz ${documents}/tcbsample-clusters.7.gz
         DESTINATION ${CMAKE_INSTALL_MANDIR}/man7 COMPONENT program)
 foreach(component program library)
@@ -51,7 +56,7 @@ set(archive tcbsample-${PROJECT_VERSION}-${system})
 add_program(tcbsample_static ON)
 set_target_properties(tcbsample_static PROPERTIES OUTPUT_NAME tcbsample RUNTIME_OUTPUT_DIRECTORY static)
 install(TARGETS tcbsample_static DESTINATION ${archive} COMPONENT archive EXCLUDE_FROM_ALL)
-install(FILES man/tcbsample.1 man/tcbsample-numerics.7 man/tcbsample-clusters.7 LICENSE README.md CHANGELOG.md ${completions} DESTINATION ${archive}
+install(FILES ${manual} man/tcbsample-numerics.7 man/tcbsample-clusters.7 LICENSE README.md CHANGELOG.md ${completions} DESTINATION ${archive}
         COMPONENT archive EXCLUDE_FROM_ALL)
 
 set(CPACK_PACKAGE_NAME tcbsample)

@@ -1,14 +1,11 @@
-// Errors: a message, where the fault is, and the exit code of the program. Rooms make the messages in their errors.hpp;
-// faults of the command line are codes, whose words are in cli/remedies.hpp.
+// Errors: a message, where the fault is, and the exit code of the program. Rooms make the messages in their errors.hpp.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace tcb {
@@ -27,76 +24,6 @@ struct TextPosition {
   std::uint64_t column = 0;
 };
 
-/// What can be wrong with a command line. Each has its words in cli/remedies.
-enum class ErrorCode {
-  // run
-  unexpected,  ///< the message of a standard exception
-  // cli
-  wrong_command_line,  ///< in the words of CLI11
-  unknown_option,      ///< name, names of all options
-  option_repeated,
-  flag_with_value,  ///< name
-  value_missing,    ///< name
-  empty_value,
-  empty_file_name,
-  unknown_name,  ///< name, known names
-  expected_within_doubles,
-  expected_positive_ratio,
-  expected_ratio,
-  expected_ratios,
-  expected_rate,
-  expected_range,
-  endless_range,
-  range_too_long,  ///< text, the largest number of places
-  list_without_numbers,
-  grouped_places_in_provenance,
-  unreadable_list,
-  expected_count,
-  expected_form,
-  expected_whole_number,  ///< text, least, most
-  expected_curve_tolerance,
-  expected_fit,
-  expected_corner,
-  expected_tolerance,
-  expected_delimiter,
-  expected_decimal_mark,
-  expected_tcb,
-  expected_columns,
-  expected_renamings,
-  expected_scales,
-  expected_rotation,
-  expected_euler_order,  ///< in a value
-  expected_rotation_form,
-  expected_angles,
-  expected_name_part,
-  expected_axes,
-  expected_size,
-  field_repeated,
-  options_exclude,   ///< both options, reason
-  option_needs,      ///< as options_exclude
-  option_idle_with,  ///< as options_exclude
-  option_idle,       ///< option, reason
-  no_sampling_option,
-  output_of_other_format,  ///< file, format of its ending, format that is given
-  output_not_written,      ///< file, its ending
-  binary_to_terminal,
-  range_backwards,  ///< to, from
-  standard_input_twice,
-  comparison_of_several_files,  ///< number of files
-  line_end_in_provenance,
-  option_not_of_provenance,
-  file_in_provenance,
-  provenance_incomplete,
-  option_in_provenance,   ///< file with provenance
-  other_number_of_files,  ///< file with provenance, its number of inputs, the number given
-};
-
-/// Every code has a row of words in cli/remedies.
-inline constexpr std::size_t error_code_count = static_cast<std::size_t>(ErrorCode::other_number_of_files) + 1;
-
-/// A value that the words of an error show.
-using ErrorValue = std::variant<std::string, double, std::uint64_t, std::vector<std::string>>;
-
 /// The one exception of the program, thrown where something is wrong; caught in main, or where the other
 /// files of a batch go on.
 class Error : public std::exception {
@@ -105,17 +32,9 @@ class Error : public std::exception {
   /// in their errors.hpp, which makes it.
   Error(Exit exit, std::string message) : exit_(exit), message_(std::move(message)) {}
 
-  Error(Exit exit, ErrorCode code, std::vector<ErrorValue> values = {})
-      : exit_(exit), code_(code), values_(std::move(values)) {}
-
-  const std::string& message() const { return message_; }
-
   Exit exit() const { return exit_; }
-  ErrorCode code() const { return code_; }
-  const std::vector<ErrorValue>& values() const { return values_; }
+  const std::string& message() const { return message_; }
   const TextPosition& position() const { return position_; }
-  /// What a message with a code is about: the name of an option.
-  const std::string& option() const { return option_; }
   const std::vector<Error>& others() const { return others_; }
 
   /// Not for people: error_text() in io/terminal.hpp is.
@@ -127,8 +46,7 @@ class Error : public std::exception {
   /// The same error about the value of an option or a member of JSON: its name and a colon come first.
   Error about(std::string_view subject) const {
     Error error = *this;
-    (message_.empty() ? error.option_ : error.message_) =
-        message_.empty() ? std::string(subject) : std::string(subject) + ": " + message_;
+    error.message_ = std::string(subject) + ": " + message_;
     return error;
   }
 
@@ -151,15 +69,9 @@ class Error : public std::exception {
  private:
   Exit exit_;
   std::string message_;
-  ErrorCode code_ = ErrorCode::unexpected;
-  std::vector<ErrorValue> values_;
   TextPosition position_;
-  std::string option_;
   std::vector<Error> others_;
 };
-
-/// The message of an error, or the words of its code.
-std::string error_message(const Error& error);
 
 /// Runs f; the errors that it throws are in this file.
 template <class F>

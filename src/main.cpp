@@ -4,7 +4,8 @@
 #include <new>
 
 #include "check/report.hpp"
-#include "cli/options.hpp"
+#include "cli/plan.hpp"
+#include "cli/read_options.hpp"
 #include "error.hpp"
 #include "fit/fit_picture.hpp"
 #include "io/atomic_output.hpp"

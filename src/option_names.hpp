@@ -1,6 +1,6 @@
-// Names of the options of the command line, for errors and notes that offer one: a misspelt name does not compile.
+// Options of the command line: the long name of each, which identifies it; a misspelt name does not compile.
 //
-// The table of options in cli/options.cpp has a row for each; a test compares the two.
+// Each begins the row of its option in cli/options.cpp, and errors and notes offer options by these names.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,6 @@
 // Completions: scripts for bash, zsh and fish, made from the table of options, and the columns that they offer.
+#include "cli/completions.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

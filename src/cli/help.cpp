@@ -1,5 +1,5 @@
-// Help: the texts made from the tables of options, presets and rules, for terminals, the manual page and shells.
-#include "cli/options.hpp"
+// Help: the texts made from the tables of options, presets and rules, for terminals and the manual page.
+#include "cli/help.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "cli/completions.hpp"
+#include "cli/options.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {
@@ -52,10 +54,10 @@ std::string escaped(std::string_view text) {
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-/// Calls begin(group) and then show(row) for each of its options, in the order in which a reader needs the groups.
+/// Calls begin(group), and then show(row) for each option of the group.
 template <class Begin, class Show>
 void for_each_group(Begin begin, Show show) {
-  for (const std::string_view group : {"Sampling", "Curve", "Input", "Output", "Many files", "Comparison", "About"}) {
+  for (const std::string_view group : option_groups) {
     begin(group);
     for (const OptionRow& row : option_table()) {
       if (row.group == group) show(row);
@@ -107,9 +109,10 @@ std::string manual_tangents() {
 std::string manual_ends() {
   std::string out;
   for (const auto& row : end_rules<double>) {
-    out += fmt::format(".TP\n.B {}\nout of the first key = {}\n.br\nin of the last key = {}\n.br\n{}: {}.\n",
-                       escaped(fmt::format("{}{}", row.name, row.takes_velocity ? "=V..." : "")), escaped(row.outgoing),
-                       escaped(row.incoming), escaped(row.used_by), escaped(row.choose));
+    out += fmt::format(
+        ".TP\n.B {}\nout of the first key = {}\n.br\ninto the last key = {}\n.br\n{} {}.\nChoose it {}.\n",
+        escaped(fmt::format("{}{}", row.name, row.takes_velocity ? "=V..." : "")), escaped(row.outgoing),
+        escaped(row.incoming), row.takes_velocity ? "Takes" : "Used by", escaped(row.used_by), escaped(row.choose));
   }
   return out;
 }
@@ -132,14 +135,14 @@ std::string manual() {
 
 std::string usage_text() {
   return "Usage: tcbsample [OPTION]... [FILE]...\n"
-         "Reads keyframes (CSV or JSON: time, position and, if there are any, tension,\n"
-         "continuity, bias) and prints samples of the spline through them.\n"
+         "Reads keyframes from CSV or JSON (time, position, and optionally tension,\n"
+         "continuity and bias), and prints samples of the spline through them.\n"
          "\n"
          "  tcbsample --step 0.1 keys.csv            a sample every 0.1 of time\n"
-         "  tcbsample -n 200 < keys.json             200 samples, both ends included\n"
+         "  tcbsample -n 200 < keys.json             200 samples, including both ends\n"
          "  tcbsample --arc-step 5 path.csv          equal distances along the curve\n"
          "\n"
-         "-h shows the most common options, --help all of them, man tcbsample the manual.";
+         "-h shows the most common options, --help shows all, man tcbsample is the manual.";
 }
 
 std::string short_help_text() {
@@ -147,21 +150,21 @@ std::string short_help_text() {
          "Prints samples of the Kochanek-Bartels (TCB) spline through the keys of each\n"
          "FILE, or of standard input.\n"
          "\n"
-         "Where the samples are (one of these):\n"
-         "  -s, --step H        every H of time: 0.1, 1/24\n"
-         "      --fps HZ        HZ samples per second: 24, 30000/1001\n"
-         "  -n, --count N       N samples, both ends included\n"
+         "Where to take samples (give one of these):\n"
+         "  -s, --step H        every H of time, such as 0.1 or 1/24\n"
+         "      --fps HZ        HZ times per second, such as 24 or 30000/1001\n"
+         "  -n, --count N       N samples, including both ends\n"
          "  -a, --arc-step H    every H of arc length\n"
-         "      --at T,...      at these times; @FILE: those in a file\n"
+         "      --at T,...      at these times, or at the times in @FILE\n"
          "      --tolerance D   as few as keep the polyline within D of the curve\n"
          "\n"
-         "The most used of the other options:\n"
-         "      --preset NAME   the curve of a product, see --list-presets\n"
-         "      --columns ROLE=NAME,...  what the columns mean\n"
-         "  -o, --output FILE   instead of standard output\n"
-         "      --output-dir DIR  a file for each input file\n"
-         "      --fields FIELD,...  time,position,velocity,curvature,...\n"
-         "      --explain       what was detected and would be done\n"
+         "Other common options:\n"
+         "      --preset NAME   follow the rules of a product; see --list-presets\n"
+         "      --columns ROLE=NAME,...  say what the columns mean\n"
+         "  -o, --output FILE   write to FILE instead of standard output\n"
+         "      --output-dir DIR  write one file for each input file\n"
+         "      --fields FIELD,...  choose time,position,velocity,curvature,...\n"
+         "      --explain       show what was detected and what would be done\n"
          "\n"
          "--help lists all options, man tcbsample is the manual.";
 }
@@ -169,22 +172,22 @@ std::string short_help_text() {
 std::string help_text() {
   std::string out =
       "Usage: tcbsample [OPTION]... [FILE]...\n"
-      "Reads keys with times, positions and tension, continuity and bias\n"
+      "Reads keys with times, positions, and tension, continuity and bias\n"
       "(Kochanek-Bartels splines), and prints samples of the curve through them.\n"
       "\n"
       "  tcbsample --step 0.1 keys.csv            a sample every 0.1 of time\n"
       "  tcbsample --fps 30000/1001 keys.json     exact NTSC frames\n"
-      "  tcbsample -n 200 < keys.csv              200 samples, both ends included\n"
+      "  tcbsample -n 200 < keys.csv              200 samples, including both ends\n"
       "  tcbsample --arc-step 5 path.csv          equal distances along the curve\n"
-      "  tcbsample -s 0.1 --output-dir out *.csv  a file for each file\n";
+      "  tcbsample -s 0.1 --output-dir out *.csv  one output for each file\n";
   const auto show = [&out](const OptionRow& row) {
     out += fmt::format("  {}{}{}\n", fmt::join(row.all_names(), ", "), row.value.empty() ? "" : " ", row.value);
     out += wrapped(row.description(), 6);
   };
   for_each_group([&out](std::string_view group) { out += fmt::format("\n{}:\n", group); }, show);
   out +=
-      "\nExit status: 0 done, 1 the data was rejected or differs, 2 wrong usage or a\n"
-      "file that cannot be opened or written, 130 interrupted.";
+      "\nExit status: 0 if done, 1 if the data was rejected or differs, 2 after wrong\n"
+      "usage or if a file cannot be opened or written, 130 if interrupted.";
   return out;
 }
 
@@ -194,16 +197,16 @@ std::string presets_text() {
     out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends), row.product);
   }
   out +=
-      "\nTANGENTS of a key between chords D0, D1 of durations h0, h1, for the segment:\n"
+      "\nTANGENTS at a key between the chords D0 and D1 with the durations h0 and h1:\n"
       "  a = (1-T)(1+C)(1+B)   b = (1-T)(1-C)(1-B)   Uin  = (c D0 + d D1)/2\n"
       "  c = (1-T)(1-C)(1+B)   d = (1-T)(1+C)(1-B)   Uout = (a D0 + b D1)/2\n";
   for (const auto& row : tangent_rules<double>) {
     out += fmt::format("{}\n  in   {}\n  out  {}\n", row.name, row.incoming, row.outgoing) + wrapped(row.used_by, 4);
   }
   out +=
-      "\nENDS: out of the first key, into the last (one formula: the same for both).\n"
-      "D is the end segment's chord, h its duration, m its other\n"
-      "tangent, a to d and T the end key's own:\n";
+      "\nENDS: the tangent out of the first key, and the tangent into the last key; a\n"
+      "single formula is for both. D is the chord of the end segment, h its duration,\n"
+      "m the tangent at its other end; a to d and T belong to the end key:\n";
   for (const auto& row : end_rules<double>) {
     const bool same = row.outgoing == row.incoming;
     out += fmt::format("{:<17}{}\n", row.name,
@@ -214,7 +217,8 @@ std::string presets_text() {
   for (const auto& row : spline::rotation_curves) {
     out += fmt::format("{:<12}{}\n", row.name, row.formula) + wrapped(row.used_by, 4);
   }
-  out += "\nROTATIONS have the rules of their preset and the first of these curves, except:\n";
+  out += fmt::format("\nROTATIONS have the tangents and ends of the preset, and the curve {}, except:\n",
+                     spline::rotation_curves[0].name);
   for (const auto& row : presets) {
     const std::string rules = rotation_rules_text(row.rotations);
     if (!rules.empty()) out += fmt::format("{:<12}{}\n", row.name, rules);

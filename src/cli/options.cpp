@@ -1,14 +1,17 @@
-// Options: the table of names, texts, defaults and how each value is stored, in the order of the help.
+// Options: the table of names, texts, defaults, how each value is stored, and conflicts.
 #include "cli/options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
+#include "cli/places.hpp"
+#include "cli/rotation_values.hpp"
+#include "cli/values.hpp"
 #include "option_names.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
 #include "tcb/spline/rules.hpp"
-#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -28,418 +31,653 @@ struct SideName {
 };
 constexpr std::array side_names{SideName{"right", false}, SideName{"left", true}};
 
-constexpr std::string_view input_group = "Input", curve_group = "Curve", sampling_group = "Sampling",
-                           output_group = "Output", files_group = "Many files", comparison_group = "Comparison",
-                           about_group = "About";
-
 /// The option changes the rows, so it is part of their provenance.
 constexpr bool recorded = true, unrecorded = false;
 
-constexpr std::array<OptionRow, option_count> option_rows{{
-    {Option::input_format, "-i,--input-format", "FORMAT", input_group,
-     "csv, tsv, ssv (separated by whitespace), json or jsonl; by default the format of the file's ending, else JSON if "
-     "the text begins with [ or {, else delimited text",
+// Conflicts of several options.
+
+void need_folder(const Conflicts& of) { of.need({option::output_dir}, ", an output for each file"); }
+void need_check(const Conflicts& of) { of.need({option::check}); }
+void need_fit(const Conflicts& of) { of.need({option::fit}); }
+
+/// A sampling option; `disabled` have no effect with it.
+void check_mode(const Conflicts& of, Conflicts::Options disabled = {}) {
+  of.exclude(sampling_options);
+  of.disable(disabled);
+  of.disable({option::extrapolate}, " alone, whose samples are on the curve", stays_on_curve);
+}
+
+/// A report has no rows, and takes the samples of a file.
+void disable_options_of_rows(const Conflicts& of) {
+  constexpr std::string_view reason = ", which takes the samples of its file and prints a report";
+  of.disable(sampling_options, reason);
+  of.disable({option::from, option::to, option::end, option::keys, option::max_rows}, reason);
+  of.disable({option::output_dir, option::files, option::meta, option::explain, option::progress}, reason);
+  of.disable({option::digits, option::fixed, option::golden, option::exact_input, option::hex, option::no_output_header,
+              option::file_column, option::time_format},
+             reason);
+  of.disable({option::output_format, option::plot}, ", whose report is text, json or svg", has_no_format_of_reports);
+}
+
+void disable_options_without_picture(const Conflicts& of) {
+  of.disable({option::rotation_output, option::emit, option::fields, option::side, option::digits, option::fixed,
+              option::golden, option::exact_input, option::meta, option::hex, option::no_output_header},
+             ", which draws the curve and has no rows", has_picture);
+}
+
+void require_picture(const Conflicts& of) { of.require_effect(" on an output that is not a picture", has_no_picture); }
+
+constexpr OptionRow option_rows[] = {
+    {option::output_dir, "", "DIR", files_group,
+     "Writes one output for each input into the folder DIR, with the ending of the output format", "", folder,
+     unrecorded, [](Typed& to, Text text) { to.job.output_folder = text; }},
+    {option::files, "", "LIST", files_group,
+     "Reads further names of files from LIST, one per line; - reads LIST from standard input", "", file, unrecorded,
+     [](Typed& to, Text text) { to.job.batch.list = text; }},
+    {option::null, "-0", "", files_group, "The names in LIST end with NUL instead of a line end", "", flag, unrecorded,
+     [](Typed& to, Text) { to.job.batch.nul = true; }, [](const Conflicts& of) { of.need({option::files}); }},
+    {option::recursive, "", "", files_group,
+     "A folder stands for all files below it whose ending names a format, or with --input-format for all files below "
+     "it; DIR gets the same tree",
+     "", flag, unrecorded, [](Typed& to, Text) { to.job.batch.recursive = true; }, need_folder},
+    {option::suffix, "", "S", files_group, "Appends S to the name of each output, before the ending", "", other,
+     unrecorded, [](Typed& to, Text text) { to.job.batch.suffix = name_part(text); }, need_folder},
+    {option::update, "", "", files_group, "Skips inputs that are not newer than their outputs", "", flag, unrecorded,
+     [](Typed& to, Text) { to.job.batch.update = true; }, need_folder},
+    {option::fail_fast, "", "", files_group,
+     "Stops at the first file that fails; by default the other files are processed", "", flag, unrecorded,
+     [](Typed& to, Text) { to.job.batch.fail_fast = true; }, need_folder},
+
+    {option::check, "", "FILE", comparison_group,
+     "Compares the samples in FILE, made by any program, with the curve at the same times, or at the same arc lengths "
+     "s, and prints a report; the exit code is 1 if they differ",
+     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
+     [](const Conflicts& of) {
+       of.exclude({option::identify});
+       disable_options_of_rows(of);
+     }},
+    {option::abs, "", "[COL=]D,...", comparison_group,
+     "With --check: the largest accepted difference between two numbers, in all columns, or in one, as in x=1e-6", "",
+     other, recorded, [](Typed& to, Text text) { to.comparison.abs = tolerances(text); }, need_check},
+    {option::rel, "", "[COL=]D,...", comparison_group,
+     "With --check: the largest accepted difference as a fraction of the number on the curve", "", other, recorded,
+     [](Typed& to, Text text) { to.comparison.rel = tolerances(text); }, need_check},
+    {option::ulp, "", "[COL=]N,...", comparison_group,
+     "With --check: the largest accepted difference in units in the last place, which are steps between neighbouring "
+     "doubles; by default 0, so that the numbers must be equal",
+     "", other, recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }, need_check},
+    {option::map, "", "THEIRS=OURS,...", comparison_group,
+     "Renames columns of FILE before they are compared, as in frame_time=t,px=x", "", other, recorded,
+     [](Typed& to, Text text) { to.comparison.maps = renamings(text); },
+     [](const Conflicts& of) {
+       of.need({option::check, option::identify});
+     }},
+    {option::identify, "", "FILE", comparison_group,
+     "Finds the tangent rule, the end rule, the speeds, and the order and signs of T, C, B that produce the positions "
+     "in FILE, and prints a ranked table; the exit code is 1 if none fits",
+     "", file, recorded,
+     [](Typed& to, Text text) {
+       to.comparison.file = text;
+       to.comparison.identify = true;
+     },
+     [](const Conflicts& of) {
+       disable_options_of_rows(of);
+       of.disable({option::preset, option::tangents, option::ends, option::equal_speed, option::side},
+                  ", which tries all rules on positions");
+     }},
+
+    {option::input_format, "-i", "FORMAT", input_group,
+     "The format of the input: csv, tsv, ssv (separated by whitespace), json or jsonl. By default it follows from the "
+     "ending of the file; without a known ending, text that begins with [ or { is JSON, and any other text is "
+     "delimited",
      "", name, recorded, [](Typed& to, Text text) { to.job.input.format = input_format(text); },
+     [](const Conflicts& of) {
+       of.disable({option::delimiter, option::header, option::no_header, option::comment, option::decimal}, "",
+                  has_json_input);
+     },
      input_format_names},
-    {Option::delimiter, "-d,--delimiter", "CHAR", input_group,
-     "The separator of cells: one character, or tab, comma, semicolon, space or pipe; by default the first of tab, ; , "
-     "and blank that the first record has",
+    {option::delimiter, "-d", "CHAR", input_group,
+     "The character between cells, or tab, comma, semicolon, space or pipe; by default the first of tab, semicolon, "
+     "comma and space that occurs in the first record",
      "", name, recorded, [](Typed& to, Text text) { to.job.input.delimiter = delimiter(text); },
-     names_in<delimiter_names>},
-    {Option::header, "--header", "", input_group,
-     "The first record names the columns; by default it does if a cell in it is not a number", "", flag, recorded,
-     [](Typed& to, Text) { to.job.input.header = true; }},
-    {Option::no_header, "--no-header", "", input_group, "The first record is a key", "", flag, recorded,
+     [](const Conflicts& of) { of.exclude({option::decimal}, "", has_one_comma_for_two); }, names_in<delimiter_names>},
+    {option::header, "", "", input_group,
+     "The first record names the columns; by default it does so if one of its cells is not a number", "", flag,
+     recorded, [](Typed& to, Text) { to.job.input.header = true; },
+     [](const Conflicts& of) { of.exclude({option::no_header}); }},
+    {option::no_header, "", "", input_group, "The first record is a key", "", flag, recorded,
      [](Typed& to, Text) { to.job.input.header = false; }},
-    {Option::comment, "--comment", "PREFIX", input_group, "Skips lines that begin with PREFIX; none: skips none", "#",
-     other, recorded, [](Typed& to, Text text) { to.job.input.comment = text == "none" ? "" : text; }},
-    {Option::columns, "--columns", "ROLE=NAME,...", input_group,
-     "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label; by default "
-     "from the header, or without one the time first and positions after it",
+    {option::comment, "", "PREFIX", input_group, "Skips lines that begin with PREFIX; none skips no lines", "#", other,
+     recorded, [](Typed& to, Text text) { to.job.input.comment = text == "none" ? "" : text; }},
+    {option::columns, "", "ROLE=NAME,...", input_group,
+     "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label. By default "
+     "they follow from the header; without a header, the first column is the time, and the others are positions",
      "", roles, recorded,
      [](Typed& to, Text text) {
        auto roles = parse_roles(text);
        to.job.input.roles.insert(to.job.input.roles.begin(), roles.begin(), roles.end());
      }},
-    {Option::tcb, "--tcb", "T,C,B", input_group, "Tension, continuity and bias of keys that have none", "0,0,0", other,
-     recorded, [](Typed& to, Text text) { to.job.input.tcb = tcb_values(text); }},
-    {Option::tcb_scale, "--tcb-scale", "SCALE", input_group,
-     "The scale of tension, continuity and bias: 3dsmax, from 0 to 50 with 25 for 0; none, unchanged; by default "
-     "unchanged, and numbers beyond 5 are rejected with presets of products that show 0 to 50 or percent",
-     "", name, recorded, [](Typed& to, Text text) { to.job.input.tcb_scale = named_row(tcb_scales, text).scale; },
+    {option::tcb, "", "T,C,B", input_group, "Tension, continuity and bias of keys for which the input has none",
+     "0,0,0", other, recorded, [](Typed& to, Text text) { to.job.input.tcb = tcb_values(text); }},
+    {option::tcb_scale,
+     "",
+     "SCALE",
+     input_group,
+     "The scale of tension, continuity and bias: 3dsmax converts 0 to 50 into -1 to 1; none takes them as they are. By "
+     "default they are taken as they are, but for presets of products that show 0 to 50 or percent, numbers beyond 5 "
+     "are rejected",
+     "",
+     name,
+     recorded,
+     [](Typed& to, Text text) { to.job.input.tcb_scale = named_row(tcb_scales, text).scale; },
+     {},
      names_in<tcb_scales>},
-    {Option::decimal, "--decimal", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other,
-     recorded, [](Typed& to, Text text) { to.job.input.decimal = decimal_mark(text); }},
-    {Option::group, "-g,--group", "COL[,COL]", input_group,
-     "Rows with the same values in these columns make a curve, in any order; the columns are repeated in front of its "
-     "samples",
+    {option::decimal, "", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other, recorded,
+     [](Typed& to, Text text) { to.job.input.decimal = decimal_mark(text); }},
+    {option::group, "-g", "COL[,COL]", input_group,
+     "Makes one curve of all rows that have the same values in these columns, in any order; the rows begin with these "
+     "columns",
      "", columns, recorded,
      [](Typed& to, Text text) {
        to.job.input.roles.push_back({Role::group, column_list(text), option::group});
      }},
-    {Option::missing, "--missing", "POLICY", input_group,
-     "For a cell that is empty or a sign of a missing number, such as NA: error rejects it; skip-row skips the key; skip-cell interpolates "
-     "that channel through its other keys; break begins a new curve after it",
-     "error", name, recorded,
-     [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).value; },
+    {option::missing, "", "POLICY", input_group,
+     "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips the "
+     "key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",
+     "error", name, recorded, [](Typed& to, Text text) { to.job.input.missing = named_row(missing_names, text).value; },
+     [](const Conflicts& of) {
+       of.exclude({option::equal_speed, option::parameter}, ", as all channels are needed at each key",
+                  has_sparse_channels);
+     },
      names_in<missing_names>},
-    {Option::na, "--na", "TEXT,...", input_group,
-     "Further signs of a missing number, besides NA, N/A, nan, null, None, missing, - and the like", "", other, recorded,
-     [](Typed& to, Text text) { to.job.input.signs = column_list(text); }},
-    {Option::time_unit, "--time-unit", "UNIT", input_group,
-     "The unit of the times: s, ms, us, ns, min, h, d or frames; --rate then is per second; by default that of the "
-     "column's name, as in time_ms",
-     "", name, recorded,
-     [](Typed& to, Text text) { to.job.input.time_unit = named_row(time_units, text).unit; }, names_in<time_units>},
-    {Option::input_fps, "--input-fps", "HZ", input_group,
-     "The times are numbers of frames, HZ a second, such as 24 or 30000/1001; they become seconds", "", other, recorded,
-     [](Typed& to, Text text) { to.job.input.input_rate = positive_ratio(text); }},
-    {Option::scale, "--scale", "CHANNEL=FACTOR,...", input_group,
+    {option::na, "", "TEXT,...", input_group,
+     "Further texts that mark a missing number, besides NA, N/A, nan, null, None, missing, - and similar ones", "",
+     other, recorded, [](Typed& to, Text text) { to.job.input.signs = column_list(text); }},
+    {option::time_unit, "", "UNIT", input_group,
+     "The unit of times: s, ms, us, ns, min, h, d or frames; --rate is then per second. By default the name of the "
+     "column tells the unit, as in time_ms",
+     "", name, recorded, [](Typed& to, Text text) { to.job.input.time_unit = named_row(time_units, text).unit; },
+     [](const Conflicts& of) { of.exclude({option::input_fps}); }, names_in<time_units>},
+    {option::input_fps, "", "HZ", input_group,
+     "Times are numbers of frames at HZ frames per second, such as 24 or 30000/1001, and become seconds", "", other,
+     recorded, [](Typed& to, Text text) { to.job.input.input_rate = positive_ratio(text); }},
+    {option::scale, "", "CHANNEL=FACTOR,...", input_group,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.scales = channel_scales(text); }},
-    {Option::rotation, "--rotation", "FORM=COLUMN:...", input_group,
-     "Columns that together are a rotation: quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE[,relative], "
-     "euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33, by name or number; once for each rotation. none: "
-     "all are plain channels. By default columns such as qx, qy, qz and qw",
+    {option::rotation, "", "FORM=COLUMN:...", input_group,
+     "The columns, by name or number, that together are a rotation: quaternion=X:Y:Z:W, "
+     "axis-angle=X:Y:Z:ANGLE[,relative], euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. Repeat "
+     "the option for each rotation; none takes all columns as plain channels. By default columns with names such as "
+     "qx, "
+     "qy, qz and qw are a rotation",
      "", other, recorded,
      [](Typed& to, Text text) {
        RotationOptions& options = to.job.input.rotation;
        options.requests = rotations(text, options.none);
      }},
-    {Option::angles, "--angles", "UNIT", input_group, "The unit of the angles of rotations: radians or degrees", "radians", name,
-     recorded, [](Typed& to, Text text) { to.job.input.rotation.degrees = named_row(angle_units, text).degrees; },
+    {option::angles, "", "UNIT", input_group, "The unit of the angles in rotations: radians or degrees", "radians",
+     name, recorded, [](Typed& to, Text text) { to.job.input.rotation.degrees = named_row(angle_units, text).degrees; },
+     [](const Conflicts& of) {
+       of.need({option::rotation, option::rotation_output}, ", which tells where angles are");
+     },
      names_in<angle_units>},
-    {Option::rotation_output, "--rotation-output", "FORM", input_group,
-     "How rows show rotations: quaternion, axis-angle, matrix, or euler=XYZ; by default as the input gives them", "", other,
-     recorded, [](Typed& to, Text text) { to.job.input.rotation.shown = rotation_form(text); }},
-    {Option::angle, "--angle", "CHANNEL=UNIT,...", input_group,
-     "Channels that are angles in degrees or radians: from key to key they turn less than half a turn; rows have them from "
-     "0 to 360 degrees, or if a key is negative from -180 to 180",
+    {option::rotation_output, "", "FORM", input_group,
+     "The form of rotations in rows: quaternion, axis-angle, matrix, or euler=XYZ; by default the form in the input",
+     "", other, recorded, [](Typed& to, Text text) { to.job.input.rotation.shown = rotation_form(text); }},
+    {option::angle, "", "CHANNEL=UNIT,...", input_group,
+     "Channels that are angles, in degrees or radians: each turns by less than half a turn from key to key. Rows have "
+     "angles from 0 to 360 degrees, or from -180 to 180 degrees if a key is negative",
      "", columns, recorded, [](Typed& to, Text text) { to.job.input.rotation.angles = angle_channels(text); }},
-    {Option::normalize, "--normalize", "", input_group, "Takes quaternions of any norm but 0, and divides them by it; takes the rotation nearest to a matrix", "", flag, recorded,
-     [](Typed& to, Text) { to.job.input.rotation.normalize = true; }},
-    {Option::duplicates, "--duplicates", "POLICY", input_group,
-     "For keys with equal times: error rejects them; first or last keeps that one; break begins a new curve with the "
-     "second",
-     "error", name, recorded,
+    {option::normalize, "", "", input_group,
+     "Divides quaternions by their norm, which may be any number but 0, and replaces a matrix by the nearest rotation",
+     "", flag, recorded, [](Typed& to, Text) { to.job.input.rotation.normalize = true; }},
+    {option::duplicates,
+     "",
+     "POLICY",
+     input_group,
+     "What happens to keys with equal times: error rejects them; first or last keeps that one; break begins a new "
+     "curve "
+     "with the second",
+     "error",
+     name,
+     recorded,
      [](Typed& to, Text text) { to.job.curves.duplicates = named_row(duplicates_names, text).value; },
+     {},
      names_in<duplicates_names>},
-    {Option::sort, "--sort", "", input_group, "Sorts keys by time first; those of equal times keep their order", "", flag,
-     recorded, [](Typed& to, Text) { to.job.curves.sort = true; }},
+    {option::sort, "", "", input_group, "Sorts keys by time before use; keys with equal times keep their order", "",
+     flag, recorded, [](Typed& to, Text) { to.job.curves.sort = true; }},
 
-    {Option::preset, "--preset", "NAME", curve_group, "The rules of a product for tangents and ends; see --list-presets", "gte", name,
-     recorded, [](Typed& to, Text text) { to.job.curve.preset = {std::string(named_row(spline::presets, text).name), {option::preset}}; },
+    {option::preset,
+     "",
+     "NAME",
+     curve_group,
+     "The rules of a product for tangents, ends and rotations; --list-presets shows all products",
+     "gte",
+     name,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.curve.preset = {std::string(named_row(spline::presets, text).name), {option::preset}};
+     },
+     {},
      names_in<spline::presets>},
-    {Option::tangents, "--tangents", "RULE", curve_group,
-     "The rule for the tangents at inner keys, instead of the preset's", "", name, recorded,
-     [](Typed& to, Text text) { to.job.curve.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}}; },
+    {option::tangents,
+     "",
+     "RULE",
+     curve_group,
+     "The rule for the tangents at inner keys, instead of the preset's rule",
+     "",
+     name,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.curve.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}};
+     },
+     {},
      names_in<spline::tangent_rules<double>>},
-    {Option::ends, "--ends", "RULE[,RULE]", curve_group,
-     "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's; "
-     "velocity=V:V... gives a velocity, a number for each channel",
-     "", names, recorded, [](Typed& to, Text text) { to.job.curve.ends = {text, {option::ends}}; }, names_in<spline::end_rules<double>>},
-    {Option::closed, "--closed", "", curve_group,
-     "The curve continues from the last key to the first; a last key that repeats the first position gives the time of "
-     "the return only",
-     "", flag, recorded, [](Typed& to, Text) { to.job.curve.closed = {true, {option::closed}}; }},
-    {Option::period, "--period", "P", curve_group,
+    {option::ends,
+     "",
+     "RULE[,RULE]",
+     curve_group,
+     "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's "
+     "rule; velocity=V:V... sets a velocity, with one number for each channel",
+     "",
+     names,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.curve.ends = {text, {option::ends}};
+     },
+     {},
+     names_in<spline::end_rules<double>>},
+    {option::closed, "", "", curve_group,
+     "The curve continues from the last key to the first; if the last key has the first position again, it only sets "
+     "the time of the return",
+     "", flag, recorded,
+     [](Typed& to, Text) {
+       to.job.curve.closed = {true, {option::closed}};
+     }},
+    {option::period, "", "P", curve_group,
      "The time that a closed curve takes to return to its first key; implies --closed", "", other, recorded,
-     [](Typed& to, Text text) { to.job.curve.period = {text, {option::period}}; }},
-    {Option::equal_speed, "--equal-speed", "", curve_group,
-     "Gives both tangents of a key the same speed, also where C is not 0", "", flag, recorded,
+     [](Typed& to, Text text) {
+       to.job.curve.period = {text, {option::period}};
+     }},
+    {option::equal_speed, "", "", curve_group,
+     "Makes the speeds on both sides of a key equal, even if the continuity is not 0", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.equal_speed = true; }},
-    {Option::parameter, "--parameter", "NAME", curve_group,
-     "Makes times for keys without any: uniform, chordal, centripetal, or an exponent of the distances", "uniform",
-     name, recorded, [](Typed& to, Text text) { to.job.curve.parameter = {text, {option::parameter}}; }, names_in<parameter_names>},
-    {Option::metric, "--metric", "CHANNEL,...", curve_group,
-     "The channels that lengths and speeds are measured over, by name or number; by default all. rotation: lengths are the "
-     "angles that rotations turn through, in radians",
+    {option::parameter,
+     "",
+     "NAME",
+     curve_group,
+     "Makes times for keys that have none: uniform, chordal, centripetal, or an exponent of the distances between keys",
+     "uniform",
+     name,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.curve.parameter = {text, {option::parameter}};
+     },
+     {},
+     names_in<parameter_names>},
+    {option::metric, "", "CHANNEL,...", curve_group,
+     "The channels, by name or number, over which lengths and speeds are measured; by default all channels. rotation "
+     "measures the angles through which rotations turn, in radians",
      "", columns, recorded,
-     [](Typed& to, Text text) { to.job.curve.metric = {text, {option::metric}}; }},
-    {Option::rotation_curve, "--rotation-curve", "NAME", curve_group,
-     "The curve between rotations, instead of the preset's: squad, casteljau, components or slerp", "", name, recorded,
-     [](Typed& to, Text text) { to.job.curve.rotation_curve = {std::string(named_row(spline::rotation_curves, text).name), {option::rotation_curve}}; },
+     [](Typed& to, Text text) {
+       to.job.curve.metric = {text, {option::metric}};
+     },
+     [](const Conflicts& of) { of.require_effect(", as no length or speed is requested", needs_no_metric); }},
+    {option::rotation_curve,
+     "",
+     "NAME",
+     curve_group,
+     "The curve between rotations, instead of the preset's curve: squad, casteljau, components or slerp",
+     "",
+     name,
+     recorded,
+     [](Typed& to, Text text) {
+       const auto& row = named_row(spline::rotation_curves, text);
+       to.job.curve.rotation_curve = {std::string(row.name), {option::rotation_curve}};
+     },
+     {},
      names_in<spline::rotation_curves>},
-    {Option::no_ease, "--no-ease", "", curve_group, "Ignores the columns ease_in and ease_out", "", flag, recorded,
+    {option::no_ease, "", "", curve_group, "Ignores the columns ease_in and ease_out", "", flag, recorded,
      [](Typed& to, Text) { to.job.curve.no_ease = true; }},
-    {Option::extrapolate, "--extrapolate", "RULE", curve_group,
-     "Times outside the curve: error rejects them; hold, linear, repeat, offset and oscillate extend the curve", "error", name,
-     recorded, [](Typed& to, Text text) { to.job.curve.extrapolate = {std::string(named_row(extrapolations, text).name), {option::extrapolate}}; },
+    {option::extrapolate,
+     "",
+     "RULE",
+     curve_group,
+     "What happens to times outside the curve: error rejects them; hold, linear, repeat, offset and oscillate extend "
+     "the curve",
+     "error",
+     name,
+     recorded,
+     [](Typed& to, Text text) {
+       to.job.curve.extrapolate = {std::string(named_row(extrapolations, text).name), {option::extrapolate}};
+     },
+     {},
      names_in<extrapolations>},
 
-    {Option::step, "-s,--step", "H", sampling_group,
+    {option::step, "-s", "H", sampling_group,
      "Samples every H of time from the first key; H is a decimal or a ratio such as 1/24", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::step;
        to.job.sampling.step = positive_ratio(text);
-     }},
-    {Option::rate, "--rate,--fps", "HZ", sampling_group, 
-     "HZ samples per second, or per unit of time if that is not known: a step of exactly 1/HZ", "", other, recorded,
+     },
+     [](const Conflicts& of) { check_mode(of); }},
+    {option::rate, "--fps", "HZ", sampling_group,
+     "Samples HZ times per second, or per unit of time if the unit is unknown; the step is exactly 1/HZ", "", other,
+     recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::step;
        to.job.sampling.is_rate = true;
        to.job.sampling.step = step_of_rate(text);
-     }},
-    {Option::count, "-n,--count", "N", sampling_group,
-     "N samples equally spaced in time, including the first and the last key", "", other, recorded,
+     },
+     [](const Conflicts& of) { check_mode(of); }},
+    {option::count, "-n", "N", sampling_group,
+     "Takes N samples equally spaced in time, including the first and the last key", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::count;
        to.job.sampling.count = positive_count(text);
-     }},
-    {Option::segments, "--segments", "N", sampling_group, "N equal intervals of time, so N+1 samples", "", other, recorded,
+     },
+     [](const Conflicts& of) { check_mode(of, {option::end}); }},
+    {option::segments, "", "N", sampling_group, "Divides the time into N equal intervals, so there are N+1 samples", "",
+     other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::segments;
        to.job.sampling.count = positive_count(text);
-     }},
-    {Option::per_segment, "--per-segment", "N", sampling_group, "N equal intervals in every segment between two keys", "",
-     other, recorded,
+     },
+     [](const Conflicts& of) { check_mode(of, {option::end}); }},
+    {option::per_segment, "", "N", sampling_group,
+     "Divides every segment between two keys into N equal intervals of time", "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::per_segment;
        to.job.sampling.count = positive_count(text);
+     },
+     [](const Conflicts& of) {
+       check_mode(of, {option::from, option::to, option::end, option::keys});
      }},
-    {Option::at, "--at", "T,...", sampling_group,
-     "These times, in this order; A:B:H: from A to B in steps of H; @FILE: those in a file, separated by whitespace, "
-     "commas or lines; @FILE:COLUMN: those in a column of a file of any format, by groups; -: those of standard input", "", places, recorded,
+    {option::at, "", "T,...", sampling_group,
+     "Samples at these times, in this order. A:B:H means from A to B in steps of H; @FILE means the numbers in a file, "
+     "separated by whitespace, commas or line ends; @FILE:COLUMN means a column of a file of any format, matched by "
+     "groups; - means the numbers in standard input",
+     "", places, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::at;
-       store_places(to, Option::at, text);
+       store_places(to, option::at, text);
+     },
+     [](const Conflicts& of) {
+       check_mode(of, {option::from, option::to, option::end, option::keys});
      }},
-    {Option::arc_step, "-a,--arc-step", "H", sampling_group, "Samples every H of arc length from the first key", "", other,
+    {option::arc_step, "-a", "H", sampling_group, "Samples every H of arc length from the first key", "", other,
      recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::arc_step;
        to.job.sampling.step = positive_ratio(text);
-     }},
-    {Option::arc_count, "--arc-count", "N", sampling_group,
-     "N samples equally spaced in arc length, including both ends", "", other, recorded,
+     },
+     [](const Conflicts& of) { check_mode(of); }},
+    {option::arc_count, "", "N", sampling_group, "Takes N samples equally spaced in arc length, including both ends",
+     "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::arc_count;
        to.job.sampling.count = positive_count(text);
-     }},
-    {Option::arc_at, "--arc-at", "S,...", sampling_group, "These arc lengths, in the same forms as times", "",
-     places, recorded,
+     },
+     [](const Conflicts& of) { check_mode(of, {option::end}); }},
+    {option::arc_at, "", "S,...", sampling_group, "Samples at these arc lengths, written as in --at", "", places,
+     recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::arc_at;
-       store_places(to, Option::arc_at, text);
+       store_places(to, option::arc_at, text);
+     },
+     [](const Conflicts& of) {
+       check_mode(of, {option::from, option::to, option::end, option::keys});
      }},
-    {Option::tolerance, "--tolerance", "D[,ANGLE]", sampling_group,
-     "Samples, as few as a greedy search finds, whose polyline stays within D of the curve, over the metric channels, and "
-     "rotations within ANGLE, such as 0.5deg or 0.01rad", "", other, recorded,
+    {option::tolerance, "", "D[,ANGLE]", sampling_group,
+     "Takes as few samples as a greedy search finds whose polyline stays within D of the curve, over the metric "
+     "channels, and whose rotations stay within ANGLE, such as 0.5deg or 0.01rad",
+     "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::tolerance;
        to.job.sampling.tolerance = curve_tolerance(text);
+     },
+     [](const Conflicts& of) {
+       check_mode(of, {option::from, option::to, option::end});
      }},
-    {Option::emit, "--emit", "FORM", sampling_group,
-     "The exact cubics instead of samples, a row for each segment: hermite, position and velocity at both ends; bezier, "
-     "four control points; poly, the coefficients of (t - start)^0 to ^3, or polyN, padded to N with zeros", "", name,
-     recorded,
+    {option::emit, "", "FORM", sampling_group,
+     "Prints the exact cubics instead of samples, one row for each segment: hermite has position and velocity at both "
+     "ends, bezier four control points, poly the coefficients of (t - start)^0 to ^3, and polyN pads these to N with "
+     "zeros",
+     "", name, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::emit;
        to.job.sampling.count = 1;
        to.form = form_of_pieces(text);
      },
+     [](const Conflicts& of) {
+       of.exclude(sampling_options);
+       of.disable({option::end, option::keys});
+       of.disable({option::extrapolate}, ", whose pieces lie between keys", extends_curve);
+     },
      names_in<form_table>},
-    {Option::fit, "--fit", "D,...", sampling_group,
-     "Keys in place of samples: the fewest found whose curve is within D of every sample of the input, over the metric channels; "
-     "NAME=D for a channel alone, 0.5deg or 0.01rad for rotations", "", other, recorded,
+    {option::fit, "", "D,...", sampling_group,
+     "Prints keys instead of samples: the fewest found whose curve is within D of every sample in the input, over the "
+     "metric channels. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
+     "", other, recorded,
      [](Typed& to, Text text) {
        to.job.sampling.mode = Mode::fit;
        std::tie(to.job.fit.tolerances, to.job.fit.angle) = fit_limits(text);
+     },
+     [](const Conflicts& of) {
+       of.exclude(sampling_options);
+       of.disable({option::tcb,         option::tcb_scale,      option::rotation_output,
+                   option::preset,      option::tangents,       option::ends,
+                   option::closed,      option::period,         option::equal_speed,
+                   option::parameter,   option::rotation_curve, option::no_ease,
+                   option::extrapolate, option::from,           option::to,
+                   option::end,         option::keys,           option::max_rows,
+                   option::fields,      option::side,           option::golden,
+                   option::exact_input, option::rename},
+                  ", which prints keys with the default rules");
+       of.disable({option::digits, option::fixed}, ", whose numbers have the digits that the tolerance needs");
+       of.exclude({option::plot, option::explain});
      }},
-    {Option::fit_keys, "--fit-keys", "KIND", sampling_group,
-     "What the keys of --fit carry: tcb, tension and bias, or hermite, velocities", "tcb", name, recorded,
-     [](Typed& to, Text text) { to.job.fit.keys = named_row(fit_key_names, text).keys; }, names_in<fit_key_names>},
-    {Option::keep_times, "--keep-times", "T,...", sampling_group, "Times of samples that become keys in any case, as in --at",
-     "", places, recorded, [](Typed& to, Text text) { store_places(to, Option::keep_times, text); }},
-    {Option::corner, "--corner", "DEGREES", sampling_group,
-     "Where the samples turn by more, a key of --fit may be a corner", "", other, recorded,
-     [](Typed& to, Text text) { to.job.fit.corner = corner_angle(text); }},
-    {Option::from, "--from", "T", sampling_group,
-     "Where sampling begins, in time, or in arc length for the arc modes; by default the first key", "", other,
-     recorded, [](Typed& to, Text text) { to.job.sampling.from = ratio(text); }},
-    {Option::to, "--to", "T", sampling_group, "Where sampling ends; by default the last key", "", other, recorded,
+    {option::fit_keys, "", "KIND", sampling_group,
+     "The parameters that keys of --fit have: tcb means tension and bias, hermite means velocities", "tcb", name,
+     recorded, [](Typed& to, Text text) { to.job.fit.keys = named_row(fit_key_names, text).keys; }, need_fit,
+     names_in<fit_key_names>},
+    {option::keep_times, "", "T,...", sampling_group,
+     "Times of samples that --fit turns into keys in any case, written as in --at", "", places, recorded,
+     [](Typed& to, Text text) { store_places(to, option::keep_times, text); }, need_fit},
+    {option::corner, "", "DEGREES", sampling_group,
+     "Allows a key of --fit to be a corner where the samples turn by more than DEGREES", "", other, recorded,
+     [](Typed& to, Text text) { to.job.fit.corner = corner_angle(text); }, need_fit},
+    {option::from, "", "T", sampling_group,
+     "Where sampling begins: a time, or an arc length for the arc modes; by default the first key", "", other, recorded,
+     [](Typed& to, Text text) { to.job.sampling.from = ratio(text); }},
+    {option::to, "", "T", sampling_group, "Where sampling ends; by default the last key", "", other, recorded,
      [](Typed& to, Text text) { to.job.sampling.to = ratio(text); }},
-    {Option::end, "--end", "POLICY", sampling_group,
-     "If the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit takes the "
-     "nearest whole number of equal steps, fit-down the largest equal steps of at most H, fit-up the smallest of at "
-     "least H",
-     "drop", name, recorded,
+    {option::end,
+     "",
+     "POLICY",
+     sampling_group,
+     "What happens if the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit "
+     "takes "
+     "the nearest whole number of equal steps, fit-down the largest equal steps of at most H, and fit-up the smallest "
+     "of at least H",
+     "drop",
+     name,
+     recorded,
      [](Typed& to, Text text) { to.job.sampling.end = named_row(end_policies, text).policy; },
+     {},
      names_in<end_policies>},
-    {Option::keys, "--keys", "", sampling_group,
-     "Every key is also a sample; it replaces a sample within a billionth of a step of it", "", flag, recorded,
-     [](Typed& to, Text) { to.job.sampling.keys = true; }},
-    {Option::max_rows, "--max-rows", "N", sampling_group, "An error if there are more samples than N", "1e9", other, recorded,
+    {option::keys, "", "", sampling_group,
+     "Makes every key a sample as well; it replaces a sample that is within a billionth of a step of it", "", flag,
+     recorded, [](Typed& to, Text) { to.job.sampling.keys = true; }},
+    {option::max_rows, "", "N", sampling_group, "Fails if there are more than N samples", "1e9", other, recorded,
      [](Typed& to, Text text) { to.job.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
 
-    {Option::output, "-o,--output", "FILE", output_group,
-     "Writes to FILE, which appears when it is complete; -: standard output", "", file, unrecorded,
-     [](Typed& to, Text text) { to.job.output = text; }},
-    {Option::output_format, "-f,--output-format", "FORMAT", output_group,
-     "csv, tsv, ssv, json, jsonl, npy (an array for NumPy), or svg (a picture); by default the format of FILE's ending, "
-     "else csv",
-     "", name, recorded,
-     [](Typed& to, Text text) { to.job.output_format = output_format(text); }, output_format_names},
-    {Option::fields, "--fields", "FIELD,...", output_group,
+    {option::output, "-o", "FILE", output_group,
+     "Writes to FILE, which appears when it is complete; - is standard output", "", file, unrecorded,
+     [](Typed& to, Text text) { to.job.output = text; }, [](const Conflicts& of) { of.exclude({option::output_dir}); }},
+    {option::output_format, "-f", "FORMAT", output_group,
+     "The format of the output: csv, tsv, ssv, json, jsonl, npy (an array for NumPy) or svg (a picture); by default "
+     "the "
+     "format of FILE's ending, or else csv",
+     "", name, recorded, [](Typed& to, Text text) { to.job.output_format = output_format(text); },
+     [](const Conflicts& of) {
+       of.exclude({option::plot});
+       disable_options_without_picture(of);
+       of.disable({option::digits, option::fixed, option::hex}, ", which holds the doubles themselves",
+                  has_binary_output);
+       of.disable({option::time_format}, ", which holds numbers only", has_binary_output);
+       of.disable({option::hex}, ", which has no hexadecimal numbers", has_no_header);
+       of.disable({option::no_output_header}, ", which has no line of names", has_no_header);
+       of.disable({option::meta}, ", which has no comments", has_no_provenance);
+     },
+     output_format_names},
+    {option::plot, "", "", output_group,
+     "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally spaced "
+     "in "
+     "time",
+     "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; },
+     disable_options_without_picture},
+    {option::fields, "", "FIELD,...", output_group,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
-     "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error; with --emit, those added to its cubics: s, length",
-     "time,position", names, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); }, field_names},
-    {Option::side, "--side", "SIDE", output_group,
-     "The segment whose values a row at a key has if they differ: right, the one after the key, or left, the one "
-     "before",
+     "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "
+     "which "
+     "follow the cubics",
+     "time,position", names, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); },
+     [](const Conflicts& of) {
+       of.exclude({option::emit}, ", as a piece has the fields s and length only", has_field_of_samples);
+       of.need({option::emit}, ", for the length of each piece", has_field_of_pieces);
+     },
+     field_names},
+    {option::side, "", "SIDE", output_group,
+     "Which segment a row at a key describes if two segments differ there: right is the segment after the key, left is "
+     "the segment before it",
      "right", name, recorded,
      [](Typed& to, Text text) { to.job.sampling.from_left = named_row(side_names, text).left; },
+     [](const Conflicts& of) { of.require_effect(" on these fields, which are the same on both sides", has_no_side); },
      names_in<side_names>},
-    {Option::digits, "--digits", "N", output_group,
-     "Numbers have N significant digits, 1 to 17, or with --golden to 100; by default the shortest text that reads "
-     "back as the same double",
+    {option::digits, "", "N", output_group,
+     "Prints numbers with N significant digits, from 1 to 17, or with --golden to 100; by default as the shortest text "
+     "that reads back as the same double",
      "", other, recorded,
-     [](Typed& to, Text text) { to.notation = {Notation::Kind::digits, digit_count(text, 1)}; }},
-    {Option::fixed, "--fixed", "N", output_group, "Numbers have N decimals, 0 to 100", "", other, recorded,
-     [](Typed& to, Text text) { to.notation = {Notation::Kind::fixed, digit_count(text, 0)}; }},
-    {Option::jobs, "-j,--jobs", "N", output_group,
-     "The number of threads; by default one per core, and a single one for a live pipe. The bytes are the same for "
-     "every N",
+     [](Typed& to, Text text) {
+       to.notation = {Notation::Kind::digits, digit_count(text, 1)};
+     },
+     [](const Conflicts& of) {
+       of.exclude({option::fixed, option::hex});
+       of.need({option::golden}, ", as a double has 17 significant digits", has_more_digits_than_doubles);
+     }},
+    {option::fixed, "", "N", output_group, "Prints numbers with N decimals, from 0 to 100", "", other, recorded,
+     [](Typed& to, Text text) {
+       to.notation = {Notation::Kind::fixed, digit_count(text, 0)};
+     },
+     [](const Conflicts& of) { of.exclude({option::hex}); }},
+    {option::jobs, "-j", "N", output_group,
+     "The number of threads; by default one per core, or one thread for a live pipe. The output is the same for every "
+     "N",
      "", other, unrecorded,
      [](Typed& to, Text text) { to.job.jobs = static_cast<unsigned>(count_between(text, 1, 1024)); }},
-    {Option::golden, "--golden", "", output_group, "Every number is the exact one, rounded once; slow", "", flag, recorded,
-     [](Typed&, Text) {}},
-    {Option::exact_input, "--exact-input", "", output_group,
-     "With --golden, a decimal in the input is exactly that decimal, not the double nearest to it", "", flag, recorded,
-     [](Typed&, Text) {}},
-    {Option::meta, "--meta", "", output_group,
-     "Adds provenance to the rows: version, rules, options, SHA-256 of the input, and counts, as comment lines or in "
-     "JSON as an object",
+    {option::golden, "", "", output_group, "Prints every number as the exact result, rounded once; slow", "", flag,
+     recorded, [](Typed&, Text) {},
+     [](const Conflicts& of) { of.exclude({option::fields}, ", as the exact s has no error", has_rounded_field); }},
+    {option::exact_input, "", "", output_group,
+     "With --golden: a decimal in the input means exactly that decimal, not the nearest double", "", flag, recorded,
+     [](Typed&, Text) {}, [](const Conflicts& of) { of.need({option::golden}); }},
+    {option::meta, "", "", output_group,
+     "Adds provenance to the rows, as comment lines or in JSON as an object: version, rules, options, SHA-256 of the "
+     "input, and counts",
      "", flag, recorded, [](Typed&, Text) {}},
-    {Option::from_meta, "--from-meta", "FILE", output_group,
-     "Reproduces FILE, an output with provenance: takes all options from it", "", file, unrecorded,
+    {option::from_meta, "", "FILE", output_group,
+     "Reproduces FILE, an output with provenance, with all the options recorded in it", "", file, unrecorded,
      [](Typed&, Text) {}},
-    {Option::hex, "--hex", "", output_group,
-     "Numbers are hexadecimal as in C, such as 0x1.8p+1, which strtod reads back bit for bit", "", flag, recorded,
-     [](Typed& to, Text) { to.notation = {Notation::Kind::hex}; }},
-    {Option::no_output_header, "--no-output-header", "", output_group,
-     "No names above the rows; the default if the input has none", "", flag, recorded,
+    {option::hex, "", "", output_group,
+     "Prints numbers in hexadecimal as C does, such as 0x1.8p+1, which strtod reads back bit for bit", "", flag,
+     recorded, [](Typed& to, Text) { to.notation = {Notation::Kind::hex}; }},
+    {option::no_output_header, "", "", output_group,
+     "Prints no names above the rows; this is the default if the input has no names", "", flag, recorded,
      [](Typed& to, Text) { to.job.output_header = false; }},
-    {Option::file_column, "--file-column", "[=NAME]", output_group,
-     "Adds the input's name as the first column, called NAME; without a blank line between files", "file", attached,
-     recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
-    {Option::time_format, "--time-format", "FORMAT", output_group,
-     "The notation of times: seconds, frames, clock (hh:mm:ss.fff), smpte (timecode) or iso (dates of ISO 8601); by "
-     "default that of the input",
-     "", name, recorded,
-     [](Typed& to, Text text) { to.job.time_notation = named_row(time_notations, text).notation; },
+    {option::file_column, "", "[=NAME]", output_group,
+     "Adds the name of the input as the first column, which is called NAME, and leaves out the blank line between "
+     "files",
+     "file", attached, recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
+    {option::time_format, "", "FORMAT", output_group,
+     "The notation of times in rows: seconds, frames, clock (hh:mm:ss.fff), smpte (timecode) or iso (dates of ISO "
+     "8601); by default the notation in the input",
+     "", name, recorded, [](Typed& to, Text text) { to.job.time_notation = named_row(time_notations, text).notation; },
+     [](const Conflicts& of) { of.need({option::input_fps}, ", the rate of the frames", has_frames_of_time); },
      names_in<time_notations>},
-    {Option::rename, "--rename", "OLD=NEW,...", output_group,
-     "Other names for columns of the input, in the output and in the options about channels", "", columns, recorded,
+    {option::rename, "", "OLD=NEW,...", output_group,
+     "Renames columns of the input, in the output and for the options about channels", "", columns, recorded,
      [](Typed& to, Text text) { to.job.input.renamings = renamings(text); }},
-    {Option::plot, "--plot", "", output_group,
-     "Draws the curve and its samples, as -f svg does; without a sampling option, 51 of them equally spaced in time",
-     "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; }},
-    {Option::axes, "--axes", "X:Y", output_group,
-     "With a picture: the channels to the right and up in the view of the path, by name or number; by default the "
-     "first two metric ones",
-     "", column_pair, unrecorded, [](Typed& to, Text text) { to.job.picture.axes = axis_names(text); }},
-    {Option::title, "--title", "TEXT", output_group, "With a picture: its title; by default the name of the file", "", other,
-     unrecorded, [](Typed& to, Text text) { to.job.picture.title = text; }},
-    {Option::size, "--size", "WxH", output_group, "With a picture: its size in pixels; by default as required by its contents", "",
-     other, unrecorded, [](Typed& to, Text text) { to.job.picture.size = picture_size(text); }},
+    {option::axes, "", "X:Y", output_group,
+     "With a picture: the channels, by name or number, that point right and up in the view of the path; by default the "
+     "first two metric channels",
+     "", column_pair, unrecorded, [](Typed& to, Text text) { to.job.picture.axes = axis_names(text); },
+     require_picture},
+    {option::title, "", "TEXT", output_group, "With a picture: its title; by default the name of the file", "", other,
+     unrecorded, [](Typed& to, Text text) { to.job.picture.title = text; }, require_picture},
+    {option::size, "", "WxH", output_group,
+     "With a picture: its width and height in pixels; by default as large as its contents require", "", other,
+     unrecorded, [](Typed& to, Text text) { to.job.picture.size = picture_size(text); }, require_picture},
 
-    {Option::output_dir, "--output-dir", "DIR", files_group,
-     "Writes a file for each input into this folder, with the format's ending", "", folder, unrecorded,
-     [](Typed& to, Text text) { to.job.output_folder = text; }},
-    {Option::files, "--files", "LIST", files_group, "More files, one per line of LIST; -: standard input", "", file,
-     unrecorded, [](Typed& to, Text text) { to.job.batch.list = text; }},
-    {Option::null, "-0,--null", "", files_group, "The names in LIST end in NUL, not in a line end", "", flag, unrecorded,
-     [](Typed& to, Text) { to.job.batch.nul = true; }},
-    {Option::recursive, "--recursive", "", files_group,
-     "Takes all files below a folder that have the ending of a format, or with --input-format all files; the tree is "
-     "mirrored in DIR",
-     "", flag, unrecorded, [](Typed& to, Text) { to.job.batch.recursive = true; }},
-    {Option::suffix, "--suffix", "S", files_group, "Appends S to the outputs' names, before the ending", "", other,
-     unrecorded, [](Typed& to, Text text) { to.job.batch.suffix = name_part(text); }},
-    {Option::update, "--update", "", files_group, "Only files that are newer than their outputs, or have none", "", flag,
-     unrecorded, [](Typed& to, Text) { to.job.batch.update = true; }},
-    {Option::fail_fast, "--fail-fast", "", files_group,
-     "Stops at the first file that fails; without it the others are finished", "", flag, unrecorded,
-     [](Typed& to, Text) { to.job.batch.fail_fast = true; }},
-
-    {Option::check, "--check", "FILE", comparison_group,
-     "Compares the samples in FILE, from any program, with the curve at their times, or arc lengths s, and prints a "
-     "report; exit code 1 if they differ",
-     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
-    {Option::abs, "--abs", "[COL=]D,...", comparison_group,
-     "With --check: the largest difference of two numbers, in all columns or in one, as in x=1e-6", "", other, recorded,
-     [](Typed& to, Text text) { to.comparison.abs = tolerances(text); }},
-    {Option::rel, "--rel", "[COL=]D,...", comparison_group, "The same, as a fraction of the curve's number", "", other,
-     recorded, [](Typed& to, Text text) { to.comparison.rel = tolerances(text); }},
-    {Option::ulp, "--ulp", "[COL=]N,...", comparison_group,
-     "The same, in units in the last place: steps between neighbouring doubles; by default 0, so equality", "", other,
-     recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }},
-    {Option::map, "--map", "THEIRS=OURS,...", comparison_group,
-     "Names that the columns of FILE are compared by, as in frame_time=t,px=x", "", other, recorded,
-     [](Typed& to, Text text) { to.comparison.maps = renamings(text); }},
-    {Option::identify, "--identify", "FILE", comparison_group,
-     "Finds the tangents, ends, speeds, and order and signs of T, C, B that gave the positions in FILE, and prints a "
-     "ranked table; exit code 1 if none fits",
-     "", file, recorded,
-     [](Typed& to, Text text) {
-       to.comparison.file = text;
-       to.comparison.identify = true;
+    {option::explain, "", "", about_group, "Prints what was detected and what would be done, instead of samples", "",
+     flag, recorded, [](Typed& to, Text) { to.job.explain = true; },
+     [](const Conflicts& of) { of.disable({option::meta}, ", which prints no rows"); }},
+    {option::progress, "", "", about_group,
+     "Shows the progress on a terminal once the work has taken a second, even if the rows go to the terminal; by "
+     "default it is shown only if they do not",
+     "", flag, unrecorded, [](Typed&, Text) {},
+     [](const Conflicts& of) {
+       of.exclude({option::no_progress, option::quiet});
      }},
-
-    {Option::explain, "--explain", "", about_group, "Prints what was found and would be done, without samples", "", flag,
-     recorded, [](Typed& to, Text) { to.job.explain = true; }},
-    {Option::progress, "--progress", "", about_group,
-     "Shows the progress on a terminal once the work takes a second, also if the rows go to it; by default only "
-     "if they do not",
-     "", flag, unrecorded, [](Typed&, Text) {}},
-    {Option::no_progress, "--no-progress", "", about_group, "Does not show the progress", "", flag, unrecorded,
-     [](Typed&, Text) {}},
-    {Option::quiet, "-q,--quiet", "", about_group, "Nothing but errors on standard error", "", flag, unrecorded,
+    {option::no_progress, "", "", about_group, "Does not show the progress", "", flag, unrecorded, [](Typed&, Text) {}},
+    {option::quiet, "-q", "", about_group, "Prints only errors on standard error", "", flag, unrecorded,
      [](Typed& to, Text) { to.job.verbosity.quiet = true; }},
-    {Option::color, "--color", "WHEN", about_group,
-     "Colors errors, warnings and notes: auto, on a terminal, unless NO_COLOR is set or TERM is dumb; always; never. With "
-     "auto, CLICOLOR_FORCE colors them anywhere",
-     "auto", name, unrecorded, [](Typed& to, Text text) { to.color = named_row(color_names, text).when; }, names_in<color_names>},
-    {Option::generate, "--generate", "KIND", about_group,
-     "Prints the manual page (man), completions for a shell (bash, zsh, fish), or the names of the columns of FILE (columns)", "", name, unrecorded,
-     [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; }, names_in<generated_names>},
-    {Option::list_presets, "--list-presets", "", about_group, "Prints the presets and the rules with their formulas", "",
-     flag, unrecorded, [](Typed&, Text) {}},
-    {Option::version, "-V,--version", "", about_group, "Prints the version", "", flag, unrecorded, [](Typed&, Text) {}},
-    {Option::help, "-h,--help", "", about_group, "Prints the most common options; --help prints all", "", flag, unrecorded, [](Typed&, Text) {}},
-}};
+    {option::color,
+     "",
+     "WHEN",
+     about_group,
+     "When errors, warnings and notes are colored: always, never, or auto. auto colors them on a terminal whose TERM "
+     "is "
+     "not dumb, or anywhere if CLICOLOR_FORCE is set, but never if NO_COLOR is set",
+     "auto",
+     name,
+     unrecorded,
+     [](Typed& to, Text text) { to.color = named_row(color_names, text).when; },
+     {},
+     names_in<color_names>},
+    {option::generate,
+     "",
+     "KIND",
+     about_group,
+     "Prints the manual page (man), the completions for a shell (bash, zsh, fish), or the names of the columns of FILE "
+     "(columns)",
+     "",
+     name,
+     unrecorded,
+     [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; },
+     {},
+     names_in<generated_names>},
+    {option::list_presets, "", "", about_group, "Prints the presets, and the rules with their formulas", "", flag,
+     unrecorded, [](Typed&, Text) {}},
+    {option::version, "-V", "", about_group, "Prints the version", "", flag, unrecorded, [](Typed&, Text) {}},
+    {option::help, "-h", "", about_group, "-h prints the most common options, --help prints all options", "", flag,
+     unrecorded, [](Typed&, Text) {}},
+};
 
 }  // namespace
 
 std::span<const OptionRow> option_table() { return option_rows; }
 
-std::string_view OptionRow::long_name() const {
-  const std::string_view from_dashes = names.substr(names.find("--"));
-  return from_dashes.substr(0, from_dashes.find(','));
-}
+const OptionRow& row_of(std::string_view name) { return *std::ranges::find(option_rows, name, &OptionRow::name); }
 
-std::vector<std::string_view> OptionRow::all_names() const { return split(names, ','); }
+std::vector<std::string_view> OptionRow::all_names() const {
+  if (other_name.empty()) return {name};
+  if (other_name.starts_with("--")) return {name, other_name};
+  return {other_name, name};
+}
 
 std::string OptionRow::description() const {
-  return std::string(text) + (default_value.empty() ? "" : "; default " + std::string(default_value));
-}
-
-ColorWhen color_of(int argc, const char* const* argv) {
-  const std::string_view name = row_of(Option::color).long_name();
-  std::string_view value;
-  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
-    const std::string_view word = argv[i];
-    if (word == name && i + 1 < argc) value = argv[i + 1];
-    if (word.starts_with(name) && word.substr(name.size()).starts_with('=')) value = word.substr(name.size() + 1);
-  }
-  const auto row = std::ranges::find(color_names, value, &ColorName::name);
-  return row == color_names.end() ? ColorWhen::by_terminal : row->when;
-}
-
-bool TypedOptions::wants_text() const {
-  return std::ranges::any_of(std::array{Option::help, Option::list_presets, Option::version, Option::generate},
-                             [&](Option option) { return has(option); });
+  return std::string(text) + (default_value.empty() ? "" : " (default: " + std::string(default_value) + ")");
 }
 
 }  // namespace tcb

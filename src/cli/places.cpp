@@ -1,4 +1,6 @@
 // Places: the times or arc lengths of --at and --arc-at, as listed, in a file of numbers, or in a column of a file.
+#include "cli/places.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,10 +10,12 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/options.hpp"
+#include "cli/errors.hpp"
+#include "cli/values.hpp"
 #include "io/input_file.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "read/reader.hpp"
 #include "schema/faults.hpp"
 #include "text/suggest.hpp"
@@ -22,18 +26,13 @@ namespace {
 /// Appends A, A + H, ... up to B for "A:B:H". The places of a range are kept, so there is a limit to their number.
 void append_range(std::string_view text, std::vector<Rational>& values) {
   constexpr std::uint64_t most = 10'000'000;
-  const auto require = [&](bool valid, ErrorCode expected, std::vector<ErrorValue> more = {}) {
-    if (valid) return;
-    more.insert(more.begin(), std::string(text));
-    throw Error(Exit::usage, expected, std::move(more));
-  };
   const std::vector<std::string_view> parts = split(text, ':');
-  require(parts.size() == 3, ErrorCode::expected_range);
-  const auto part = [&](std::size_t i) { return ratio_or(ErrorCode::expected_range, parts[i]); };
+  if (parts.size() != 3) throw not_a_range(text);
+  const auto part = [&](std::size_t i) { return ratio_or(not_a_range, parts[i]); };
   const Rational first = part(0), last = part(1), step = part(2);
-  require(step != 0 && (last - first) / step >= 0, ErrorCode::endless_range);
+  if (step == 0 || (last - first) / step < 0) throw range_without_end(text);
   const Rational steps = floor((last - first) / step);
-  require(steps < most, ErrorCode::range_too_long, {most});
+  if (steps >= most) throw range_of_too_many_numbers(text, most);
   for (std::uint64_t i = 0; i <= whole_number(steps); ++i) values.push_back(first + step * i);
 }
 
@@ -48,15 +47,16 @@ std::string numbers_in(std::istream& file, const std::string& path) {
       continue;
     for (const std::string_view item : cells) {
       if (item.empty()) continue;
-      at_position({shown_name(path), number, 0}, [&] { (void)ratio_or(ErrorCode::expected_ratios, item); });
+      at_position({shown_name(path), number, 0}, [&] { (void)ratio_or(not_a_list_of_numbers, item); });
       items += (items.empty() ? "" : ",") + std::string(item);
     }
   }
-  if (items.empty()) throw Error(Exit::usage, ErrorCode::list_without_numbers).in(shown_name(path));
+  if (items.empty()) throw list_without_numbers().in(shown_name(path));
   return items;
 }
 
-/// The same numbers; for @FILE those in that file, for "-" those of standard input, as one text separated by commas.
+/// The numbers in a text; for @FILE those in that file, for "-" those of standard input, as one text separated by
+/// commas.
 std::string listed_numbers(const std::string& text) {
   if (text == "-") {
     std::string bytes;
@@ -67,12 +67,12 @@ std::string listed_numbers(const std::string& text) {
   }
   if (!text.starts_with('@')) return text;
   std::ifstream file(text.substr(1));
-  if (!file) throw Error(Exit::usage, ErrorCode::unreadable_list).in(text.substr(1));
+  if (!file) throw list_unreadable().in(text.substr(1));
   return numbers_in(file, text.substr(1));
 }
 
 /// The parts of "@FILE:COLUMN". Both may contain colons: the file is the longest name of one. Nothing for a file alone.
-std::optional<PlaceColumn> place_column(const std::string& text, Option option) {
+std::optional<PlaceColumn> place_column(const std::string& text, std::string_view option) {
   if (!text.starts_with('@')) return std::nullopt;
   const std::string names = text.substr(1);
   if (std::filesystem::exists(names)) return std::nullopt;
@@ -101,7 +101,7 @@ std::string text_of(const Rational& value) {
 GroupedPlaces read_places(const PlaceColumn& column, const Job& job) {
   InputOptions options;
   options.samples = SampleNames{column.name, group_names(job)};
-  options.samples->times_only = row_of(column.option).long_name();
+  options.samples->times_only = column.option;
   options.input_rate = job.input.input_rate;
   const Input input = open_input(column.path, read_file(column.path), options);
   const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
@@ -124,7 +124,7 @@ std::vector<Rational> ratios(const std::string& text) {
   std::vector<Rational> values;
   for (const std::string_view item : split(text, ',')) {
     if (item.find(':') == std::string_view::npos) {
-      values.push_back(ratio_or(ErrorCode::expected_ratios, item));
+      values.push_back(ratio_or(not_a_list_of_numbers, item));
     } else {
       append_range(item, values);
     }
@@ -132,11 +132,11 @@ std::vector<Rational> ratios(const std::string& text) {
   return values;
 }
 
-void store_places(TypedOptions& typed, Option option, const std::string& text) {
+void store_places(TypedOptions& typed, std::string_view option, const std::string& text) {
   typed.place_column = place_column(text, option);
   typed.places_from_input = text == "-";
   if (typed.place_column) return;
-  typed.texts[index_of(option)] = listed_numbers(text);
+  typed.set_text(option, listed_numbers(text));
   typed.job.sampling.places = ratios(typed.text(option));
 }
 
@@ -146,15 +146,14 @@ void read_place_column(TypedOptions& typed) {
   GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.job); });
   const auto alone = places.find({});
   if (alone == places.end()) {
-    if (typed.has(Option::meta))
-      throw Error(Exit::usage, ErrorCode::grouped_places_in_provenance).about(row_of(column.option).long_name());
+    if (typed.has(option::meta)) throw groups_of_numbers_in_provenance().about(column.option);
     typed.job.grouped_places = std::move(places);
     return;
   }
   typed.job.sampling.places = std::move(alone->second);
   std::vector<std::string> texts;
   for (const Rational& place : typed.job.sampling.places) texts.push_back(text_of(place));
-  typed.texts[index_of(column.option)] = fmt::format("{}", fmt::join(texts, ","));
+  typed.set_text(column.option, fmt::format("{}", fmt::join(texts, ",")));
 }
 
 }  // namespace tcb

@@ -4,9 +4,20 @@
 #include <optional>
 #include <string>
 
-#include "cli/options.hpp"
+#include "cli/typed_options.hpp"
+#include "error.hpp"
 
 namespace tcb {
+
+/// What the command line requests: a text to print, or else a job.
+struct Invocation {
+  std::optional<std::string> text;
+  Job job = {};
+  Exit exit = Exit::done;  ///< after the text; where it is another one, the text is an error message
+};
+
+/// Throws: Error (usage) that names the option, what was expected, and the remedy.
+Invocation parse(int argc, const char* const* argv);
 
 /// The job of these options. Requires: no conflict.
 /// Throws: Error (usage) if they do not fit each other.

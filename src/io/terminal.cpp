@@ -65,7 +65,7 @@ std::string error_text(const Error& error, bool colored) {
     where += ":" + std::to_string(position.line);
     if (position.column != 0) where += ":" + std::to_string(position.column);
   }
-  std::string text = message_head(where, MessageKind::error, colored) + in_one_line(error_message(error));
+  std::string text = message_head(where, MessageKind::error, colored) + in_one_line(error.message());
   for (const Error& other : error.others()) text += "\n" + error_text(other, colored);
   return text;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "cli/remedies.hpp"
+#include "cli/plan.hpp"
 #include "error.hpp"
 
 namespace tcb {
@@ -35,17 +35,18 @@ inline std::string refusal(const std::vector<std::string>& words) {
     parsed(words);
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
-    return error_message(error);
+    return error.message();
   }
   return "";
 }
 
-/// The same with --step 1 before these words.
+/// The job of these words after --step 1.
 inline Job stepped(std::vector<std::string> words) {
   words.insert(words.begin(), "--step=1");
   return job_of(words);
 }
 
+/// The words of the error of these words after --step 1.
 inline std::string stepped_refusal(std::vector<std::string> words) {
   words.insert(words.begin(), "--step=1");
   return refusal(words);

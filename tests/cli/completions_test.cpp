@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
+#include "cli/help.hpp"
 
 namespace tcb {
 namespace {
@@ -64,10 +64,10 @@ TEST_F(CompletionTest, zsh_and_fish_have_every_option_and_its_values) {
 }
 
 TEST_F(CompletionTest, descriptions_are_escaped) {
-  EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("[The separator of cells\\: one character"));
-  EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("JSON if the text begins with \\[ or {"));
+  EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("[The format of the input\\: csv"));
+  EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("text that begins with \\[ or { is JSON"));
   EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("instead of the preset'\\''s"));
-  EXPECT_THAT(generated_text(Generated::fish), HasSubstr("instead of the preset\\'s'"));
+  EXPECT_THAT(generated_text(Generated::fish), HasSubstr("instead of the preset\\'s rule'"));
 }
 
 TEST_F(CompletionTest, columns_are_those_of_files) {

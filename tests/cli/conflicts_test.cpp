@@ -1,89 +1,130 @@
-// Conflicts: each row of the table refuses the options that it is about.
-#include "cli/options.hpp"
+// Conflicts: options that exclude each other, need another, or have no effect are refused, and no others.
+#include "cli/conflicts.hpp"
 
 #include "cli/command_line.hpp"
 
 namespace tcb {
 namespace {
 
-using testing::AnyOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
-/// The option with a value that it takes.
-std::string word(Option option) {
-  const OptionRow& row = row_of(option);
-  const std::string name(row.long_name());
-  switch (row.kind) {
-    case ValueKind::flag: return name;
-    case ValueKind::name:
-    case ValueKind::names: return name + "=" + std::string(row.known().front());
-    case ValueKind::file:
-    case ValueKind::folder: return name + "=theirs.csv";
-    default: break;
-  }
-  if (!row.default_value.empty()) return name + "=" + std::string(row.default_value);
-  switch (option) {
-    case Option::columns:
-    case Option::map:
-    case Option::rename: return name + "=time=t";
-    case Option::delimiter: return name + "=tab";
-    case Option::angle: return name + "=x=degrees";
-    case Option::rotation_output: return name + "=matrix";
-    case Option::tcb: return name + "=0,0,0";
-    default: return name + "=1";
-  }
-}
+using Words = std::vector<std::string>;
 
-std::vector<Option> members(const OptionSet& options) {
-  std::vector<Option> list;
-  for (const OptionRow& row : option_table()) {
-    if (options.has(row.id)) list.push_back(row.id);
-  }
-  return list;
-}
+const Words modes{"--step=1",     "--rate=1",      "--count=2",  "--segments=1",  "--per-segment=1", "--at=1",
+                  "--arc-step=1", "--arc-count=2", "--arc-at=1", "--tolerance=1", "--emit=poly",     "--fit=1"};
 
-void expect_conflict(const std::vector<std::string>& words) {
-  try {
-    parsed(words);
-    ADD_FAILURE() << testing::PrintToString(words);
-  } catch (const Error& error) {
-    EXPECT_THAT(error.code(), AnyOf(ErrorCode::options_exclude, ErrorCode::option_needs, ErrorCode::option_idle_with,
-                                    ErrorCode::option_idle))
-        << testing::PrintToString(words);
-  }
-}
+std::string name_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
-TEST(Conflicts, of_options_that_exclude_each_other_each_pair_is_refused) {
-  for (const Conflict& conflict : conflict_table()) {
-    if (conflict.relation != Relation::exclude || conflict.applies != nullptr) continue;
-    const auto options = members(conflict.options);
-    for (const Option option : options) {
-      for (const Option other : conflict.others.empty() ? options : members(conflict.others)) {
-        if (option != other) expect_conflict({word(option), word(other)});
-      }
+/// Expects that each of `options` has no effect with each of `others`.
+void expect_no_effect(const Words& options, const Words& others, const Words& further = {}) {
+  for (const std::string& option : options) {
+    for (const std::string& other : others) {
+      Words words{option, other};
+      words.insert(words.end(), further.begin(), further.end());
+      EXPECT_THAT(refusal(words), StartsWith(name_of(option) + " has no effect with " + name_of(other)));
     }
   }
 }
 
-TEST(Conflicts, an_option_without_effect_is_refused) {
-  for (const Conflict& conflict : conflict_table()) {
-    if (conflict.relation != Relation::idle || conflict.applies != nullptr) continue;
-    for (const Option option : members(conflict.options)) {
-      for (const Option other : members(conflict.others)) expect_conflict({word(option), word(other)});
+TEST(Conflicts, of_two_sampling_options_each_pair_is_refused) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    for (std::size_t j = i + 1; j < modes.size(); ++j) {
+      EXPECT_THAT(refusal({modes[j], modes[i]}),
+                  StartsWith(name_of(modes[i]) + " and " + name_of(modes[j]) + " exclude each other; "));
     }
   }
+}
+
+TEST(Conflicts, options_that_exclude_each_other_are_refused) {
+  for (const auto& [option, other] :
+       std::vector<std::pair<std::string, std::string>>{{"--output=a", "--output-dir=b"},
+                                                        {"--header", "--no-header"},
+                                                        {"--time-unit=ms", "--input-fps=24"},
+                                                        {"--digits=3", "--fixed=3"},
+                                                        {"--digits=3", "--hex"},
+                                                        {"--fixed=3", "--hex"},
+                                                        {"--output-format=svg", "--plot"},
+                                                        {"--progress", "--no-progress"},
+                                                        {"--progress", "--quiet"}}) {
+    EXPECT_THAT(stepped_refusal({other, option}),
+                StartsWith(name_of(option) + " and " + name_of(other) + " exclude each other; "));
+  }
+  EXPECT_THAT(refusal({"--identify=a", "--check=a"}), StartsWith("--check and --identify exclude each other; "));
+  for (const char* other : {"--plot", "--explain"}) EXPECT_THAT(refusal({"--fit=1", other}), HasSubstr("exclude"));
+}
+
+TEST(Conflicts, options_without_effect_on_the_samples_are_refused) {
+  expect_no_effect({"--from=1", "--to=1"}, {"--per-segment=1", "--at=1", "--arc-at=1", "--tolerance=1"});
+  expect_no_effect({"--end=drop"}, {"--count=2", "--segments=1", "--per-segment=1", "--at=1", "--arc-count=2",
+                                    "--arc-at=1", "--tolerance=1", "--emit=poly"});
+  expect_no_effect({"--keys"}, {"--per-segment=1", "--at=1", "--arc-at=1", "--emit=poly"});
+}
+
+TEST(Conflicts, options_about_rows_have_no_effect_on_a_report) {
+  const Words reports{"--check=a", "--identify=a"};
+  expect_no_effect(modes, reports);
+  expect_no_effect({"--from=1", "--to=1", "--end=drop", "--keys", "--max-rows=1", "--meta", "--output-dir=a",
+                    "--files=a", "--explain", "--progress", "--digits=3", "--fixed=3", "--golden", "--exact-input",
+                    "--hex", "--no-output-header", "--file-column", "--time-format=clock"},
+                   reports);
+  expect_no_effect({"--preset=vtk", "--tangents=uniform", "--ends=half", "--equal-speed", "--side=left"},
+                   {"--identify=a"});
+}
+
+TEST(Conflicts, options_about_curves_and_rows_have_no_effect_on_a_fit) {
+  expect_no_effect({"--tcb=0,0,0",
+                    "--tcb-scale=none",
+                    "--rotation-output=matrix",
+                    "--preset=vtk",
+                    "--tangents=uniform",
+                    "--ends=half",
+                    "--closed",
+                    "--period=1",
+                    "--equal-speed",
+                    "--parameter=chordal",
+                    "--rotation-curve=slerp",
+                    "--no-ease",
+                    "--extrapolate=hold",
+                    "--from=1",
+                    "--to=1",
+                    "--end=drop",
+                    "--keys",
+                    "--max-rows=1",
+                    "--fields=time",
+                    "--side=left",
+                    "--golden",
+                    "--exact-input",
+                    "--rename=a=b",
+                    "--digits=3",
+                    "--fixed=3"},
+                   {"--fit=1"});
+  expect_no_effect({"--meta"}, {"--explain"}, {"--step=1"});
 }
 
 TEST(Conflicts, an_option_that_needs_another_is_refused_alone) {
-  for (const Conflict& conflict : conflict_table()) {
-    if (conflict.relation != Relation::need || conflict.applies != nullptr) continue;
-    for (const Option option : members(conflict.options)) expect_conflict({"--step=1", word(option)});
+  for (const auto& [option, other] :
+       std::vector<std::pair<std::string, std::string>>{{"--recursive", "--output-dir"},
+                                                        {"--suffix=a", "--output-dir"},
+                                                        {"--update", "--output-dir"},
+                                                        {"--fail-fast", "--output-dir"},
+                                                        {"--null", "--files"},
+                                                        {"--abs=1", "--check"},
+                                                        {"--rel=1", "--check"},
+                                                        {"--ulp=1", "--check"},
+                                                        {"--map=a=b", "--check"},
+                                                        {"--angles=degrees", "--rotation"},
+                                                        {"--fit-keys=tcb", "--fit"},
+                                                        {"--keep-times=1", "--fit"},
+                                                        {"--corner=30", "--fit"},
+                                                        {"--exact-input", "--golden"}}) {
+    EXPECT_THAT(stepped_refusal({option}), StartsWith(name_of(option) + " needs " + other));
   }
 }
 
 TEST(Conflicts, have_one_form_of_message) {
   EXPECT_EQ(stepped_refusal({"--arc-count=3"}),
-            "--step and --arc-count exclude each other; expected one of them; remove one");
+            "--step and --arc-count exclude each other; expected one of them; remove the other");
   EXPECT_EQ(stepped_refusal({"--exact-input"}), "--exact-input needs --golden; give both, or neither");
   EXPECT_EQ(refusal({"--at=1", "--keys"}), "--keys has no effect with --at; remove it");
   EXPECT_EQ(stepped_refusal({"--check=a"}),
@@ -92,7 +133,7 @@ TEST(Conflicts, have_one_form_of_message) {
 
 TEST(Conflicts, that_depend_on_values_show_them) {
   EXPECT_EQ(stepped_refusal({"--decimal=,", "--delimiter=comma"}),
-            "--delimiter comma and --decimal , exclude each other; expected one of them; remove one");
+            "--delimiter comma and --decimal , exclude each other; expected one of them; remove the other");
   EXPECT_EQ(stepped_refusal({"-f", "npy", "--fixed", "3"}),
             "--fixed 3 has no effect with --output-format npy, which holds the doubles themselves; remove it");
   EXPECT_EQ(stepped_refusal({"-f", "jsonl", "--hex"}),
@@ -101,7 +142,7 @@ TEST(Conflicts, that_depend_on_values_show_them) {
             "--digits 18 needs --golden, as a double has 17 significant digits; give both, or neither");
   EXPECT_EQ(stepped_refusal({"--fields", "time,arc_error", "--golden"}),
             "--golden and --fields time,arc_error exclude each other, as the exact s has no error; expected one of "
-            "them; remove one");
+            "them; remove the other");
 }
 
 TEST(Conflicts, of_pictures_are_refused) {
@@ -115,7 +156,7 @@ TEST(Conflicts, of_pictures_are_refused) {
     EXPECT_EQ(stepped_refusal({option, "-f", "svg"}), "") << option;
   }
   EXPECT_EQ(stepped_refusal({"--plot", "--metric=x,y"}), "");
-  EXPECT_THAT(stepped_refusal({"--plot", "-f", "csv"}), HasSubstr("--plot and --output-format exclude each other"));
+  EXPECT_THAT(stepped_refusal({"--plot", "-f", "csv"}), HasSubstr("--output-format and --plot exclude each other"));
 }
 
 TEST(Conflicts, of_the_format_of_the_input_are_refused) {
@@ -137,7 +178,7 @@ TEST(Conflicts, of_the_format_of_the_output_are_refused) {
 TEST(Conflicts, missing_cells_exclude_what_needs_all_channels) {
   EXPECT_EQ(stepped_refusal({"--missing", "skip-cell", "--equal-speed"}),
             "--missing skip-cell and --equal-speed exclude each other, as all channels are needed at each key; "
-            "expected one of them; remove one");
+            "expected one of them; remove the other");
   EXPECT_THAT(stepped_refusal({"--missing", "skip-cell", "--parameter=0.5"}), HasSubstr("exclude each other"));
   EXPECT_EQ(stepped_refusal({"--missing", "skip-cell", "--parameter=uniform"}), "");
   EXPECT_EQ(stepped_refusal({"--missing", "skip-row", "--equal-speed"}), "");

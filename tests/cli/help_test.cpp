@@ -1,4 +1,5 @@
 // Help: every text shows every option of the table.
+#include "cli/help.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +8,6 @@
 #include <sstream>
 
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 
 namespace tcb {
 namespace {
@@ -38,8 +38,8 @@ TEST(Help, the_manual_shows_every_option_with_its_dashes_escaped) {
 }
 
 TEST(Help, defaults_are_shown) {
-  EXPECT_THAT(help_text(), HasSubstr("default 1e9\n"));
-  EXPECT_THAT(help_text(), HasSubstr("default error\n"));
+  EXPECT_THAT(help_text(), HasSubstr("(default: 1e9)\n"));
+  EXPECT_THAT(help_text(), HasSubstr("(default: error)\n"));
 }
 
 TEST(Help, the_version_has_the_name_and_three_numbers) {

@@ -1,8 +1,9 @@
 // Places: lists, ranges, files of numbers, and columns of files as times of samples.
+#include "cli/places.hpp"
+
 #include <gmock/gmock.h>
 
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "io/file_fixture.hpp"
 
 namespace tcb {
@@ -14,7 +15,7 @@ class Places : public FileTest {
  protected:
   TypedOptions typed(const std::string& at) const {
     TypedOptions typed;
-    store_places(typed, Option::at, at);
+    store_places(typed, option::at, at);
     read_place_column(typed);
     return typed;
   }
@@ -27,7 +28,7 @@ TEST_F(Places, are_listed_or_in_ranges) {
 
 TEST_F(Places, in_a_file_are_numbers_below_a_header) {
   const TypedOptions options = typed("@" + made("times", "when\n0.1 2\n3,4\n"));
-  EXPECT_EQ(options.text(Option::at), "0.1,2,3,4");
+  EXPECT_EQ(options.text(option::at), "0.1,2,3,4");
   EXPECT_THAT(options.job.sampling.places, ElementsAre(Rational(1, 10), Rational(2), Rational(3), Rational(4)));
 }
 
@@ -35,19 +36,19 @@ TEST_F(Places, in_a_column_keep_all_their_digits_and_their_order) {
   const std::string file = made("a.csv", "x,time\n7,1403637576.252524268\n7,0.1\n");
   const TypedOptions options = typed("@" + file + ":time");
   EXPECT_THAT(options.job.sampling.places, ElementsAre(*parse_rational("1403637576.252524268"), Rational(1, 10)));
-  EXPECT_EQ(options.text(Option::at), "350909394063131067/250000000,1/10");
+  EXPECT_EQ(options.text(option::at), "350909394063131067/250000000,1/10");
 }
 
 TEST_F(Places, a_name_of_a_file_may_have_a_colon) {
   const std::string file = made("a:b", "1,2\n");
-  EXPECT_EQ(typed("@" + file).text(Option::at), "1,2");
-  EXPECT_EQ(typed("@" + file + ":2").text(Option::at), "2");
+  EXPECT_EQ(typed("@" + file).text(option::at), "1,2");
+  EXPECT_EQ(typed("@" + file + ":2").text(option::at), "2");
 }
 
 TEST_F(Places, of_groups_are_kept_by_the_contents_of_their_texts) {
   TypedOptions options;
   options.job.input.roles.push_back({Role::group, {"id"}});
-  store_places(options, Option::at,
+  store_places(options, option::at,
                "@" + made("a.json", R"([{"id":"a","t":1},{"id":2,"t":3},{"id":"a","t":0}])") + ":t");
   read_place_column(options);
   EXPECT_THAT(options.job.grouped_places,

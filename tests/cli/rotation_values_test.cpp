@@ -1,5 +1,5 @@
-// Validators of rotations: forms, orders of Euler angles, and the errors for others.
-#include "cli/options.hpp"
+// Values of rotations: forms, orders of Euler angles, and the errors for others.
+#include "cli/rotation_values.hpp"
 
 #include "cli/command_line.hpp"
 
@@ -38,7 +38,7 @@ TEST(RotationValues, others_are_refused) {
   for (const std::string value :
        {"quaternion", "quaternion=a:b:c", "quaternion=a:b:c:", "euler=a:b:c", "order=XYZ",
         "quaternion=a:b:c:d,relative", "none,quaternion=a:b:c:d", "matrix=a:b", "euler=a:b:c,order=XYZ,order=XYZ"}) {
-    EXPECT_THAT(refusal({"--rotation", value}), HasSubstr("--rotation \"" + value + "\": expected ")) << value;
+    EXPECT_THAT(refusal({"--rotation", value}), HasSubstr("--rotation: \"" + value + "\" ")) << value;
   }
   for (const std::string value : {"euler", "euler=XXY", "euler=XyZ", "euler=XY", "euler=ABC", "axis"}) {
     EXPECT_THAT(refusal({"--rotation-output", value}), HasSubstr("\"" + value + "\"")) << value;

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/options.hpp"
+#include "cli/plan.hpp"
 #include "error.hpp"
 #include "invariant.hpp"
 #include "io/terminal.hpp"

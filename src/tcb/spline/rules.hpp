@@ -159,7 +159,7 @@ struct TangentRuleRow {
   std::string_view name;
   std::string_view incoming, outgoing;  ///< formulas
   std::string_view used_by;
-  std::string_view choose;  ///< when to choose it
+  std::string_view choose;  ///< when to choose the rule: goes on after "Choose it"
   Weights<W> (*weights)(const InnerKey<W>&);
 };
 
@@ -170,26 +170,27 @@ template <class S>
 inline constexpr std::array tangent_rules{
     TangentRuleRow<S>{TangentRule::velocity, "velocity", "h0/2 (c D0/h0 + d D1/h1)", "h1/2 (a D0/h0 + b D1/h1)",
                       "GTE since 2022-08, FBX, MotionBuilder",
-                      "for new work: velocities of both sides are averaged, so that uneven times cause no jump",
+                      "for new work: it averages the velocities on both sides, so that uneven times cause no jump",
                       velocity_weights<working_t<S>>},
     TangentRuleRow<S>{
         TangentRule::uniform, "uniform", "Uin", "Uout", "Wikipedia, Noskowicz, OGRE, WorldEdit, s&box",
-        "for shapes without times, or to match code that ignores them; the speed jumps where steps differ",
+        "for shapes without times, or to match code that ignores times; the speed jumps where durations differ",
         uniform_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::interval, "interval", "Uin 2 h0/(h0+h1)", "Uout 2 h1/(h0+h1)",
                       "VTK, LightWave, Wild Magic and GTE until 2022-01, Gamebryo, id Tech 4",
-                      "to match these; the direction does not depend on the times, the speed does",
+                      "to match these products; the times affect the speed, but not the direction",
                       interval_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::interval_c, "interval-c", "Uin (f + |C|(1-f)), f = 2 h0/(h0+h1)",
                       "Uout (g + |C|(1-g)), g = 2 h1/(h0+h1)", "3D Studio, 3ds Max, lib3ds, NeL, CryEngine",
-                      "to match these: interval where C = 0, uniform where |C| = 1", interval_c_weights<working_t<S>>},
+                      "to match these products: it equals interval where C = 0, and uniform where |C| = 1",
+                      interval_c_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::finite_difference, "finite-difference", "h0 (c h1 D0/h0 + d h0 D1/h1)/(h0+h1)",
                       "h1 (a h1 D0/h0 + b h0 D1/h1)/(h0+h1)", "the Python package splines",
-                      "for measured data at uneven times: at T = C = B = 0 the non-uniform Catmull-Rom spline",
+                      "for measured data at uneven times: at T = C = B = 0 it is the non-uniform Catmull-Rom spline",
                       finite_difference_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::kb1984, "kb1984", "Uin 2 h1/(h0+h1)", "Uout 2 h0/(h0+h1)",
-                      "the paper of 1984, and the older note on it, as printed",
-                      "to reproduce the paper; its multipliers are those of interval with h0 and h1 exchanged",
+                      "the paper of 1984 as printed, and the older version of Eberly's note on it",
+                      "to reproduce the paper; the multipliers are those of interval with h0 and h1 exchanged",
                       kb1984_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::synfig, "synfig", "Uin 1.5 h0/(h0/2+h1)", "Uout 1.5 h1/(h1/2+h0)", "Synfig",
                       "to match Synfig", synfig_weights<working_t<S>>},
@@ -273,9 +274,9 @@ struct EndRuleRow {
   EndRule id;
   std::string_view name;
   std::string_view outgoing, incoming;  ///< formulas for the first and the last key
-  std::string_view used_by;
-  std::string_view choose;  ///< when to choose it
-  bool takes_velocity;      ///< written name=V...
+  std::string_view used_by;             ///< products, or for a rule of its own what it takes
+  std::string_view choose;              ///< when to choose the rule: goes on after "Choose it"
+  bool takes_velocity;                  ///< written name=V...
   EndWeights<W> (*weights)(const EndKey<W>&);
 };
 
@@ -284,29 +285,33 @@ struct EndRuleRow {
 template <class S>
 inline constexpr std::array end_rules{
     EndRuleRow<S>{EndRule::half, "half", "b D/2", "c D/2", "GTE since 2022-08, OGRE, WorldEdit",
-                  "the default: as if the end position were repeated", false, half_weights<working_t<S>>},
+                  "as the default: the curve behaves as if the end position were repeated", false,
+                  half_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::one_sided, "one-sided", "b D", "c D", "Wild Magic, LightWave SDK, FBX",
-                  "as if the end position were repeated at the same time", false, one_sided_weights<working_t<S>>},
+                  "to match these products: the curve behaves as if the end position were repeated at the same time",
+                  false, one_sided_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::mirror, "mirror", "(a+b) D/2", "(c+d) D/2", "Gamebryo, id Tech 4, lib3ds 2",
-                  "as if the neighbour were reflected at the end: C and B cancel", false, mirror_weights<working_t<S>>},
+                  "to match these products: the curve behaves as if the neighbour were mirrored at the end, so that C "
+                  "and B cancel",
+                  false, mirror_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::chord, "chord", "D", "D", "lib3ds 1, Synfig",
-                  "straight to the neighbour; T, C and B have no effect", false, chord_weights<working_t<S>>},
-    EndRuleRow<S>{EndRule::zero, "zero", "0", "0", "VTK's default", "to start and stop at rest", false,
+                  "to point straight at the neighbour, whatever T, C and B are", false, chord_weights<working_t<S>>},
+    EndRuleRow<S>{EndRule::zero, "zero", "0", "0", "VTK by default", "to start and stop at rest", false,
                   zero_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::natural, "natural", "1.5 D - 0.5 m", "1.5 D - 0.5 m",
-                  "the Python package splines; VTK's constraint 2 with three keys or more",
+                  "the Python package splines, and VTK's constraint 2 with three keys or more",
                   "for smooth data: the second derivative is 0 at the end", false, natural_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::natural_tension, "natural-tension", "(1-T)(3 D - m)/2", "(1-T)(3 D - m)/2",
-                  "3ds Max, NeL, CryMovie", "to match these: natural, slowed by the end key's tension", false,
-                  natural_tension_weights<working_t<S>>},
+                  "3ds Max, NeL, CryMovie", "to match these products: natural, slowed by the tension of the end key",
+                  false, natural_tension_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::cry, "cry", "1.5 (1-T)(D - m)", "1.5 (1-T)(D - m)", "CryEngine", "to match CryEngine", false,
                   cry_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::lightwave, "lightwave", "b D h/(h + 1/3600)", "c D h/(h + 1/3600)",
-                  "LightWave's own files, times in seconds", "to match LightWave", false,
+                  "LightWave's own files, with times in seconds", "to match LightWave", false,
                   lightwave_weights<working_t<S>>},
-    EndRuleRow<S>{
-        EndRule::velocity, "velocity", "h V", "h V", "a velocity given per unit of time, one number per channel",
-        "to join a motion that is known, as in velocity=1:0,zero", true, given_velocity_weights<working_t<S>>},
+    EndRuleRow<S>{EndRule::velocity, "velocity", "h V", "h V",
+                  "a velocity V per unit of time, with one number for each channel",
+                  "to join a known motion, as in velocity=1:0,zero", true, given_velocity_weights<working_t<S>>},
 };
 
 /// A curve of rotations and its description.
@@ -323,7 +328,7 @@ inline constexpr std::array rotation_curves{
                      "Eberly's note on quaternion keyframes, the 3ds Max family"},
     RotationCurveRow{RotationCurve::casteljau, "casteljau", "De Casteljau's algorithm for a cubic, with slerp",
                      "the Python package splines, nerfstudio"},
-    RotationCurveRow{RotationCurve::components, "components", "the cubics of the four numbers, normalized",
+    RotationCurveRow{RotationCurve::components, "components", "the cubics of the four numbers, then normalized",
                      "CUBICSPLINE of glTF"},
     RotationCurveRow{RotationCurve::slerp, "slerp", "slerp(p, q, u), without tangents",
                      "LINEAR of glTF, SciPy's Slerp"},
@@ -359,7 +364,7 @@ inline constexpr std::array presets{
               "Geometric Tools Engine until 2022-01"},
     PresetRow{Preset::wildmagic, "wildmagic", TangentRule::interval, EndRule::one_sided, "Wild Magic"},
     PresetRow{Preset::lightwave, "lightwave", TangentRule::interval, EndRule::lightwave,
-              "LightWave 3D; times in seconds"},
+              "LightWave 3D; give times in seconds"},
     PresetRow{Preset::vtk,
               "vtk",
               TangentRule::interval,
@@ -372,19 +377,19 @@ inline constexpr std::array presets{
               "3dsmax",
               TangentRule::interval_c,
               EndRule::natural_tension,
-              "3ds Max; with ease columns",
+              "3ds Max; give its ease in columns",
               {.ends = EndRule::mirror}},
     PresetRow{Preset::nel,
               "nel",
               TangentRule::interval_c,
               EndRule::natural_tension,
-              "NeL; with ease columns",
+              "NeL; give its ease in columns",
               {.ends = EndRule::mirror}},
     PresetRow{Preset::cryengine,
               "cryengine",
               TangentRule::interval_c,
               EndRule::cry,
-              "CryEngine; with ease columns",
+              "CryEngine; give its ease in columns",
               {.ends = EndRule::mirror}},
     PresetRow{Preset::lib3ds1, "lib3ds1", TangentRule::interval_c, EndRule::chord, "lib3ds 1"},
     PresetRow{Preset::lib3ds2, "lib3ds2", TangentRule::interval_c, EndRule::mirror, "lib3ds 2"},

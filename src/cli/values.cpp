@@ -1,5 +1,5 @@
-// Validators: from the text of an option's value to its type, or to an error.
-#include "cli/options.hpp"
+// Values: from the text of an option's value to its type, or to an error.
+#include "cli/values.hpp"
 
 #include <array>
 #include <charconv>
@@ -7,20 +7,14 @@
 #include <cstdint>
 #include <utility>
 
+#include "cli/errors.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/fields.hpp"
-#include "schema/formats.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
-
-/// Throws: Error (usage): the text, and what was expected in its place.
-[[noreturn]] void refuse(ErrorCode expected, std::string_view text, std::vector<ErrorValue> values = {}) {
-  values.insert(values.begin(), std::string(text));
-  throw Error(Exit::usage, expected, std::move(values));
-}
 
 template <class Int>
 std::optional<Int> in_digits(std::string_view text) {
@@ -41,7 +35,7 @@ std::vector<std::string_view> format_names(bool Format::*capability) {
 FormatId named_format(const std::string& text, bool Format::*capability) {
   const auto names = format_names(capability);
   if (std::ranges::count(names, text) == 0) {
-    refuse(ErrorCode::unknown_name, text, {std::vector<std::string>(names.begin(), names.end())});
+    throw unknown_value(text, names);
   }
   return *find_format(text);
 }
@@ -68,37 +62,37 @@ std::optional<Tolerance> tolerance_of(std::string_view text) {
 
 }  // namespace
 
-Rational ratio_or(ErrorCode expected, std::string_view text) {
+Rational ratio_or(Fault fault, std::string_view text) {
   auto value = parse_rational(text);
-  if (!value) refuse(expected, text);
-  if (!within_doubles(*value)) refuse(ErrorCode::expected_within_doubles, text);
+  if (!value) throw fault(text);
+  if (!within_doubles(*value)) throw number_beyond_doubles(text);
   return *value;
 }
 
 Rational positive_ratio(const std::string& text) {
-  Rational value = ratio_or(ErrorCode::expected_positive_ratio, text);
-  if (value <= 0) refuse(ErrorCode::expected_positive_ratio, text);
+  Rational value = ratio_or(not_a_positive_ratio, text);
+  if (value <= 0) throw not_a_positive_ratio(text);
   return value;
 }
 
 Rational step_of_rate(const std::string& text) {
   Rational step = 1 / positive_ratio(text);
-  if (!within_doubles(step)) refuse(ErrorCode::expected_rate, text);
+  if (!within_doubles(step)) throw step_of_rate_beyond_doubles(text);
   return step;
 }
 
-Rational ratio(const std::string& text) { return ratio_or(ErrorCode::expected_ratio, text); }
+Rational ratio(const std::string& text) { return ratio_or(not_a_ratio, text); }
 
 std::uint64_t positive_count(const std::string& text) {
   const auto value = in_digits<std::uint64_t>(text);
-  if (!value || *value == 0 || *value > INT64_MAX) refuse(ErrorCode::expected_count, text);
+  if (!value || *value == 0 || *value > INT64_MAX) throw not_a_count(text);
   return *value;
 }
 
 std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most) {
   const auto value = parse_rational(text);
   if (!value || *value < least || denominator(*value) != 1 || *value > most) {
-    refuse(ErrorCode::expected_whole_number, text, {least, most});
+    throw not_a_whole_number(text, least, most);
   }
   return whole_number(*value);
 }
@@ -106,7 +100,7 @@ std::uint64_t count_between(const std::string& text, std::uint64_t least, std::u
 int digit_count(const std::string& text, int least) {
   const auto value = in_digits<int>(text);
   if (!value || *value < least || *value > most_digits) {
-    refuse(ErrorCode::expected_whole_number, text, {std::uint64_t(least), std::uint64_t(most_digits)});
+    throw not_a_whole_number(text, std::uint64_t(least), std::uint64_t(most_digits));
   }
   return *value;
 }
@@ -116,7 +110,7 @@ CurveTolerance curve_tolerance(const std::string& text) {
   for (const std::string_view part : split(text, ',')) {
     const std::optional<double> angle = angle_with_unit(part), value = angle ? angle : parse_number(part);
     double& limit = angle ? tolerance.angle : tolerance.distance;
-    if (!value || *value <= 0 || std::isfinite(limit)) refuse(ErrorCode::expected_curve_tolerance, text);
+    if (!value || *value <= 0 || std::isfinite(limit)) throw not_a_curve_tolerance(text);
     limit = *value;
   }
   return tolerance;
@@ -126,7 +120,7 @@ std::vector<Tolerance> tolerances(const std::string& text) {
   std::vector<Tolerance> list;
   for (const std::string_view part : split(text, ',')) {
     const std::optional<Tolerance> tolerance = tolerance_of(part);
-    if (!tolerance) refuse(ErrorCode::expected_tolerance, part);
+    if (!tolerance) throw not_a_tolerance(part);
     list.push_back(*tolerance);
   }
   return list;
@@ -137,13 +131,13 @@ std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::s
   std::optional<double> angle;
   for (const std::string_view part : split(text, ',')) {
     if (const std::optional<double> limit = angle_with_unit(part)) {
-      if (angle) refuse(ErrorCode::expected_fit, text);
+      if (angle) throw not_limits_of_a_fit(text);
       angle = limit;
       continue;
     }
     const std::optional<Tolerance> limit = tolerance_of(part);
     const bool repeats = limit && std::ranges::count(list, limit->column, &Tolerance::column) > 0;
-    if (!limit || limit->most <= 0 || repeats) refuse(ErrorCode::expected_fit, text);
+    if (!limit || limit->most <= 0 || repeats) throw not_limits_of_a_fit(text);
     list.push_back(*limit);
   }
   return {list, angle};
@@ -151,7 +145,7 @@ std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::s
 
 double corner_angle(const std::string& text) {
   const auto value = parse_number(text);
-  if (!value || *value <= 0 || *value >= 180) refuse(ErrorCode::expected_corner, text);
+  if (!value || *value <= 0 || *value >= 180) throw not_an_angle_of_a_corner(text);
   return *value;
 }
 
@@ -161,22 +155,22 @@ char delimiter(const std::string& text) {
   }
   const bool usable =
       text.size() == 1 && std::string_view("\"\n\r+-.0123456789eE").find(text[0]) == std::string_view::npos;
-  if (!usable) refuse(ErrorCode::expected_delimiter, text);
+  if (!usable) throw not_a_delimiter(text);
   return text[0];
 }
 
 char decimal_mark(const std::string& text) {
-  if (text != "," && text != ".") refuse(ErrorCode::expected_decimal_mark, text);
+  if (text != "," && text != ".") throw not_a_decimal_mark(text);
   return text[0];
 }
 
 spline::Tcb<double> tcb_values(const std::string& text) {
   const auto parts = split(text, ',');
   std::array<double, 3> values{};
-  if (parts.size() != values.size()) refuse(ErrorCode::expected_tcb, text);
+  if (parts.size() != values.size()) throw not_three_parameters(text);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto value = parse_number(parts[i]);
-    if (!value) refuse(ErrorCode::expected_tcb, text);
+    if (!value) throw not_three_parameters(text);
     values[i] = *value;
   }
   return {values[0], values[1], values[2]};
@@ -184,18 +178,18 @@ spline::Tcb<double> tcb_values(const std::string& text) {
 
 std::vector<std::string> column_list(const std::string& text) {
   const auto names = split(text, ',');
-  if (std::ranges::count(names, "") > 0) refuse(ErrorCode::expected_columns, text);
+  if (std::ranges::count(names, "") > 0) throw not_a_list_of_columns(text);
   return {names.begin(), names.end()};
 }
 
 namespace {
 
-/// "a=b,c=d". Throws: Error (usage) `expected` unless all names and values are there.
-std::vector<std::pair<std::string, std::string>> named_values(const std::string& text, ErrorCode expected) {
+/// "a=b,c=d". Throws: the fault unless all names and values are there.
+std::vector<std::pair<std::string, std::string>> named_values(const std::string& text, Fault fault) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const std::string_view item : split(text, ',')) {
     const std::size_t equals = item.rfind('=');
-    if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size()) refuse(expected, text);
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size()) throw fault(text);
     all.emplace_back(item.substr(0, equals), item.substr(equals + 1));
   }
   return all;
@@ -205,24 +199,24 @@ std::vector<std::pair<std::string, std::string>> named_values(const std::string&
 
 std::vector<Renaming> renamings(const std::string& text) {
   std::vector<Renaming> all;
-  for (const auto& [from, to] : named_values(text, ErrorCode::expected_renamings)) all.push_back({from, to});
+  for (const auto& [from, to] : named_values(text, not_a_list_of_renamings)) all.push_back({from, to});
   return all;
 }
 
 std::vector<ChannelScale> channel_scales(const std::string& text) {
   std::vector<ChannelScale> all;
-  for (const auto& [channel, factor] : named_values(text, ErrorCode::expected_scales)) {
-    all.push_back({channel, ratio_or(ErrorCode::expected_scales, factor)});
-    if (all.back().factor == 0) refuse(ErrorCode::expected_scales, text);
+  for (const auto& [channel, factor] : named_values(text, not_a_list_of_scales)) {
+    all.push_back({channel, ratio_or(not_a_list_of_scales, factor)});
+    if (all.back().factor == 0) throw not_a_list_of_scales(text);
   }
   return all;
 }
 
 std::vector<NamedAngle> angle_channels(const std::string& text) {
   std::vector<NamedAngle> all;
-  for (const auto& [channel, unit] : named_values(text, ErrorCode::expected_angles)) {
+  for (const auto& [channel, unit] : named_values(text, not_a_list_of_angles)) {
     const auto known = std::ranges::find(angle_units, unit, &AngleUnit::name);
-    if (known == angle_units.end()) refuse(ErrorCode::expected_angles, text);
+    if (known == angle_units.end()) throw not_a_list_of_angles(text);
     all.push_back({channel, known->degrees});
   }
   return all;
@@ -232,7 +226,7 @@ std::vector<std::size_t> field_list(const std::string& text) {
   std::vector<std::size_t> chosen;
   for (const std::string_view name : split(text, ',')) {
     const auto field = static_cast<std::size_t>(&named_row(named_fields(), name) - fields().data());
-    if (std::ranges::count(chosen, field) > 0) refuse(ErrorCode::field_repeated, name);
+    if (std::ranges::count(chosen, field) > 0) throw field_repeated(name);
     chosen.push_back(field);
   }
   return chosen;
@@ -241,18 +235,18 @@ std::vector<std::size_t> field_list(const std::string& text) {
 std::size_t form_of_pieces(const std::string& text) {
   const auto form = std::ranges::find(fields(), text == "poly4" ? "poly" : text, &Field::name);
   const bool is_form = form != fields().end() && form->of_piece && form->per_channel;
-  if (!is_form && text.starts_with("poly") && in_digits<int>(text.substr(4))) refuse(ErrorCode::expected_form, text);
+  if (!is_form && text.starts_with("poly") && in_digits<int>(text.substr(4))) throw other_number_of_coefficients(text);
   return is_form ? static_cast<std::size_t>(form - fields().begin()) : field_of(named_row(form_table, text).name);
 }
 
 std::string name_part(const std::string& text) {
-  if (text.find('/') != std::string::npos) refuse(ErrorCode::expected_name_part, text);
+  if (text.find('/') != std::string::npos) throw not_a_part_of_a_name(text);
   return text;
 }
 
 std::vector<std::string> axis_names(const std::string& text) {
   const auto names = split(text, ':');
-  if (names.size() != 2 || std::ranges::count(names, "") > 0) refuse(ErrorCode::expected_axes, text);
+  if (names.size() != 2 || std::ranges::count(names, "") > 0) throw not_two_axes(text);
   return {names.begin(), names.end()};
 }
 
@@ -262,19 +256,12 @@ PictureSize picture_size(const std::string& text) {
   PictureSize size;
   if (parts.size() == 2) size = {in_digits<int>(parts[0]).value_or(0), in_digits<int>(parts[1]).value_or(0)};
   for (const int pixels : {size.width, size.height}) {
-    if (pixels < least || pixels > most) refuse(ErrorCode::expected_size, text);
+    if (pixels < least || pixels > most) throw not_a_size(text);
   }
   return size;
 }
 
 FormatId input_format(const std::string& text) { return named_format(text, &Format::can_read); }
-std::optional<FormatId> format_by_ending(const std::string& path) {
-  const std::optional<FormatId> named = find_output_format(path);
-  const std::string other(other_ending(path));
-  if (!named && !other.empty()) throw Error(Exit::usage, ErrorCode::output_not_written, {path, other});
-  return named;
-}
-
 FormatId output_format(const std::string& text) { return named_format(text, &Format::can_write); }
 std::vector<std::string_view> input_format_names() { return format_names(&Format::can_read); }
 std::vector<std::string_view> output_format_names() { return format_names(&Format::can_write); }

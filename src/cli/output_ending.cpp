@@ -1,0 +1,39 @@
+// The ending of --output, which names the format of the output.
+#include "cli/output_ending.hpp"
+
+#include <optional>
+#include <string>
+
+#include "cli/errors.hpp"
+#include "option_names.hpp"
+#include "schema/formats.hpp"
+
+namespace tcb {
+namespace {
+
+/// The format that the ending of an output names, if it does. Throws: Error (usage) for the ending of other files.
+std::optional<FormatId> format_by_ending(const std::string& path) {
+  const std::optional<FormatId> named = find_output_format(path);
+  const std::string other(other_ending(path));
+  if (!named && !other.empty()) throw output_not_written(path, other);
+  return named;
+}
+
+}  // namespace
+
+void set_output_format(TypedOptions& typed, bool earlier) {
+  const std::string& path = typed.text(option::output);
+  const bool is_report = typed.has(option::check) || typed.has(option::identify);
+  const std::optional<FormatId> named = format_by_ending(path);
+  if (!named || (is_report && *named != FormatId::json)) return;
+  const std::string_view name = format_of(*named).name, chosen = format_of(typed.job.output_format).name;
+  if (typed.has(option::output_format) || typed.has(option::plot) || earlier) {
+    if (name != chosen) throw output_of_other_format(path, name, chosen);
+    return;
+  }
+  if (*named == formats[0].id) return;  // as without the ending
+  typed.job.output_format = *named;
+  typed.set_text(option::output_format, std::string(name));
+}
+
+}  // namespace tcb

@@ -1,0 +1,23 @@
+// Places: the times or arc lengths of --at and --arc-at, as listed, in a file of numbers, or in a column of a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/typed_options.hpp"
+
+namespace tcb {
+
+/// Numbers, and ranges FIRST:LAST:STEP, separated by commas. Throws: Error (usage), which the caller makes an error
+/// about the option.
+std::vector<Rational> ratios(const std::string& text);
+
+/// Stores the places of an option: numbers as above, or for @FILE and "-" those in a file or standard input. A column
+/// of a file is only named. Throws: Error (usage), which the caller makes an error about the option.
+void store_places(TypedOptions& typed, std::string_view option, const std::string& text);
+
+/// Reads the column of a file that an option names, if one does. Throws: Error.
+void read_place_column(TypedOptions& typed);
+
+}  // namespace tcb

@@ -1,0 +1,158 @@
+// Reading of options: from the words of a command line to typed options. CLI11 divides the words.
+#include "cli/read_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <string_view>
+
+#include "cli/errors.hpp"
+#include "cli/options.hpp"
+#include "cli/values.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+/// Flags, and the lists that several options may give, as in --abs 1e-9 --abs x=1e-6.
+bool may_repeat(const OptionRow& row) {
+  return row.kind == ValueKind::flag || row.name == option::abs || row.name == option::rel || row.name == option::ulp ||
+         row.name == option::rotation;
+}
+
+/// Checks and stores the value of an option; if a text is to be printed, only stores its text.
+void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::string>& values) {
+  const bool wants_text = typed.wants_text();
+  typed.set_text(row.name, row.kind == ValueKind::flag ? "true" : fmt::format("{}", fmt::join(values, ",")));
+  if (wants_text) return;
+  try {
+    if (values.size() > 1 && !may_repeat(row)) throw option_repeated();
+    if (std::ranges::count(values, "") > 0) throw value_empty();
+    row.store(typed, std::string(typed.text(row.name)));
+  } catch (const Error& error) {
+    throw error.about(row.name);
+  }
+}
+
+/// Whether a word of the command line may name the option: it begins with a long name, or is a group of letters.
+bool may_name(const std::string& word, const OptionRow& row) {
+  const auto is_name = [&word](std::string_view name) {
+    if (name.starts_with("--")) return word.starts_with(name);
+    return !name.empty() && word.starts_with('-') && !word.starts_with("--") && word.find(name[1]) != std::string::npos;
+  };
+  return is_name(row.name) || is_name(row.other_name);
+}
+
+/// From the last to the first, so that an option for a text, such as --help, is stored before all others. CLI11
+/// compares each new option with all others, so only those that the words may name are declared.
+void declare(CLI::App& app, TypedOptions& typed, const std::vector<std::string>& words) {
+  app.set_help_flag();
+  app.add_option("FILE", typed.job.files);
+  for (std::size_t i = option_table().size(); i-- > 0;) {
+    const OptionRow& row = option_table()[i];
+    if (std::ranges::none_of(words, [&row](const std::string& word) { return may_name(word, row); })) continue;
+    const std::string names = fmt::format("{}", fmt::join(row.all_names(), ","));
+    CLI::Option* const option = app.add_option(names, [&row, &typed](const CLI::results_t& values) {
+      store(row, typed, values);
+      return true;
+    });
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    if (row.kind == ValueKind::flag) option->expected(0)->disable_flag_override();  // --hex=false is no option
+  }
+}
+
+/// A name as it is compared: in lower case, without the dashes of an option.
+std::string compared(std::string_view name) {
+  name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
+  return in_lower_case(name);
+}
+
+/// The last option that has this name among its values, with it, as in "--extrapolate hold"; or "".
+std::string option_with_value(std::string_view name) {
+  std::string found;
+  for (const OptionRow& row : option_table()) {
+    const auto names = row.known == nullptr ? std::vector<std::string_view>{} : row.known();
+    if (std::ranges::count(names, name) > 0) found = fmt::format("{} {}", row.name, name);
+  }
+  return found;
+}
+
+/// The option that an unknown one probably means, or "": one with a value of this name, or one with a similar name.
+std::string meant_option(const std::string& unknown) {
+  const std::string wanted = compared(unknown);
+  if (unknown.starts_with("--")) {
+    if (std::string option = option_with_value(wanted); !option.empty()) return option;
+  }
+  std::vector<std::string_view> names;
+  for (const OptionRow& row : option_table()) {
+    for (const std::string_view name : row.all_names()) names.push_back(name);
+  }
+  std::vector<std::string> all;
+  std::ranges::transform(names, std::back_inserter(all), compared);
+  const std::string_view likely = likely_name(wanted, std::vector<std::string_view>(all.begin(), all.end()));
+  return likely.empty() ? ""
+                        : std::string(names[static_cast<std::size_t>(std::ranges::find(all, likely) - all.begin())]);
+}
+
+/// CLI11's error as one of ours. It finds unknown options, flags with a value, and values that are missing at the end.
+[[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
+  const auto name_of = [](const std::string& word) { return word.substr(0, word.find('=')); };
+  if (const auto unknown = app.remaining(); dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty()) {
+    const std::string name = name_of(unknown[0]);
+    throw unknown_option(name, meant_option(name));
+  }
+  for (const std::string& word : words) {
+    const std::string name = name_of(word);
+    const auto is_it = [&name](const OptionRow& row) {
+      return row.kind == ValueKind::flag && (row.name == name || row.other_name == name);
+    };
+    if (name.size() < word.size() && std::ranges::any_of(option_table(), is_it)) throw flag_with_value(name);
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && !words.empty()) throw value_missing(name_of(words.back()));
+  throw command_line_not_understood(error.what());
+}
+
+/// The option whose value may be left out has it in the same word, so that it does not take the name of a file.
+/// Throws: Error (usage) for one without the value that its = announces, and for an empty value.
+std::vector<std::string> with_values(std::vector<std::string> words) {
+  const std::string name(option::file_column);
+  for (auto word = words.begin(); word != words.end() && *word != "--"; ++word) {
+    if (*word == name + "=") throw value_missing(name);
+    if (*word != name) continue;
+    if (word + 1 != words.end() && word[1].empty()) throw value_empty().about(name);
+    *word += fmt::format("={}", row_of(name).default_value);
+  }
+  return words;
+}
+
+}  // namespace
+
+TypedOptions read_options(const std::vector<std::string>& given) {
+  const std::vector<std::string> words = with_values(given);
+  TypedOptions typed;
+  CLI::App app;
+  declare(app, typed, words);
+  try {
+    app.parse(std::vector(words.rbegin(), words.rend()));  // CLI11 takes them from the back
+  } catch (const CLI::ParseError& error) {
+    refuse(error, app, words);
+  }
+  if (std::ranges::count(typed.job.files, "") > 0) throw file_name_empty();
+  return typed;
+}
+
+ColorWhen color_of(int argc, const char* const* argv) {
+  constexpr std::string_view name = option::color;
+  std::string_view value;
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string_view word = argv[i];
+    if (word == name && i + 1 < argc) value = argv[i + 1];
+    if (word.starts_with(name) && word.substr(name.size()).starts_with('=')) value = word.substr(name.size() + 1);
+  }
+  const auto row = std::ranges::find(color_names, value, &ColorName::name);
+  return row == color_names.end() ? ColorWhen::by_terminal : row->when;
+}
+
+}  // namespace tcb

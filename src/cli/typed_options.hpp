@@ -1,0 +1,49 @@
+// Typed options: the options that a command line gives, and their values, each by itself.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/terminal.hpp"
+#include "run/job.hpp"
+
+namespace tcb {
+
+/// Texts that --generate prints instead of rows.
+enum class Generated { manual, bash, zsh, fish, columns };
+
+/// A column of a file that has the times or arc lengths of an option.
+struct PlaceColumn {
+  std::string_view option;  ///< its name
+  std::string path, name;
+};
+
+/// The values of the options, each by itself; make_job decides what they mean together. An option is identified by its
+/// name, a constant of option_names.hpp.
+struct TypedOptions {
+  Job job;
+  Comparison comparison;
+  Notation notation;
+  std::optional<Generated> generated;
+  ColorWhen color = ColorWhen::by_terminal;
+  std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
+  bool places_from_input = false;        ///< the times or arc lengths are read from standard input
+  std::optional<PlaceColumn> place_column = {};
+
+  bool has(std::string_view option) const { return !text(option).empty(); }
+  /// The value of an option as typed, or "" if the option is not given. For a list in a file: its numbers.
+  const std::string& text(std::string_view option) const;
+  void set_text(std::string_view option, std::string text);
+
+  /// Whether a text is printed, so that no other value is read.
+  bool wants_text() const;
+
+ private:
+  std::vector<std::pair<std::string_view, std::string>> texts_;  ///< by name, of the options that are given
+};
+
+}  // namespace tcb

@@ -1,0 +1,122 @@
+// Values: from the text of an option's value to its type, or to an error, and the tables of names that values have.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/errors.hpp"
+#include "cli/typed_options.hpp"
+#include "schema/formats.hpp"
+
+namespace tcb {
+
+struct GeneratedName {
+  std::string_view name;
+  Generated kind;
+};
+inline constexpr std::array generated_names{
+    GeneratedName{"man", Generated::manual}, GeneratedName{"bash", Generated::bash},
+    GeneratedName{"zsh", Generated::zsh}, GeneratedName{"fish", Generated::fish},
+    GeneratedName{"columns", Generated::columns}};
+
+struct ColorName {
+  std::string_view name;
+  ColorWhen when;
+};
+inline constexpr std::array color_names{ColorName{"auto", ColorWhen::by_terminal},
+                                        ColorName{"always", ColorWhen::always}, ColorName{"never", ColorWhen::never}};
+
+struct DelimiterName {
+  std::string_view name;
+  char character;
+};
+inline constexpr std::array delimiter_names{DelimiterName{"tab", '\t'}, DelimiterName{"comma", ','},
+                                            DelimiterName{"semicolon", ';'}, DelimiterName{"space", ' '},
+                                            DelimiterName{"pipe", '|'}};
+
+/// The forms of a cubic that help and completions show; a polynomial may have other numbers of coefficients.
+struct FormName {
+  std::string_view name;
+};
+inline constexpr std::array form_table{FormName{"hermite"}, FormName{"bezier"}, FormName{"poly"}, FormName{"poly8"}};
+
+// Each function throws Error (usage) for any other text; the caller makes it an error about the option.
+
+/// Above 0: a decimal or a ratio of two.
+Rational positive_ratio(const std::string& text);
+/// The step of a rate.
+Rational step_of_rate(const std::string& text);
+/// Makes the error of a wrong value.
+using Fault = Error (*)(std::string_view text);
+/// A decimal or a ratio of two within the doubles. Throws: the fault for any other text.
+Rational ratio_or(Fault fault, std::string_view text);
+Rational ratio(const std::string& text);
+/// In digits, from 1 to 2^63 - 1.
+std::uint64_t positive_count(const std::string& text);
+/// A whole number from `least` to `most`, also as 1e9.
+std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most);
+/// In digits alone.
+int digit_count(const std::string& text, int least);
+CurveTolerance curve_tolerance(const std::string& text);
+/// "D", "NAME=D" or an angle such as "0.5deg", or several separated by commas, above 0; the angle in radians.
+std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::string& text);
+/// Degrees above 0 and below 180.
+double corner_angle(const std::string& text);
+/// "1e-9", "x=1e-6", or several separated by commas.
+std::vector<Tolerance> tolerances(const std::string& text);
+char delimiter(const std::string& text);
+char decimal_mark(const std::string& text);
+spline::Tcb<double> tcb_values(const std::string& text);
+/// Columns by name or number, separated by commas.
+std::vector<std::string> column_list(const std::string& text);
+/// "OLD=NEW", or several separated by commas.
+std::vector<Renaming> renamings(const std::string& text);
+/// "CHANNEL=FACTOR", or several separated by commas.
+std::vector<ChannelScale> channel_scales(const std::string& text);
+/// "CHANNEL=UNIT", or several separated by commas.
+std::vector<NamedAngle> angle_channels(const std::string& text);
+/// Indices into fields(), each once.
+std::vector<std::size_t> field_list(const std::string& text);
+/// The field with the cubics of pieces in a form.
+std::size_t form_of_pieces(const std::string& text);
+/// A part of a file's name.
+std::string name_part(const std::string& text);
+/// Two columns with a colon between them.
+std::vector<std::string> axis_names(const std::string& text);
+/// Width and height with an x between them.
+PictureSize picture_size(const std::string& text);
+FormatId input_format(const std::string& text);
+FormatId output_format(const std::string& text);
+
+/// The names of the formats that can be read or written, and of the fields.
+std::vector<std::string_view> input_format_names();
+std::vector<std::string_view> output_format_names();
+std::vector<std::string_view> field_names();
+
+/// The names of a table's rows.
+template <const auto& table>
+std::vector<std::string_view> names_in() {
+  std::vector<std::string_view> names;
+  std::ranges::transform(table, std::back_inserter(names), [](const auto& row) { return row.name; });
+  return names;
+}
+
+/// The row of a table by its name. Throws: Error (usage) with the nearest known name.
+template <class Table>
+const auto& named_row(const Table& table, std::string_view name) {
+  const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
+  if (found != std::ranges::end(table)) return *found;
+  std::vector<std::string_view> known;
+  std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
+  throw unknown_value(name, known);
+}
+
+}  // namespace tcb

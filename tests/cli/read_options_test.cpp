@@ -1,0 +1,79 @@
+// Reading of options: the words of a command line, and the errors of words that are wrong.
+#include "cli/read_options.hpp"
+
+#include "cli/command_line.hpp"
+#include "cli/help.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+using testing::StartsWith;
+
+TEST(CommandLine, options_and_files_come_in_any_order) {
+  const Job job = job_of({"a.csv", "-s", "0.5", "-", "--output-format=json", "b.csv"});
+  EXPECT_THAT(job.files, ElementsAre("a.csv", "-", "b.csv"));
+  EXPECT_EQ(job.sampling.step, Rational(1, 2));
+  EXPECT_EQ(job.output_format, FormatId::json);
+}
+
+TEST(CommandLine, two_dashes_end_the_options) {
+  EXPECT_THAT(job_of({"-n", "2", "--", "-n", "--step"}).files, ElementsAre("-n", "--step"));
+}
+
+TEST(CommandLine, a_value_may_be_negative) {
+  const Job job = job_of({"-s1", "--from", "-1.5", "--to", "-.5", "--tcb", "-1,0,.5"});
+  EXPECT_EQ(job.sampling.from, Rational(-3, 2));
+  EXPECT_EQ(job.sampling.to, Rational(-1, 2));
+  EXPECT_EQ(job.input.tcb, (spline::Tcb<double>{-1, 0, 0.5}));
+}
+
+TEST(CommandLine, rate_and_fps_are_one_option) {
+  EXPECT_EQ(job_of({"--fps", "24"}).sampling.step, job_of({"--rate", "24"}).sampling.step);
+}
+
+TEST(CommandLine, a_flag_may_be_repeated_and_tolerances_are_joined) {
+  EXPECT_EQ(stepped({"--hex", "--hex"}).notation.kind, Notation::Kind::hex);
+  EXPECT_EQ(job_of({"--check", "a", "--abs", "1", "--abs", "x=2,y=3"}).comparison->abs.size(), 3U);
+}
+
+TEST(CommandLine, a_text_is_printed_whatever_other_values_are) {
+  EXPECT_THAT(parsed({"--help"}).text.value_or(""), StartsWith("Usage: tcbsample"));
+  EXPECT_EQ(parsed({"--help"}).text, parsed({"--help", "a.csv", "--step", "x", "--version"}).text);
+  EXPECT_EQ(parsed({"--help"}).text, parsed({"--generate", "x", "--help"}).text);
+  EXPECT_EQ(parsed({"-h"}).text, short_help_text());
+  EXPECT_EQ(parsed({"-qh", "--count=0"}).text, short_help_text());
+  EXPECT_THAT(parsed({"-V", "--count=0"}).text.value_or(""), StartsWith("tcbsample "));
+  EXPECT_THAT(parsed({"--generate", "fish"}).text.value_or(""), StartsWith("function "));
+  EXPECT_THAT(parsed({"--list-presets"}).text.value_or(""), StartsWith("PRESET "));
+  EXPECT_FALSE(parsed({"-n", "2"}).text);
+}
+
+TEST(CommandLine, an_unknown_option_is_refused_with_the_nearest_one) {
+  EXPECT_EQ(refusal({"--stop", "1"}), "unknown option --stop; did you mean --step? (--help lists all options)");
+  EXPECT_EQ(refusal({"--stop=1"}), "unknown option --stop; did you mean --step? (--help lists all options)");
+  EXPECT_EQ(refusal({"--frobnicate"}), "unknown option --frobnicate (--help lists all options)");
+  EXPECT_EQ(refusal({"--Step", "1"}), "unknown option --Step; did you mean --step? (--help lists all options)");
+  EXPECT_EQ(refusal({"--hold"}), "unknown option --hold; did you mean --extrapolate hold? (--help lists all options)")
+      << "an option that has this value";
+  EXPECT_EQ(refusal({"-s", "1", "-x"}), "unknown option -x (--help lists all options)");
+}
+
+TEST(CommandLine, errors_of_syntax_name_the_option) {
+  EXPECT_EQ(refusal({"--step"}), "--step: the value is missing; expected one after the option; see --help");
+  EXPECT_EQ(refusal({"-s", "1", "-s", "2"}), "--step: the option is repeated; expected it once; remove all but one");
+  EXPECT_EQ(refusal({"-n", "2", "--hex=false"}), "--hex takes no value; remove the value");
+  EXPECT_THAT(refusal({"-n", "2", ""}), StartsWith("the name of a file is empty;"));
+}
+
+TEST(CommandLine, no_option_takes_an_empty_value) {
+  for (const OptionRow& row : option_table()) {
+    if (row.kind == ValueKind::flag) continue;
+    const std::string name(row.name);
+    EXPECT_THAT(refusal({name, ""}), StartsWith(name + ": the value is empty;"));
+    EXPECT_THAT(refusal({name + "="}), StartsWith(name + ": the value is missing;"));
+  }
+}
+
+}  // namespace
+}  // namespace tcb

@@ -1,0 +1,153 @@
+// Values: the values that options take, and the errors for others.
+#include "cli/values.hpp"
+
+#include "cli/command_line.hpp"
+#include "cli/errors.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+
+/// The message of a fault of the value of an option.
+std::string message(const std::string& option, const Error& fault) { return fault.about(option).message(); }
+
+TEST(Values, steps_and_rates_are_above_0) {
+  for (const std::string value : {"0", "-1", "x", "1/0", "0/5", "1e", "inf", "1/24x"}) {
+    for (const std::string option : {"--step", "--rate", "--arc-step"}) {
+      EXPECT_EQ(refusal({option, value}), message(option, not_a_positive_ratio(value)));
+    }
+  }
+  EXPECT_EQ(refusal({"--rate", "1e-309"}), message("--rate", step_of_rate_beyond_doubles("1e-309")));
+  EXPECT_EQ(refusal({"--step", "1e309"}), message("--step", number_beyond_doubles("1e309")));
+}
+
+TEST(Values, counts_are_in_digits_from_1_up) {
+  EXPECT_EQ(positive_count("9223372036854775807"), 9223372036854775807U);
+  for (const std::string value : {"0", "-1", "+1", "1.5", "1e3", " 1", "9223372036854775808", "99999999999999999999"}) {
+    for (const std::string option : {"--count", "--segments", "--per-segment", "--arc-count"}) {
+      EXPECT_EQ(refusal({option, value}), message(option, not_a_count(value)));
+    }
+  }
+}
+
+TEST(Values, a_range_is_of_decimals_or_ratios) {
+  EXPECT_EQ(ratio("-7/24"), Rational(-7, 24));
+  for (const std::string option : {"--from", "--to"}) {
+    EXPECT_EQ(stepped_refusal({option, "now"}), message(option, not_a_ratio("now")));
+  }
+}
+
+TEST(Values, lists_are_separated_by_commas) {
+  EXPECT_EQ(refusal({"--at", "1,,2"}), message("--at", not_a_list_of_numbers("")));
+}
+
+TEST(Values, whole_numbers_of_options_are_within_their_range) {
+  EXPECT_EQ(count_between("1e9", 1, INT64_MAX), 1'000'000'000U);
+  EXPECT_EQ(stepped_refusal({"--max-rows", "1.5"}),
+            message("--max-rows", not_a_whole_number("1.5", 1, 9223372036854775807)));
+  EXPECT_EQ(stepped_refusal({"--jobs", "1025"}), message("--jobs", not_a_whole_number("1025", 1, 1024)));
+  EXPECT_EQ(stepped_refusal({"--digits", "0"}), message("--digits", not_a_whole_number("0", 1, 100)));
+  EXPECT_EQ(stepped_refusal({"--fixed", "101"}), message("--fixed", not_a_whole_number("101", 0, 100)));
+}
+
+TEST(Values, a_tolerance_of_samples_is_above_0) {
+  EXPECT_EQ(curve_tolerance("1e-9").distance, 1e-9);
+  EXPECT_FALSE(curve_tolerance("1e-9").limits_angle());
+  EXPECT_FALSE(curve_tolerance("0.5deg").limits_distance());
+  EXPECT_DOUBLE_EQ(curve_tolerance("2,180deg").angle, 3.141592653589793);
+  EXPECT_EQ(curve_tolerance("0.25rad,2").angle, 0.25);
+  for (const std::string value : {"0", "-1", "x", "inf", "1,2", "1,2deg,3deg", "deg", "1,", "0deg"}) {
+    EXPECT_EQ(refusal({"--tolerance", value}), message("--tolerance", not_a_curve_tolerance(value)));
+  }
+}
+
+TEST(Values, tolerances_are_for_all_columns_or_for_one) {
+  const auto list = tolerances("1e-9,x=0.5,a=b=2");
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0].column, "");
+  EXPECT_EQ(list[0].most, 1e-9);
+  EXPECT_EQ(list[1].column, "x");
+  EXPECT_EQ(list[2].column, "a=b") << "a name may contain =";
+  EXPECT_EQ(list[2].most, 2);
+  for (const char* value : {"-1", "x", "=1", "1,", "x=", "nan"}) {
+    EXPECT_THAT(refusal({"--check", "a", "--ulp", value}), testing::StartsWith("--ulp: \"")) << value;
+  }
+}
+
+TEST(Values, delimiters_are_names_or_characters_that_no_number_has) {
+  const std::pair<const char*, char> known[] = {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"space", ' '},
+                                                {"pipe", '|'}, {":", ':'},     {"\t", '\t'},       {"x", 'x'}};
+  for (const auto& [text, character] : known) EXPECT_EQ(delimiter(text), character) << text;
+  for (const char* text : {"1", "e", "E", ".", "-", "+", "\"", "\n", "\r", "tabs", ",,", "é"}) {
+    EXPECT_EQ(stepped_refusal({"--delimiter", text}), message("--delimiter", not_a_delimiter(text)));
+  }
+}
+
+TEST(Values, tension_continuity_and_bias_are_three_numbers) {
+  EXPECT_EQ(tcb_values("0,0.5,-0.25"), (spline::Tcb<double>{0, 0.5, -0.25}));
+  for (const char* text : {"0", "0,0", "0,0,0,0", "0,,0", "0,0,x", "0,0,1e999", "0;0;0"}) {
+    EXPECT_EQ(stepped_refusal({"--tcb", text}), message("--tcb", not_three_parameters(text)));
+  }
+}
+
+TEST(Values, columns_marks_and_parts_of_names) {
+  EXPECT_THAT(column_list("id,take"), ElementsAre("id", "take"));
+  EXPECT_EQ(stepped_refusal({"--group", "id,"}), message("--group", not_a_list_of_columns("id,")));
+  EXPECT_EQ(stepped_refusal({"--decimal", ";"}), message("--decimal", not_a_decimal_mark(";")));
+  EXPECT_EQ(stepped_refusal({"--output-dir", "a", "--suffix", "a/b"}),
+            message("--suffix", not_a_part_of_a_name("a/b")));
+}
+
+TEST(Values, fields_are_chosen_in_order_each_once) {
+  EXPECT_THAT(field_list("s,position,time"), ElementsAre(2, 1, 0));
+  EXPECT_EQ(
+      stepped_refusal({"--fields", "time,positon"}),
+      "--fields: \"positon\" is not a known name; expected one of time, position, s, velocity, acceleration, jerk, "
+      "speed, tangent, curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error, length; "
+      "did you mean position?");
+  EXPECT_EQ(stepped_refusal({"--fields", "time,s,time"}),
+            "--fields: field time is repeated; expected each field once; remove one");
+}
+
+TEST(Values, forms_of_pieces_have_their_number_of_coefficients) {
+  EXPECT_EQ(fields()[form_of_pieces("poly8")].columns, 8U);
+  EXPECT_EQ(form_of_pieces("poly4"), form_of_pieces("poly"));
+  for (const auto& [name] : form_table) EXPECT_EQ(fields()[form_of_pieces(std::string(name))].name, name);
+  for (const char* text : {"poly3", "poly33", "poly08", "polynomial", "start", "length", "position", "", "Poly"}) {
+    EXPECT_THROW(form_of_pieces(text), Error) << text;
+  }
+  EXPECT_THROW(field_list("start"), Error);
+  EXPECT_THROW(field_list("poly"), Error);
+}
+
+TEST(Values, formats_are_those_that_can_be_read_or_written) {
+  EXPECT_EQ(input_format("jsonl"), FormatId::jsonl);
+  EXPECT_EQ(output_format("npy"), FormatId::npy);
+  EXPECT_EQ(stepped_refusal({"-i", "npy"}),
+            "--input-format: \"npy\" is not a known name; expected one of csv, tsv, ssv, json, jsonl");
+  EXPECT_EQ(stepped_refusal({"-f", "xml"}),
+            "--output-format: \"xml\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, npy, svg");
+}
+
+TEST(Values, names_come_from_the_tables) {
+  EXPECT_EQ(stepped_refusal({"--missing", "skip"}),
+            "--missing: \"skip\" is not a known name; expected one of error, skip-row, skip-cell, break");
+  EXPECT_EQ(
+      stepped_refusal({"--duplicates", "fist"}),
+      "--duplicates: \"fist\" is not a known name; expected one of error, first, last, break; did you mean first?");
+}
+
+TEST(Values, pictures) {
+  EXPECT_EQ(axis_names("x:3"), (std::vector<std::string>{"x", "3"}));
+  EXPECT_EQ(picture_size("800x600").height, 600);
+  EXPECT_EQ(stepped_refusal({"-f", "svg", "--axes", "x"}), message("--axes", not_two_axes("x")));
+  for (const char* size : {"800", "800x", "99x600", "800x10001", "-800x600", "800x600x2"}) {
+    EXPECT_THAT(stepped_refusal({"--plot", std::string("--size=") + size}),
+                testing::HasSubstr("expected width and height"))
+        << size;
+  }
+}
+
+}  // namespace
+}  // namespace tcb
