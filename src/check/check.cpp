@@ -14,7 +14,7 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
-#include "sample/index.hpp"
+#include "sample/look_up.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
 #include "stream/ordered_map.hpp"
@@ -92,9 +92,9 @@ ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs) {
 }
 
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
-                 const IndexedCurve& curve, const Limits& limits) {
+                 const WholeCurve& curve, const Limits& limits) {
   const Time first = columns.by_length ? Time(0.0) : curve.extent.first;
-  const Time last = columns.by_length ? Time(curve.curve->length()) : *curve.extent.last;
+  const Time last = columns.by_length ? Time(curve.curve->curve().length().value) : *curve.extent.last;
   const bool anywhere = !columns.by_length && curve.extrapolation != Extrapolation::error;
   Places result;
   std::uint64_t off_curve = 0;
@@ -123,21 +123,22 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
   return result;
 }
 
-void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
-                  const IndexedCurve& curve, bool from_left, unsigned threads,
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns, const WholeCurve& curve,
+                  spline::Side side, unsigned threads,
                   const std::function<void(std::size_t, std::span<const Cell>)>& use) {
   const auto place = [&places](std::uint64_t row) { return places.places[row]; };
   const auto evaluate_all = [&](const auto& locator) {
     const auto cells_of = [&columns, locator](const SampleBlock& block) {
       return evaluate(block, *locator, columns.fields);
     };
-    return ordered_map(look_up(curve.curve, locator, from_left), cells_of, threads);
+    return ordered_map(look_up(curve.curve, locator, side), cells_of, threads);
   };
   const std::uint64_t rows = places.places.size();
-  const auto cells = columns.by_length
-                         ? evaluate_all(std::make_shared<const AnywhereInLength>(place, rows, curve.curve->length()))
-                         : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolation,
-                                                                               curve.extent.first, *curve.extent.last));
+  const auto cells =
+      columns.by_length
+          ? evaluate_all(std::make_shared<const AnywhereInLength>(place, rows, curve.curve->curve().length().value))
+          : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolation, curve.extent.first,
+                                                                *curve.extent.last));
   std::size_t next = 0;
   while (std::optional<std::vector<Cell>> block = cells()) {
     const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
@@ -234,13 +235,13 @@ void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs
   request.mode = columns.by_length ? Mode::arc_at : Mode::at;
   CurvePipeline pipeline(request, job.curve, columns.fields, std::nullopt, inputs.kept.schema, inputs.kept.traits,
                          *pair.curve->curve_info, inputs.threads);
-  const IndexedCurve curve = pipeline.whole(pair.curve->keys());
+  const WholeCurve curve = pipeline.whole(pair.curve->keys());
   const Places places =
       places_of(pair.rows, inputs.table, columns, curve, limits_of(*job.comparison, inputs.place_name()));
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
-  for_each_row(pair.rows, places, columns, curve, request.from_left, inputs.threads,
+  for_each_row(pair.rows, places, columns, curve, request.side(), inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
-  if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, request.from_left});
+  if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, request.side()});
 }
 
 }  // namespace

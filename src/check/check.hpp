@@ -93,12 +93,12 @@ struct Places {
 
 /// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
-                 const IndexedCurve& curve, const Limits& limits);
+                 const WholeCurve& curve, const Limits& limits);
 
 /// Calls `use` for each of the rows, in order, with its cells. They are aligned with the given row. Throws: Error
 /// (data) for a number beyond the range.
-void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
-                  const IndexedCurve& curve, bool from_left, unsigned threads,
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns, const WholeCurve& curve,
+                  spline::Side side, unsigned threads,
                   const std::function<void(std::size_t row, std::span<const Cell> cells)>& use);
 
 /// A curve with the places of its samples, as it is compared.
@@ -107,9 +107,9 @@ struct CheckedPair {
   const CurvePipeline& pipeline;
   const KeptCurve& curve;
   const SampleRows& rows;
-  const IndexedCurve& indexed;
+  const WholeCurve& indexed;
   const Places& places;
-  bool from_left;
+  spline::Side side;  ///< of a key, the segment on which a row there is
 };
 
 /// Compares every number of the samples with the curve. `observe` sees each curve with its samples, if it is given.

@@ -99,7 +99,7 @@ void CheckPicture::add_samples(const CheckedPair& pair) {
   }
   const std::size_t width = pair.inputs.table.columns.size(), size = channels_.size();
   std::vector<CheckedSample> samples;
-  for_each_row(pair.rows, pair.places, columns, pair.indexed, pair.from_left, pair.inputs.threads,
+  for_each_row(pair.rows, pair.places, columns, pair.indexed, pair.side, pair.inputs.threads,
                [&](std::size_t row, std::span<const Cell> cells) {
                  CheckedSample sample{cells[0], std::vector<double>(2 * size)};
                  for (std::size_t i = 0; i < size; ++i) {

@@ -36,14 +36,14 @@ class Comparer {
   Candidate compare(const Convention& convention, const std::vector<GivenSamples>& samples) const {
     Candidate candidate{convention, 0, {}, 0, {}, {}};
     for (const GivenSamples& sample : samples) {
-      const IndexedCurve curve = curve_of(*sample.curve, convention);
-      for_each_row(sample.rows, places(sample, curve), inputs_.columns, curve, true, 1,
+      const WholeCurve curve = curve_of(*sample.curve, convention);
+      for_each_row(sample.rows, places(sample, curve), inputs_.columns, curve, spline::Side::left, 1,
                    [&](std::size_t row, auto cells) { compare_row(candidate, sample, row, cells); });
     }
     return candidate;
   }
 
-  IndexedCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
+  WholeCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
     const CurveSettings settings = settings_of(convention, job_.curve, parts_);
     CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.schema,
                            inputs_.kept.traits, *curve.curve_info, inputs_.threads);
@@ -56,7 +56,7 @@ class Comparer {
   }
 
   /// Where samples lie on a curve; an arc length beyond its end counts as the end.
-  Places places(const GivenSamples& sample, const IndexedCurve& curve) const {
+  Places places(const GivenSamples& sample, const WholeCurve& curve) const {
     Limits limits;
     if (inputs_.columns.by_length) limits.abs = std::numeric_limits<double>::infinity();
     return places_of(sample.rows, inputs_.table, inputs_.columns, curve, limits);

@@ -7,7 +7,7 @@
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
 #include "numbers/print_number.hpp"
-#include "sample/build.hpp"
+#include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 #include "schema/formats.hpp"
 

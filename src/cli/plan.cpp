@@ -17,7 +17,7 @@
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "read/earlier_output.hpp"
-#include "sample/build.hpp"
+#include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 
 namespace tcb {

@@ -13,7 +13,7 @@
 #include "sample/extrapolation.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/key_block.hpp"
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/curve_rules.hpp"
 
 namespace tcb {
 

@@ -13,7 +13,6 @@
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
 #include "sample/fields.hpp"
-#include "sample/index.hpp"
 #include "sample/sampler.hpp"
 #include "tcb/spline/segment_length.hpp"
 
@@ -63,7 +62,7 @@ struct RowsOfCurve {
   ExactCurve exact;
   ChannelFacts facts;
   std::optional<ArcLengths> arc;
-  bool left;
+  spline::Side side;
 };
 
 /// The curve at some scalar, and the numbers of its rows.
@@ -235,8 +234,7 @@ class Level final : public AnyLevel {
     } else {
       const std::vector<S>& times = curve_->times();
       outside_ = map_to_curve<S>(rows_.exact.extrapolation, times.front(), times.back(), t);
-      const auto end_time = [&](std::uint64_t number) { return times[number + 1]; };
-      segment_ = segment(segment_at_time(curve_->size(), end_time, outside_->t, rows_.left));
+      segment_ = segment(spline::segment_at_time<S>(times, outside_->t, rows_.side));
       sample_ = {t, spline::TimeMap<S>(segment_.start, segment_.end, segment_.warp)(outside_->t)};
     }
     sample_.t = t;

@@ -43,8 +43,8 @@ constexpr std::array float_levels{FloatLevel{40, make_level<Float<40>>}, FloatLe
 
 class ExactRows::Evaluation {
  public:
-  Evaluation(ExactCurve curve, std::optional<ArcLengths> arc, bool left, const Notation& notation)
-      : rows_{std::move(curve), {}, std::move(arc), left}, notation_(notation) {
+  Evaluation(ExactCurve curve, std::optional<ArcLengths> arc, spline::Side side, const Notation& notation)
+      : rows_{std::move(curve), {}, std::move(arc), side}, notation_(notation) {
     rows_.facts = channel_facts(rows_.exact);
   }
 
@@ -129,7 +129,7 @@ class ExactRows::Evaluation {
 
 ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation)
     : evaluation_(
-          std::make_unique<Evaluation>(std::move(curve), arc_lengths(request, extent), request.from_left, notation)) {}
+          std::make_unique<Evaluation>(std::move(curve), arc_lengths(request, extent), request.side(), notation)) {}
 ExactRows::~ExactRows() = default;
 
 Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {

@@ -14,7 +14,7 @@
 #include "plot/outline.hpp"
 #include "plot/scene.hpp"
 #include "plot/svg.hpp"
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/segments.hpp"
 
 namespace tcb {
 

@@ -12,6 +12,8 @@
 #include "run/errors.hpp"
 #include "sample/build.hpp"
 #include "sample/curve_errors.hpp"
+#include "sample/look_up.hpp"
+#include "sample/tolerance.hpp"
 
 namespace tcb {
 namespace {
@@ -26,18 +28,17 @@ CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, 
 }  // namespace
 
 CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings& settings,
-                             std::vector<std::size_t> fields, const std::optional<GoldenOptions>& golden,
+                             const std::vector<std::size_t>& fields, const std::optional<GoldenOptions>& golden,
                              const Schema& schema, const KeyTraits& traits, const CurveInfo& curve_info,
                              unsigned threads)
     : request_(request),
       spec_(spec_of(settings, curve_info.settings, schema)),
-      fields_(std::move(fields)),
       golden_(golden),
       timed_(schema.time.is_given),
       may_be_timed_(schema.time.may_be_first_channel),
       has_tcb_scale_(traits.has_tcb_scale),
+      needs_(curve_needs(request, fields, spec_, {timed_, traits.may_miss}, golden.has_value())),
       threads_(threads),
-      may_miss_(traits.may_miss),
       channels_(schema.channels),
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                  spec_.preset == spline::Preset::nel, spec_.closed} {
@@ -52,37 +53,13 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
   if (timed_ && spec_.parameter) {
     throw parameter_with_times(schema.time.name).about(option::parameter);
   }
-  require_rotations(spec_, fields_, request_);
-  require_fitting_rotations(spec_, metric_use(), request_.mode == Mode::emit);
+  require_rotations(spec_, fields, request_);
+  require_fitting_rotations(spec_, needs_.metric, request_.mode == Mode::emit);
 }
 
-bool CurvePipeline::is_single() const {
-  const bool is_count = request_.mode == Mode::count || request_.mode == Mode::arc_count;
-  return (is_count && request_.count == 1) || request_.places.size() == 1;
-}
-
-bool CurvePipeline::needs_random_access() const {
-  return spec_.extrapolation != Extrapolation::error || needs_curve(request_.mode);
-}
-
-bool CurvePipeline::needs_lengths() const {
-  return by_length(request_.mode) ||
-         std::ranges::any_of(fields_, [](std::size_t field) { return fields()[field].needs_lengths; });
-}
-
-MetricUse CurvePipeline::metric_use() const {
-  const auto is_of_path = [](std::size_t field) {
-    return fields()[field].over_metric && !fields()[field].needs_lengths;
-  };
-  const bool has_path_field = std::ranges::any_of(fields_, is_of_path);
-  const bool is_near_path = request_.mode == Mode::tolerance && request_.tolerance.limits_distance();
-  if (has_path_field || time_exponent() != 0 || is_near_path) return MetricUse::path;
-  return needs_lengths() ? MetricUse::lengths : MetricUse::nothing;
-}
-
-/// The keys with times, checked.
-Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) const {
-  blocks = with_quaternions(std::move(blocks), rotations_);
+/// The keys with times, checked. `least`: how many, unless a single key is enough. Sets the signs of angles.
+Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) {
+  blocks = with_quaternions(with_signs(std::move(blocks), spec_.angles), rotations_);
   blocks = with_clear_angles(std::move(blocks), spec_.angles, channels_, spec_.closed);
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
@@ -90,7 +67,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
   if (shown_scale) blocks = within_tcb_scale(std::move(blocks), *shown_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
   blocks = with_complete_velocities(std::move(blocks), channels_, spec_.rules.equal_speed);
-  return checked(std::move(blocks), is_single() ? 1 : least);
+  return checked(std::move(blocks), needs_.single_key ? 1 : least);
 }
 
 /// The same keys, also added to `exact`. Times made from distances are then computed exactly and rounded.
@@ -102,77 +79,46 @@ Source<KeyBlock> CurvePipeline::recorded(Source<KeyBlock> blocks, const std::sha
   });
 }
 
-/// The part of a curve whose keys were read.
-struct CurvePipeline::KnownPart {
-  Time first, end;    ///< of its keys
-  Time made;          ///< end of its segments
-  double length = 0;  ///< of these
-  std::uint64_t segments = 0;
-};
-
-/// About the number of rows on a part of a curve.
-double CurvePipeline::rows_on(const KnownPart& part, const SamplingRequest& request,
-                              const std::optional<Spacing>& spacing) {
-  const auto segments = static_cast<double>(part.segments);
-  const double keys = request.keys ? segments + 1 : 0;
-  if (!spacing) return segments * static_cast<double>(request.count) + keys + 1;
-  Time end = part.end;
-  if (by_length(request.mode)) end = Time(part.length * ((part.end - part.first) / (part.made - part.first)).hi);
-  if (spacing->end) end = std::min(end, nearest_time(*spacing->end));
-  const double rows = spacing->grid.is_single() ? 1 : std::max(1.0, spacing->grid.rough_rows(end));
-  return std::min(rows, static_cast<double>(spacing->rows)) + keys;
-}
-
 PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
-  blocks = prepared(with_signs(std::move(blocks), spec_.angles), 2);
+  blocks = prepared(std::move(blocks), 2);
+  if (!needs_.all_keys) return place_as_read(std::move(blocks));
   const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal, converted_rotations(rotations_));
   if (golden_) blocks = recorded(std::move(blocks), exact);
-  if (spec_.closed || needs_random_access() || may_miss_ || golden_ || needs_end(request_)) {
-    KeyStore keys(blocks);
-    const Extent range = extent(keys);
-    return place_stored(keys, range, *exact);
-  }
-  const auto known = std::make_shared<KnownPart>();
-  Source<Keys> keys = mapped(std::move(blocks), [known](KeyBlock block) {
-    if (!block.keys.times.empty()) known->end = block.keys.times.back();
-    known->segments += block.size();
+  KeyStore keys(blocks);
+  const Extent range = extent(keys);
+  return place_stored(keys, range, *exact);
+}
+
+/// Rows segment after segment, each as soon as its keys are read.
+PlacedCurve CurvePipeline::place_as_read(Source<KeyBlock> blocks) const {
+  std::optional<KeyBlock> first = blocks();
+  while (first->size() == 0) first = blocks();
+  const Extent extent{first->keys.times.front(), {}, {}};
+  const auto estimate = std::make_shared<RowEstimate>(request_, extent);
+  Source<Keys> keys = mapped(preceded_by(std::move(*first), std::move(blocks)), [estimate](KeyBlock block) {
+    estimate->add(block);
     return std::move(block.keys);
   });
-  std::optional<Keys> first = keys();
-  while (first && first->size() == 0) first = keys();
-  const Extent extent{first->times.front(), {}, {}};
-  known->first = extent.first;
-  LinkedKeys linked{preceded_by(std::move(*first), std::move(keys))};
-  auto segments = segment_blocks(std::move(linked), spec_.rules, needs_lengths(), threads_);
-  return place_in_order(std::move(segments), extent, 0, known);
+  auto segments = segment_blocks(std::move(keys), spec_.rules, {.measured = needs_.lengths, .threads = threads_});
+  segments = mapped(std::move(segments), [estimate](SegmentBlock block) {
+    estimate->add(block);
+    return block;
+  });
+  return place_in_order(std::move(segments), extent, estimate);
 }
 
 /// The segments of a curve whose keys are all known.
 Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent& extent, bool measured) const {
-  const auto end = spec_.closed ? extent.last : std::nullopt;
   const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
-  if (keys.are_sparse()) return sparse_segment_blocks(keys, end, spec_.rules, measured, expanded);
-  return segment_blocks(linked(keys, end), spec_.rules, measured, threads_);
+  return segment_blocks(keys, spec_.closed ? extent.last : std::nullopt, spec_.rules, {measured, expanded, threads_});
 }
 
-/// Rows segment after segment, each as soon as it is known. `known`: what is read of the curve; null: all of it.
-PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent, std::uint64_t count,
-                                          std::shared_ptr<KnownPart> known) const {
+/// Rows segment after segment.
+PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent,
+                                          std::shared_ptr<const RowEstimate> estimate) const {
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
-  if (known == nullptr) {
-    known = std::make_shared<KnownPart>(
-        KnownPart{extent.first, *extent.last, *extent.last, extent.length.value_or(0), count});
-  } else {
-    segments = mapped(std::move(segments), [known](SegmentBlock block) {
-      if (!block.segments.times.empty()) known->made = block.segments.times.back();
-      for (const auto& length : block.lengths) known->length += length.value;
-      return block;
-    });
-  }
-  std::optional<Spacing> spacing;
-  if (!by_segment(request_.mode)) spacing = tcb::spacing(request_, extent);
-  const auto expected = [known, spacing, request = &request_] { return rows_on(*known, *request, spacing); };
   Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels());
+  const auto expected = [estimate = std::move(estimate)] { return estimate->rows(); };
   return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected};
 }
 
@@ -186,19 +132,25 @@ Extent CurvePipeline::extent(KeyStore& keys) const {
   return extent;
 }
 
-IndexedCurve CurvePipeline::whole(Source<KeyBlock> blocks) {
-  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.angles), 1));
+/// The curve, kept.
+std::shared_ptr<const ShownCurve> CurvePipeline::shown(const KeyStore& keys, const Extent& extent) const {
+  const std::size_t count = spec_.closed ? keys.size() : std::max<std::size_t>(keys.size() - 1, 1);
+  return std::make_shared<const ShownCurve>(
+      kept_curve(segments(keys, extent, needs_.lengths), spec_.rules, spec_.closed, count), spec_.channels());
+}
+
+WholeCurve CurvePipeline::whole(Source<KeyBlock> blocks) {
+  KeyStore keys(prepared(std::move(blocks), 1));
   const Extent range = extent(keys);
-  return {std::make_shared<const CurveIndex>(segments(keys, range, needs_lengths()), spec_.channels()), range,
-          spec_.extrapolation};
+  return {shown(keys, range), range, spec_.extrapolation};
 }
 
 StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled) {
-  KeyStore keys(prepared(with_signs(std::move(blocks), spec_.angles), 1));
+  KeyStore keys(prepared(std::move(blocks), 1));
   const Extent range = extent(keys);
   const auto again = [pipeline = *this, keys, range] { return pipeline.segments(keys, range, false); };
   StoredCurve curve{keys, again, spec_.closed, {}};
-  if (sampled && (keys.size() > 1 || is_single())) curve.placed = place_stored(keys, range, ExactKeys(false));
+  if (sampled && (keys.size() > 1 || needs_.single_key)) curve.placed = place_stored(keys, range, ExactKeys(false));
   return curve;
 }
 
@@ -208,8 +160,8 @@ PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, con
     extent.last = exact.time_back(time_exponent(), spec_.rules.metric);
   }
   PlacedCurve placed;
-  if (needs_random_access()) {
-    placed = place_anywhere(segments(keys, extent, needs_lengths()), extent);
+  if (needs_.random_access) {
+    placed = place_anywhere(keys, extent);
     placed.facts = {extent.first, extent.last, {}, {}};
   } else {
     placed = place_on_grid(keys, extent);
@@ -222,14 +174,16 @@ PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, con
 PlacedCurve CurvePipeline::place_on_grid(const KeyStore& keys, Extent& extent) const {
   PlacementFacts facts{extent.first, extent.last, {}, {}};
   std::optional<Lengths> lengths;
-  if (by_length(request_.mode)) {
+  if (needs_.whole_length) {
     lengths = all_lengths(segments(keys, extent, true));
     facts.length = extent.length = total_length(*lengths);
   }
   if (!by_segment(request_.mode)) facts.step = nearest_time(spacing(request_, extent).grid.step());
-  auto all = segments(keys, extent, needs_lengths() && !lengths);
+  auto all = segments(keys, extent, needs_.lengths && !lengths);
   if (lengths) all = with_lengths(std::move(all), std::move(*lengths));
-  PlacedCurve placed = place_in_order(std::move(all), extent, keys.size() - (spec_.closed ? 0 : 1));
+  const auto estimate = std::make_shared<RowEstimate>(request_, extent);
+  estimate->add_all(extent, keys.size() - (spec_.closed ? 0 : 1));
+  PlacedCurve placed = place_in_order(std::move(all), extent, estimate);
   placed.facts = facts;
   return placed;
 }
@@ -249,11 +203,10 @@ std::vector<Time> CurvePipeline::grid_times(const Extent& extent) const {
 }
 
 /// The times or arc lengths of rows that need random access to the curve.
-std::vector<Time> CurvePipeline::places(const CurveIndex& curve, const Extent& extent) const {
+std::vector<Time> CurvePipeline::places(const ShownCurve& curve, const Extent& extent) const {
   std::vector<Time> places;
   if (request_.mode == Mode::tolerance) {
-    const CurveSegments segments{[&curve](std::uint64_t number) { return curve.segment(number); }, curve.size()};
-    places = times_within_tolerance(segments, request_.tolerance, request_.max_rows, request_.keys);
+    places = times_within_tolerance(curve, request_.tolerance, request_.max_rows, request_.keys);
   } else if (request_.places.empty()) {
     places = grid_times(extent);
   } else {
@@ -265,23 +218,23 @@ std::vector<Time> CurvePipeline::places(const CurveIndex& curve, const Extent& e
   const auto bound = [&](const std::optional<Rational>& given, const Time& end) {
     return given ? nearest_time(*given, extent.decimals) : end;
   };
-  return with_keys(places, curve, bound(request_.from, extent.first), bound(request_.to, *extent.last));
+  return with_keys(places, curve.curve(), bound(request_.from, extent.first), bound(request_.to, *extent.last));
 }
 
 /// Rows at places in any order, also outside the curve.
-PlacedCurve CurvePipeline::place_anywhere(const Source<SegmentBlock>& segments, const Extent& extent) const {
-  const auto curve = std::make_shared<const CurveIndex>(segments, spec_.channels());
+PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& extent) const {
+  const std::shared_ptr<const ShownCurve> curve = shown(keys, extent);
   std::vector<Time> places = this->places(*curve, extent);
   const std::uint64_t rows = places.size();
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
   const auto expected = [rows] { return static_cast<double>(rows); };
   if (request_.mode == Mode::arc_at) {
-    const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->length());
-    return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator), expected};
+    const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->curve().length().value);
+    return {look_up(curve, locator, request_.side()), locator, nullptr, {}, fast_rows(locator), expected};
   }
   const Time& end = *extent.last;
   const auto locator = std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, end);
-  return {look_up(curve, locator, request_.from_left), locator, nullptr, {}, fast_rows(locator), expected};
+  return {look_up(curve, locator, request_.side()), locator, nullptr, {}, fast_rows(locator), expected};
 }
 
 /// The same rows, each number rounded once.

@@ -11,13 +11,15 @@
 #include "keys/angles.hpp"
 #include "keys/key_store.hpp"
 #include "keys/rotations.hpp"
+#include "run/curve_needs.hpp"
 #include "run/job.hpp"
+#include "run/row_estimate.hpp"
 #include "sample/build.hpp"
 #include "sample/grid.hpp"
-#include "sample/index.hpp"
 #include "sample/request.hpp"
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"
+#include "sample/shown_curve.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
 
@@ -60,8 +62,8 @@ struct StoredCurve {
 };
 
 /// A curve with random access.
-struct IndexedCurve {
-  std::shared_ptr<const CurveIndex> curve;
+struct WholeCurve {
+  std::shared_ptr<const ShownCurve> curve;
   Extent extent;
   Extrapolation extrapolation;
 };
@@ -70,56 +72,51 @@ class CurvePipeline {
  public:
   /// Throws: Error if the settings of the job and of the input contradict each other,
   /// or do not fit the input.
-  CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, std::vector<std::size_t> fields,
+  CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, const std::vector<std::size_t>& fields,
                 const std::optional<GoldenOptions>& golden, const Schema& schema, const KeyTraits& traits,
                 const CurveInfo& curve_info, unsigned threads = 1);
 
-  /// Throws: Error (data) for keys that make no curve.
+  // From the keys of a curve. Throws: Error (data) for keys that make no curve.
+
+  /// The samples of the request, in constant memory if it does not need all keys.
   PlacedCurve place(Source<KeyBlock> blocks);
-
-  /// The curve with random access. Throws: Error (data) for keys that make no curve.
-  IndexedCurve whole(Source<KeyBlock> blocks);
-
-  /// The curve as it is drawn; it may have a single key. Throws: Error (data) for keys that make no curve.
+  /// The curve itself, for samples that the request does not have; it may have a single key.
+  WholeCurve whole(Source<KeyBlock> blocks);
+  /// The curve as it is drawn, and unless it is not `sampled`, its samples; it may have a single key.
   StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true);
 
   RuleFacts facts() const { return {spec_, timed_}; }
+  const CurveNeeds& needs() const { return needs_; }
 
   /// The request, with its step in the unit of the times.
   const SamplingRequest& request() const { return request_; }
 
  private:
-  struct KnownPart;
-
-  bool is_single() const;
-  bool needs_random_access() const;
-  bool needs_lengths() const;
-  MetricUse metric_use() const;
   /// The exponent of the distances that make the times; 0: none do.
   double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
 
-  Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least) const;
+  Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least);
   Source<KeyBlock> recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const;
   Extent extent(KeyStore& keys) const;
   Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
-  PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent, std::uint64_t count,
-                             std::shared_ptr<KnownPart> known = {}) const;
-  static double rows_on(const KnownPart& part, const SamplingRequest& request, const std::optional<Spacing>& spacing);
+  PlacedCurve place_as_read(Source<KeyBlock> blocks) const;
   PlacedCurve place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const;
   PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
-  PlacedCurve place_anywhere(const Source<SegmentBlock>& segments, const Extent& extent) const;
+  PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent,
+                             std::shared_ptr<const RowEstimate> estimate) const;
+  PlacedCurve place_anywhere(const KeyStore& keys, const Extent& extent) const;
+  std::shared_ptr<const ShownCurve> shown(const KeyStore& keys, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;
-  std::vector<Time> places(const CurveIndex& curve, const Extent& extent) const;
+  std::vector<Time> places(const ShownCurve& curve, const Extent& extent) const;
   Evaluate exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
                       const std::shared_ptr<const Locator>& locator) const;
 
   SamplingRequest request_;
   CurveSpec spec_;
-  std::vector<std::size_t> fields_;
   std::optional<GoldenOptions> golden_;
   bool timed_, may_be_timed_, has_tcb_scale_;
+  CurveNeeds needs_;
   unsigned threads_;
-  bool may_miss_;
   std::vector<std::string> channels_;
   RotationsOfKeys rotations_;
 };

@@ -186,6 +186,7 @@ class Explainer {
     CurvePipeline pipeline(sampling_of(curve, input_.schema, job_), job_.curve, job_.fields, job_.golden, input_.schema,
                            input_.keys.traits, *curve.curve_info, job_.input.threads);
     if (count_ == 0) {
+      needs_ = in_words(pipeline.needs());
       append(intended_, rules_in_words(pipeline.facts()));
       append(intended_, intentions(job_, input_.schema));
     }
@@ -196,6 +197,9 @@ class Explainer {
     if (count_ < most_curves) curves_.emplace_back(title(input_.schema, curve, count_), line_of(last_));
     ++count_;
   }
+
+  /// What the request needs of each curve.
+  const std::string& needs() const { return needs_; }
 
   Facts lines() const {
     Facts lines = intended_;
@@ -217,6 +221,7 @@ class Explainer {
   const Input& input_;
   const Job& job_;
   Facts intended_, curves_;
+  std::string needs_;
   CurveOutcome last_;
   std::size_t count_ = 0, keys_ = 0;
   std::uint64_t rows_ = 0;
@@ -272,6 +277,7 @@ std::string explanation(const std::string& path, const Job& job) {
   append(input_facts(input));
   append(explainer.lines());
   if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
+  if (!explainer.needs().empty()) lines.emplace_back("needs", explainer.needs());
   if (is_json(job.output_format)) return as_object(lines);
   std::string out;
   for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);

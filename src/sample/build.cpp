@@ -15,7 +15,6 @@
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/closing.hpp"
 #include "tcb/spline/curve_keys.hpp"
-#include "tcb/spline/segment_length.hpp"
 
 namespace tcb {
 namespace {
@@ -24,26 +23,20 @@ using spline::DoubleDouble;
 
 /// Sets the lengths of the segments.
 void measure(SegmentBlock& block, const Rules& rules) {
-  spline::SegmentLength<double> arc;
-  block.lengths.reserve(block.segments.size());
+  block.lengths = spline::lengths_of<double>(block.segments, rules.metric);
   for (std::size_t i = 0; i < block.segments.size(); ++i) {
-    arc.assign(block.segments[i], block.segments.rotations_of(i), rules.metric);
-    if (!std::isfinite(arc.total().value)) {
-      throw tangents_beyond_doubles(time_text(block.segments.times[i]), time_text(block.segments.times[i + 1]));
-    }
-    block.lengths.push_back(arc.total());
+    if (std::isfinite(block.lengths[i].value)) continue;
+    throw tangents_beyond_doubles(time_text(block.segments.times[i]), time_text(block.segments.times[i + 1]));
   }
 }
 
 SegmentBlock block_of(const spline::Window<double>& window, const Rules& rules, bool measured) {
-  SegmentBlock block{{}, {}, window.last, window.last && !window.ends};
-  if (!window.has_segments() && !window.is_single_key()) return block;
-  block.segments = spline::segments(window, rules);
+  SegmentBlock block{spline::segments(window, rules), {}, window.last, window.last && !window.ends};
   if (measured) measure(block, rules);
   return block;
 }
 
-/// The same keys in blocks of keys_at_once.
+/// The keys in blocks of at most keys_at_once.
 Source<Keys> in_small_blocks(Source<Keys> keys) {
   return [keys = std::move(keys), block = Keys(), next = std::size_t{0}]() mutable -> std::optional<Keys> {
     if (next == block.size()) {
@@ -61,23 +54,35 @@ Source<Keys> in_small_blocks(Source<Keys> keys) {
 }
 
 /// Windows of keys, as they become complete.
-Source<spline::Window<double>> windows(LinkedKeys linked) {
-  auto linker = linked.last ? spline::Linker<double>(std::move(*linked.last), linked.end) : spline::Linker<double>();
-  return [keys = std::move(linked.keys), linker = std::move(linker),
+Source<spline::Window<double>> windows(Source<Keys> keys, spline::CurveStream<double> stream) {
+  return [keys = std::move(keys), stream = std::move(stream),
           ended = false]() mutable -> std::optional<spline::Window<double>> {
     if (ended) return std::nullopt;
-    std::optional<Keys> block = keys();
-    ended = !block;
-    return linker.link(block.value_or(Keys{}), ended);
+    if (const std::optional<Keys> block = keys()) return stream.push(*block);
+    ended = true;
+    return stream.finish();
   };
 }
 
-}  // namespace
-
-LinkedKeys linked(const KeyStore& keys, const std::optional<Time>& end) {
-  if (!end) return {keys.source()};
-  return {keys.source(), keys.key(keys.size() - 1), *end};
+Source<SegmentBlock> streamed_segments(Source<Keys> keys, spline::CurveStream<double> stream, const Rules& rules,
+                                       const SegmentOptions& options) {
+  const auto link = [rules, measured = options.measured](const spline::Window<double>& window) {
+    return block_of(window, rules, measured);
+  };
+  return ordered_map(windows(in_small_blocks(std::move(keys)), std::move(stream)), link, options.threads);
 }
+
+/// All segments of a curve whose keys lack positions, in one block.
+SegmentBlock sparse_segments(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
+                             const SegmentOptions& options) {
+  const auto part = options.expanded ? spline::expanded_part<double> : spline::part<double>;
+  const spline::CurveKeys<double> curve(keys.all(), rules, end, part);
+  SegmentBlock block{curve.segments(0, curve.size()), {}, true, curve.is_closed()};
+  if (options.measured) measure(block, rules);
+  return block;
+}
+
+}  // namespace
 
 Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::vector<std::string>& channels) {
   const Keys first = keys.key(0);
@@ -103,21 +108,27 @@ Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::
   return closing->end;
 }
 
-Source<SegmentBlock> segment_blocks(LinkedKeys keys, const Rules& rules, bool measured, unsigned threads) {
-  keys.keys = in_small_blocks(std::move(keys.keys));
-  const auto link = [rules, measured](const spline::Window<double>& window) {
-    return block_of(window, rules, measured);
-  };
-  return ordered_map(windows(std::move(keys)), link, threads);
+Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const SegmentOptions& options) {
+  return streamed_segments(std::move(keys), {}, rules, options);
 }
 
-Source<SegmentBlock> sparse_segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
-                                           bool measured, bool expanded) {
-  const auto part = expanded ? spline::expanded_part<double> : spline::part<double>;
-  const spline::CurveKeys<double> curve(keys.all(), rules, end, part);
-  SegmentBlock block{curve.segments(0, curve.size()), {}, true, curve.is_closed()};
-  if (measured) measure(block, rules);
-  return [block = std::optional(std::move(block))]() mutable { return std::exchange(block, std::nullopt); };
+Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
+                                    const SegmentOptions& options) {
+  if (keys.are_sparse()) {
+    return [block = std::optional(sparse_segments(keys, end, rules, options))]() mutable {
+      return std::exchange(block, std::nullopt);
+    };
+  }
+  const auto stream =
+      end ? spline::CurveStream<double>(keys.key(keys.size() - 1), *end) : spline::CurveStream<double>();
+  return streamed_segments(keys.source(), stream, rules, options);
+}
+
+spline::Curve<double> kept_curve(const Source<SegmentBlock>& segments, const Rules& rules, bool closed,
+                                 std::size_t count) {
+  spline::Curve<double> curve(rules, closed, count);
+  while (std::optional<SegmentBlock> block = segments()) curve.append(std::move(block->segments), block->lengths);
+  return curve;
 }
 
 void require_length(const DoubleDouble& length, const Time& end) {

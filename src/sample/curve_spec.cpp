@@ -1,5 +1,5 @@
 // The meaning of curve settings: rules by index, texts as numbers.
-#include "sample/build.hpp"
+#include "sample/curve_spec.hpp"
 
 #include <algorithm>
 #include <array>

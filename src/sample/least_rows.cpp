@@ -7,10 +7,11 @@
 // which limits h. In a graph over time where |X''| >= m, the curve departs from the chord by m h^2 / 8 in all, which is
 // at most 2 D. So a part of length L takes L / h chords, of which it may share the first and the last.
 // Source: P. Borwein, T. Erdelyi, "Polynomials and Polynomial Inequalities", 1995, section 5.1.
+#include "sample/least_rows.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "sample/sampler.hpp"
 #include "tcb/spline/derivatives.hpp"
 
 namespace tcb {
@@ -51,10 +52,10 @@ double chords(const CurveSegment& segment, double middle, double tolerance) {
 
 }  // namespace
 
-double least_rows(const CurveSegments& segments, double tolerance) {
+double least_rows(const ShownCurve& curve, double tolerance) {
   double sum = 2;
-  for (std::uint64_t number = 0; number < segments.count; ++number) {
-    const CurveSegment segment = segments.segment(number);
+  for (std::uint64_t number = 0; number < curve.size(); ++number) {
+    const CurveSegment segment = curve.segment(number);
     const std::size_t channels = segment.metric.empty() ? segment.cubics.size() : segment.metric.size();
     if (channels == 1 && !segment.warp.is_identity()) continue;  // its graph is not a cubic
     for (int part = 0; part < parts_of_segment; ++part)

@@ -1,11 +1,12 @@
 // Pieces: a row for each segment, or for the part of it that lies in the range of the request.
+#include "sample/piece_sampler.hpp"
+
 #include <algorithm>
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "sample/errors.hpp"
-#include "sample/sampler.hpp"
 
 namespace tcb {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numbers/rational.hpp"
+#include "tcb/spline/key.hpp"
 
 namespace tcb {
 
@@ -51,6 +52,9 @@ struct SamplingRequest {
   std::uint64_t max_rows = 1'000'000'000;
   std::optional<Rational> frame_rate = {};  ///< the times of the keys are frames in seconds
 
+  /// The side of a key on whose segment a row there is.
+  spline::Side side() const { return from_left ? spline::Side::left : spline::Side::right; }
+
   /// The exact time of a key: a decimal, or a whole number of frames in seconds.
   Rational exact(const Time& time) const;
 };
@@ -62,9 +66,6 @@ constexpr bool by_length(Mode mode) {
 
 /// A segment has its rows whatever the others are.
 constexpr bool by_segment(Mode mode) { return mode == Mode::per_segment || mode == Mode::emit; }
-
-/// Rows come in any order, or depend on more than one segment: the curve needs random access.
-constexpr bool needs_curve(Mode mode) { return mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance; }
 
 /// The curve's last key, or its length, must be known before the first row.
 inline bool needs_end(const SamplingRequest& request) {

@@ -7,6 +7,7 @@
 
 #include "option_names.hpp"
 #include "sample/errors.hpp"
+#include "sample/piece_sampler.hpp"
 #include "tcb/spline/arc_inverse.hpp"
 
 namespace tcb {

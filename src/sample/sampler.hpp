@@ -79,11 +79,8 @@ class Sampler : public Locator {
   virtual std::optional<Rational> remainder() const { return std::nullopt; }
 };
 
-/// Requires: not needs_curve(mode). Throws: Error if the request does not fit the curve.
+/// Requires: a mode whose rows are in the order of the segments. Throws: Error if the request does not fit the curve.
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent);
-
-/// A row for each segment, or for the piece of it that lies in the range of the request; see piece_sampler.cpp.
-std::unique_ptr<Sampler> make_piece_sampler(const SamplingRequest& request);
 
 /// Locates the samples at the arc lengths in located.coordinates, which lie on the segment. Promises: their times are
 /// rounded once; a length that is printed as that of a key is the key's.
@@ -134,20 +131,5 @@ class AnywhereInLength : public AnywhereLocator {
  private:
   double length_;
 };
-
-/// The segments of a whole curve by number, each any number of times.
-struct CurveSegments {
-  std::function<CurveSegment(std::uint64_t)> segment;
-  std::uint64_t count = 0;
-};
-
-/// A lower bound on the number of rows whose polyline stays within the tolerance of the curve; infinite beyond doubles.
-double least_rows(const CurveSegments& segments, double tolerance);
-
-/// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last; see
-/// tolerance.cpp. Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within
-/// the tolerance, too. Throws: Error (usage) for more than max_rows rows.
-std::vector<Time> times_within_tolerance(const CurveSegments& segments, const CurveTolerance& tolerance,
-                                         std::uint64_t max_rows, bool at_keys = false);
 
 }  // namespace tcb

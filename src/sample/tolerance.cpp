@@ -7,6 +7,8 @@
 // A rotation is tried at places of each segment against the arc between the rows at equal times.
 // With a single metric channel the polyline is its graph over time, and the distance is taken at equal times.
 
+#include "sample/tolerance.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +18,8 @@
 #include "error.hpp"
 #include "option_names.hpp"
 #include "sample/errors.hpp"
-#include "sample/sampler.hpp"
+#include "sample/grid.hpp"
+#include "sample/least_rows.hpp"
 #include "sample/turn_chord.hpp"
 
 namespace tcb {
@@ -78,8 +81,8 @@ class Chord {
 /// Finds row after row along a curve.
 class Walker {
  public:
-  Walker(const CurveSegments& segments, const CurveTolerance& tolerance, bool at_keys)
-      : segments_(segments),
+  Walker(const ShownCurve& curve, const CurveTolerance& tolerance, bool at_keys)
+      : curve_(curve),
         tolerance_(tolerance.distance),
         angle_(tolerance.angle * 0.99),
         limits_distance_(tolerance.limits_distance()),
@@ -95,7 +98,7 @@ class Walker {
     return at_keys_ && !reaches_by_keys(from, far) ? farthest(from, next_key(from)) : far;
   }
 
-  bool is_end(const Vertex& place) const { return place.segment + 1 == segments_.count && place.u == 1; }
+  bool is_end(const Vertex& place) const { return place.segment + 1 == curve_.size() && place.u == 1; }
 
  private:
   /// The farthest place that a chord from here may reach, up to the key `corner`.
@@ -113,7 +116,7 @@ class Walker {
   }
 
   Vertex at(std::uint64_t number, double u) const {
-    const CurveSegment segment = segments_.segment(number);
+    const CurveSegment segment = curve_.segment(number);
     Vertex place{number, u, u == 0 ? segment.start : u == 1 ? segment.end : time_of(segment, u), {}};
     for (std::size_t i = 0; i < metric_size(segment); ++i) {
       place.x.push_back(spline::position(metric_cubic(segment, i), {u, u - 1}));
@@ -161,7 +164,7 @@ class Walker {
     for (std::uint64_t number = from.segment; number <= to.segment; ++number) {
       const double low = number == from.segment ? from.u : 0;
       const double high = number == to.segment ? to.u : 1;
-      const CurveSegment segment = segments_.segment(number);
+      const CurveSegment segment = curve_.segment(number);
       Effort effort = effort_for(segment);
       if (low >= high) continue;
       if (limits_distance_ && !is_near(chord, segment, low, high, effort.depth, effort.parts)) return false;
@@ -171,7 +174,7 @@ class Walker {
   }
 
   TurnPlace turn_place(const Vertex& place) const {
-    return {segments_.segment(place.segment), {place.u, place.u - 1}, place.t};
+    return {curve_.segment(place.segment), {place.u, place.u - 1}, place.t};
   }
 
   /// The chords from key to key between two places are near the curve.
@@ -248,14 +251,14 @@ class Walker {
   std::uint64_t next_corner(const Vertex& from) {
     if (corner_ >= next_key(from)) return corner_;
     corner_ = next_key(from);
-    while (corner_ < segments_.count && !(limits_distance_ && is_corner(corner_))) ++corner_;
+    while (corner_ < curve_.size() && !(limits_distance_ && is_corner(corner_))) ++corner_;
     return corner_;
   }
 
   /// The directions before and after a key differ, or it has none.
   bool is_corner(std::uint64_t number) const {
-    const CurveSegment before = segments_.segment(number - 1);
-    const CurveSegment after = segments_.segment(number);
+    const CurveSegment before = curve_.segment(number - 1);
+    const CurveSegment after = curve_.segment(number);
     const bool graph = metric_size(before) == 1;
     const double h0 = graph ? (before.end - before.start).hi : 1;
     const double h1 = graph ? (after.end - after.start).hi : 1;
@@ -274,7 +277,7 @@ class Walker {
 
   using Local = spline::LocalParameter<double>;
 
-  const CurveSegments& segments_;
+  const ShownCurve& curve_;
   double tolerance_, angle_;
   bool limits_distance_, limits_angle_, at_keys_;
   std::uint64_t corner_ = 0;  ///< the last one found
@@ -282,18 +285,18 @@ class Walker {
 
 }  // namespace
 
-std::vector<Time> times_within_tolerance(const CurveSegments& segments, const CurveTolerance& tolerance,
+std::vector<Time> times_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance,
                                          std::uint64_t max_rows, bool at_keys) {
   constexpr double most = 1e300;
-  const double least = std::min(std::floor(least_rows(segments, tolerance.distance)), most);
+  const double least = std::min(std::floor(least_rows(curve, tolerance.distance)), most);
   require_rows(Rational(least) - 1, max_rows, true);
-  Walker walker(segments, tolerance, at_keys);
+  Walker walker(curve, tolerance, at_keys);
   std::vector<Time> times;
   Vertex place = walker.start();
   times.push_back(place.t);
   while (!walker.is_end(place)) {
     place = walker.next(place);
-    times.push_back(rounded_time(place.t, segments.segment(place.segment).decimals));
+    times.push_back(rounded_time(place.t, curve.segment(place.segment).decimals));
     require_rows(Rational(times.size() - 1), max_rows);
   }
   return times;

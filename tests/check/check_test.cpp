@@ -90,7 +90,7 @@ class Line {
   }
 
   ComparisonInputs inputs;
-  IndexedCurve indexed;
+  WholeCurve indexed;
 
  private:
   Comparing files_;

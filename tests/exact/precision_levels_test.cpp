@@ -27,7 +27,7 @@ Table exact_rows(const SamplingRequest& request, const Notation& notation) {
   const Extent extent{0.0, Time(6.0), {}};
   ExactRows rows(exact.curve(3, rules, std::nullopt), request, extent, notation);
   const std::shared_ptr<Sampler> sampler = make_sampler(request, extent);
-  const auto blocks = place(segment_blocks({store.source(), {}}, rules, false), sampler, {});
+  const auto blocks = place(segment_blocks(store.source(), rules, {}), sampler, {});
   Table all;
   while (const auto samples = blocks()) {
     const std::array chosen{std::size_t{1}, std::size_t{6}};  // position, speed

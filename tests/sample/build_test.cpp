@@ -34,9 +34,9 @@ Source<KeyBlock> blocks(const std::vector<std::array<double, 2>>& table, std::si
 
 TEST(SegmentBlocks, measured_at_once_or_with_known_lengths_are_the_same) {
   const KeyStore kept(blocks({{0, 0}, {1, 3}, {2, -1}, {4, 5}}, 2));
-  const Lengths lengths = all_lengths(segment_blocks({kept.source(), {}}, {}, true));
+  const Lengths lengths = all_lengths(segment_blocks(kept.source(), {}, {.measured = true}));
   ASSERT_EQ(lengths.size(), 3U);
-  const auto again = with_lengths(segment_blocks({kept.source(), {}}, {}, false), lengths);
+  const auto again = with_lengths(segment_blocks(kept.source(), {}, {}), lengths);
   std::vector<double> found;
   while (const auto block = again()) {
     for (const auto& length : block->lengths) found.push_back(length.value);
@@ -111,7 +111,7 @@ TEST(Closing, refuses_what_makes_no_closed_curve) {
 
 TEST(SegmentBlocks, of_a_closed_curve_end_at_the_first_key) {
   const KeyStore keys = kept({0.0, 1.0, 3.0}, {5, 6, 7});
-  const auto source = segment_blocks(linked(keys, Time(4.0)), {}, false);
+  const auto source = segment_blocks(keys, Time(4.0), {}, {});
   std::vector<double> times, positions;
   bool closes = false;
   while (const auto block = source()) {
@@ -127,7 +127,7 @@ TEST(SegmentBlocks, of_a_closed_curve_end_at_the_first_key) {
 }
 
 TEST(SegmentBlocks, of_sparse_keys_are_measured_on_request) {
-  const auto block = sparse_segment_blocks(kept({0.0, 1.0, 2.0}, {0, std::nan(""), 3}), {}, {}, true)();
+  const auto block = segment_blocks(kept({0.0, 1.0, 2.0}, {0, std::nan(""), 3}), {}, {}, {.measured = true})();
   ASSERT_EQ(block->lengths.size(), 2U);
   EXPECT_EQ(block->lengths[0].value, 1.5);
   EXPECT_TRUE(block->last);

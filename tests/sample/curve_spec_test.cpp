@@ -1,5 +1,5 @@
 // The settings of a curve: what names and texts become, and what is refused.
-#include "sample/build.hpp"
+#include "sample/curve_spec.hpp"
 
 #include <gtest/gtest.h>
 

@@ -57,9 +57,9 @@ Segments<double> joined(const Keys<double>& all, const std::optional<DoubleDoubl
   return curve.segments(0, curve.size());
 }
 
-/// The segments as a stream makes them, of all keys at once.
+/// The segments of keys without a missing position.
 Segments<double> plain(const Keys<double>& all, const CurveRules<double>& rules = {}) {
-  return segments(Linker<double>().link(all, true), rules);
+  return segments<double>({all}, rules);
 }
 
 TEST(Sparse, each_channel_runs_as_if_it_were_alone) {
@@ -107,7 +107,9 @@ TEST(Sparse, on_a_closed_curve_a_channel_is_extended_by_its_own_keys) {
   // The channel's own curve is from time 1 to 8.
   Keys<double> last;
   append(last, own, own.size() - 1, own.size());
-  const auto segments = spline::segments(Linker<double>(last, 8.0).link(own, true), {});
+  CurveStream<double> stream(last, 8.0);
+  Segments<double> segments = spline::segments<double>(stream.push(own), {});
+  append(segments, spline::segments<double>(stream.finish(), {}));
   for (double t = 0; t < 7; t += 0.125) {
     EXPECT_NEAR(at(together, t, 1), at(segments, t < 1 ? t + 7 : t, 0), 1e-14) << t;
   }

@@ -125,6 +125,61 @@ TEST(Curve, closed_curves_have_the_tabled_positions) {
   }
 }
 
+/// Straight segments between keys at t = 0, 1, 2, 4 with a hold from 1 to 2.
+Curve<double> with_hold() { return *Curve<double>::build({1, {0, 1, 2, 4}, {0, 3, 3, 7}, {}, {.tension = 1}, {}}); }
+
+TEST(Curve, finds_the_segment_for_a_time) {
+  const Curve<double> curve = with_hold();
+  for (const Side side : {Side::left, Side::right}) {
+    EXPECT_EQ(curve.find_time(-1.0, side), 0U);
+    EXPECT_EQ(curve.find_time(0.0, side), 0U);
+    EXPECT_EQ(curve.find_time(0.5, side), 0U);
+    EXPECT_EQ(curve.find_time(1.0, side), side == Side::left ? 0U : 1U);
+    EXPECT_EQ(curve.find_time(3.0, side), 2U);
+    EXPECT_EQ(curve.find_time(4.0, side), 2U);
+    EXPECT_EQ(curve.find_time(9.0, side), 2U);
+  }
+}
+
+TEST(Curve, finds_the_first_segment_that_reaches_a_length) {
+  const Curve<double> curve = with_hold();
+  EXPECT_EQ(curve.find_length(0.0), 0U);
+  EXPECT_EQ(curve.find_length(2.0, Side::right), 0U);
+  EXPECT_EQ(curve.find_length(3.0), 0U);
+  EXPECT_EQ(curve.find_length(3.0, Side::right), 1U) << "the hold begins here, and with it its first key";
+  EXPECT_EQ(curve.find_length(3.5, Side::right), 2U);
+  EXPECT_EQ(curve.find_length(7.0, Side::right), 2U);
+  EXPECT_EQ(curve.find_length(9.0), 2U);
+}
+
+TEST(Curve, appended_segments_are_the_curve_that_is_built) {
+  std::mt19937_64 random(5);
+  const auto keys = random_keys(random, 9, 2);
+  const auto whole = Curve<double>::build(keys);
+  Curve<double> measured({}), plain({}, false, 8);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Segment<double> segment = whole->segment(i);
+    Segments<double> one{2, {segment.start, segment.end}, {segment.cubics.begin(), segment.cubics.end()}, {}};
+    measured.append(one, lengths_of<double>(one, metric_of<double>({}, 2)));
+    plain.append(std::move(one));
+  }
+  EXPECT_TRUE(measured.is_measured());
+  EXPECT_FALSE(plain.is_measured());
+  EXPECT_EQ(measured.length().value, whole->length().value);
+  EXPECT_EQ(measured.length().error, whole->length().error);
+  EXPECT_EQ(plain.segment_count(), 8U);
+  EXPECT_EQ(plain.segment(3).length_end.hi, 0);
+  for (double t = whole->start() - 1; t < whole->end() + 1; t += 0.3) {
+    EXPECT_EQ(x_at(measured, t), x_at(*whole, t));
+    EXPECT_EQ(x_at(plain, t), x_at(*whole, t));
+    EXPECT_EQ(measured.length_to(t).value, whole->length_to(t).value);
+  }
+  for (int part = 0; part <= 20; ++part) {
+    const double s = whole->length().value * part / 20;
+    EXPECT_EQ(measured.at_length(s), whole->at_length(s));
+  }
+}
+
 TEST(Curve, a_last_key_at_the_first_position_gives_the_period) {
   auto table = example;
   table.push_back({7.5, 0, .2, -.3, .4});

@@ -1,4 +1,4 @@
-// Windows: tabled values, the laws of the splines, and the same segments from windows of any size.
+// Windows: tabled values of their segments, and the laws of the splines.
 #include "tcb/spline/window.hpp"
 
 #include <gtest/gtest.h>
@@ -215,54 +215,6 @@ TEST(Segments, a_channel_does_not_depend_on_the_others) {
     const double t = keys.times[0].hi + f * (keys.times[6].hi - keys.times[0].hi);
     EXPECT_EQ(at(all, t, 1), at(one, t));
   }
-}
-
-TEST(Linker, windows_of_any_size_give_the_same_segments) {
-  std::mt19937_64 random(6);
-  const auto keys = random_keys(random, 23, 2);
-  const auto whole = segments<double>({keys}, {});
-  for (std::size_t size = 1; size <= 23; ++size) {
-    Linker<double> linker;
-    std::vector<double> times, coefficients;
-    for (std::size_t first = 0;; first += size) {
-      Keys<double> block;
-      const std::size_t last = std::min(first + size, keys.size());
-      if (first < last) append(block, keys, first, last);
-      const auto window = linker.link(block, first >= keys.size());
-      if (window.has_segments()) {
-        const auto part = segments<double>(window, {});
-        for (std::size_t i = 0; i < part.size(); ++i) {
-          times.push_back(part.times[i].hi);
-          for (const auto& cubic : part[i])
-            coefficients.insert(coefficients.end(), {cubic.p0, cubic.out, cubic.c, cubic.d});
-        }
-      }
-      if (first >= keys.size()) break;
-    }
-    ASSERT_EQ(times.size(), whole.size()) << size;
-    for (std::size_t i = 0, k = 0; i < whole.size(); ++i) {
-      EXPECT_EQ(times[i], whole.times[i].hi);
-      for (const auto& cubic : whole[i]) {
-        EXPECT_EQ(coefficients[k++], cubic.p0);
-        EXPECT_EQ(coefficients[k++], cubic.out);
-        EXPECT_EQ(coefficients[k++], cubic.c);
-        EXPECT_EQ(coefficients[k++], cubic.d);
-      }
-    }
-  }
-}
-
-TEST(Linker, a_segment_is_complete_with_the_key_after_its_end) {
-  const auto keys = keys_of(example);
-  Linker<double> linker;
-  std::vector<std::size_t> known;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    Keys<double> block;
-    append(block, keys, i, i + 1);
-    const auto window = linker.link(block, false);
-    known.push_back(window.has_segments() ? segments<double>(window, {}).size() : 0);
-  }
-  EXPECT_EQ(known, (std::vector<std::size_t>{0, 0, 1, 1, 1}));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "tcb/spline/window.hpp"
+#include "tcb/spline/curve_rules.hpp"
 
 namespace tcb::spline {
 

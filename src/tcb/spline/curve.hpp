@@ -1,4 +1,6 @@
-// Curve: an open or closed Kochanek-Bartels curve, built from keys and rules, evaluated by time or by arc length.
+// Curve: an open or closed Kochanek-Bartels curve that is kept, evaluated by time or by arc length.
+//
+// It is built from keys and rules at once, or from the segments of a CurveStream as they come.
 //
 // On segment i, from key i at t_i to key i+1, with h = t_(i+1) - t_i, u = (t - t_i)/h (warped where keys have ease) and
 // `out`, `in` the tangents by the rules of rules.hpp:
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -27,26 +28,54 @@
 #include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/derivatives.hpp"
 #include "tcb/spline/segment_length.hpp"
+#include "tcb/spline/segments.hpp"
 
 namespace tcb::spline {
 
-/// The cubic of each channel between two times. Valid as long as the curve exists.
+/// One segment of a curve, with the cubic of each channel. Valid as long as the curve exists and has no more segments.
 template <class S>
 struct Segment {
   Time<S> start, end;
   std::span<const Cubic<S>> cubics;               ///< one per channel; those of rotations have no meaning
   Warp<S> warp;                                   ///< of u; the identity where keys have no ease
   std::span<const RotationSegment<S>> rotations;  ///< one for each rotation of the rules
+  working_t<S> length_start, length_end;          ///< of the curve, up to its ends; 0 where it is not measured
+  S length_error;                                 ///< a bound on the error of length_end
 };
 
-/// The side of a knot time from which a derivative is taken; the two differ at a key with a corner.
-enum class Side : std::uint8_t { left, right };
+/// The channels of the lengths of a curve: those of its rules, or if these name none, all that are neither angles nor
+/// numbers of rotations, or if there are none, the turns of rotations; without those too, all.
+template <class S>
+std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t channels) {
+  std::vector<std::size_t> metric = rules.metric;
+  for (std::size_t i = 0; i < channels && rules.metric.empty(); ++i) {
+    if (is_plain(rules, i)) metric.push_back(i);
+  }
+  if (metric.empty() && !rules.rotations.empty()) metric = {turn_metric};
+  return metric;
+}
+
+/// The length of each segment over these channels, as Curve::append() takes them. Promises: see ArcLength.
+template <class S>
+std::vector<Length<S>> lengths_of(const Segments<S>& segments, std::span<const std::size_t> metric) {
+  std::vector<Length<S>> lengths;
+  lengths.reserve(segments.size());
+  SegmentLength<S> arc;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    arc.assign(segments[i], segments.rotations_of(i), metric);
+    lengths.push_back(arc.total());
+  }
+  return lengths;
+}
 
 /// Shapes: `out` takes one number per channel; if it is shorter, only the first channels are computed.
-/// No evaluation allocates memory or throws. A time of NaN gives NaN.
+/// No evaluation throws, or allocates memory, but that of lengths on segments that were appended. A time of NaN gives
+/// NaN.
 template <class S>
 class Curve {
  public:
+  using W = working_t<S>;
+
   /// An open curve. One key gives a constant. The result has the error in the keys or rules, if there is one.
   static BuildResult<Curve> build(Keys<S> keys, const CurveRules<S>& rules = {}) {
     if (const auto error = find_key_error(keys)) return *error;
@@ -61,6 +90,15 @@ class Curve {
   static BuildResult<Curve> build_closed(Keys<S> keys, const CurveRules<S>& rules = {},
                                          const std::optional<Time<S>>& period = std::nullopt);
 
+  /// A curve without segments; nothing but append() may be called. `count`: how many segments will follow, if known.
+  explicit Curve(const CurveRules<S>& rules, bool closed = false, std::size_t count = 0)
+      : rules_(rules), closed_(closed), expected_(count) {}
+
+  /// Appends the segments that follow, as those of a CurveStream; no error is looked for. `lengths`: one per segment,
+  /// as lengths_of() gives them, or always none: then the curve is not measured, which only length(), length_to(),
+  /// find_length() and at_length() require. The memory per segment is constant.
+  void append(Segments<S> next, std::span<const Length<S>> lengths = {});
+
   std::size_t channels() const { return segments_.channels; }
   bool is_closed() const { return closed_; }
   /// The times of the first key and of the last key or, if closed, of the return to the first.
@@ -72,8 +110,32 @@ class Curve {
 
   /// Segment number i, from 0. Requires: i < segment_count().
   Segment<S> segment(std::size_t i) const {
-    return {segments_.times[i], segments_.times[i + 1], segments_[i], segments_.warp(i), segments_.rotations_of(i)};
+    const bool measured = is_measured();
+    return {.start = segments_.times[i],
+            .end = segments_.times[i + 1],
+            .cubics = segments_[i],
+            .warp = segments_.warp(i),
+            .rotations = segments_.rotations_of(i),
+            .length_start = measured ? lengths_[i] : W(0),
+            .length_end = measured ? lengths_[i + 1] : W(0),
+            .length_error = measured ? errors_[i + 1] : S(0)};
   }
+
+  /// The times of the keys, and of the return to the first one if closed: one more than segments.
+  std::span<const Time<S>> times() const { return segments_.times; }
+
+  /// The number of the segment at time t; of two that meet there, the one on that side. A time outside the curve
+  /// counts as its start or end.
+  std::size_t find_time(const Time<S>& t, Side side = Side::right) const {
+    return segment_at_time<Time<S>>(segments_.times, t, side);
+  }
+
+  /// The number of the segment on which the length s from the start is first reached. Where that is at its end and it
+  /// has a length, it is the segment after it if `side` is right.
+  std::size_t find_length(const W& s, Side side = Side::left) const requires has_roots<S>;
+
+  /// Whether the lengths of the segments are known.
+  bool is_measured() const { return !lengths_.empty(); }
 
   /// X(t). Before the start and after the end, an open curve keeps its end positions; a closed curve is periodic.
   /// Promises: within 3 ulp of the largest of |P_i|, |P_(i+1)|, |out_i|, |in_(i+1)|; at a key, its position exactly.
@@ -111,15 +173,14 @@ class Curve {
   /// where it exceeds the range of the scalar, and beyond order 1 in the channels of a rotation.
   void derivative(std::size_t order, const Time<S>& t, std::span<S> out, Side side = Side::right) const;
 
-  /// The length over the metric from the start to the end, with a bound on its error. An empty metric is of all
-  /// channels that are neither angles nor numbers of rotations, or if there are none, of the turns of rotations;
-  /// without those too, of all channels. Promises: see ArcLength.
-  Length<S> length() const requires has_roots<S> { return {high_part<S>(lengths_.back()), error_}; }
+  /// The length over the metric from the start to the end, with a bound on its error; see metric_of() and lengths_of().
+  Length<S> length() const requires has_roots<S> { return {high_part<S>(lengths_.back()), errors_.back()}; }
 
   /// The length from the start to a time; a time outside the curve is moved to its start or end.
   Length<S> length_to(const Time<S>& t) const requires has_roots<S> {
     const Spot at = spot_inside(std::clamp(t, segments_.times.front(), segments_.times.back()), Side::left);
-    return {high_part<S>(lengths_[at.segment] + working_t<S>(arcs_[at.segment].to(at.local).value)), error_};
+    SegmentLength<S> own;
+    return {high_part<S>(lengths_[at.segment] + W(arc(at.segment, own).to(at.local).value)), errors_.back()};
   }
 
   /// The first time at which the length from the start is s, rounded; also sets `out` to the position there, which is
@@ -128,8 +189,6 @@ class Curve {
   S at_length(const S& s, std::span<S> out = {}) const requires has_roots<S>;
 
  private:
-  using W = working_t<S>;
-
   /// A place on the curve.
   struct Spot {
     std::size_t segment;
@@ -137,17 +196,17 @@ class Curve {
     S passed;  ///< the elapsed fraction of the segment's duration
   };
 
-  Curve(Segments<S> segments, const CurveRules<S>& rules, bool closed)
-      : segments_(std::move(segments)),
-        metric_(metric_of(rules, segments_.channels)),
-        rotations_(rules.rotations),
-        angles_(rules.angles),
-        closed_(closed) {}
-
-  static std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t channels);
   static BuildResult<Curve> of_keys(const CurveKeys<S>& keys, const CurveRules<S>& rules);
   std::optional<BuildError> find_overflow() const;
   std::optional<BuildError> measure() requires has_roots<S>;
+  void append_length(const Length<S>& length);
+
+  /// The lengths on a segment: those that are kept, or those that `own` is given.
+  const SegmentLength<S>& arc(std::size_t segment, SegmentLength<S>& own) const requires has_roots<S> {
+    if (!arcs_.empty()) return arcs_[segment];
+    own.assign(segments_[segment], segments_.rotations_of(segment), metric_);
+    return own;
+  }
 
   void position_at(std::size_t segment, const LocalParameter<S>& at, std::span<S> out) const;
   Vector3<S> turn_rate(const Spot& at, std::size_t number) const requires has_roots<S>;
@@ -164,14 +223,14 @@ class Curve {
   }
   Spot spot_inside(const Time<S>& t, Side side) const;
 
+  CurveRules<S> rules_;
+  bool closed_;
+  std::size_t expected_;
   Segments<S> segments_;
   std::vector<std::size_t> metric_;
-  std::vector<KeyRotation> rotations_;
-  std::vector<AngleChannel> angles_;
-  bool closed_;
-  std::vector<SegmentLength<S>> arcs_;  ///< one per segment
-  std::vector<W> lengths_;              ///< up to each knot
-  S error_{};                           ///< a bound on the error of the lengths
+  std::vector<W> lengths_;              ///< up to each knot, or none
+  std::vector<S> errors_;               ///< bounds on the errors of these
+  std::vector<SegmentLength<S>> arcs_;  ///< one per segment, or none where segments were appended
 };
 
 template <class S>
@@ -181,7 +240,7 @@ BuildResult<Curve<S>> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& 
   if (const auto error = find_rule_error(rules, keys, true)) return *error;
   const auto key_at = [&](std::size_t number) {
     Keys<S> key;
-    append(key, keys, number, number + 1);
+    spline::append(key, keys, number, number + 1);
     return key;
   };
   const std::size_t size = keys.size();
@@ -198,18 +257,38 @@ BuildResult<Curve<S>> Curve<S>::build_closed(Keys<S> keys, const CurveRules<S>& 
 }
 
 template <class S>
-std::vector<std::size_t> Curve<S>::metric_of(const CurveRules<S>& rules, std::size_t channels) {
-  std::vector<std::size_t> metric = rules.metric;
-  for (std::size_t i = 0; i < channels && rules.metric.empty(); ++i) {
-    if (is_plain(rules, i)) metric.push_back(i);
+void Curve<S>::append(Segments<S> next, std::span<const Length<S>> lengths) {
+  if (next.size() == 0) return;
+  if (segments_.size() > 0) {
+    spline::append(segments_, next);
+  } else {
+    const std::size_t rotations = rules_.rotations.size();
+    segments_ = std::move(next);
+    segments_.times.reserve(expected_ + 1);
+    segments_.cubics.reserve(expected_ * channels());
+    segments_.rotations.reserve(expected_ * rotations);
+    if (!segments_.warps.empty()) segments_.warps.reserve(expected_);
+    metric_ = metric_of(rules_, channels());
   }
-  if (metric.empty() && !rules.rotations.empty()) metric = {turn_metric};
-  return metric;
+  for (const Length<S>& length : lengths) append_length(length);
+}
+
+template <class S>
+void Curve<S>::append_length(const Length<S>& length) {
+  if (lengths_.empty()) {
+    lengths_.reserve(expected_ + 1);
+    errors_.reserve(expected_ + 1);
+    lengths_.push_back(W(0));
+    errors_.push_back(S(0));
+  }
+  lengths_.push_back(lengths_.back() + W(length.value));
+  errors_.push_back(errors_.back() + length.error);
 }
 
 template <class S>
 BuildResult<Curve<S>> Curve<S>::of_keys(const CurveKeys<S>& keys, const CurveRules<S>& rules) {
-  Curve curve(keys.segments(0, keys.size()), rules, keys.is_closed());
+  Curve curve(rules, keys.is_closed(), keys.size());
+  curve.append(keys.segments(0, keys.size()));
   if (const auto error = curve.find_overflow()) return *error;
   if constexpr (has_roots<S>) {
     if (const auto error = curve.measure()) return *error;
@@ -230,13 +309,10 @@ std::optional<BuildError> Curve<S>::find_overflow() const {
 /// Sets the lengths.
 template <class S>
 std::optional<BuildError> Curve<S>::measure() requires has_roots<S> {
-  lengths_.push_back(W(0));
   arcs_.reserve(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     arcs_.emplace_back(segments_[i], segments_.rotations_of(i), metric_);
-    const Length<S> length = arcs_.back().total();
-    lengths_.push_back(lengths_.back() + W(length.value));
-    error_ += length.error;
+    append_length(arcs_.back().total());
     if (!is_finite(lengths_.back())) return BuildError{.code = BuildErrorCode::length_overflow, .key = i};
   }
   return std::nullopt;
@@ -264,9 +340,7 @@ Time<S> Curve<S>::wrapped(const Time<S>& t) const {
 template <class S>
 typename Curve<S>::Spot Curve<S>::spot_inside(const Time<S>& t, Side side) const {
   const auto& times = segments_.times;
-  const auto first = times.begin() + 1, last = times.end() - 1;
-  const auto after = side == Side::left ? std::lower_bound(first, last, t) : std::upper_bound(first, last, t);
-  const auto i = static_cast<std::size_t>(after - first);
+  const std::size_t i = find_time(t, side);
   const W duration = times[i + 1] - times[i];
   const S passed = duration == W(0) ? S(0) : high_part<S>((t - times[i]) / duration);
   return {i, TimeMap<S>(times[i], times[i + 1], segments_.warp(i))(t), passed};
@@ -277,15 +351,15 @@ template <class S>
 void Curve<S>::position_at(std::size_t segment, const LocalParameter<S>& at, std::span<S> out) const {
   const auto cubics = segments_[segment];
   for (std::size_t i = 0; i < std::min(out.size(), cubics.size()); ++i) out[i] = spline::position(cubics[i], at);
-  for (const AngleChannel& angle : angles_) {
+  for (const AngleChannel& angle : rules_.angles) {
     if (angle.channel < out.size()) out[angle.channel] = spline::wrapped(out[angle.channel], angle.degrees, false);
   }
   if constexpr (has_roots<S>) {
-    for (std::size_t i = 0; i < rotations_.size(); ++i) {
+    for (std::size_t i = 0; i < rules_.rotations.size(); ++i) {
       const auto [x, y, z, w] = segments_.rotations_of(segment)[i].at(at);
       const std::array numbers{x, y, z, w};
       for (std::size_t k = 0; k < numbers.size(); ++k) {
-        if (rotations_[i].channels[k] < out.size()) out[rotations_[i].channels[k]] = numbers[k];
+        if (rules_.rotations[i].channels[k] < out.size()) out[rules_.rotations[i].channels[k]] = numbers[k];
       }
     }
   }
@@ -304,13 +378,13 @@ Vector3<S> Curve<S>::turn_rate(const Spot& at, std::size_t number) const require
 /// Sets the derivatives of the numbers of rotations by time: of order 1 half the angular velocity times the rotation.
 template <class S>
 void Curve<S>::rotation_derivative(std::size_t order, const Spot& at, std::span<S> out) const requires has_roots<S> {
-  for (std::size_t i = 0; i < rotations_.size(); ++i) {
+  for (std::size_t i = 0; i < rules_.rotations.size(); ++i) {
     const auto [x, y, z] = turn_rate(at, i);
     const auto [qx, qy, qz, qw] =
         Quaternion<S>{x, y, z, S(0)} * segments_.rotations_of(at.segment)[i].at(at.local) * S(0.5);
     const std::array numbers{qx, qy, qz, qw};
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const std::size_t channel = rotations_[i].channels[k];
+      const std::size_t channel = rules_.rotations[i].channels[k];
       if (channel < out.size()) out[channel] = order == 1 ? numbers[k] : std::numeric_limits<S>::quiet_NaN();
     }
   }
@@ -330,11 +404,21 @@ void Curve<S>::derivative(std::size_t order, const Time<S>& t, std::span<S> out,
 }
 
 template <class S>
+std::size_t Curve<S>::find_length(const W& s, Side side) const requires has_roots<S> {
+  const auto before = [&s](const W& length) { return W(high_part<S>(length)) < s; };
+  const auto end = std::partition_point(lengths_.begin() + 1, lengths_.end() - 1, before);
+  const auto i = static_cast<std::size_t>(end - lengths_.begin()) - 1;
+  if (side == Side::left || i + 1 == segment_count()) return i;
+  const S start = high_part<S>(lengths_[i]), stop = high_part<S>(lengths_[i + 1]);
+  return W(stop) == s && start != stop ? i + 1 : i;
+}
+
+template <class S>
 S Curve<S>::at_length(const S& s, std::span<S> out) const requires has_roots<S> {
   const auto& times = segments_.times;
-  const auto from = std::lower_bound(lengths_.begin() + 1, lengths_.end() - 1, W(s));
-  const auto i = static_cast<std::size_t>(from - lengths_.begin()) - 1;
-  const auto local = s == s ? arcs_[i].place(lengths_[i], lengths_[i + 1], W(s)) : LocalParameter<S>{s, s};
+  const std::size_t i = find_length(W(s));
+  SegmentLength<S> own;
+  const auto local = s == s ? arc(i, own).place(lengths_[i], lengths_[i + 1], W(s)) : LocalParameter<S>{s, s};
   position_at(i, local, out);
   if (local.u == S(0)) return high_part<S>(times[i]);
   if (local.w == S(0)) return high_part<S>(times[i + 1]);

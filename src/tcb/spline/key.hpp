@@ -38,6 +38,9 @@ struct Velocity {
   friend bool operator==(const Velocity&, const Velocity&) = default;
 };
 
+/// The side of a key from which a curve is seen; derivatives differ at a key with a corner.
+enum class Side : std::uint8_t { left, right };
+
 /// The channels that together are a rotation: those of the numbers x, y, z, w of a quaternion.
 using RotationChannels = std::array<std::size_t, 4>;
 

@@ -1,7 +1,11 @@
 // The library tcb::spline: Kochanek-Bartels curves by time and by arc length. This header includes all of it.
 //
 // Build with -ffp-contract=off (the CMake target tcb::spline sets it), round to nearest and without -ffast-math: then
-// the results have the same bits with every compiler and machine. A complete program (tests/library runs it):
+// the results have the same bits with every compiler and machine.
+//
+// Keys (key.hpp) and CurveRules (curve_rules.hpp) describe a curve. Curve (curve.hpp) keeps it, for any time or length in
+// any order; CurveStream (curve_stream.hpp) makes its segments while keys come in, in constant memory. A complete
+// program, which tests/library runs:
 //
 //     #include <tcb/spline/spline.hpp>
 //
@@ -45,6 +49,32 @@
 //       closed->position(4.5, position);
 //       std::printf("closed, t 4.5: position %.4f %.4f\n", position[0], position[1]);
 //
+//       // The curve of a camera that turns: x, and a rotation as the quaternion x, y, z, w.
+//       Keys<double> poses;
+//       poses.channels = 5;
+//       poses.times = {0.0, 1.0, 2.0, 4.0};
+//       poses.positions = {0, 0, 0,   0, 1,    //
+//                          1, 0, 0, 0.6, 0.8,  //
+//                          3, 0, 0, 0.8, 0.6,  //
+//                          0, 0, 0,   0, 1};   // the last key repeats the first one and so ends the period
+//       CurveRules<double> turning = rules_of<double>(Preset::gte);
+//       turning.rotations = {{.channels = {1, 2, 3, 4}}};
+//       const auto camera = Curve<double>::build_closed(poses, turning);
+//       const Quaternion<double> q = camera->rotation(1.5);
+//       const Vector3<double> w = camera->angular_velocity(1.5);
+//       std::printf("camera, t 1.5: rotation %.4f %.4f %.4f %.4f, turning %.4f radians per unit of time around z\n", q.x,
+//                   q.y, q.z, q.w, w[2]);
+//
+//       // The open curve once more, segment after segment.
+//       CurveStream<double> stream;
+//       for (std::size_t key = 0; key <= keys.size(); ++key) {
+//         Keys<double> one;
+//         if (key < keys.size()) append(one, keys, key, key + 1);
+//         const auto window = key < keys.size() ? stream.push(one) : stream.finish();
+//         const Segments<double> known = segments(window, rules);
+//         for (std::size_t i = 0; i < known.size(); ++i) std::printf("a segment to x %.4f\n", known[i][0].p1);
+//       }
+//
 //       keys.times[2] = 0.5;
 //       std::printf("%s\n", Curve<double>::build(keys).error().message().c_str());
 //     }
@@ -56,6 +86,8 @@
 #include "tcb/spline/closing.hpp"
 #include "tcb/spline/curve.hpp"
 #include "tcb/spline/curve_keys.hpp"
+#include "tcb/spline/curve_rules.hpp"
+#include "tcb/spline/curve_stream.hpp"
 #include "tcb/spline/derivatives.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/key.hpp"
@@ -64,5 +96,6 @@
 #include "tcb/spline/scalar.hpp"
 #include "tcb/spline/segment.hpp"
 #include "tcb/spline/segment_length.hpp"
+#include "tcb/spline/segments.hpp"
 #include "tcb/spline/tangents.hpp"
 #include "tcb/spline/window.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tcb/spline/detail/key_tangents.hpp"
+#include "tcb/spline/segments.hpp"
 #include "tcb/spline/window.hpp"
 
 namespace tcb::spline {
@@ -161,10 +162,11 @@ std::vector<RotationSegment<S>> rotation_segments(const Window<S>& window, const
   return result;
 }
 
-/// The segments of a window. Requires: window.has_segments() or window.is_single_key().
+/// The segments of a window; none where it has none yet. A single key is a constant segment.
 template <class S>
 Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   if (window.is_single_key()) return constant_segment(window.keys, rules);
+  if (!window.has_segments()) return {};
   const Keys<S>& keys = window.keys;
   const Tangents<S> tangents(window, rules);
   const PositionChord<S> chord{keys, rules.angles};

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "tcb/spline/curve_rules.hpp"
+#include "tcb/spline/scalar.hpp"
 #include "tcb/spline/window.hpp"
 
 namespace tcb::spline {

@@ -1,0 +1,67 @@
+// Curve specification: which curve the keys make, from the settings of the command line and of the input.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "keys/parameterize.hpp"
+#include "numbers/rational.hpp"
+#include "sample/extrapolation.hpp"
+#include "sample/request.hpp"
+#include "schema/key_block.hpp"
+#include "schema/schema.hpp"
+#include "tcb/spline/curve_rules.hpp"
+
+namespace tcb {
+
+/// Which curve the keys make.
+struct CurveSpec {
+  spline::Preset preset = spline::Preset::gte;
+  spline::CurveRules<double> rules;
+  bool closed = false;
+  std::optional<Rational> period;                  ///< of a closed curve, if given
+  std::optional<double> parameter;                 ///< exponent of the distances that make times
+  std::optional<std::string> parameter_name = {};  ///< as given
+  std::vector<RotationColumns> rotations = {};     ///< those of the rules, and how rows show them
+  std::vector<AngleColumn> angles = {};            ///< likewise
+  Extrapolation extrapolation = Extrapolation::error;
+  bool ease = true;  ///< ease columns are used, if there are any
+
+  /// There are rotations alone, which have no lengths.
+  bool lacks_metric = false;
+
+  CurveChannels channels() const { return {rules.metric, rotations, angles}; }
+};
+
+/// The settings of the command line, completed by those of the input. A preset of the command
+/// line replaces all rules of the input.
+CurveSettings merged(CurveSettings settings, const CurveSettings& of_input);
+
+/// The index of a channel by its name, or by its number from 1.
+std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels);
+
+/// Throws: Error about a setting for an unknown name, or for settings that contradict each other.
+CurveSpec make_spec(const CurveSettings& settings);
+
+/// The curve of keys with these channels, with the metric, to which rotations and angles do not belong. Throws: Error
+/// about a setting, also for a metric channel that does not exist or belongs to a rotation, or a velocity with another
+/// number of channels.
+CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
+                    const std::vector<RotationColumns>& rotations = {}, const std::vector<AngleColumn>& angles = {});
+
+/// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
+std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);
+
+/// What is used of the metric: lengths along the curve, or also distances and speeds.
+enum class MetricUse { nothing, lengths, path };
+
+/// Throws: Error (data) for lengths where there are only rotations, for distances where lengths are angles, and for
+/// cubics of rotations that have none.
+void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits);
+
+/// Throws: Error (data) where a field or a tolerance is of rotations, and there are none, or of distances, and there
+/// are rotations alone.
+void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request);
+
+}  // namespace tcb

@@ -1,0 +1,18 @@
+// Tolerance: few rows whose polyline stays near the curve.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sample/request.hpp"
+#include "sample/shown_curve.hpp"
+
+namespace tcb {
+
+/// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last.
+/// Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within the tolerance,
+/// too. Throws: Error (usage) for more than max_rows rows.
+std::vector<Time> times_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance,
+                                         std::uint64_t max_rows, bool at_keys = false);
+
+}  // namespace tcb
