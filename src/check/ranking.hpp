@@ -57,8 +57,8 @@ struct ComparedParts {
   std::vector<spline::RotationCurve> rotation_curves = {};  ///< those that are tried; none: no rotations are compared
 };
 
-/// What is compared of these inputs. Requires: columns of positions alone.
-ComparedParts compared_parts(const Job& job, const ComparisonInputs& inputs);
+/// What is compared of these inputs; `rules` are those that are given. Requires: columns of positions alone.
+ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs& inputs);
 
 /// All conventions with the same rule for both ends, the most usual first. With positions and rotations, rotations have
 /// the rules of positions, or those of a preset.
@@ -146,14 +146,14 @@ struct Identification : ComparisonSummary {
 /// Compares the positions with those of every convention. If there are more, a subset of 1,000 rows and 256
 /// keys selects the 64 best conventions and all that fit, which are then compared with all rows. Throws: Error as
 /// check().
-Identification identify(const Job& job);
-Identification identify(const Job& job, ComparisonInputs inputs);
+Identification identify(const Comparison& comparison);
+Identification identify(const Comparison& comparison, ComparisonInputs inputs);
 
 /// Reads both files, and drops what is not a position. Throws: Error, naming the file.
-ComparisonInputs read_positions(const Job& job, FileProgress* progress = nullptr);
+ComparisonInputs read_positions(const Comparison& comparison, FileProgress* progress = nullptr);
 
 /// Compares the samples with the best convention. `observe` as for check().
-Check check_best(const Job& job, const Identification& found, ComparisonInputs inputs,
+Check check_best(const Comparison& comparison, const Identification& found, ComparisonInputs inputs,
                  const std::function<void(const CheckedPair& pair)>& observe);
 
 }  // namespace tcb

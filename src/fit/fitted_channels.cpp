@@ -69,9 +69,8 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
 
 }  // namespace
 
-FittedChannels fitted_channels(const Schema& schema, const Job& job) {
-  const FitOptions& options = job.fit;
-  const auto metric = make_spec(job.curve, schema.channels, schema.rotations.columns, schema.angles).rules.metric;
+FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options) {
+  const auto metric = make_spec(rules, schema.channels, schema.rotations.columns, schema.angles).rules.metric;
   FittedChannels fitted;
   std::vector<LimitKind> kinds;
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
