@@ -227,17 +227,16 @@ void require_columns(const Comparison& comparison, const ComparisonInputs& input
 }
 
 /// Compares the rows of one curve.
-void check_pair(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs, Checker& checker, Check& result,
-                const std::function<void(const CheckedPair&)>& observe) {
+void check_pair(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs, Checker& checker,
+                Check& result, const std::function<void(const CheckedPair&)>& observe) {
   const MatchedColumns& columns = inputs.columns;
   SamplingRequest request;
   request.from_left = comparison.from_left;
   request.mode = columns.by_length ? Mode::arc_at : Mode::at;
-  CurvePipeline pipeline(request, comparison.keys.rules, columns.fields, std::nullopt, inputs.kept.schema, inputs.kept.traits,
-                         *pair.curve->curve_info, inputs.threads);
+  CurvePipeline pipeline(request, comparison.keys.rules, columns.fields, std::nullopt, inputs.kept.schema,
+                         inputs.kept.traits, *pair.curve->curve_info, inputs.threads);
   const IndexedCurve curve = pipeline.whole(pair.curve->keys());
-  const Places places =
-      places_of(pair.rows, inputs.table, columns, curve, limits_of(comparison, inputs.place_name()));
+  const Places places = places_of(pair.rows, inputs.table, columns, curve, limits_of(comparison, inputs.place_name()));
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
   for_each_row(pair.rows, places, columns, curve, request.from_left, inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
@@ -266,11 +265,13 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
   return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
 }
 
-Check check(const Comparison& comparison, const std::function<void(const CheckedPair&)>& observe, FileProgress* progress) {
+Check check(const Comparison& comparison, const std::function<void(const CheckedPair&)>& observe,
+            FileProgress* progress) {
   return check(comparison, read_inputs(comparison, comparison.fields, progress), observe);
 }
 
-Check check(const Comparison& comparison, ComparisonInputs inputs, const std::function<void(const CheckedPair&)>& observe) {
+Check check(const Comparison& comparison, ComparisonInputs inputs,
+            const std::function<void(const CheckedPair&)>& observe) {
   require_columns(comparison, inputs);
   const Pairs pairs = pair_up(inputs.kept, inputs.table);
   Check result{summary(inputs, pairs)};

@@ -116,6 +116,7 @@ struct CheckedPair {
 /// Throws: Error if the keys make no curve, or there is nothing to compare.
 Check check(const Comparison& comparison, const std::function<void(const CheckedPair& pair)>& observe = {},
             FileProgress* progress = nullptr);
-Check check(const Comparison& comparison, ComparisonInputs inputs, const std::function<void(const CheckedPair& pair)>& observe = {});
+Check check(const Comparison& comparison, ComparisonInputs inputs,
+            const std::function<void(const CheckedPair& pair)>& observe = {});
 
 }  // namespace tcb

@@ -131,8 +131,7 @@ void CheckPicture::add_samples(const CheckedPair& pair) {
 std::string CheckPicture::svg(const ComparisonSummary& files, const std::string& result) {
   std::string largest;
   append_number(largest, largest_);
-  scene_.title =
-      options_.title.value_or(fmt::format("{} against {}", file_name(files.file), file_name(files.keys)));
+  scene_.title = options_.title.value_or(fmt::format("{} against {}", file_name(files.file), file_name(files.keys)));
   scene_.subtitle = fmt::format("{} · largest difference {}", result, largest);
   return picture(scene_, options_.size);
 }

@@ -17,8 +17,8 @@ struct Comparison {
   std::string file;                      ///< of the samples; "-" is standard input
   std::vector<Renaming> maps;            ///< of its columns
   std::vector<Tolerance> abs, rel, ulp;  ///< a number has to be within one of the three
-  std::vector<std::size_t> fields;       ///< that are compared, as indices into fields(); none: all that the samples have
-  bool from_left = true;                 ///< a sample at a key is on the segment before it, not on the one after
+  std::vector<std::size_t> fields;  ///< that are compared, as indices into fields(); none: all that the samples have
+  bool from_left = true;            ///< a sample at a key is on the segment before it, not on the one after
   ThreadOptions threads;
 };
 

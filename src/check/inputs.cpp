@@ -265,7 +265,8 @@ MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const
   return columns;
 }
 
-ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen, FileProgress* progress) {
+ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
+                             FileProgress* progress) {
   ComparisonInputs inputs;
   inputs.progress = progress;
   inputs.keys = shown_name(comparison.keys_file);

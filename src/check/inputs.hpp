@@ -111,6 +111,7 @@ struct ComparisonInputs {
 };
 
 /// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.
-ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen, FileProgress* progress = nullptr);
+ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
+                             FileProgress* progress = nullptr);
 
 }  // namespace tcb

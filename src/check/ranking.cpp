@@ -252,8 +252,9 @@ Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, const Comp
 }
 
 ComparisonInputs read_positions(const Comparison& comparison, FileProgress* progress) {
-  ComparisonInputs inputs =
-      read_inputs(comparison, comparison.fields.empty() ? std::vector{field_of("time"), field_of("position")} : comparison.fields, progress);
+  ComparisonInputs inputs = read_inputs(
+      comparison, comparison.fields.empty() ? std::vector{field_of("time"), field_of("position")} : comparison.fields,
+      progress);
   in_file(inputs.file, [&] { compare_positions_only(inputs); });
   return inputs;
 }

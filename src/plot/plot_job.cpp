@@ -55,8 +55,14 @@ class Picture final : public BatchOutput {
  private:
   CurvePipeline pipeline_of(const Input& input, const CurveKeys& curve, unsigned threads) const {
     const std::vector<std::size_t> fields{field_of("time"), field_of("position")};
-    return {job_.samples.of(curve, input.schema), job_.keys.rules, fields, std::nullopt, input.schema,
-            input.keys.traits, *curve.curve_info, threads};
+    return {job_.samples.of(curve, input.schema),
+            job_.keys.rules,
+            fields,
+            std::nullopt,
+            input.schema,
+            input.keys.traits,
+            *curve.curve_info,
+            threads};
   }
 
   const PlotJob& job_;

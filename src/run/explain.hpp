@@ -20,9 +20,9 @@ struct ExplainJob {
   KeyOptions keys;
   SampleOptions samples;
   std::optional<GoldenOptions> golden;
-  std::vector<std::size_t> fields;    ///< of the rows, as indices into fields()
-  FormatId format = FormatId::csv;    ///< of the output; the explanation is JSON if that is
-  std::optional<bool> header;         ///< of the output; nothing: as the input has one
+  std::vector<std::size_t> fields;  ///< of the rows, as indices into fields()
+  FormatId format = FormatId::csv;  ///< of the output; the explanation is JSON if that is
+  std::optional<bool> header;       ///< of the output; nothing: as the input has one
 };
 
 /// Prints the explanation of each file. Throws: Error, with the file.
