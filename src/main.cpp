@@ -5,12 +5,17 @@
 #include <string>
 #include <variant>
 
+#include "check/compare_job.hpp"
 #include "cli/plan.hpp"
 #include "cli/read_options.hpp"
 #include "error.hpp"
+#include "fit/fit_job.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "io/terminal.hpp"
+#include "plot/plot_job.hpp"
+#include "run/explain.hpp"
+#include "run/pipeline.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // Conventions: the ways in which programs make a curve of the same keys, and their names as rules and presets.
+#include "check/conventions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
-#include "check/ranking.hpp"
 #include "option_names.hpp"
 #include "sample/cells.hpp"
 #include "tcb/spline/rules.hpp"

@@ -26,8 +26,6 @@ namespace {
 
 constexpr std::size_t most_curves = 100;  ///< with a line of their own
 
-std::string shown(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
-
 /// The name of a value in a table of names.
 template <class Row, std::size_t size, class Value>
 std::string_view name_of(const std::array<Row, size>& names, Value Row::*member, Value value) {
@@ -100,8 +98,8 @@ Facts intentions(const ExplainJob& job, const Schema& schema) {
   const std::string_view others = schema.rotations.columns.empty() && schema.angles.empty() ? "" : "other ";
   add("metric", job.keys.rules.metric ? job.keys.rules.metric->value : fmt::format("all {}channels", others));
   add("samples", samples_in_words(sampling));
-  if (sampling.from) add("from", shown(*sampling.from));
-  if (sampling.to) add("to", shown(*sampling.to));
+  if (sampling.from) add("from", number_in_words(*sampling.from));
+  if (sampling.to) add("to", number_in_words(*sampling.to));
   std::vector<std::string_view> names;
   for (const std::size_t field : job.fields) names.push_back(fields()[field].name);
   add("fields", fmt::format("{}", fmt::join(names, ", ")));

@@ -9,11 +9,8 @@
 #include "option_names.hpp"
 
 namespace tcb {
-namespace {
 
-std::string shown(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
-
-}  // namespace
+std::string number_in_words(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
 
 Facts rules_in_words(const RuleFacts& facts) {
   const spline::CurveRules<double>& rules = facts.spec.rules;
@@ -48,9 +45,9 @@ std::string samples_in_words(const SamplingRequest& request) {
   const std::string_view of = by_length(request.mode) ? "arc length" : "time";
   switch (request.mode) {
     case Mode::step:
-      if (request.is_rate) return fmt::format("{} per unit of time", shown(Rational(1) / request.step));
+      if (request.is_rate) return fmt::format("{} per unit of time", number_in_words(Rational(1) / request.step));
       [[fallthrough]];
-    case Mode::arc_step: return fmt::format("every {} of {}", shown(request.step), of);
+    case Mode::arc_step: return fmt::format("every {} of {}", number_in_words(request.step), of);
     case Mode::arc_count:
     case Mode::count: return fmt::format("{}, equally spaced in {}", request.count, of);
     case Mode::segments: return fmt::format("{} equal intervals of time", request.count);

@@ -3,11 +3,15 @@
 
 #include <string>
 
+#include "numbers/rational.hpp"
 #include "run/curve_pipeline.hpp"
 #include "sample/request.hpp"
 #include "write/provenance.hpp"
 
 namespace tcb {
+
+/// The double nearest to a number.
+std::string number_in_words(const Rational& value);
 
 /// The rules of a curve, as names and values.
 Facts rules_in_words(const RuleFacts& facts);
