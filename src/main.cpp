@@ -2,48 +2,50 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <variant>
 
-#include "check/report.hpp"
+#include "check/compare_job.hpp"
 #include "cli/plan.hpp"
 #include "cli/read_options.hpp"
 #include "error.hpp"
-#include "fit/fit_picture.hpp"
+#include "fit/fit_job.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "io/terminal.hpp"
+#include "plot/plot_job.hpp"
+#include "run/explain.hpp"
 #include "run/pipeline.hpp"
 
 namespace {
 
-int refuse(tcb::Exit exit, const std::string& text) {
+tcb::Exit refuse(tcb::Exit exit, const std::string& text) {
   (void)std::fprintf(stderr, "%s\n", text.c_str());
-  return static_cast<int>(exit);
+  return exit;
 }
 
-void print(const std::string& text) {
+tcb::Exit print(const tcb::PrintText& job) {
+  if (job.exit != tcb::Exit::done) return refuse(job.exit, job.text);
   tcb::Output output("-");
-  output.write(text + "\n");
+  output.write(job.text + "\n");
   output.commit();
+  return tcb::Exit::done;
 }
 
-}  // namespace
+/// Runs a job by the entry of its product.
+struct Run {
+  tcb::Exit operator()(const tcb::PrintText& job) const { return print(job); }
+  tcb::Exit operator()(const tcb::ResampleJob& job) const { return tcb::resample(job); }
+  tcb::Exit operator()(const tcb::ExplainJob& job) const { return tcb::explain(job); }
+  tcb::Exit operator()(const tcb::PlotJob& job) const { return tcb::plot(job); }
+  tcb::Exit operator()(const tcb::FitJob& job) const { return tcb::fit(job); }
+  tcb::Exit operator()(const tcb::CompareJob& job) const { return tcb::compare(job); }
+};
 
-int main(int argc, char** argv) {
-  tcb::keep_standard_streams();
-  tcb::end_when_interrupted();
+tcb::Exit run(int argc, char** argv) {
   const bool colored = tcb::colors_messages(tcb::color_of(argc, argv));
   try {
-    const tcb::Invocation invocation = tcb::parse(argc, argv);
-    if (invocation.job.writes_files()) tcb::remove_unfinished_when_interrupted();
-    if (invocation.job.comparison) return static_cast<int>(tcb::compare(invocation.job));
-    const bool draws = tcb::format_of(invocation.job.output_format).family == tcb::FormatFamily::picture;
-    if (!invocation.text && invocation.job.sampling.mode == tcb::Mode::fit && draws) {
-      return static_cast<int>(tcb::draw_fit(invocation.job));
-    }
-    if (!invocation.text) return static_cast<int>(tcb::resample(invocation.job));
-    if (invocation.exit != tcb::Exit::done) return refuse(invocation.exit, *invocation.text);
-    print(*invocation.text);
-    return static_cast<int>(tcb::Exit::done);
+    return std::visit(Run(), tcb::parse(argc, argv));
   } catch (const tcb::Error& error) {
     return refuse(error.exit(), tcb::error_text(error, colored));
   } catch (const std::bad_alloc&) {
@@ -51,4 +53,12 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return refuse(tcb::Exit::usage, std::string("tcbsample: error: ") + error.what());
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tcb::keep_standard_streams();
+  tcb::end_when_interrupted();
+  return static_cast<int>(run(argc, argv));
 }

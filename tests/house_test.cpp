@@ -33,19 +33,19 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"sample", {"keys", "schema", "tcb", "stream", "text", "numbers", "error"}},
     {"exact", {"sample", "keys", "schema", "tcb", "stream", "text", "numbers", "error"}},
     {"write", {"sample", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
-    // A job has the settings of a fit and of a picture, and the pipeline starts them.
-    {"run",
-     {"fit", "plot", "read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io",
-      "error"}},
-    {"plot", {"run", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
+    {"run", {"read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
+    // The products beside resampling share the stages of run/.
+    {"plot", {"run", "read", "keys", "sample", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
+    {"check",
+     {"plot", "run", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
     // The picture of a fit is that of a check of the recording against the fitted keys.
     {"fit",
-     {"run", "check", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
-    {"check",
-     {"run", "plot", "read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io",
+     {"check", "plot", "run", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io",
       "error"}},
-    {"cli", {"run", "read", "keys", "sample", "schema", "tcb", "text", "numbers", "io", "error"}},
-    {"main", {"cli", "check", "fit", "run", "io", "error"}},
+    // The command line makes the job of a product.
+    {"cli",
+     {"fit", "check", "plot", "run", "read", "sample", "write", "schema", "tcb", "text", "numbers", "io", "error"}},
+    {"main", {"cli", "fit", "check", "plot", "run", "io", "error"}},
 };
 
 /// Package -> the rooms or files that may include it.

@@ -228,16 +228,16 @@ void require_columns(const Comparison& comparison, const ComparisonInputs& input
 }
 
 /// Compares the rows of one curve.
-void check_pair(const Pair& pair, const Job& job, const ComparisonInputs& inputs, Checker& checker, Check& result,
-                const std::function<void(const CheckedPair&)>& observe) {
+void check_pair(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs, Checker& checker,
+                Check& result, const std::function<void(const CheckedPair&)>& observe) {
   const MatchedColumns& columns = inputs.columns;
-  SamplingRequest request = job.sampling;
+  SamplingRequest request;
+  request.from_left = comparison.from_left;
   request.mode = columns.by_length ? Mode::arc_at : Mode::at;
-  CurvePipeline pipeline(request, job.curve, columns.fields, std::nullopt, inputs.kept.schema, inputs.kept.traits,
-                         *pair.curve->curve_info, inputs.threads);
+  CurvePipeline pipeline(request, comparison.keys.rules, columns.fields, std::nullopt, inputs.kept.schema,
+                         inputs.kept.traits, *pair.curve->curve_info, inputs.threads);
   const WholeCurve curve = pipeline.whole(pair.curve->keys());
-  const Places places =
-      places_of(pair.rows, inputs.table, columns, curve, limits_of(*job.comparison, inputs.place_name()));
+  const Places places = places_of(pair.rows, inputs.table, columns, curve, limits_of(comparison, inputs.place_name()));
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
   for_each_row(pair.rows, places, columns, curve, request.side(), inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
@@ -266,20 +266,22 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
   return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
 }
 
-Check check(const Job& job, const std::function<void(const CheckedPair&)>& observe, FileProgress* progress) {
-  return check(job, read_inputs(job, job.fields, progress), observe);
+Check check(const Comparison& comparison, const std::function<void(const CheckedPair&)>& observe,
+            FileProgress* progress) {
+  return check(comparison, read_inputs(comparison, comparison.fields, progress), observe);
 }
 
-Check check(const Job& job, ComparisonInputs inputs, const std::function<void(const CheckedPair&)>& observe) {
-  require_columns(*job.comparison, inputs);
+Check check(const Comparison& comparison, ComparisonInputs inputs,
+            const std::function<void(const CheckedPair&)>& observe) {
+  require_columns(comparison, inputs);
   const Pairs pairs = pair_up(inputs.kept, inputs.table);
   Check result{summary(inputs, pairs)};
-  Checker checker(inputs, *job.comparison, result);
+  Checker checker(inputs, comparison, result);
   std::uint64_t rows = 0;
   for (const Pair& pair : pairs.pairs) rows += pair.rows.size();
   if (inputs.progress != nullptr) inputs.progress->expect_rows(static_cast<double>(rows));
   for (const Pair& pair : pairs.pairs) {
-    in_file(inputs.keys, [&] { check_pair(pair, job, inputs, checker, result, observe); });
+    in_file(inputs.keys, [&] { check_pair(pair, comparison, inputs, checker, result, observe); });
   }
   return result;
 }

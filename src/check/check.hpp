@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "check/comparison.hpp"
 #include "check/inputs.hpp"
 #include "run/curve_pipeline.hpp"
-#include "run/job.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -114,8 +114,9 @@ struct CheckedPair {
 
 /// Compares every number of the samples with the curve. `observe` sees each curve with its samples, if it is given.
 /// Throws: Error if the keys make no curve, or there is nothing to compare.
-Check check(const Job& job, const std::function<void(const CheckedPair& pair)>& observe = {},
+Check check(const Comparison& comparison, const std::function<void(const CheckedPair& pair)>& observe = {},
             FileProgress* progress = nullptr);
-Check check(const Job& job, ComparisonInputs inputs, const std::function<void(const CheckedPair& pair)>& observe = {});
+Check check(const Comparison& comparison, ComparisonInputs inputs,
+            const std::function<void(const CheckedPair& pair)>& observe = {});
 
 }  // namespace tcb

@@ -61,7 +61,7 @@ void CheckPicture::begin(const ComparisonInputs& inputs) {
     scene_.channels.push_back(channels[channel]);
   }
   if (channels_.empty()) throw no_position_column(channels);
-  scene_.path = path_axes(scene_.channels, job_.picture.axes);
+  scene_.path = path_axes(scene_.channels, options_.axes);
   for (std::size_t i = 0; i < channels_.size(); ++i) scene_.channels.push_back(scene_.channels[i] + ", difference");
   scene_.time = inputs.kept.schema.time.name;
   scene_.names = {file_name(inputs.keys), file_name(inputs.file)};
@@ -131,10 +131,9 @@ void CheckPicture::add_samples(const CheckedPair& pair) {
 std::string CheckPicture::svg(const ComparisonSummary& files, const std::string& result) {
   std::string largest;
   append_number(largest, largest_);
-  scene_.title =
-      job_.picture.title.value_or(fmt::format("{} against {}", file_name(files.file), file_name(files.keys)));
+  scene_.title = options_.title.value_or(fmt::format("{} against {}", file_name(files.file), file_name(files.keys)));
   scene_.subtitle = fmt::format("{} · largest difference {}", result, largest);
-  return picture(scene_, job_.picture.size);
+  return picture(scene_, options_.size);
 }
 
 }  // namespace tcb

@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "check/check.hpp"
+#include "plot/picture.hpp"
 #include "plot/scene.hpp"
-#include "run/job.hpp"
 
 namespace tcb {
 
 /// Collects the curves of a comparison with their samples.
 class CheckPicture {
  public:
-  explicit CheckPicture(const Job& job) : job_(job) {}
+  /// The options outlive this.
+  explicit CheckPicture(const PictureOptions& options) : options_(options) {}
 
   /// Adds a curve with the samples that are on it. Throws: Error (data) if no position is compared.
   void add(const CheckedPair& pair);
@@ -26,7 +27,7 @@ class CheckPicture {
   void add_curve(const CheckedPair& pair);
   void add_samples(const CheckedPair& pair);
 
-  const Job& job_;
+  const PictureOptions& options_;
   Scene scene_;
   std::vector<std::size_t> channels_;  ///< of the keys: those that are compared
   std::vector<std::size_t> given_;     ///< their columns in the table of samples

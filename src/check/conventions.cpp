@@ -1,11 +1,11 @@
 // Conventions: the ways in which programs make a curve of the same keys, and their names as rules and presets.
+#include "check/conventions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
-#include "check/ranking.hpp"
 #include "option_names.hpp"
 #include "sample/cells.hpp"
 #include "tcb/spline/rules.hpp"
@@ -106,7 +106,7 @@ bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
 
 }  // namespace
 
-ComparedParts compared_parts(const Job& job, const ComparisonInputs& inputs) {
+ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs& inputs) {
   ComparedParts parts{false, false, {}};
   const Schema& keys = inputs.kept.schema;
   const std::vector<PositionCell> cells = position_cells(keys.channels.size(), rotation_columns(keys));
@@ -116,12 +116,12 @@ ComparedParts compared_parts(const Job& job, const ComparisonInputs& inputs) {
     (is_position ? parts.positions : rotations) = true;
   }
   for (const KeptCurve& curve : inputs.kept.curves) {
-    const CurveSpec spec = make_spec(merged(job.curve, curve.curve_info->settings));
+    const CurveSpec spec = make_spec(merged(rules, curve.curve_info->settings));
     parts.closed = parts.closed || spec.closed;
-    if (rotations && job.curve.rotation_curve) parts.rotation_curves = {spec.rules.rotation_rules.curve};
+    if (rotations && rules.rotation_curve) parts.rotation_curves = {spec.rules.rotation_rules.curve};
   }
   for (const auto& row : spline::rotation_curves) {
-    const bool is_tried = rotations && !job.curve.rotation_curve && is_curve_of(row.id, inputs.kept);
+    const bool is_tried = rotations && !rules.rotation_curve && is_curve_of(row.id, inputs.kept);
     if (is_tried) parts.rotation_curves.push_back(row.id);
   }
   return parts;

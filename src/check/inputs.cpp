@@ -65,13 +65,13 @@ Source<std::string> observed(const std::string& path, FileProgress* progress) {
 
 }  // namespace
 
-KeptCurves keep(const Job& job, FileProgress* progress) {
-  const std::string& path = job.files[0];
-  InputOptions options = job.input;
-  options.threads = job.threads();
+KeptCurves keep(const Comparison& comparison, FileProgress* progress) {
+  const std::string& path = comparison.keys_file;
+  InputOptions options = comparison.keys.input;
+  options.threads = comparison.threads.count();
   const Input input = open_input(path, observed(path, progress), options);
   KeptCurves kept{input.schema, input.keys.traits, {}};
-  Curves curves(input.schema, input.keys, job.curves, false);
+  Curves curves(input.schema, input.keys, comparison.keys.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
     KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
     while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
@@ -79,18 +79,18 @@ KeptCurves keep(const Job& job, FileProgress* progress) {
   return kept;
 }
 
-SampleTable read_samples(const Job& job, const Schema& keys, std::optional<std::size_t> time_place,
+SampleTable read_samples(const Comparison& comparison, const Schema& keys, std::optional<std::size_t> time_place,
                          FileProgress* progress) {
-  const std::string& path = job.comparison->file;
+  const std::string& path = comparison.file;
   Source<std::string> bytes = observed(path, progress);
   std::string beginning = bytes().value_or("");
   InputOptions options;
   options.columns.samples =
-      SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), job.comparison->maps};
+      SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), comparison.maps};
   options.keys.missing = Missing::skip_cell;
   options.columns.timeless = !time_place;
-  options.threads = job.threads();
-  options.units = {.frame_rate = job.input.units.frame_rate, .only_named_frames = true};
+  options.threads = comparison.threads.count();
+  options.units = {.frame_rate = comparison.keys.input.units.frame_rate, .only_named_frames = true};
   options.delimited.decimal = decimal_mark_of(beginning);
   const Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
   const Schema& schema = input.schema;
@@ -266,16 +266,17 @@ MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const
   return columns;
 }
 
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress) {
+ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
+                             FileProgress* progress) {
   ComparisonInputs inputs;
   inputs.progress = progress;
-  inputs.keys = shown_name(job.files[0]);
-  inputs.file = shown_name(job.comparison->file);
-  inputs.threads = job.threads();
-  inputs.kept = in_file(inputs.keys, [&] { return keep(job, progress); });
+  inputs.keys = shown_name(comparison.keys_file);
+  inputs.file = shown_name(comparison.file);
+  inputs.threads = comparison.threads.count();
+  inputs.kept = in_file(inputs.keys, [&] { return keep(comparison, progress); });
   in_file(inputs.file, [&] {
     const auto time_place = place_of_time(chosen, inputs.kept.schema);
-    inputs.table = read_samples(job, inputs.kept.schema, time_place, progress);
+    inputs.table = read_samples(comparison, inputs.kept.schema, time_place, progress);
     inputs.columns = match_columns(inputs.table, inputs.kept.schema, chosen);
   });
   return inputs;

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "check/comparison.hpp"
 #include "error.hpp"
-#include "run/job.hpp"
 #include "run/progress.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
@@ -36,8 +36,8 @@ struct KeptCurves {
   std::vector<KeptCurve> curves;
 };
 
-/// The curves of the one input of a job. Here and below, `progress` may be null. Throws: Error.
-KeptCurves keep(const Job& job, FileProgress* progress = nullptr);
+/// The curves of the keys. Here and below, `progress` may be null. Throws: Error.
+KeptCurves keep(const Comparison& comparison, FileProgress* progress = nullptr);
 
 /// Given rows of one curve. Shapes: numbers has a number per column, row after row; a missing one is NaN.
 struct SampleRows {
@@ -67,7 +67,7 @@ struct SampleTable {
 /// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `time_place`: in
 /// a file without names, how many columns are before the time, without groups; nothing: none is the time. Throws:
 /// Error.
-SampleTable read_samples(const Job& job, const Schema& keys, std::optional<std::size_t> time_place,
+SampleTable read_samples(const Comparison& comparison, const Schema& keys, std::optional<std::size_t> time_place,
                          FileProgress* progress = nullptr);
 
 /// A column of the samples that is also one of the curve's rows.
@@ -111,6 +111,7 @@ struct ComparisonInputs {
 };
 
 /// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.
-ComparisonInputs read_inputs(const Job& job, const std::vector<std::size_t>& chosen, FileProgress* progress = nullptr);
+ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
+                             FileProgress* progress = nullptr);
 
 }  // namespace tcb

@@ -1,4 +1,6 @@
 // Precision: the errors of rounding and printing, and the choice of rows that represent many.
+#include "check/precision.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "check/ranking.hpp"
 #include "numbers/parse_number.hpp"
 #include "sample/cells.hpp"
 

@@ -27,9 +27,9 @@ void set_order(KeyBlock& block, const TcbOrder& order) {
 /// Compares samples with conventions. Requires: the arguments of the constructor outlive it.
 class Comparer {
  public:
-  Comparer(const Job& job, const ComparisonInputs& inputs, const std::vector<TcbOrders>& orders,
+  Comparer(const CurveSettings& rules, const ComparisonInputs& inputs, const std::vector<TcbOrders>& orders,
            const ComparedParts& parts)
-      : job_(job), inputs_(inputs), orders_(orders), parts_(parts), request_(job.sampling) {
+      : rules_(rules), inputs_(inputs), orders_(orders), parts_(parts) {
     request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
   }
 
@@ -44,7 +44,7 @@ class Comparer {
   }
 
   WholeCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
-    const CurveSettings settings = settings_of(convention, job_.curve, parts_);
+    const CurveSettings settings = settings_of(convention, rules_, parts_);
     CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.schema,
                            inputs_.kept.traits, *curve.curve_info, inputs_.threads);
     const TcbOrder& order = orders_[convention.order].order;
@@ -90,7 +90,7 @@ class Comparer {
     if (off) ++candidate.rows_off;
   }
 
-  const Job& job_;
+  const CurveSettings& rules_;
   const ComparisonInputs& inputs_;
   const std::vector<TcbOrders>& orders_;
   const ComparedParts& parts_;
@@ -196,9 +196,9 @@ bool has_velocities(const KeptCurves& kept) {
 }
 
 /// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
-void rank(Identification& result, const Job& job, const ComparisonInputs& inputs,
+void rank(Identification& result, const CurveSettings& rules, const ComparisonInputs& inputs,
           const std::vector<GivenSamples>& samples) {
-  const Comparer comparer(job, inputs, result.orders, result.parts);
+  const Comparer comparer(rules, inputs, result.orders, result.parts);
   find_rows(comparer, samples, result);
   if (result.rows == 0) throw no_row_on_curve(result.problems).in(inputs.file);
   const Subset subset = subset_of(samples, inputs, result.parts);
@@ -251,31 +251,32 @@ Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, const Comp
   return result;
 }
 
-ComparisonInputs read_positions(const Job& job, FileProgress* progress) {
-  ComparisonInputs inputs =
-      read_inputs(job, job.fields.empty() ? std::vector{field_of("time"), field_of("position")} : job.fields, progress);
+ComparisonInputs read_positions(const Comparison& comparison, FileProgress* progress) {
+  ComparisonInputs inputs = read_inputs(
+      comparison, comparison.fields.empty() ? std::vector{field_of("time"), field_of("position")} : comparison.fields,
+      progress);
   in_file(inputs.file, [&] { compare_positions_only(inputs); });
   return inputs;
 }
 
-Identification identify(const Job& job) { return identify(job, read_positions(job)); }
+Identification identify(const Comparison& comparison) { return identify(comparison, read_positions(comparison)); }
 
-Identification identify(const Job& job, ComparisonInputs inputs) {
+Identification identify(const Comparison& comparison, ComparisonInputs inputs) {
   Pairs pairs = pair_up(inputs.kept, inputs.table);
   Identification result{summary(inputs, pairs)};
   in_file(inputs.keys, [&] {
-    result.parts = compared_parts(job, inputs);
+    result.parts = compared_parts(comparison.keys.rules, inputs);
     result.orders = distinct_orders(inputs.kept);
-    rank(result, job, inputs, samples_of(std::move(pairs.pairs), inputs));
+    rank(result, comparison.keys.rules, inputs, samples_of(std::move(pairs.pairs), inputs));
   });
   return result;
 }
 
-Check check_best(const Job& job, const Identification& found, ComparisonInputs inputs,
+Check check_best(const Comparison& comparison, const Identification& found, ComparisonInputs inputs,
                  const std::function<void(const CheckedPair&)>& observe) {
   const Convention& best = found.ranking.candidates.front().convention;
-  Job with_rules = job;
-  with_rules.curve = settings_of(best, job.curve, found.parts);
+  Comparison with_rules = comparison;
+  with_rules.keys.rules = settings_of(best, comparison.keys.rules, found.parts);
   for (KeptCurve& curve : inputs.kept.curves) {
     for (KeyBlock& block : curve.blocks) set_order(block, found.orders[best.order].order);
   }

@@ -1,4 +1,4 @@
-// Reports of comparisons as text and as JSON, and the comparison of two files from reading to report.
+// Reports of comparisons: as text, as JSON, and in a line.
 #include "check/report.hpp"
 
 #include <fmt/format.h>
@@ -8,10 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "check/check_picture.hpp"
-#include "io/atomic_output.hpp"
 #include "numbers/print_number.hpp"
-#include "stream/ordered_map.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -196,16 +193,6 @@ std::string json(const Identification& found) {
       list_json(found.ignored));
 }
 
-namespace {
-
-Exit write(const Job& job, const std::string& report, bool agrees) {
-  Output output(job.output);
-  output.write(report);
-  output.commit();
-  return agrees ? Exit::done : Exit::data;
-}
-
-/// The subtitles of pictures.
 std::string in_short(const Check& check) {
   return fmt::format("check {} · {} rows · {} values · {} mismatches", check.passed() ? "passed" : "failed", check.rows,
                      check.values, check.mismatches);
@@ -216,36 +203,6 @@ std::string in_short(const Identification& found) {
   return fmt::format("{} · {} · {} rows", title(found, found.ranking.candidates.front()),
                      found.fits() ? fmt::format("fits within {}", precision) : "the nearest, but it does not fit",
                      found.rows);
-}
-
-Exit draw(const Job& job, FileProgress* progress) {
-  CheckPicture picture(job);
-  const auto observe = [&picture](const CheckedPair& pair) { picture.add(pair); };
-  if (!job.comparison->identify) {
-    const Check result = check(job, observe, progress);
-    return write(job, picture.svg(result, in_short(result)), result.passed());
-  }
-  const ComparisonInputs inputs = read_positions(job, progress);
-  const Identification result = identify(job, inputs);
-  (void)check_best(job, result, inputs, observe);
-  return write(job, picture.svg(result, in_short(result)), result.fits());
-}
-
-}  // namespace
-
-Exit compare(const Job& job) {
-  const ThreadPool pool(job.threads());
-  Report report(job.verbosity);
-  report.expect(1, 0);
-  const auto progress = report.begin_file(job.files[0], 0);
-  const bool as_json = job.output_format == FormatId::json;
-  if (format_of(job.output_format).family == FormatFamily::picture) return draw(job, progress.get());
-  if (job.comparison->identify) {
-    const Identification result = identify(job, read_positions(job, progress.get()));
-    return write(job, as_json ? json(result) : text(result), result.fits());
-  }
-  const Check result = check(job, {}, progress.get());
-  return write(job, as_json ? json(result) : text(result), result.passed());
 }
 
 }  // namespace tcb

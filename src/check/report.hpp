@@ -1,4 +1,4 @@
-// Reports of comparisons as text and as JSON, and the comparison of two files from reading to report.
+// Reports of comparisons: as text, as JSON, and in a line.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ std::string text(const Identification& found);
 std::string json(const Check& check);
 std::string json(const Identification& found);
 
-/// Compares and writes the report. Returns Exit::data if the samples do not agree with the curve.
-/// Requires: job.comparison. Throws: Error, naming the file.
-Exit compare(const Job& job);
+/// The result in a line, as a subtitle of a picture.
+std::string in_short(const Check& check);
+std::string in_short(const Identification& found);
 
 }  // namespace tcb

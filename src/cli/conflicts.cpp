@@ -54,36 +54,37 @@ void require_no_conflict(const TypedOptions& typed) {
 
 namespace {
 
-const Format& output_of(const TypedOptions& typed) { return format_of(typed.job.output_format); }
+const Format& output_of(const TypedOptions& typed) { return format_of(typed.output.format); }
 
 bool is_comparison(const TypedOptions& typed) { return typed.has(option::check) || typed.has(option::identify); }
 
 template <class Predicate>
 bool any_field(const TypedOptions& typed, Predicate predicate) {
-  return std::ranges::any_of(typed.job.fields, [&](std::size_t field) { return predicate(fields()[field]); });
+  return std::ranges::any_of(typed.output.fields, [&](std::size_t field) { return predicate(fields()[field]); });
 }
 
 bool needs_all_channels(const TypedOptions& typed) {
-  const bool times_of_distances = typed.has(option::parameter) && make_spec(typed.job.curve).parameter.value_or(0) != 0;
+  const bool times_of_distances =
+      typed.has(option::parameter) && make_spec(typed.keys.rules).parameter.value_or(0) != 0;
   return typed.has(option::equal_speed) || times_of_distances;
 }
 
 }  // namespace
 
 bool has_json_input(const TypedOptions& typed) {
-  return typed.job.input.format && format_of(*typed.job.input.format).family != FormatFamily::delimited;
+  return typed.keys.input.format && format_of(*typed.keys.input.format).family != FormatFamily::delimited;
 }
 
 bool has_one_comma_for_two(const TypedOptions& typed) {
-  return typed.job.input.delimited.decimal == ',' && typed.job.input.delimited.delimiter == ',';
+  return typed.keys.input.delimited.decimal == ',' && typed.keys.input.delimited.delimiter == ',';
 }
 
 bool has_sparse_channels(const TypedOptions& typed) {
-  return typed.job.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
+  return typed.keys.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
 }
 
 bool needs_no_metric(const TypedOptions& typed) {
-  const bool by_metric = by_length(typed.job.sampling.mode) || typed.has(option::tolerance) || typed.has(option::fit) ||
+  const bool by_metric = by_length(typed.sampling.mode) || typed.has(option::tolerance) || typed.has(option::fit) ||
                          needs_all_channels(typed);
   return !is_comparison(typed) && !has_picture(typed) && !by_metric &&
          !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
@@ -92,8 +93,7 @@ bool needs_no_metric(const TypedOptions& typed) {
 bool extends_curve(const TypedOptions& typed) { return typed.text(option::extrapolate) != "error"; }
 
 bool stays_on_curve(const TypedOptions& typed) {
-  const bool has_range_of_times =
-      !by_length(typed.job.sampling.mode) && (typed.has(option::from) || typed.has(option::to));
+  const bool has_range_of_times = !by_length(typed.sampling.mode) && (typed.has(option::from) || typed.has(option::to));
   return extends_curve(typed) && !typed.has(option::at) && !has_range_of_times;
 }
 
@@ -114,14 +114,14 @@ bool has_no_side(const TypedOptions& typed) {
   return !any_field(typed, [](const Field& field) { return field.has_side; });
 }
 
-bool has_more_digits_than_doubles(const TypedOptions& typed) { return typed.notation.count > digits_of_double; }
+bool has_more_digits_than_doubles(const TypedOptions& typed) { return typed.output.notation.count > digits_of_double; }
 
 bool has_frames_of_time(const TypedOptions& typed) {
-  return typed.job.time_notation && counts_frames(*typed.job.time_notation);
+  return typed.output.time_notation && counts_frames(*typed.output.time_notation);
 }
 
 bool has_no_format_of_reports(const TypedOptions& typed) {
-  return typed.job.output_format != FormatId::json && !has_picture(typed);
+  return typed.output.format != FormatId::json && !has_picture(typed);
 }
 
 bool has_picture(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::picture; }

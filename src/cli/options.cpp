@@ -70,23 +70,23 @@ void require_picture(const Conflicts& of) { of.require_effect(" on an output tha
 constexpr OptionRow option_rows[] = {
     {option::output_dir, "", "DIR", files_group,
      "Writes one output for each input into the folder DIR, with the ending of the output format", "", folder,
-     unrecorded, [](Typed& to, Text text) { to.job.output_folder = text; }},
+     unrecorded, [](Typed& to, Text text) { to.files.outputs.folder = text; }},
     {option::files, "", "LIST", files_group,
      "Reads further names of files from LIST, one per line; - reads LIST from standard input", "", file, unrecorded,
-     [](Typed& to, Text text) { to.job.batch.list = text; }},
+     [](Typed& to, Text text) { to.files.list = text; }},
     {option::null, "-0", "", files_group, "The names in LIST end with NUL instead of a line end", "", flag, unrecorded,
-     [](Typed& to, Text) { to.job.batch.nul = true; }, [](const Conflicts& of) { of.need({option::files}); }},
+     [](Typed& to, Text) { to.files.nul = true; }, [](const Conflicts& of) { of.need({option::files}); }},
     {option::recursive, "", "", files_group,
      "A folder stands for all files below it whose ending names a format, or with --input-format for all files below "
      "it; DIR gets the same tree",
-     "", flag, unrecorded, [](Typed& to, Text) { to.job.batch.recursive = true; }, need_folder},
+     "", flag, unrecorded, [](Typed& to, Text) { to.files.recursive = true; }, need_folder},
     {option::suffix, "", "S", files_group, "Appends S to the name of each output, before the ending", "", other,
-     unrecorded, [](Typed& to, Text text) { to.job.batch.suffix = name_part(text); }, need_folder},
+     unrecorded, [](Typed& to, Text text) { to.files.outputs.suffix = name_part(text); }, need_folder},
     {option::update, "", "", files_group, "Skips inputs that are not newer than their outputs", "", flag, unrecorded,
-     [](Typed& to, Text) { to.job.batch.update = true; }, need_folder},
+     [](Typed& to, Text) { to.files.update = true; }, need_folder},
     {option::fail_fast, "", "", files_group,
      "Stops at the first file that fails; by default the other files are processed", "", flag, unrecorded,
-     [](Typed& to, Text) { to.job.batch.fail_fast = true; }, need_folder},
+     [](Typed& to, Text) { to.fail_fast = true; }, need_folder},
 
     {option::check, "", "FILE", comparison_group,
      "Compares the samples in FILE, made by any program, with the curve at the same times, or at the same arc lengths "
@@ -115,11 +115,7 @@ constexpr OptionRow option_rows[] = {
     {option::identify, "", "FILE", comparison_group,
      "Finds the tangent rule, the end rule, the speeds, and the order and signs of T, C, B that produce the positions "
      "in FILE, and prints a ranked table; the exit code is 1 if none fits",
-     "", file, recorded,
-     [](Typed& to, Text text) {
-       to.comparison.file = text;
-       to.comparison.identify = true;
-     },
+     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
      [](const Conflicts& of) {
        disable_options_of_rows(of);
        of.disable({option::preset, option::tangents, option::ends, option::equal_speed, option::side},
@@ -130,7 +126,7 @@ constexpr OptionRow option_rows[] = {
      "The format of the input: csv, tsv, ssv (separated by whitespace), json or jsonl. By default it follows from the "
      "ending of the file; without a known ending, text that begins with [ or { is JSON, and any other text is "
      "delimited",
-     "", name, recorded, [](Typed& to, Text text) { to.job.input.format = input_format(text); },
+     "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); },
      [](const Conflicts& of) {
        of.disable({option::delimiter, option::header, option::no_header, option::comment, option::decimal}, "",
                   has_json_input);
@@ -139,26 +135,26 @@ constexpr OptionRow option_rows[] = {
     {option::delimiter, "-d", "CHAR", input_group,
      "The character between cells, or tab, comma, semicolon, space or pipe; by default the first of tab, semicolon, "
      "comma and space that occurs in the first record",
-     "", name, recorded, [](Typed& to, Text text) { to.job.input.delimited.delimiter = delimiter(text); },
+     "", name, recorded, [](Typed& to, Text text) { to.keys.input.delimited.delimiter = delimiter(text); },
      [](const Conflicts& of) { of.exclude({option::decimal}, "", has_one_comma_for_two); }, names_in<delimiter_names>},
     {option::header, "", "", input_group,
      "The first record names the columns; by default it does so if one of its cells is not a number", "", flag,
-     recorded, [](Typed& to, Text) { to.job.input.delimited.header = true; },
+     recorded, [](Typed& to, Text) { to.keys.input.delimited.header = true; },
      [](const Conflicts& of) { of.exclude({option::no_header}); }},
     {option::no_header, "", "", input_group, "The first record is a key", "", flag, recorded,
-     [](Typed& to, Text) { to.job.input.delimited.header = false; }},
+     [](Typed& to, Text) { to.keys.input.delimited.header = false; }},
     {option::comment, "", "PREFIX", input_group, "Skips lines that begin with PREFIX; none skips no lines", "#", other,
-     recorded, [](Typed& to, Text text) { to.job.input.delimited.comment = text == "none" ? "" : text; }},
+     recorded, [](Typed& to, Text text) { to.keys.input.delimited.comment = text == "none" ? "" : text; }},
     {option::columns, "", "ROLE=NAME,...", input_group,
      "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label. By default "
      "they follow from the header; without a header, the first column is the time, and the others are positions",
      "", roles, recorded,
      [](Typed& to, Text text) {
        auto roles = parse_roles(text);
-       to.job.input.columns.roles.insert(to.job.input.columns.roles.begin(), roles.begin(), roles.end());
+       to.keys.input.columns.roles.insert(to.keys.input.columns.roles.begin(), roles.begin(), roles.end());
      }},
     {option::tcb, "", "T,C,B", input_group, "Tension, continuity and bias of keys for which the input has none",
-     "0,0,0", other, recorded, [](Typed& to, Text text) { to.job.input.keys.tcb = tcb_values(text); }},
+     "0,0,0", other, recorded, [](Typed& to, Text text) { to.keys.input.keys.tcb = tcb_values(text); }},
     {option::tcb_scale,
      "",
      "SCALE",
@@ -169,23 +165,23 @@ constexpr OptionRow option_rows[] = {
      "",
      name,
      recorded,
-     [](Typed& to, Text text) { to.job.input.keys.tcb_scale = named_row(tcb_scales, text).scale; },
+     [](Typed& to, Text text) { to.keys.input.keys.tcb_scale = named_row(tcb_scales, text).scale; },
      {},
      names_in<tcb_scales>},
     {option::decimal, "", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other, recorded,
-     [](Typed& to, Text text) { to.job.input.delimited.decimal = decimal_mark(text); }},
+     [](Typed& to, Text text) { to.keys.input.delimited.decimal = decimal_mark(text); }},
     {option::group, "-g", "COL[,COL]", input_group,
      "Makes one curve of all rows that have the same values in these columns, in any order; the rows begin with these "
      "columns",
      "", columns, recorded,
      [](Typed& to, Text text) {
-       to.job.input.columns.roles.push_back({Role::group, column_list(text), option::group});
+       to.keys.input.columns.roles.push_back({Role::group, column_list(text), option::group});
      }},
     {option::missing, "", "POLICY", input_group,
      "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips the "
      "key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",
      "error", name, recorded,
-     [](Typed& to, Text text) { to.job.input.keys.missing = named_row(missing_names, text).value; },
+     [](Typed& to, Text text) { to.keys.input.keys.missing = named_row(missing_names, text).value; },
      [](const Conflicts& of) {
        of.exclude({option::equal_speed, option::parameter}, ", as all channels are needed at each key",
                   has_sparse_channels);
@@ -193,18 +189,18 @@ constexpr OptionRow option_rows[] = {
      names_in<missing_names>},
     {option::na, "", "TEXT,...", input_group,
      "Further texts that mark a missing number, besides NA, N/A, nan, null, None, missing, - and similar ones", "",
-     other, recorded, [](Typed& to, Text text) { to.job.input.keys.signs = column_list(text); }},
+     other, recorded, [](Typed& to, Text text) { to.keys.input.keys.signs = column_list(text); }},
     {option::time_unit, "", "UNIT", input_group,
      "The unit of times: s, ms, us, ns, min, h, d or frames; --rate is then per second. By default the name of the "
      "column tells the unit, as in time_ms",
-     "", name, recorded, [](Typed& to, Text text) { to.job.input.units.time = named_row(time_units, text).unit; },
+     "", name, recorded, [](Typed& to, Text text) { to.keys.input.units.time = named_row(time_units, text).unit; },
      [](const Conflicts& of) { of.exclude({option::input_fps}); }, names_in<time_units>},
     {option::input_fps, "", "HZ", input_group,
      "Times are numbers of frames at HZ frames per second, such as 24 or 30000/1001, and become seconds", "", other,
-     recorded, [](Typed& to, Text text) { to.job.input.units.frame_rate = positive_ratio(text); }},
+     recorded, [](Typed& to, Text text) { to.keys.input.units.frame_rate = positive_ratio(text); }},
     {option::scale, "", "CHANNEL=FACTOR,...", input_group,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
-     [](Typed& to, Text text) { to.job.input.units.scales = channel_scales(text); }},
+     [](Typed& to, Text text) { to.keys.input.units.scales = channel_scales(text); }},
     {option::rotation, "", "FORM=COLUMN:...", input_group,
      "The columns, by name or number, that together are a rotation: quaternion=X:Y:Z:W, "
      "axis-angle=X:Y:Z:ANGLE[,relative], euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. Repeat "
@@ -213,25 +209,26 @@ constexpr OptionRow option_rows[] = {
      "qy, qz and qw are a rotation",
      "", other, recorded,
      [](Typed& to, Text text) {
-       RotationOptions& options = to.job.input.rotation;
+       RotationOptions& options = to.keys.input.rotation;
        options.requests = rotations(text, options.none);
      }},
     {option::angles, "", "UNIT", input_group, "The unit of the angles in rotations: radians or degrees", "radians",
-     name, recorded, [](Typed& to, Text text) { to.job.input.rotation.degrees = named_row(angle_units, text).degrees; },
+     name, recorded,
+     [](Typed& to, Text text) { to.keys.input.rotation.degrees = named_row(angle_units, text).degrees; },
      [](const Conflicts& of) {
        of.need({option::rotation, option::rotation_output}, ", which tells where angles are");
      },
      names_in<angle_units>},
     {option::rotation_output, "", "FORM", input_group,
      "The form of rotations in rows: quaternion, axis-angle, matrix, or euler=XYZ; by default the form in the input",
-     "", other, recorded, [](Typed& to, Text text) { to.job.input.rotation.shown = rotation_form(text); }},
+     "", other, recorded, [](Typed& to, Text text) { to.keys.input.rotation.shown = rotation_form(text); }},
     {option::angle, "", "CHANNEL=UNIT,...", input_group,
      "Channels that are angles, in degrees or radians: each turns by less than half a turn from key to key. Rows have "
      "angles from 0 to 360 degrees, or from -180 to 180 degrees if a key is negative",
-     "", columns, recorded, [](Typed& to, Text text) { to.job.input.rotation.angles = angle_channels(text); }},
+     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
     {option::normalize, "", "", input_group,
      "Divides quaternions by their norm, which may be any number but 0, and replaces a matrix by the nearest rotation",
-     "", flag, recorded, [](Typed& to, Text) { to.job.input.rotation.normalize = true; }},
+     "", flag, recorded, [](Typed& to, Text) { to.keys.input.rotation.normalize = true; }},
     {option::duplicates,
      "",
      "POLICY",
@@ -242,11 +239,11 @@ constexpr OptionRow option_rows[] = {
      "error",
      name,
      recorded,
-     [](Typed& to, Text text) { to.job.curves.duplicates = named_row(duplicates_names, text).value; },
+     [](Typed& to, Text text) { to.keys.curves.duplicates = named_row(duplicates_names, text).value; },
      {},
      names_in<duplicates_names>},
     {option::sort, "", "", input_group, "Sorts keys by time before use; keys with equal times keep their order", "",
-     flag, recorded, [](Typed& to, Text) { to.job.curves.sort = true; }},
+     flag, recorded, [](Typed& to, Text) { to.keys.curves.sort = true; }},
 
     {option::preset,
      "",
@@ -257,7 +254,7 @@ constexpr OptionRow option_rows[] = {
      name,
      recorded,
      [](Typed& to, Text text) {
-       to.job.curve.preset = {std::string(named_row(spline::presets, text).name), {option::preset}};
+       to.keys.rules.preset = {std::string(named_row(spline::presets, text).name), {option::preset}};
      },
      {},
      names_in<spline::presets>},
@@ -270,7 +267,7 @@ constexpr OptionRow option_rows[] = {
      name,
      recorded,
      [](Typed& to, Text text) {
-       to.job.curve.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}};
+       to.keys.rules.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}};
      },
      {},
      names_in<spline::tangent_rules<double>>},
@@ -284,7 +281,7 @@ constexpr OptionRow option_rows[] = {
      names,
      recorded,
      [](Typed& to, Text text) {
-       to.job.curve.ends = {text, {option::ends}};
+       to.keys.rules.ends = {text, {option::ends}};
      },
      {},
      names_in<spline::end_rules<double>>},
@@ -293,16 +290,16 @@ constexpr OptionRow option_rows[] = {
      "the time of the return",
      "", flag, recorded,
      [](Typed& to, Text) {
-       to.job.curve.closed = {true, {option::closed}};
+       to.keys.rules.closed = {true, {option::closed}};
      }},
     {option::period, "", "P", curve_group,
      "The time that a closed curve takes to return to its first key; implies --closed", "", other, recorded,
      [](Typed& to, Text text) {
-       to.job.curve.period = {text, {option::period}};
+       to.keys.rules.period = {text, {option::period}};
      }},
     {option::equal_speed, "", "", curve_group,
      "Makes the speeds on both sides of a key equal, even if the continuity is not 0", "", flag, recorded,
-     [](Typed& to, Text) { to.job.curve.equal_speed = true; }},
+     [](Typed& to, Text) { to.keys.rules.equal_speed = true; }},
     {option::parameter,
      "",
      "NAME",
@@ -312,7 +309,7 @@ constexpr OptionRow option_rows[] = {
      name,
      recorded,
      [](Typed& to, Text text) {
-       to.job.curve.parameter = {text, {option::parameter}};
+       to.keys.rules.parameter = {text, {option::parameter}};
      },
      {},
      names_in<parameter_names>},
@@ -321,7 +318,7 @@ constexpr OptionRow option_rows[] = {
      "measures the angles through which rotations turn, in radians",
      "", columns, recorded,
      [](Typed& to, Text text) {
-       to.job.curve.metric = {text, {option::metric}};
+       to.keys.rules.metric = {text, {option::metric}};
      },
      [](const Conflicts& of) { of.require_effect(", as no length or speed is requested", needs_no_metric); }},
     {option::rotation_curve,
@@ -334,12 +331,12 @@ constexpr OptionRow option_rows[] = {
      recorded,
      [](Typed& to, Text text) {
        const auto& row = named_row(spline::rotation_curves, text);
-       to.job.curve.rotation_curve = {std::string(row.name), {option::rotation_curve}};
+       to.keys.rules.rotation_curve = {std::string(row.name), {option::rotation_curve}};
      },
      {},
      names_in<spline::rotation_curves>},
     {option::no_ease, "", "", curve_group, "Ignores the columns ease_in and ease_out", "", flag, recorded,
-     [](Typed& to, Text) { to.job.curve.no_ease = true; }},
+     [](Typed& to, Text) { to.keys.rules.no_ease = true; }},
     {option::extrapolate,
      "",
      "RULE",
@@ -350,7 +347,7 @@ constexpr OptionRow option_rows[] = {
      name,
      recorded,
      [](Typed& to, Text text) {
-       to.job.curve.extrapolate = {std::string(named_row(extrapolations, text).name), {option::extrapolate}};
+       to.keys.rules.extrapolate = {std::string(named_row(extrapolations, text).name), {option::extrapolate}};
      },
      {},
      names_in<extrapolations>},
@@ -358,38 +355,38 @@ constexpr OptionRow option_rows[] = {
     {option::step, "-s", "H", sampling_group,
      "Samples every H of time from the first key; H is a decimal or a ratio such as 1/24", "", other, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::step;
-       to.job.sampling.step = positive_ratio(text);
+       to.sampling.mode = Mode::step;
+       to.sampling.step = positive_ratio(text);
      },
      [](const Conflicts& of) { check_mode(of); }},
     {option::rate, "--fps", "HZ", sampling_group,
      "Samples HZ times per second, or per unit of time if the unit is unknown; the step is exactly 1/HZ", "", other,
      recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::step;
-       to.job.sampling.is_rate = true;
-       to.job.sampling.step = step_of_rate(text);
+       to.sampling.mode = Mode::step;
+       to.sampling.is_rate = true;
+       to.sampling.step = step_of_rate(text);
      },
      [](const Conflicts& of) { check_mode(of); }},
     {option::count, "-n", "N", sampling_group,
      "Takes N samples equally spaced in time, including the first and the last key", "", other, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::count;
-       to.job.sampling.count = positive_count(text);
+       to.sampling.mode = Mode::count;
+       to.sampling.count = positive_count(text);
      },
      [](const Conflicts& of) { check_mode(of, {option::end}); }},
     {option::segments, "", "N", sampling_group, "Divides the time into N equal intervals, so there are N+1 samples", "",
      other, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::segments;
-       to.job.sampling.count = positive_count(text);
+       to.sampling.mode = Mode::segments;
+       to.sampling.count = positive_count(text);
      },
      [](const Conflicts& of) { check_mode(of, {option::end}); }},
     {option::per_segment, "", "N", sampling_group,
      "Divides every segment between two keys into N equal intervals of time", "", other, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::per_segment;
-       to.job.sampling.count = positive_count(text);
+       to.sampling.mode = Mode::per_segment;
+       to.sampling.count = positive_count(text);
      },
      [](const Conflicts& of) {
        check_mode(of, {option::from, option::to, option::end, option::keys});
@@ -400,7 +397,7 @@ constexpr OptionRow option_rows[] = {
      "groups; - means the numbers in standard input",
      "", places, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::at;
+       to.sampling.mode = Mode::at;
        store_places(to, option::at, text);
      },
      [](const Conflicts& of) {
@@ -409,21 +406,21 @@ constexpr OptionRow option_rows[] = {
     {option::arc_step, "-a", "H", sampling_group, "Samples every H of arc length from the first key", "", other,
      recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::arc_step;
-       to.job.sampling.step = positive_ratio(text);
+       to.sampling.mode = Mode::arc_step;
+       to.sampling.step = positive_ratio(text);
      },
      [](const Conflicts& of) { check_mode(of); }},
     {option::arc_count, "", "N", sampling_group, "Takes N samples equally spaced in arc length, including both ends",
      "", other, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::arc_count;
-       to.job.sampling.count = positive_count(text);
+       to.sampling.mode = Mode::arc_count;
+       to.sampling.count = positive_count(text);
      },
      [](const Conflicts& of) { check_mode(of, {option::end}); }},
     {option::arc_at, "", "S,...", sampling_group, "Samples at these arc lengths, written as in --at", "", places,
      recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::arc_at;
+       to.sampling.mode = Mode::arc_at;
        store_places(to, option::arc_at, text);
      },
      [](const Conflicts& of) {
@@ -434,8 +431,8 @@ constexpr OptionRow option_rows[] = {
      "channels, and whose rotations stay within ANGLE, such as 0.5deg or 0.01rad",
      "", other, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::tolerance;
-       to.job.sampling.tolerance = curve_tolerance(text);
+       to.sampling.mode = Mode::tolerance;
+       to.sampling.tolerance = curve_tolerance(text);
      },
      [](const Conflicts& of) {
        check_mode(of, {option::from, option::to, option::end});
@@ -446,8 +443,8 @@ constexpr OptionRow option_rows[] = {
      "zeros",
      "", name, recorded,
      [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::emit;
-       to.job.sampling.count = 1;
+       to.sampling.mode = Mode::emit;
+       to.sampling.count = 1;
        to.form = form_of_pieces(text);
      },
      [](const Conflicts& of) {
@@ -459,11 +456,7 @@ constexpr OptionRow option_rows[] = {
     {option::fit, "", "D,...", sampling_group,
      "Prints keys instead of samples: the fewest found whose curve is within D of every sample in the input, over the "
      "metric channels. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
-     "", other, recorded,
-     [](Typed& to, Text text) {
-       to.job.sampling.mode = Mode::fit;
-       std::tie(to.job.fit.tolerances, to.job.fit.angle) = fit_limits(text);
-     },
+     "", other, recorded, [](Typed& to, Text text) { std::tie(to.fit.tolerances, to.fit.angle) = fit_limits(text); },
      [](const Conflicts& of) {
        of.exclude(sampling_options);
        of.disable({option::tcb,         option::tcb_scale,      option::rotation_output,
@@ -480,19 +473,19 @@ constexpr OptionRow option_rows[] = {
      }},
     {option::fit_keys, "", "KIND", sampling_group,
      "The parameters that keys of --fit have: tcb means tension and bias, hermite means velocities", "tcb", name,
-     recorded, [](Typed& to, Text text) { to.job.fit.keys = named_row(fit_key_names, text).keys; }, need_fit,
+     recorded, [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).keys; }, need_fit,
      names_in<fit_key_names>},
     {option::keep_times, "", "T,...", sampling_group,
      "Times of samples that --fit turns into keys in any case, written as in --at", "", places, recorded,
      [](Typed& to, Text text) { store_places(to, option::keep_times, text); }, need_fit},
     {option::corner, "", "DEGREES", sampling_group,
      "Allows a key of --fit to be a corner where the samples turn by more than DEGREES", "", other, recorded,
-     [](Typed& to, Text text) { to.job.fit.corner = corner_angle(text); }, need_fit},
+     [](Typed& to, Text text) { to.fit.corner = corner_angle(text); }, need_fit},
     {option::from, "", "T", sampling_group,
      "Where sampling begins: a time, or an arc length for the arc modes; by default the first key", "", other, recorded,
-     [](Typed& to, Text text) { to.job.sampling.from = ratio(text); }},
+     [](Typed& to, Text text) { to.sampling.from = ratio(text); }},
     {option::to, "", "T", sampling_group, "Where sampling ends; by default the last key", "", other, recorded,
-     [](Typed& to, Text text) { to.job.sampling.to = ratio(text); }},
+     [](Typed& to, Text text) { to.sampling.to = ratio(text); }},
     {option::end,
      "",
      "POLICY",
@@ -504,23 +497,24 @@ constexpr OptionRow option_rows[] = {
      "drop",
      name,
      recorded,
-     [](Typed& to, Text text) { to.job.sampling.end = named_row(end_policies, text).policy; },
+     [](Typed& to, Text text) { to.sampling.end = named_row(end_policies, text).policy; },
      {},
      names_in<end_policies>},
     {option::keys, "", "", sampling_group,
      "Makes every key a sample as well; it replaces a sample that is within a billionth of a step of it", "", flag,
-     recorded, [](Typed& to, Text) { to.job.sampling.keys = true; }},
+     recorded, [](Typed& to, Text) { to.sampling.keys = true; }},
     {option::max_rows, "", "N", sampling_group, "Fails if there are more than N samples", "1e9", other, recorded,
-     [](Typed& to, Text text) { to.job.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
+     [](Typed& to, Text text) { to.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
 
     {option::output, "-o", "FILE", output_group,
      "Writes to FILE, which appears when it is complete; - is standard output", "", file, unrecorded,
-     [](Typed& to, Text text) { to.job.output = text; }, [](const Conflicts& of) { of.exclude({option::output_dir}); }},
+     [](Typed& to, Text text) { to.files.outputs.file = text; },
+     [](const Conflicts& of) { of.exclude({option::output_dir}); }},
     {option::output_format, "-f", "FORMAT", output_group,
      "The format of the output: csv, tsv, ssv, json, jsonl, npy (an array for NumPy) or svg (a picture); by default "
      "the "
      "format of FILE's ending, or else csv",
-     "", name, recorded, [](Typed& to, Text text) { to.job.output_format = output_format(text); },
+     "", name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); },
      [](const Conflicts& of) {
        of.exclude({option::plot});
        disable_options_without_picture(of);
@@ -536,14 +530,13 @@ constexpr OptionRow option_rows[] = {
      "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally spaced "
      "in "
      "time",
-     "", flag, unrecorded, [](Typed& to, Text) { to.job.output_format = FormatId::svg; },
-     disable_options_without_picture},
+     "", flag, unrecorded, [](Typed& to, Text) { to.output.format = FormatId::svg; }, disable_options_without_picture},
     {option::fields, "", "FIELD,...", output_group,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
      "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "
      "which "
      "follow the cubics",
-     "time,position", names, recorded, [](Typed& to, Text text) { to.job.fields = field_list(text); },
+     "time,position", names, recorded, [](Typed& to, Text text) { to.output.fields = field_list(text); },
      [](const Conflicts& of) {
        of.exclude({option::emit}, ", as a piece has the fields s and length only", has_field_of_samples);
        of.need({option::emit}, ", for the length of each piece", has_field_of_pieces);
@@ -552,8 +545,7 @@ constexpr OptionRow option_rows[] = {
     {option::side, "", "SIDE", output_group,
      "Which segment a row at a key describes if two segments differ there: right is the segment after the key, left is "
      "the segment before it",
-     "right", name, recorded,
-     [](Typed& to, Text text) { to.job.sampling.from_left = named_row(side_names, text).left; },
+     "right", name, recorded, [](Typed& to, Text text) { to.sampling.from_left = named_row(side_names, text).left; },
      [](const Conflicts& of) { of.require_effect(" on these fields, which are the same on both sides", has_no_side); },
      names_in<side_names>},
     {option::digits, "", "N", output_group,
@@ -561,7 +553,7 @@ constexpr OptionRow option_rows[] = {
      "that reads back as the same double",
      "", other, recorded,
      [](Typed& to, Text text) {
-       to.notation = {Notation::Kind::digits, digit_count(text, 1)};
+       to.output.notation = {Notation::Kind::digits, digit_count(text, 1)};
      },
      [](const Conflicts& of) {
        of.exclude({option::fixed, option::hex});
@@ -569,14 +561,14 @@ constexpr OptionRow option_rows[] = {
      }},
     {option::fixed, "", "N", output_group, "Prints numbers with N decimals, from 0 to 100", "", other, recorded,
      [](Typed& to, Text text) {
-       to.notation = {Notation::Kind::fixed, digit_count(text, 0)};
+       to.output.notation = {Notation::Kind::fixed, digit_count(text, 0)};
      },
      [](const Conflicts& of) { of.exclude({option::hex}); }},
     {option::jobs, "-j", "N", output_group,
      "The number of threads; by default one per core, or one thread for a live pipe. The output is the same for every "
      "N",
      "", other, unrecorded,
-     [](Typed& to, Text text) { to.job.jobs = static_cast<unsigned>(count_between(text, 1, 1024)); }},
+     [](Typed& to, Text text) { to.threads.requested = static_cast<unsigned>(count_between(text, 1, 1024)); }},
     {option::golden, "", "", output_group, "Prints every number as the exact result, rounded once; slow", "", flag,
      recorded, [](Typed&, Text) {},
      [](const Conflicts& of) { of.exclude({option::fields}, ", as the exact s has no error", has_rounded_field); }},
@@ -592,36 +584,36 @@ constexpr OptionRow option_rows[] = {
      [](Typed&, Text) {}},
     {option::hex, "", "", output_group,
      "Prints numbers in hexadecimal as C does, such as 0x1.8p+1, which strtod reads back bit for bit", "", flag,
-     recorded, [](Typed& to, Text) { to.notation = {Notation::Kind::hex}; }},
+     recorded, [](Typed& to, Text) { to.output.notation = {Notation::Kind::hex}; }},
     {option::no_output_header, "", "", output_group,
      "Prints no names above the rows; this is the default if the input has no names", "", flag, recorded,
-     [](Typed& to, Text) { to.job.output_header = false; }},
+     [](Typed& to, Text) { to.output.header = false; }},
     {option::file_column, "", "[=NAME]", output_group,
      "Adds the name of the input as the first column, which is called NAME, and leaves out the blank line between "
      "files",
-     "file", attached, recorded, [](Typed& to, Text text) { to.job.file_column = text; }},
+     "file", attached, recorded, [](Typed& to, Text text) { to.output.file_column = text; }},
     {option::time_format, "", "FORMAT", output_group,
      "The notation of times in rows: seconds, frames, clock (hh:mm:ss.fff), smpte (timecode) or iso (dates of ISO "
      "8601); by default the notation in the input",
-     "", name, recorded, [](Typed& to, Text text) { to.job.time_notation = named_row(time_notations, text).notation; },
+     "", name, recorded,
+     [](Typed& to, Text text) { to.output.time_notation = named_row(time_notations, text).notation; },
      [](const Conflicts& of) { of.need({option::input_fps}, ", the rate of the frames", has_frames_of_time); },
      names_in<time_notations>},
     {option::rename, "", "OLD=NEW,...", output_group,
      "Renames columns of the input, in the output and for the options about channels", "", columns, recorded,
-     [](Typed& to, Text text) { to.job.input.renamings = renamings(text); }},
+     [](Typed& to, Text text) { to.keys.input.renamings = renamings(text); }},
     {option::axes, "", "X:Y", output_group,
      "With a picture: the channels, by name or number, that point right and up in the view of the path; by default the "
      "first two metric channels",
-     "", column_pair, unrecorded, [](Typed& to, Text text) { to.job.picture.axes = axis_names(text); },
-     require_picture},
+     "", column_pair, unrecorded, [](Typed& to, Text text) { to.picture.axes = axis_names(text); }, require_picture},
     {option::title, "", "TEXT", output_group, "With a picture: its title; by default the name of the file", "", other,
-     unrecorded, [](Typed& to, Text text) { to.job.picture.title = text; }, require_picture},
+     unrecorded, [](Typed& to, Text text) { to.picture.title = text; }, require_picture},
     {option::size, "", "WxH", output_group,
      "With a picture: its width and height in pixels; by default as large as its contents require", "", other,
-     unrecorded, [](Typed& to, Text text) { to.job.picture.size = picture_size(text); }, require_picture},
+     unrecorded, [](Typed& to, Text text) { to.picture.size = picture_size(text); }, require_picture},
 
     {option::explain, "", "", about_group, "Prints what was detected and what would be done, instead of samples", "",
-     flag, recorded, [](Typed& to, Text) { to.job.explain = true; },
+     flag, recorded, [](Typed&, Text) {},
      [](const Conflicts& of) { of.disable({option::meta}, ", which prints no rows"); }},
     {option::progress, "", "", about_group,
      "Shows the progress on a terminal once the work has taken a second, even if the rows go to the terminal; by "
@@ -632,7 +624,7 @@ constexpr OptionRow option_rows[] = {
      }},
     {option::no_progress, "", "", about_group, "Does not show the progress", "", flag, unrecorded, [](Typed&, Text) {}},
     {option::quiet, "-q", "", about_group, "Prints only errors on standard error", "", flag, unrecorded,
-     [](Typed& to, Text) { to.job.verbosity.quiet = true; }},
+     [](Typed&, Text) {}},
     {option::color,
      "",
      "WHEN",

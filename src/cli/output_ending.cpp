@@ -26,13 +26,13 @@ void set_output_format(TypedOptions& typed, bool earlier) {
   const bool is_report = typed.has(option::check) || typed.has(option::identify);
   const std::optional<FormatId> named = format_by_ending(path);
   if (!named || (is_report && *named != FormatId::json)) return;
-  const std::string_view name = format_of(*named).name, chosen = format_of(typed.job.output_format).name;
+  const std::string_view name = format_of(*named).name, chosen = format_of(typed.output.format).name;
   if (typed.has(option::output_format) || typed.has(option::plot) || earlier) {
     if (name != chosen) throw output_of_other_format(path, name, chosen);
     return;
   }
   if (*named == formats[0].id) return;  // as without the ending
-  typed.job.output_format = *named;
+  typed.output.format = *named;
   typed.set_text(option::output_format, std::string(name));
 }
 

@@ -86,9 +86,9 @@ std::optional<PlaceColumn> place_column(const std::string& text, std::string_vie
 }
 
 /// The groups of keys as those of the file, where it has columns of these names.
-std::vector<std::string> group_names(const Job& job) {
-  const auto group = std::ranges::find(job.input.columns.roles, Role::group, &RoleRequest::role);
-  return group == job.input.columns.roles.end() ? std::vector<std::string>{} : group->columns;
+std::vector<std::string> group_names(const InputOptions& keys) {
+  const auto group = std::ranges::find(keys.columns.roles, Role::group, &RoleRequest::role);
+  return group == keys.columns.roles.end() ? std::vector<std::string>{} : group->columns;
 }
 
 /// A number as the text of an option.
@@ -98,11 +98,11 @@ std::string text_of(const Rational& value) {
 }
 
 /// The places in a column of a file, in its order. Throws: Error.
-GroupedPlaces read_places(const PlaceColumn& column, const Job& job) {
+GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys) {
   InputOptions options;
-  options.columns.samples = SampleNames{column.name, group_names(job)};
+  options.columns.samples = SampleNames{column.name, group_names(of_keys)};
   options.columns.samples->times_only = column.option;
-  options.units = {.frame_rate = job.input.units.frame_rate, .only_named_frames = true};
+  options.units = {.frame_rate = of_keys.units.frame_rate, .only_named_frames = true};
   const Input input = open_input(column.path, read_file(column.path), options);
   const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
   SamplingRequest request;
@@ -137,22 +137,22 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   typed.places_from_input = text == "-";
   if (typed.place_column) return;
   typed.set_text(option, listed_numbers(text));
-  typed.job.sampling.places = ratios(typed.text(option));
+  typed.places = ratios(typed.text(option));
 }
 
 void read_place_column(TypedOptions& typed) {
   if (!typed.place_column) return;
   const PlaceColumn& column = *typed.place_column;
-  GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.job); });
+  GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.keys.input); });
   const auto alone = places.find({});
   if (alone == places.end()) {
     if (typed.has(option::meta)) throw groups_of_numbers_in_provenance().about(column.option);
-    typed.job.grouped_places = std::move(places);
+    typed.grouped_places = std::move(places);
     return;
   }
-  typed.job.sampling.places = std::move(alone->second);
+  typed.places = std::move(alone->second);
   std::vector<std::string> texts;
-  for (const Rational& place : typed.job.sampling.places) texts.push_back(text_of(place));
+  for (const Rational& place : typed.places) texts.push_back(text_of(place));
   typed.set_text(column.option, fmt::format("{}", fmt::join(texts, ",")));
 }
 

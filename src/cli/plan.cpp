@@ -28,16 +28,16 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   if (typed.has(option::help)) return is_long ? help_text() : short_help_text();
   if (typed.has(option::list_presets)) return presets_text();
   if (typed.has(option::version)) return version_text();
-  return generated_text(*typed.generated, typed.job.files);
+  return generated_text(*typed.generated, typed.files.files);
 }
 
 }  // namespace
 
-Invocation parse(int argc, const char* const* argv) {
+Job parse(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (words.empty() && ::isatty(STDIN_FILENO) != 0) return {usage_text(), {}, Exit::usage};
+  if (words.empty() && ::isatty(STDIN_FILENO) != 0) return PrintText{usage_text(), Exit::usage};
   TypedOptions typed = read_options(words);
-  if (typed.wants_text()) return {asked_text(typed, words)};
+  if (typed.wants_text()) return PrintText{asked_text(typed, words)};
   std::optional<ProvenanceRequest> provenance;
   if (typed.has(option::from_meta)) {
     provenance = earlier_provenance(typed);
@@ -49,27 +49,15 @@ Invocation parse(int argc, const char* const* argv) {
   read_place_column(typed);
   if (typed.has(option::meta) && !provenance) provenance.emplace();
   if (provenance) provenance->meta = new_provenance(typed);
-  Job job = make_job(typed);
-  job.meta = std::move(provenance);
-  return {{}, std::move(job)};
+  return make_job(typed, std::move(provenance));
 }
 
 namespace {
 
-/// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
-void require_samples(const TypedOptions& typed) {
-  const bool given = std::ranges::any_of(sampling_options, [&](auto option) { return typed.has(option); });
-  if (!given && !typed.has(option::plot)) throw no_sampling_option(sampling_options);
-  const SamplingRequest& sampling = typed.job.sampling;
-  if (sampling.from && sampling.to && *sampling.to < *sampling.from) {
-    throw range_backwards(typed.text(option::from), typed.text(option::to));
-  }
-}
-
 /// Throws: Error (usage) if standard input would be read twice.
 void require_one_reader(const TypedOptions& typed) {
-  const bool keys_from_input = std::ranges::count(typed.job.files, "-") > 0;
-  const bool no_files = typed.job.files.empty();
+  const bool keys_from_input = std::ranges::count(typed.files.files, "-") > 0;
+  const bool no_files = typed.files.files.empty();
   const auto require = [](bool reads_twice, std::string_view option) {
     if (reads_twice) throw standard_input_twice().about(option);
   };
@@ -80,69 +68,150 @@ void require_one_reader(const TypedOptions& typed) {
   require(typed.text(option::identify) == "-" && (keys_from_input || no_files), option::identify);
 }
 
-void set_comparison(Job& job, const TypedOptions& typed) {
-  job.comparison = typed.comparison;
-  if (job.files.size() > 1) {
-    throw comparison_of_several_files(job.files.size())
-        .about(typed.comparison.identify ? option::identify : option::check);
+bool has_sampling_option(const TypedOptions& typed) {
+  return std::ranges::any_of(sampling_options, [&](std::string_view option) { return typed.has(option); });
+}
+
+/// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
+void require_samples(const TypedOptions& typed) {
+  if (!has_sampling_option(typed) && !typed.has(option::plot)) throw no_sampling_option(sampling_options);
+  const SamplingRequest& sampling = typed.sampling;
+  if (sampling.from && sampling.to && *sampling.to < *sampling.from) {
+    throw range_backwards(typed.text(option::from), typed.text(option::to));
   }
 }
 
-/// The samples of a picture, where no option asks for others.
-void set_plot(Job& job, const TypedOptions& typed) {
-  const bool sampled = std::ranges::any_of(sampling_options, [&](auto option) { return typed.has(option); });
-  if (sampled || !typed.has(option::plot)) return;
-  job.sampling.mode = Mode::segments;
-  job.sampling.count = 50;
+// The parts that jobs have in common.
+
+/// Files and outputs of a format.
+InputListOptions files_of(const TypedOptions& typed) {
+  InputListOptions files = typed.files;
+  if (files.files.empty() && files.list.empty()) files.files = {"-"};
+  if (!typed.keys.input.format) files.endings = input_endings();
+  files.outputs.ending = format_of(typed.output.format).ending;
+  return files;
 }
 
-/// A row at a key has the values of the segment after it, unless no field can differ between the two.
-void set_side(Job& job, const TypedOptions& typed) {
-  if (typed.has(option::side)) return;
-  job.sampling.from_left = !job.fields.empty() &&
-                           std::ranges::none_of(job.fields, [](std::size_t field) { return fields()[field].has_side; });
+/// Throws: Error (usage) for rules that do not fit each other.
+KeyOptions keys_of(const TypedOptions& typed) {
+  (void)make_spec(typed.keys.rules);
+  KeyOptions keys = typed.keys;
+  keys.input.columns.timeless = keys.rules.parameter.has_value();
+  keys.input.keys.keeps_decimals = typed.has(option::exact_input);
+  if (typed.has(option::tcb) && keys.input.keys.tcb_scale == TcbScale::max3ds) {
+    for (double* const value :
+         {&keys.input.keys.tcb.tension, &keys.input.keys.tcb.continuity, &keys.input.keys.tcb.bias}) {
+      *value = nearest_double(from_0_to_50(exact_time(Time(*value))));
+    }
+  }
+  return keys;
 }
 
-void set_verbosity(Job& job, const TypedOptions& typed) {
+/// A row at a key has the values of the segment after it, unless no field can differ between the two. Without fields, a
+/// comparison may have any of them.
+bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& chosen) {
+  if (typed.has(option::side)) return typed.sampling.from_left;
+  return !chosen.empty() && std::ranges::none_of(chosen, [](std::size_t field) { return fields()[field].has_side; });
+}
+
+/// The fields of rows.
+std::vector<std::size_t> fields_of(const TypedOptions& typed) {
+  std::vector<std::size_t> chosen = typed.output.fields;
+  if (typed.form) chosen.insert(chosen.begin(), {field_of("start"), field_of("duration"), *typed.form});
+  return chosen.empty() ? field_list(std::string(row_of(option::fields).default_value)) : chosen;
+}
+
+SampleOptions samples_of(const TypedOptions& typed) {
+  SampleOptions samples{typed.sampling, typed.grouped_places};
+  samples.request.places = typed.places;
+  samples.request.from_left = is_from_left(typed, fields_of(typed));
+  if (!has_sampling_option(typed)) {  // a picture has samples of its own
+    samples.request.mode = Mode::segments;
+    samples.request.count = 50;
+  }
+  return samples;
+}
+
+std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
+  if (!typed.has(option::golden)) return std::nullopt;
+  return GoldenOptions{typed.has(option::exact_input), typed.output.notation};
+}
+
+/// Throws: Error (usage) for rows that a terminal cannot show.
+WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+  const bool to_terminal =
+      typed.files.outputs.file == "-" && !typed.files.outputs.folder && ::isatty(STDOUT_FILENO) != 0;
+  if (to_terminal && format_of(typed.output.format).family == FormatFamily::array) {
+    throw binary_to_terminal();
+  }
+  WriterOptions rows = typed.output;
+  rows.fields = fields_of(typed);
+  rows.provenance = std::move(provenance);
+  rows.frame_rate = typed.keys.input.units.frame_rate;
+  return rows;
+}
+
+Verbosity verbosity_of(const TypedOptions& typed) {
   const bool quiet = typed.has(option::quiet), terminal = ::isatty(STDERR_FILENO) != 0;
   const bool to_file = typed.has(option::output) || typed.has(option::output_dir) || ::isatty(STDOUT_FILENO) == 0;
   const bool by_default = to_file && !typed.has(option::no_progress) && !quiet;
   const bool progress = terminal && (typed.has(option::progress) || by_default);
-  job.verbosity = {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
+  return {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
+}
+
+// The jobs.
+
+/// Throws: Error (usage) for several files of keys.
+CompareJob compare_job(const TypedOptions& typed) {
+  const bool identifies = typed.has(option::identify);
+  const InputListOptions files = files_of(typed);
+  if (files.files.size() > 1) {
+    throw comparison_of_several_files(files.files.size()).about(identifies ? option::identify : option::check);
+  }
+  Comparison comparison = typed.comparison;
+  comparison.keys_file = files.files[0];
+  comparison.keys = keys_of(typed);
+  comparison.fields = typed.output.fields;
+  comparison.from_left = is_from_left(typed, comparison.fields);
+  comparison.threads = typed.threads;
+  return {comparison, identifies, files.outputs.file, typed.output.format, typed.picture, verbosity_of(typed)};
+}
+
+ExplainJob explain_job(const TypedOptions& typed) {
+  return {files_of(typed),  keys_of(typed),      samples_of(typed),  golden_of(typed),
+          fields_of(typed), typed.output.format, typed.output.header};
+}
+
+FitJob fit_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+  FitOptions options = typed.fit;
+  options.kept_times = typed.places;
+  options.grouped_kept_times = typed.grouped_places;
+  return {files_of(typed), typed.fail_fast, keys_of(typed),     options, rows_of(typed, std::move(provenance)),
+          typed.picture,   typed.threads,   verbosity_of(typed)};
+}
+
+PlotJob plot_job(const TypedOptions& typed) {
+  KeyOptions keys = keys_of(typed);
+  keys.input.rotation.as_curves = true;
+  return {files_of(typed), typed.fail_fast, keys, samples_of(typed), typed.picture, typed.threads, verbosity_of(typed)};
+}
+
+ResampleJob resample_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+  return {files_of(typed),   typed.fail_fast,    keys_of(typed),
+          samples_of(typed), golden_of(typed),   rows_of(typed, std::move(provenance)),
+          typed.threads,     verbosity_of(typed)};
 }
 
 }  // namespace
 
-Job make_job(const TypedOptions& typed) {
-  Job job = typed.job;
+Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   require_one_reader(typed);
-  if (typed.has(option::check) || typed.has(option::identify)) {
-    set_comparison(job, typed);
-  } else {
-    require_samples(typed);
-    set_plot(job, typed);
-    if (typed.form) job.fields.insert(job.fields.begin(), {field_of("start"), field_of("duration"), *typed.form});
-    if (job.fields.empty()) job.fields = field_list(std::string(row_of(option::fields).default_value));
-  }
-  if (job.files.empty() && job.batch.list.empty()) job.files = {"-"};
-  (void)make_spec(job.curve);  // refuses rules that do not fit each other
-  job.input.columns.timeless = job.curve.parameter.has_value();
-  job.input.keys.keeps_decimals = typed.has(option::exact_input);
-  if (typed.has(option::tcb) && job.input.keys.tcb_scale == TcbScale::max3ds) {
-    for (double* const value :
-         {&job.input.keys.tcb.tension, &job.input.keys.tcb.continuity, &job.input.keys.tcb.bias}) {
-      *value = nearest_double(from_0_to_50(exact_time(Time(*value))));
-    }
-  }
-  const bool to_terminal = job.output == "-" && !job.output_folder && ::isatty(STDOUT_FILENO) != 0;
-  if (to_terminal && format_of(job.output_format).family == FormatFamily::array && !job.explain) {
-    throw binary_to_terminal();
-  }
-  set_side(job, typed);
-  set_verbosity(job, typed);
-  job.notation = typed.notation;
-  if (typed.has(option::golden)) job.golden = GoldenOptions{typed.has(option::exact_input), typed.notation};
-  return job;
+  if (typed.has(option::check) || typed.has(option::identify)) return compare_job(typed);
+  require_samples(typed);
+  if (typed.has(option::explain)) return explain_job(typed);
+  if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
+  if (format_of(typed.output.format).family == FormatFamily::picture) return plot_job(typed);
+  return resample_job(typed, std::move(provenance));
 }
 
 namespace {
@@ -164,7 +233,7 @@ void require_recorded(const std::vector<std::string>& words) {
     if (!typed.has(row.name) || row.changes_rows) continue;
     throw option_not_of_provenance(row.name);
   }
-  if (!typed.job.files.empty()) throw file_in_provenance(typed.job.files[0]);
+  if (!typed.files.files.empty()) throw file_in_provenance(typed.files.files[0]);
   if (!typed.has(option::meta)) throw provenance_without_meta();
 }
 
@@ -194,8 +263,8 @@ ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
     request.earlier.inputs = std::move(earlier.inputs);
     require_recorded(request.earlier.options);
   });
-  const std::size_t files = std::max<std::size_t>(typed.job.files.size(), 1), before = request.earlier.inputs.size();
-  const bool counted = typed.job.batch.list.empty() && !typed.job.batch.recursive;
+  const std::size_t files = std::max<std::size_t>(typed.files.files.size(), 1), before = request.earlier.inputs.size();
+  const bool counted = typed.files.list.empty() && !typed.files.recursive;
   if (counted && files != before) throw other_number_of_files(from, before, files);
   return request;
 }

@@ -1,27 +1,36 @@
-// Plan: from arguments to typed options, from these to the job, and the options that provenance records.
+// Plan: from arguments to typed options, from these to the job of a product, and the options that provenance records.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <variant>
 
+#include "check/compare_job.hpp"
 #include "cli/typed_options.hpp"
 #include "error.hpp"
+#include "fit/fit_job.hpp"
+#include "plot/plot_job.hpp"
+#include "run/explain.hpp"
+#include "run/pipeline.hpp"
+#include "write/provenance.hpp"
 
 namespace tcb {
 
-/// What the command line requests: a text to print, or else a job.
-struct Invocation {
-  std::optional<std::string> text;
-  Job job = {};
+/// A text that is printed instead of work.
+struct PrintText {
+  std::string text;
   Exit exit = Exit::done;  ///< after the text; where it is another one, the text is an error message
 };
 
-/// Throws: Error (usage) that names the option, what was expected, and the remedy.
-Invocation parse(int argc, const char* const* argv);
+/// What the command line requests.
+using Job = std::variant<PrintText, ResampleJob, ExplainJob, PlotJob, FitJob, CompareJob>;
 
-/// The job of these options. Requires: no conflict.
+/// Reads the command line. Throws: Error (usage) that names the option, what was expected, and the remedy.
+Job parse(int argc, const char* const* argv);
+
+/// The job of these options. `provenance`: that of its output, if it has one. Requires: no conflict.
 /// Throws: Error (usage) if they do not fit each other.
-Job make_job(const TypedOptions& typed);
+Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance = std::nullopt);
 
 /// The provenance of an output that is made with these options: its program, and all options that change a byte.
 /// Throws: Error (usage) for a value that no line can hold.

@@ -49,7 +49,7 @@ bool may_name(const std::string& word, const OptionRow& row) {
 /// compares each new option with all others, so only those that the words may name are declared.
 void declare(CLI::App& app, TypedOptions& typed, const std::vector<std::string>& words) {
   app.set_help_flag();
-  app.add_option("FILE", typed.job.files);
+  app.add_option("FILE", typed.files.files);
   for (std::size_t i = option_table().size(); i-- > 0;) {
     const OptionRow& row = option_table()[i];
     if (std::ranges::none_of(words, [&row](const std::string& word) { return may_name(word, row); })) continue;
@@ -139,7 +139,7 @@ TypedOptions read_options(const std::vector<std::string>& given) {
   } catch (const CLI::ParseError& error) {
     refuse(error, app, words);
   }
-  if (std::ranges::count(typed.job.files, "") > 0) throw file_name_empty();
+  if (std::ranges::count(typed.files.files, "") > 0) throw file_name_empty();
   return typed;
 }
 

@@ -8,8 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "check/comparison.hpp"
+#include "fit/fit_options.hpp"
+#include "io/input_list.hpp"
 #include "io/terminal.hpp"
+#include "plot/picture.hpp"
 #include "run/job.hpp"
+#include "run/sample_options.hpp"
+#include "write/writer.hpp"
 
 namespace tcb {
 
@@ -25,9 +31,17 @@ struct PlaceColumn {
 /// The values of the options, each by itself; make_job decides what they mean together. An option is identified by its
 /// name, a constant of option_names.hpp.
 struct TypedOptions {
-  Job job;
+  InputListOptions files;
+  bool fail_fast = false;
+  KeyOptions keys;
+  SamplingRequest sampling;
+  std::vector<Rational> places;  ///< of the option that lists places, or else by group:
+  GroupedPlaces grouped_places;
+  FitOptions fit;
   Comparison comparison;
-  Notation notation;
+  WriterOptions output;
+  PictureOptions picture;
+  ThreadOptions threads;
   std::optional<Generated> generated;
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces

@@ -1,24 +1,15 @@
 // Fit: few keys whose curve stays within tolerances of a recording, checked on the numbers as they are printed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "fit/fit_options.hpp"
 #include "fit/recording.hpp"
 #include "schema/key_block.hpp"
 
 namespace tcb {
-
-/// What the keys carry.
-enum class FitKeys { tcb, hermite };
-struct FitKeysName {
-  std::string_view name;
-  FitKeys keys;
-};
-inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
 
 /// How often each sample is counted as done, unless a fit is tried again.
 inline constexpr std::size_t fit_passes = 6;

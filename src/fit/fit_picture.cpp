@@ -12,9 +12,9 @@
 #include "fit/fitting.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
-#include "option_names.hpp"
 #include "read/reader.hpp"
-#include "run/pipeline.hpp"
+#include "run/progress.hpp"
+#include "stream/ordered_map.hpp"
 
 namespace tcb {
 namespace {
@@ -27,19 +27,20 @@ KeyBlock block_of(Keys keys) {
 }
 
 /// The recordings of the input of a job, and their keys. Adds to the report.
-ComparisonInputs fitted_inputs(const Job& job, FitReport& report) {
+ComparisonInputs fitted_inputs(const FitJob& job, FitReport& report) {
   ComparisonInputs inputs;
-  inputs.file = shown_name(job.files[0]);
+  const std::string& path = job.files.files[0];
+  inputs.file = shown_name(path);
   inputs.keys = "keys";
-  inputs.threads = job.threads();
-  const Input input = open_input(job.files[0], read_file(job.files[0]), job.input);
+  inputs.threads = job.threads.count();
+  const Input input = open_input(path, read_file(path), job.keys.input);
   Schema& keys = inputs.kept.schema;
-  keys = curve_of_fit(input, job);
-  Curves curves(input.schema, input.keys, job.curves, false);
+  keys = curve_of_fit(input, job.keys.rules, job.options);
+  Curves curves(input.schema, input.keys, job.keys.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
-    Samples samples = recorded_samples(*curve, input.schema, sampling_of(*curve, input.schema, job).places, job);
-    FitResult result = fitted(samples, job.fit);
-    report.add(rows_of(samples, result, job.fit).report);
+    Samples samples = recorded_samples(*curve, input.schema, job.keys.rules, job.options);
+    FitResult result = fitted(samples, job.options);
+    report.add(rows_of(samples, result, job.options).report);
     inputs.kept.curves.push_back(
         {curve->group, std::make_shared<const CurveInfo>(), {block_of(std::move(result.keys))}});
     inputs.table.curves.push_back(
@@ -54,24 +55,26 @@ ComparisonInputs fitted_inputs(const Job& job, FitReport& report) {
 
 }  // namespace
 
-Exit draw_fit(const Job& job) {
-  if (job.files.size() != 1 || job.output_folder || job.batch.recursive) {
-    throw fit_picture_of_several_files();
-  }
-  const ThreadPool pool(job.threads());
+Exit draw_fit(const FitJob& job) {
+  const OutputPaths& outputs = job.files.outputs;
+  if (job.files.files.size() != 1 || outputs.folder || job.files.recursive) throw fit_picture_of_several_files();
+  const std::string& path = job.files.files[0];
+  if (outputs.file != "-") remove_unfinished_when_interrupted();
+  const ThreadPool pool(job.threads.count());
   Report notes(job.verbosity);
   FitReport report;
-  CheckPicture picture(job);
-  Job check_job = job;
-  check_job.comparison = Comparison{job.files[0], false, job.fit.tolerances, {}, {}};
-  const Check result = in_file(shown_name(job.files[0]), [&] {
-    return check(check_job, fitted_inputs(job, report), [&](const CheckedPair& pair) { picture.add(pair); });
+  CheckPicture picture(job.picture);
+  Comparison comparison;
+  comparison.keys = job.keys;
+  comparison.abs = job.options.tolerances;
+  const Check result = in_file(shown_name(path), [&] {
+    return check(comparison, fitted_inputs(job, report), [&](const CheckedPair& pair) { picture.add(pair); });
   });
-  Output output(job.output);
+  Output output(outputs.file);
   output.write(picture.svg(result, fmt::format("{} samples · {} keys · at least {} are needed", report.samples,
                                                report.keys, report.least_keys)));
   output.commit();
-  notes.note(job.files[0], note_of(report, job.fit));
+  notes.note(path, note_of(report, job.options));
   return Exit::done;
 }
 

@@ -2,13 +2,12 @@
 #pragma once
 
 #include "error.hpp"
-#include "run/job.hpp"
-#include "run/progress.hpp"
+#include "fit/fit_job.hpp"
 
 namespace tcb {
 
 /// Fits the recordings of the one input of a job, and writes the picture.
 /// Throws: Error, naming the file.
-Exit draw_fit(const Job& job);
+Exit draw_fit(const FitJob& job);
 
 }  // namespace tcb

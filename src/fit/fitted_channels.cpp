@@ -69,10 +69,9 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
 
 }  // namespace
 
-FittedChannels fitted_channels(const Schema& schema, const Job& job) {
-  const FitOptions& options = job.fit;
+FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options) {
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
-  const auto metric = make_spec(job.curve, schema.channels, rotations, schema.angles).rules.metric;
+  const auto metric = make_spec(rules, schema.channels, rotations, schema.angles).rules.metric;
   FittedChannels fitted;
   std::vector<LimitKind> kinds;
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {

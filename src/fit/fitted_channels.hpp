@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "fit/fit_options.hpp"
 #include "fit/recording.hpp"
-#include "run/job.hpp"
+#include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {
@@ -18,8 +19,8 @@ struct FittedChannels {
   std::vector<FitGroup> groups;  ///< of these channels: those of rotations come last
 };
 
-/// Throws: Error (data) for rotations that are no quaternions, for limits of channels or rotations that are not there,
-/// and for a channel without a limit; Error (usage) for a metric that does not exist.
-FittedChannels fitted_channels(const Schema& schema, const Job& job);
+/// `rules` have the metric. Throws: Error (data) for rotations that are no quaternions, for limits of channels or
+/// rotations that are not there, and for a channel without a limit; Error (usage) for a metric that does not exist.
+FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options);
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// Fitting: the keys of a recording as rows, in place of the samples of a curve.
+// Fitting: from the samples of a recording to the rows of its keys, and how well they fit.
 #include "fit/fitting.hpp"
 
 #include <fmt/format.h>
@@ -104,6 +104,12 @@ void unwrap(Recording& recording, std::size_t channel, bool degrees) {
   }
 }
 
+/// The times of a curve that are to have keys.
+const std::vector<Rational>& kept_times_of(const CurveKeys& curve, const Schema& schema, const FitOptions& options) {
+  if (options.grouped_kept_times.empty()) return options.kept_times;
+  return places_of_group(options.grouped_kept_times, option::keep_times, curve, schema);
+}
+
 /// The samples at the times that are to have keys.
 std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const std::vector<Rational>& places) {
   std::vector<std::size_t> kept;
@@ -120,10 +126,10 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
 
 }  // namespace
 
-Schema curve_of_fit(const Input& samples, const Job& job) {
+Schema curve_of_fit(const Input& samples, const CurveSettings& rules, const FitOptions& options) {
   if (!samples.schema.time.is_given) throw fit_without_times();
   if (!samples.facts.roles.empty()) throw fit_of_keys(samples.facts.roles[0]);
-  const FittedChannels fitted = fitted_channels(samples.schema, job);
+  const FittedChannels fitted = fitted_channels(samples.schema, rules, options);
   if (fitted.names.empty()) throw only_rotations();
   Schema schema = with_channels(samples.schema, fitted.names);
   for (const FitGroup& group : fitted.groups) {
@@ -134,27 +140,27 @@ Schema curve_of_fit(const Input& samples, const Job& job) {
   return schema;
 }
 
-Schema keys_of_fit(const Input& samples, const Job& job) {
-  std::vector<std::string> channels = curve_of_fit(samples, job).channels;
-  for (const SlopeColumn& column : slope_columns(fitted_channels(samples.schema, job), job.fit)) {
+Schema keys_of_fit(const Input& samples, const CurveSettings& rules, const FitOptions& options) {
+  std::vector<std::string> channels = curve_of_fit(samples, rules, options).channels;
+  for (const SlopeColumn& column : slope_columns(fitted_channels(samples.schema, rules, options), options)) {
     channels.push_back(column.name);
   }
   return with_channels(samples.schema, std::move(channels));
 }
 
-Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const std::vector<Rational>& kept_times,
-                         const Job& job) {
+Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const CurveSettings& rules,
+                         const FitOptions& options) {
   if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
     const auto& [name, place] = curve.curve_info->places[0];
     throw fit_of_setting(name).at(place);
   }
   Samples samples{curve.group, {}, {}, {}, {}, {}};
-  samples.fitted = fitted_channels(schema, job);
+  samples.fitted = fitted_channels(schema, rules, options);
   const auto& [channels, names, groups] = samples.fitted;
   Recording& recording = samples.recording;
   recording.channels = channels.size();
   recording.groups = groups;
-  const Source<KeyBlock> blocks = checked_samples(curve.keys, schema, job.fit);
+  const Source<KeyBlock> blocks = checked_samples(curve.keys, schema, options);
   while (const std::optional<KeyBlock> block = blocks()) {
     for (std::size_t key = 0; key < block->size(); ++key) {
       samples.times.push_back(block->keys.times[key]);
@@ -176,7 +182,7 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const std
     throw too_few_samples().at({"", line, 0});
   }
   require_resolution(recording, names);
-  samples.kept = kept_samples(samples.times, kept_times);
+  samples.kept = kept_samples(samples.times, kept_times_of(curve, schema, options));
   return samples;
 }
 
@@ -199,30 +205,6 @@ FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOpt
     }
   }
   return rows;
-}
-
-FitReport write_fits(const Source<Samples>& samples, const FitOptions& options, Writer& writer, FileProgress& progress,
-                     unsigned threads) {
-  const auto keys_of = [&](const Samples& one) {
-    std::size_t counted = 0;
-    const auto done = [&](std::size_t number) {
-      progress.add_rows((counted + number) / fit_passes - counted / fit_passes);
-      counted += number;
-    };
-    return rows_of(one, fitted(one, options, done), options);
-  };
-  FitReport report;
-  const Source<FittedRows> keys = ordered_map(samples, keys_of, threads);
-  while (const std::optional<FittedRows> rows = keys()) {
-    writer.begin_curve(rows->group);
-    writer.write([&, done = false]() mutable -> std::optional<std::string> {
-      if (std::exchange(done, true)) return std::nullopt;
-      return writer.print(rows->table, true);
-    });
-    writer.recorder().count_rows(rows->report.keys);
-    report.add(rows->report);
-  }
-  return report;
 }
 
 void FitReport::add(const FitReport& other) {

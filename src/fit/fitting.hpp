@@ -1,18 +1,17 @@
-// Fitting: the keys of a recording as rows, in place of the samples of a curve.
+// Fitting: from the samples of a recording to the rows of its keys, and how well they fit.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "fit/fit.hpp"
+#include "fit/fit_options.hpp"
 #include "fit/fitted_channels.hpp"
 #include "keys/curves.hpp"
 #include "read/input.hpp"
-#include "run/job.hpp"
-#include "run/progress.hpp"
+#include "run/notes.hpp"
 #include "sample/rows.hpp"
-#include "write/writer.hpp"
 
 namespace tcb {
 
@@ -52,25 +51,21 @@ struct FittedRows {
 
 /// The meaning of the curve that fits samples: that of its positions. Throws: Error (data) for an input that has no
 /// times or is one of keys, and for a tolerance of a channel that it does not have.
-Schema curve_of_fit(const Input& samples, const Job& job);
+Schema curve_of_fit(const Input& samples, const CurveSettings& rules, const FitOptions& options);
 
 /// The meaning of the keys of that curve as rows, which also have slopes, or tension, continuity and bias. Throws:
 /// Error as curve_of_fit().
-Schema keys_of_fit(const Input& samples, const Job& job);
+Schema keys_of_fit(const Input& samples, const CurveSettings& rules, const FitOptions& options);
 
 /// The samples of a curve. Throws: Error (data) for missing numbers, fewer than two samples, a tolerance near the
 /// spacing of doubles, and a time to keep that no sample has.
-Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const std::vector<Rational>& kept_times,
-                         const Job& job);
+Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const CurveSettings& rules,
+                         const FitOptions& options);
 
 /// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.
 FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done = {});
 
 /// The keys of samples as rows.
 FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options);
-
-/// Writes the keys of recordings, each fitted on a thread of its own.
-FitReport write_fits(const Source<Samples>& samples, const FitOptions& options, Writer& writer, FileProgress& progress,
-                     unsigned threads);
 
 }  // namespace tcb

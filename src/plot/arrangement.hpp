@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "plot/picture.hpp"
 #include "plot/scene.hpp"
 #include "plot/view.hpp"
 

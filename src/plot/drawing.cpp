@@ -1,4 +1,4 @@
-// Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file; rules in words.
+// Drawing: the scene of the curves of files, and its picture.
 #include "plot/drawing.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include "io/input_file.hpp"
 #include "option_names.hpp"
 #include "plot/errors.hpp"
-#include "run/pipeline.hpp"
+#include "run/in_words.hpp"
 #include "sample/fields.hpp"
 
 namespace tcb {
@@ -75,28 +75,6 @@ void append_rotation_rules(std::vector<std::string>& words, const RuleFacts& fac
 
 }  // namespace
 
-Facts rules_in_words(const RuleFacts& facts) {
-  const spline::CurveRules<double>& rules = facts.spec.rules;
-  Facts words{{"tangents", std::string(name_of(rules.tangents))}};
-  if (facts.spec.closed) {
-    words.emplace_back("closed", "yes");
-  } else {
-    words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
-  }
-  if (rules.equal_speed) words.emplace_back("equal speed", "yes");
-  if (!rules.rotations.empty()) {
-    const auto& [curve, tangents, ends] = rules.rotation_rules;
-    words.emplace_back("rotation curve", std::string(name_of(curve)));
-    if (tangents) words.emplace_back("rotation tangents", std::string(name_of(*tangents)));
-    if (ends && !facts.spec.closed) words.emplace_back("rotation ends", std::string(name_of(*ends)));
-  }
-  if (!facts.timed) {
-    const std::string_view made = facts.spec.parameter_name ? std::string_view(*facts.spec.parameter_name) : "uniform";
-    words.emplace_back("times", fmt::format("none; made with {} {}", option::parameter, made));
-  }
-  return words;
-}
-
 std::string short_rules(const RuleFacts& facts) {
   const auto& [spec, timed] = facts;
   const spline::CurveRules<double>& rules = spec.rules;
@@ -133,8 +111,8 @@ void Drawing::begin(const std::string& path, const Schema& schema, const RuleFac
 void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
   scene_.time = schema.time.name;
   scene_.channels = schema.channels;
-  if (!spec.lacks_metric || !job_.picture.axes.empty()) {
-    scene_.path = path_axes(schema.channels, job_.picture.axes, spec.rules.metric);
+  if (!spec.lacks_metric || !options_.axes.empty()) {
+    scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
   }
   channels_ = spec.channels();
   if (channels_.rotations.empty()) return;
@@ -195,13 +173,13 @@ void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stor
 }
 
 std::string Drawing::title() const {
-  if (job_.picture.title) return *job_.picture.title;
+  if (options_.title) return *options_.title;
   if (files_.size() < 2) return files_.empty() ? "" : files_.front();
   return fmt::format("{} and {} more", files_.front(), files_.size() - 1);
 }
 
 std::string Drawing::subtitle() const {
-  std::string text = fmt::format("{} · {} · {} · {}", rules_, counted(keys_, "key"), samples_in_words(job_.sampling),
+  std::string text = fmt::format("{} · {} · {} · {}", rules_, counted(keys_, "key"), samples_in_words(samples_),
                                  counted(rows_, "row"));
   if (curves_ > scene_.curves.size()) text += fmt::format(" · {} of {} curves", scene_.curves.size(), curves_);
   return text;
@@ -210,26 +188,8 @@ std::string Drawing::subtitle() const {
 void Drawing::commit() {
   scene_.title = title();
   scene_.subtitle = subtitle();
-  output_.write(picture(scene_, job_.picture.size));
+  output_.write(picture(scene_, options_.size));
   output_.commit();
 }
-
-Sink::Sink(const Job& job, const WriterOptions& options, const std::string& path) {
-  if (format_of(job.output_format).family == FormatFamily::picture) {
-    drawing.emplace(job, path);
-  } else {
-    writer.emplace(options, path);
-  }
-}
-
-void Sink::begin(const std::string& path, const Schema& schema, const RuleFacts& rules) {
-  if (drawing) return drawing->begin(path, schema, rules);
-  Facts facts{{"preset", std::string(spline::name_of(rules.spec.preset))}};
-  const Facts more = rules_in_words(rules);
-  facts.insert(facts.end(), more.begin(), more.end());
-  writer->begin(schema, is_live(path), std::move(facts), shown_name(path));
-}
-
-void Sink::commit() { drawing ? drawing->commit() : writer->commit(); }
 
 }  // namespace tcb

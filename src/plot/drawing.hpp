@@ -1,4 +1,4 @@
-// Drawing: a picture as the output of the pipeline, from stored curves to the bytes of a file.
+// Drawing: the scene of the curves of files, and its picture.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,20 @@
 #include <vector>
 
 #include "io/atomic_output.hpp"
+#include "plot/picture.hpp"
 #include "plot/scene.hpp"
 #include "run/curve_pipeline.hpp"
-#include "run/job.hpp"
-#include "run/progress.hpp"
+#include "sample/request.hpp"
 #include "schema/schema.hpp"
-#include "write/writer.hpp"
 
 namespace tcb {
 
 /// One picture of the curves of one file or of several.
 class Drawing {
  public:
-  Drawing(const Job& job, std::string path) : job_(job), output_(std::move(path)) {}
+  /// The options outlive this.
+  Drawing(const PictureOptions& options, const SamplingRequest& samples, std::string path)
+      : options_(options), samples_(samples), output_(std::move(path)) {}
 
   /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) if they have other
   /// columns than the previous curves, or lack the requested axes.
@@ -38,7 +39,8 @@ class Drawing {
   std::string title() const;
   std::string subtitle() const;
 
-  const Job& job_;
+  const PictureOptions& options_;
+  const SamplingRequest& samples_;
   Output output_;
   Scene scene_;
   std::vector<std::string> files_;    ///< names without their folders
@@ -51,17 +53,5 @@ class Drawing {
 
 /// The rules of a curve in words: the preset, or its tangents and ends where they differ, and further rules.
 std::string short_rules(const RuleFacts& facts);
-
-/// One output: of rows, or a picture.
-struct Sink {
-  std::optional<Writer> writer;
-  std::optional<Drawing> drawing;
-
-  /// The options outlive the sink.
-  Sink(const Job& job, const WriterOptions& options, const std::string& path);
-  /// Begins the curves of the next file; `rules` are those of its first curve.
-  void begin(const std::string& path, const Schema& schema, const RuleFacts& rules);
-  void commit();
-};
 
 }  // namespace tcb

@@ -1,4 +1,6 @@
 // Picture: the views of a scene with their curves, titles and the legend, as SVG of a bounded size.
+#include "plot/picture.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <optional>

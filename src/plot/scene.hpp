@@ -75,11 +75,6 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
                                                     const std::vector<std::string>& requested,
                                                     const std::vector<std::size_t>& metric = {});
 
-/// The size of a picture; 0: as required by the contents.
-struct PictureSize {
-  int width = 0, height = 0;
-};
-
 /// A rotation of a curve, from which angles are measured.
 struct FirstRotation {
   spline::RotationChannels channels{};
@@ -107,9 +102,5 @@ struct SceneExtent {
 
 /// Reads all curves. Throws: Error (data) if the difference of two numbers is beyond the range of doubles.
 SceneExtent extent_of(const Scene& scene);
-
-/// The picture as SVG: at most 300 kB, and the same bytes everywhere.
-/// Throws: Error (data) as extent_of(), Error (usage) if the channels need a larger picture.
-std::string picture(const Scene& scene, const PictureSize& size);
 
 }  // namespace tcb

@@ -1,10 +1,13 @@
-// Batches: an output for each file, files that fail, and threads for large files.
+// Batches: the files of a job into one output or each into its own, files that fail, and threads for large files.
+#include "run/batch.hpp"
+
 #include <atomic>
 #include <new>
 #include <optional>
 
+#include "io/atomic_output.hpp"
+#include "io/input_file.hpp"
 #include "run/errors.hpp"
-#include "run/pipeline.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {
@@ -65,6 +68,53 @@ Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Repo
     if (outcome->error) report.error(*outcome->error);
   }
   return summary;
+}
+
+namespace {
+
+/// An output for each file.
+Exit convert_each(const Inputs& inputs, const OutputPaths& paths, bool fail_fast, unsigned threads, Report& report,
+                  const OpenOutput& open) {
+  make_folder(*paths.folder);
+  const auto convert = [&](const InputFile& file, unsigned some) {
+    const std::string path = output_path(file, paths);
+    if (file.inside > 0) make_folder(folder_of(path));
+    const std::unique_ptr<BatchOutput> output = open(path);
+    const std::uint64_t rows = output->add(file, some);
+    output->commit();
+    return rows;
+  };
+  const InputFile& first = inputs.files.front();
+  if (inputs.files.size() + inputs.others == 1 && !first.is_current) {  // its errors end the program
+    in_file(shown_name(first.path), [&] { convert(first, threads); });
+    return Exit::done;
+  }
+  const Summary summary = convert_all(inputs, fail_fast, threads, report, convert);
+  report.summary(summary);
+  return summary.failed == 0 ? Exit::done : Exit::data;
+}
+
+/// One output for all files.
+void convert_together(const Inputs& inputs, const std::string& path, unsigned threads, const OpenOutput& open) {
+  const std::unique_ptr<BatchOutput> output = open(path);
+  for (const InputFile& file : inputs.files) in_file(shown_name(file.path), [&] { output->add(file, threads); });
+  output->commit();
+}
+
+}  // namespace
+
+Exit convert_files(const InputListOptions& files, bool fail_fast, const ThreadOptions& threads, Report& report,
+                   const OpenOutput& open) {
+  const OutputPaths& paths = files.outputs;
+  if (paths.folder || paths.file != "-") remove_unfinished_when_interrupted();
+  const ThreadPool pool(threads.count());
+  const Inputs inputs = find_inputs(files);
+  std::uintmax_t bytes = 0;
+  for (const InputFile& file : inputs.files) bytes += file.size;
+  report.expect(inputs.files.size(), bytes);
+  if (paths.folder) return convert_each(inputs, paths, fail_fast, threads.count(), report, open);
+  convert_together(inputs, paths.file, threads.count(), open);
+  return Exit::done;
 }
 
 }  // namespace tcb

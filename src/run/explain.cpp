@@ -1,4 +1,6 @@
 // Explanation: what was detected in a file and will be done with it, one fact per line.
+#include "run/explain.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,11 +9,13 @@
 #include <memory>
 #include <utility>
 
+#include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
 #include "read/reader.hpp"
 #include "run/curve_pipeline.hpp"
-#include "run/pipeline.hpp"
+#include "run/in_words.hpp"
+#include "run/notes.hpp"
 #include "sample/fields.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
@@ -21,8 +25,6 @@ namespace tcb {
 namespace {
 
 constexpr std::size_t most_curves = 100;  ///< with a line of their own
-
-std::string shown(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
 
 /// The name of a value in a table of names.
 template <class Row, std::size_t size, class Value>
@@ -73,14 +75,15 @@ Facts input_facts(const Input& input) {
 }
 
 /// What will be done with every curve of an input.
-Facts intentions(const Job& job, const Schema& schema) {
+Facts intentions(const ExplainJob& job, const Schema& schema) {
+  const SamplingRequest& sampling = job.samples.request;
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  add("missing", std::string(name_of(missing_names, &MissingName::value, job.input.keys.missing)));
-  const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.curves.duplicates);
+  add("missing", std::string(name_of(missing_names, &MissingName::value, job.keys.input.keys.missing)));
+  const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.keys.curves.duplicates);
   if (schema.time.is_given) add("duplicates", std::string(duplicates));
-  if (job.curves.sort) add("sort", "by time");
-  const spline::Tcb<double>& tcb = job.input.keys.tcb;
+  if (job.keys.curves.sort) add("sort", "by time");
+  const spline::Tcb<double>& tcb = job.keys.input.keys.tcb;
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
   for (const AngleColumn& angle : schema.angles) {
     add("angle", schema.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
@@ -94,15 +97,15 @@ Facts intentions(const Job& job, const Schema& schema) {
                     fmt::join(given.columns, " "), rows));
   }
   const std::string_view others = schema.rotations.empty() && schema.angles.empty() ? "" : "other ";
-  add("metric", job.curve.metric ? job.curve.metric->value : fmt::format("all {}channels", others));
-  add("samples", samples_in_words(job.sampling));
-  if (job.sampling.from) add("from", shown(*job.sampling.from));
-  if (job.sampling.to) add("to", shown(*job.sampling.to));
+  add("metric", job.keys.rules.metric ? job.keys.rules.metric->value : fmt::format("all {}channels", others));
+  add("samples", samples_in_words(sampling));
+  if (sampling.from) add("from", number_in_words(*sampling.from));
+  if (sampling.to) add("to", number_in_words(*sampling.to));
   std::vector<std::string_view> names;
   for (const std::size_t field : job.fields) names.push_back(fields()[field].name);
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
-  const Format& output = format_of(job.output_format);
-  const std::string_view header = job.output_header.value_or(schema.named) ? " with a header" : " without a header";
+  const Format& output = format_of(job.format);
+  const std::string_view header = job.header.value_or(schema.named) ? " with a header" : " without a header";
   add("output", fmt::format("{}{}", output.name, output.family == FormatFamily::delimited ? header : ""));
   return facts;
 }
@@ -180,18 +183,18 @@ std::string line_of(const CurveOutcome& outcome) {
 /// Counts of all curves of an input, and a line for each of the first ones.
 class Explainer {
  public:
-  Explainer(const Input& input, const Job& job) : input_(input), job_(job) {}
+  Explainer(const Input& input, const ExplainJob& job) : input_(input), job_(job) {}
 
   void add(const CurveKeys& curve) {
-    CurvePipeline pipeline(sampling_of(curve, input_.schema, job_), job_.curve, job_.fields, job_.golden, input_.schema,
-                           input_.keys.traits, *curve.curve_info, job_.input.threads);
+    CurvePipeline pipeline(job_.samples.of(curve, input_.schema), job_.keys.rules, job_.fields, job_.golden,
+                           input_.schema, input_.keys.traits, *curve.curve_info);
     if (count_ == 0) {
       needs_ = in_words(pipeline.needs());
       append(intended_, rules_in_words(pipeline.facts()));
       append(intended_, intentions(job_, input_.schema));
     }
     last_ = outcome_of(pipeline, curve);
-    last_.ends_at_key = !job_.sampling.to && !pipeline.facts().spec.closed;
+    last_.ends_at_key = !job_.samples.request.to && !pipeline.facts().spec.closed;
     keys_ += last_.keys;
     rows_ += last_.rows;
     if (count_ < most_curves) curves_.emplace_back(title(input_.schema, curve, count_), line_of(last_));
@@ -219,7 +222,7 @@ class Explainer {
   static void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
 
   const Input& input_;
-  const Job& job_;
+  const ExplainJob& job_;
   Facts intended_, curves_;
   std::string needs_;
   CurveOutcome last_;
@@ -240,36 +243,9 @@ bool is_json(FormatId format) { return format == FormatId::json || format == For
 
 }  // namespace
 
-std::string samples_in_words(const SamplingRequest& request) {
-  const std::string_view of = by_length(request.mode) ? "arc length" : "time";
-  switch (request.mode) {
-    case Mode::step:
-      if (request.is_rate) return fmt::format("{} per unit of time", shown(Rational(1) / request.step));
-      [[fallthrough]];
-    case Mode::arc_step: return fmt::format("every {} of {}", shown(request.step), of);
-    case Mode::arc_count:
-    case Mode::count: return fmt::format("{}, equally spaced in {}", request.count, of);
-    case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
-    case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
-    case Mode::at:
-    case Mode::arc_at:
-      return request.places.empty() ? fmt::format("at places in {} for each group", of)
-                                    : fmt::format("at {} places in {}", request.places.size(), of);
-    case Mode::emit: return "the cubic of each segment";
-    case Mode::fit: return "keys near the samples";
-    case Mode::tolerance: {
-      const auto& [distance, angle] = request.tolerance;
-      if (!request.tolerance.limits_angle()) return fmt::format("within {} of the curve", distance);
-      if (!request.tolerance.limits_distance()) return fmt::format("rotations within {} radians", angle);
-      return fmt::format("within {} of the curve, rotations within {} radians", distance, angle);
-    }
-  }
-  return "";
-}
-
-std::string explanation(const std::string& path, const Job& job) {
-  const Input input = open_input(path, read_file(path), job.input);
-  Curves curves(input.schema, input.keys, job.curves, is_live(path));
+std::string explanation(const std::string& path, const ExplainJob& job) {
+  const Input input = open_input(path, read_file(path), job.keys.input);
+  Curves curves(input.schema, input.keys, job.keys.curves, is_live(path));
   Explainer explainer(input, job);
   while (const std::optional<CurveKeys> curve = curves.next()) explainer.add(*curve);
   Facts lines{{"file", shown_name(path)}};
@@ -277,11 +253,19 @@ std::string explanation(const std::string& path, const Job& job) {
   append(input_facts(input));
   append(explainer.lines());
   if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
-  if (!explainer.needs().empty()) lines.emplace_back("needs", explainer.needs());
-  if (is_json(job.output_format)) return as_object(lines);
+  if (is_json(job.format)) return as_object(lines);
   std::string out;
   for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);
   return out;
+}
+
+Exit explain(const ExplainJob& job) {
+  Output output("-");
+  for (const InputFile& file : find_inputs(job.files).files) {
+    in_file(shown_name(file.path), [&] { output.write(explanation(file.path, job)); });
+  }
+  output.commit();
+  return Exit::done;
 }
 
 }  // namespace tcb

@@ -13,7 +13,7 @@
 
 namespace tcb {
 
-enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance, emit, fit };
+enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance, emit };
 
 /// Where the last rows are if the steps do not meet the end.
 enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
@@ -43,7 +43,7 @@ struct SamplingRequest {
   Rational step;                     ///< time or arc length between rows: step, arc_step
   bool is_rate = false;              ///< the step is in seconds, where the unit of the times is known: step
   std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
-  std::vector<Rational> places;      ///< times or arc lengths: at, arc_at; times of keys: fit
+  std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
   CurveTolerance tolerance;          ///< tolerance
   std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
   EndPolicy end = EndPolicy::drop;   ///< step, arc_step

@@ -15,15 +15,16 @@ using testing::Not;
 
 const std::string keys = "time,x,y\n0,0,0\n1,1,2\n2,4,4\n";
 
-std::string drawn(const Job& job) {
-  CheckPicture picture(job);
-  const Check result = check(job, [&picture](const CheckedPair& pair) { picture.add(pair); });
+std::string drawn(const Comparison& comparison) {
+  const PictureOptions options;
+  CheckPicture picture(options);
+  const Check result = check(comparison, [&picture](const CheckedPair& pair) { picture.add(pair); });
   return picture.svg(result, result.passed() ? "check passed" : "check failed");
 }
 
 TEST(CheckPicture, the_largest_difference_is_marked_in_its_channel) {
   const Comparing comparing(keys, "time,x,y\n0,0,0\n1,1,2.5\n2,4,4\n");
-  const std::string svg = drawn(comparing.job);
+  const std::string svg = drawn(comparing.comparison);
   EXPECT_THAT(svg, AllOf(HasSubstr("rows.csv against keys.csv"), HasSubstr("check failed · largest difference 0.5"),
                          HasSubstr(">y, difference<")));
   std::size_t marks = 0;
@@ -33,17 +34,17 @@ TEST(CheckPicture, the_largest_difference_is_marked_in_its_channel) {
 
 TEST(CheckPicture, equal_samples_have_no_mark) {
   const Comparing comparing(keys, "time,x,y\n0,0,0\n1,1,2\n2,4,4\n");
-  EXPECT_THAT(drawn(comparing.job), AllOf(HasSubstr("check passed"), Not(HasSubstr("class=\"w\""))));
+  EXPECT_THAT(drawn(comparing.comparison), AllOf(HasSubstr("check passed"), Not(HasSubstr("class=\"w\""))));
 }
 
 TEST(CheckPicture, channels_that_are_not_compared_are_not_drawn) {
   const Comparing comparing(keys, "time,y\n0,0\n2,4\n");
-  EXPECT_THAT(drawn(comparing.job), AllOf(HasSubstr(">y<"), Not(HasSubstr(">x<"))));
+  EXPECT_THAT(drawn(comparing.comparison), AllOf(HasSubstr(">y<"), Not(HasSubstr(">x<"))));
 }
 
 TEST(CheckPicture, positions_are_needed) {
   const Comparing comparing(keys, "time,speed\n0,1\n2,1\n");
-  EXPECT_EQ(error_of([&] { drawn(comparing.job); }).message(), no_position_column({"x", "y"}).message());
+  EXPECT_EQ(error_of([&] { drawn(comparing.comparison); }).message(), no_position_column({"x", "y"}).message());
 }
 
 }  // namespace

@@ -74,13 +74,13 @@ class Line {
  public:
   explicit Line(const std::string& rows, const std::optional<std::string>& extrapolate = {})
       : files_("t,x,y\n0,0,0\n1,3,4\n2,6,8\n", rows) {
-    Job& job = files_.job;
-    job.curve.ends = TextSetting{"chord"};
-    if (extrapolate) job.curve.extrapolate = TextSetting{*extrapolate};
-    inputs = read_inputs(job, {});
+    Comparison& comparison = files_.comparison;
+    comparison.keys.rules.ends = TextSetting{"chord"};
+    if (extrapolate) comparison.keys.rules.extrapolate = TextSetting{*extrapolate};
+    inputs = read_inputs(comparison, {});
     request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
     const KeptCurve& curve = inputs.kept.curves.at(0);
-    CurvePipeline pipeline(request_, job.curve, inputs.columns.fields, std::nullopt, inputs.kept.schema,
+    CurvePipeline pipeline(request_, comparison.keys.rules, inputs.columns.fields, std::nullopt, inputs.kept.schema,
                            inputs.kept.traits, *curve.curve_info);
     indexed = pipeline.whole(curve.keys());
   }
@@ -210,7 +210,9 @@ TEST(Limits, one_of_the_three_suffices) {
 }
 
 TEST(Limits, a_tolerance_of_the_column_has_priority) {
-  const Comparison comparison{"", false, {{"x", 3}, {"", 1}}, {{"y", 0.5}}, {}};
+  Comparison comparison;
+  comparison.abs = {{"x", 3}, {"", 1}};
+  comparison.rel = {{"y", 0.5}};
   EXPECT_EQ(limits_of(comparison, "x").abs, 3);
   EXPECT_EQ(limits_of(comparison, "y").abs, 1);
   EXPECT_EQ(limits_of(comparison, "y").rel, 0.5);
@@ -220,14 +222,14 @@ TEST(Limits, a_tolerance_of_the_column_has_priority) {
 /// The curve x = 3t, y = 4t for t from 0 to 2, with end tangents along the chords.
 constexpr auto line_keys = "t,x,y\n0,0,0\n1,3,4\n2,6,8\n";
 
-Check check_of(Job job) {
-  job.curve.ends = TextSetting{"chord"};
-  return check(job);
+Check check_of(Comparison comparison) {
+  comparison.keys.rules.ends = TextSetting{"chord"};
+  return check(comparison);
 }
 
 TEST(Check, passes_where_all_numbers_are_equal) {
   const Comparing files(line_keys, "t,x,y\n0.5,1.5,2\n2,6,8\n");
-  const Check result = check_of(files.job);
+  const Check result = check_of(files.comparison);
   EXPECT_TRUE(result.passed());
   EXPECT_EQ(result.rows, 2U);
   EXPECT_EQ(result.values, 4U);
@@ -236,7 +238,7 @@ TEST(Check, passes_where_all_numbers_are_equal) {
 
 TEST(Check, counts_differences_and_finds_the_first_and_the_largest) {
   const Comparing files(line_keys, "t,x,y\n1.5,4.75,7\n0.5,1.5,1\n1,3,4.5\n");
-  const Check result = check_of(files.job);
+  const Check result = check_of(files.comparison);
   EXPECT_FALSE(result.passed());
   EXPECT_EQ(result.mismatches, 4U);
   ASSERT_EQ(result.columns.size(), 2U);
@@ -255,17 +257,17 @@ TEST(Check, counts_differences_and_finds_the_first_and_the_largest) {
 
 TEST(Check, accepts_numbers_within_the_tolerance_of_their_column) {
   Comparing files(line_keys, "t,x,y\n0.5,1.75,2.25\n");
-  files.job.comparison->abs = {{"x", 0.25}};
-  const Check one = check_of(files.job);
+  files.comparison.abs = {{"x", 0.25}};
+  const Check one = check_of(files.comparison);
   EXPECT_EQ(one.columns[0].mismatches, 0U);
   EXPECT_EQ(one.columns[1].mismatches, 1U);
-  files.job.comparison->rel = {{"", 0.125}};
-  EXPECT_TRUE(check_of(files.job).passed());
+  files.comparison.rel = {{"", 0.125}};
+  EXPECT_TRUE(check_of(files.comparison).passed());
 }
 
 TEST(Check, a_missing_number_differs) {
   const Comparing files(line_keys, "t,x,y\n0.5,1.5,\n");
-  const Check result = check_of(files.job);
+  const Check result = check_of(files.comparison);
   EXPECT_EQ(result.mismatches, 1U);
   EXPECT_TRUE(std::isnan(result.first->given));
   EXPECT_EQ(result.columns[1].largest.abs, 0) << "only of rows where both have a number";
@@ -273,7 +275,7 @@ TEST(Check, a_missing_number_differs) {
 
 TEST(Check, fails_for_rows_off_the_curve) {
   const Comparing files(line_keys, "t,x,y\n0.5,1.5,2\n3,9,12\n");
-  const Check result = check_of(files.job);
+  const Check result = check_of(files.comparison);
   EXPECT_EQ(result.mismatches, 0U);
   EXPECT_EQ(result.rows, 1U);
   EXPECT_THAT(result.problems,
@@ -283,11 +285,11 @@ TEST(Check, fails_for_rows_off_the_curve) {
 
 TEST(Check, a_tolerance_needs_a_column_that_is_compared) {
   Comparing files(line_keys, "t,x\n0.5,1.5\n");
-  files.job.comparison->ulp = {{"y", 1}};
-  const Error error = error_of([&] { check(files.job); });
+  files.comparison.ulp = {{"y", 1}};
+  const Error error = error_of([&] { check(files.comparison); });
   EXPECT_EQ(error.message(), "--ulp: no column \"y\" is compared; expected one of t, x");
-  files.job.comparison->ulp = {{"t", 1}};
-  EXPECT_THAT(check_of(files.job).problems, testing::SizeIs(1)) << "the column y is missing";
+  files.comparison.ulp = {{"t", 1}};
+  EXPECT_THAT(check_of(files.comparison).problems, testing::SizeIs(1)) << "the column y is missing";
 }
 
 }  // namespace

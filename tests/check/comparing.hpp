@@ -1,4 +1,4 @@
-// Jobs of comparisons for tests: keys and samples as texts, written to files of a temporary folder.
+// Comparisons for tests: keys and samples as texts, written to files of a temporary folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,11 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "check/inputs.hpp"
+#include "check/comparison.hpp"
+#include "error.hpp"
 
 namespace tcb {
 
-/// Files keys.csv and rows.csv in a folder of their own, and the job that compares them.
+/// Files keys.csv and rows.csv in a folder of their own, and their comparison.
 class Comparing {
  public:
   Comparing(const std::string& keys, const std::string& rows)
@@ -22,9 +23,10 @@ class Comparing {
     std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "keys.csv") << keys;
     std::ofstream(folder_ / "rows.csv") << rows;
-    job.files = {path("keys.csv")};
-    job.jobs = 2;
-    job.comparison = Comparison{path("rows.csv"), false, {}, {}, {}};
+    comparison.keys_file = path("keys.csv");
+    comparison.file = path("rows.csv");
+    comparison.from_left = false;
+    comparison.threads.requested = 2;
   }
   Comparing(const Comparing&) = delete;
   Comparing& operator=(const Comparing&) = delete;
@@ -32,7 +34,7 @@ class Comparing {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  Job job;
+  Comparison comparison;
 
  private:
   std::filesystem::path folder_;

@@ -1,7 +1,7 @@
 // Conventions: orders and signs of tension, continuity and bias, and the settings of conventions.
 #include <gmock/gmock.h>
 
-#include "check/ranking.hpp"
+#include "check/conventions.hpp"
 
 namespace tcb {
 namespace {

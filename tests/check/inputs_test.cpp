@@ -16,14 +16,14 @@ using testing::ElementsAre;
 
 SampleTable table_of(const std::string& rows) {
   const Comparing files("t,x\n0,0\n1,1\n", rows);
-  return read_samples(files.job, keep(files.job).schema, 0);
+  return read_samples(files.comparison, keep(files.comparison).schema, 0);
 }
 
 TEST(KeptCurves, can_be_read_more_than_once) {
   const Comparing files("id,t,x\na,0,1\nb,0,2\na,1,3\n", "");
-  Job job = files.job;
-  job.input.columns.roles = {{Role::group, {"id"}}};
-  const KeptCurves kept = keep(job);
+  Comparison comparison = files.comparison;
+  comparison.keys.input.columns.roles = {{Role::group, {"id"}}};
+  const KeptCurves kept = keep(comparison);
   ASSERT_EQ(kept.curves.size(), 2U);
   EXPECT_EQ(kept.curves[0].key_count(), 2U);
   EXPECT_EQ(kept.curves[1].key_count(), 1U);
@@ -60,19 +60,19 @@ TEST(SampleTable, ignores_columns_of_text_by_their_whole_names) {
 
 TEST(ComparisonInputs, errors_name_the_file) {
   const Comparing bad_keys("t,x\n0,0\n0,1\n", "t,x\n0,0\n");
-  EXPECT_EQ(error_of([&] { read_inputs(bad_keys.job, {}); }).position().file, bad_keys.path("keys.csv"));
+  EXPECT_EQ(error_of([&] { read_inputs(bad_keys.comparison, {}); }).position().file, bad_keys.path("keys.csv"));
   const Comparing bad_rows("t,x\n0,0\n1,1\n", "t,x\n0,o\n");
-  const Error error = error_of([&] { read_inputs(bad_rows.job, {}); });
+  const Error error = error_of([&] { read_inputs(bad_rows.comparison, {}); });
   EXPECT_EQ(error.position().file, bad_rows.path("rows.csv"));
 }
 
 TEST(ComparisonInputs, have_places_in_time_or_in_arc_length) {
   const Comparing in_time("clock,x\n0,0\n1,1\n", "clock,x\n0,0\n");
-  Job job = in_time.job;
-  job.input.columns.roles = {{Role::time, {"clock"}}};
-  EXPECT_EQ(read_inputs(job, {}).place_name(), "clock");
+  Comparison comparison = in_time.comparison;
+  comparison.keys.input.columns.roles = {{Role::time, {"clock"}}};
+  EXPECT_EQ(read_inputs(comparison, {}).place_name(), "clock");
   const Comparing in_length("t,x\n0,0\n1,1\n", "s,x\n0,0\n");
-  EXPECT_EQ(read_inputs(in_length.job, {}).place_name(), "s");
+  EXPECT_EQ(read_inputs(in_length.comparison, {}).place_name(), "s");
 }
 
 using testing::ElementsAre;

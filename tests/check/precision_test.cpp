@@ -1,7 +1,7 @@
 // Precision: what printed digits and single precision allow, and the rows that are compared first of many.
 #include <gmock/gmock.h>
 
-#include "check/ranking.hpp"
+#include "check/precision.hpp"
 
 namespace tcb {
 namespace {

@@ -66,7 +66,7 @@ constexpr auto uneven_keys = "t,x\n0,0\n1,1\n3,3\n4,4\n";
 
 TEST(Identification, of_a_straight_line_at_uneven_times) {
   Comparing files(uneven_keys, "t,x\n0.5,0.5\n1.5,1.5\n2.5,2.5\n");
-  const Identification result = identify(files.job);
+  const Identification result = identify(files.comparison);
   ASSERT_TRUE(result.fits());
   EXPECT_EQ(result.rows, 3U);
   EXPECT_TRUE(fits(result, TangentRule::velocity, EndRule::chord));
@@ -78,7 +78,7 @@ TEST(Identification, of_tangents_that_ignore_the_times) {
   // The cubic with x = 1, 3 and tangents 3/2, 3/2 at a quarter of the segment, and the one with x = 0, 1 and tangents
   // 1, 3/2 at a half.
   Comparing files(uneven_keys, "t,x\n0.5,0.4375\n1.5,1.453125\n");
-  const Identification result = identify(files.job);
+  const Identification result = identify(files.comparison);
   ASSERT_TRUE(result.fits());
   EXPECT_TRUE(fits(result, TangentRule::uniform, EndRule::chord));
   EXPECT_FALSE(fits(result, TangentRule::velocity, EndRule::chord));
@@ -86,24 +86,24 @@ TEST(Identification, of_tangents_that_ignore_the_times) {
 
 TEST(Identification, compares_positions_only) {
   Comparing files(uneven_keys, "t,x,x_v\n0.5,0.5,77\n");
-  files.job.fields = {field_of("position"), field_of("velocity")};
-  const Identification result = identify(files.job);
+  files.comparison.fields = {field_of("position"), field_of("velocity")};
+  const Identification result = identify(files.comparison);
   EXPECT_TRUE(result.fits());
   EXPECT_THAT(result.ignored, ElementsAre("x_v"));
   Comparing none(uneven_keys, "t,x_v\n0.5,1\n");
-  none.job.fields = {field_of("velocity")};
-  EXPECT_EQ(error_of([&] { identify(none.job); }).message(), no_position_column({"x"}).message());
+  none.comparison.fields = {field_of("velocity")};
+  EXPECT_EQ(error_of([&] { identify(none.comparison); }).message(), no_position_column({"x"}).message());
 }
 
 TEST(Identification, needs_rows_on_the_curve_and_numbers_in_them) {
   Comparing outside(uneven_keys, "t,x\n9,0\n");
-  const Error off = error_of([&] { identify(outside.job); });
+  const Error off = error_of([&] { identify(outside.comparison); });
   EXPECT_EQ(off.message(), no_row_on_curve({}).message());
   EXPECT_EQ(off.position().file, outside.path("rows.csv"));
   ASSERT_EQ(off.others().size(), 1U);
   EXPECT_TRUE(off.others()[0].message().starts_with("rows outside the curve: 1;")) << off.others()[0].message();
   Comparing empty(uneven_keys, "t,x\n0.5,nan\n");
-  EXPECT_EQ(error_of([&] { identify(empty.job); }).message(), no_number_in_samples().message());
+  EXPECT_EQ(error_of([&] { identify(empty.comparison); }).message(), no_number_in_samples().message());
 }
 
 }  // namespace

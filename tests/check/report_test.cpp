@@ -1,14 +1,10 @@
-// Reports: text and JSON of results that were made by hand, and the exit codes of comparisons.
+// Reports: text and JSON of results that were made by hand.
 #include "check/report.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
-
-#include "comparing.hpp"
 
 namespace tcb {
 namespace {
@@ -108,18 +104,6 @@ TEST(Report, of_conventions_in_json_has_a_row_for_each) {
   closed.parts.closed = true;
   EXPECT_THAT(json(closed), HasSubstr(R"("within":null)"));
   EXPECT_THAT(json(closed), HasSubstr(R"("ends":null)"));
-}
-
-TEST(Compare, returns_whether_the_samples_agree) {
-  Comparing files("t,x\n0,0\n1,1\n", "t,x\n0,0\n1,1\n");
-  files.job.output = files.path("report");
-  EXPECT_EQ(compare(files.job), Exit::done);
-  std::ofstream(files.path("rows.csv")) << "t,x\n0,0\n1,2\n";
-  files.job.output_format = FormatId::json;
-  EXPECT_EQ(compare(files.job), Exit::data);
-  std::stringstream report;
-  report << std::ifstream(files.path("report")).rdbuf();
-  EXPECT_THAT(report.str(), testing::StartsWith("{\"passed\":false,"));
 }
 
 }  // namespace

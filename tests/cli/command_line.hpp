@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "cli/options.hpp"
@@ -21,13 +22,20 @@ inline std::vector<std::string> option_names() {
   return all;
 }
 
-inline Invocation parsed(const std::vector<std::string>& words) {
+inline Job parsed(const std::vector<std::string>& words) {
   std::vector<const char*> arguments{"tcbsample"};
   for (const std::string& word : words) arguments.push_back(word.c_str());
   return parse(static_cast<int>(arguments.size()), arguments.data());
 }
 
-inline Job job_of(const std::vector<std::string>& words) { return parsed(words).job; }
+/// The job that this command line makes, which is one of this type.
+template <class Product = ResampleJob>
+Product job_of(const std::vector<std::string>& words) {
+  return std::get<Product>(parsed(words));
+}
+
+/// The text that this command line prints.
+inline std::string printed_text(const std::vector<std::string>& words) { return job_of<PrintText>(words).text; }
 
 /// The words of the error of usage that this command line causes; "" where there is none.
 inline std::string refusal(const std::vector<std::string>& words) {
@@ -41,7 +49,7 @@ inline std::string refusal(const std::vector<std::string>& words) {
 }
 
 /// The job of these words after --step 1.
-inline Job stepped(std::vector<std::string> words) {
+inline ResampleJob stepped(std::vector<std::string> words) {
   words.insert(words.begin(), "--step=1");
   return job_of(words);
 }

@@ -12,27 +12,27 @@ namespace {
 using testing::ElementsAre;
 
 TEST(Plan, without_options_but_a_step_all_is_default) {
-  const Job job = job_of({"--step", "0.1"});
-  EXPECT_THAT(job.files, ElementsAre("-"));
-  EXPECT_EQ(job.sampling.mode, Mode::step);
-  EXPECT_EQ(job.sampling.step, Rational(1, 10)) << "a decimal is exact";
-  EXPECT_FALSE(job.sampling.from || job.sampling.to);
-  EXPECT_TRUE(job.sampling.from_left) << "no field differs between the sides of a key";
-  EXPECT_THAT(job.fields, ElementsAre(0, 1));
-  EXPECT_EQ(job.output_format, FormatId::csv);
-  EXPECT_FALSE(job.output_header || job.output_folder || job.comparison || job.golden || job.meta);
-  EXPECT_EQ(job.output, "-");
-  EXPECT_FALSE(job.input.format || job.input.delimited.delimiter || job.input.delimited.header);
-  EXPECT_EQ(job.input.delimited.comment, "#");
-  EXPECT_EQ(job.input.delimited.decimal, '.');
-  EXPECT_EQ(job.input.keys.missing, Missing::error);
-  EXPECT_EQ(job.input.keys.tcb, spline::Tcb<double>{});
-  EXPECT_EQ(job.curves.duplicates, Duplicates::error);
-  EXPECT_FALSE(job.curves.sort);
+  const ResampleJob job = job_of({"--step", "0.1"});
+  EXPECT_THAT(job.files.files, ElementsAre("-"));
+  EXPECT_EQ(job.samples.request.mode, Mode::step);
+  EXPECT_EQ(job.samples.request.step, Rational(1, 10)) << "a decimal is exact";
+  EXPECT_FALSE(job.samples.request.from || job.samples.request.to);
+  EXPECT_TRUE(job.samples.request.from_left) << "no field differs between the sides of a key";
+  EXPECT_THAT(job.rows.fields, ElementsAre(0, 1));
+  EXPECT_EQ(job.rows.format, FormatId::csv);
+  EXPECT_FALSE(job.rows.header || job.files.outputs.folder || job.golden || job.rows.provenance);
+  EXPECT_EQ(job.files.outputs.file, "-");
+  EXPECT_FALSE(job.keys.input.format || job.keys.input.delimited.delimiter || job.keys.input.delimited.header);
+  EXPECT_EQ(job.keys.input.delimited.comment, "#");
+  EXPECT_EQ(job.keys.input.delimited.decimal, '.');
+  EXPECT_EQ(job.keys.input.keys.missing, Missing::error);
+  EXPECT_EQ(job.keys.input.keys.tcb, spline::Tcb<double>{});
+  EXPECT_EQ(job.keys.curves.duplicates, Duplicates::error);
+  EXPECT_FALSE(job.keys.curves.sort);
 }
 
 TEST(Plan, each_sampling_option_has_its_mode_and_value) {
-  const auto sampling = [](const char* option, const char* value) { return job_of({option, value}).sampling; };
+  const auto sampling = [](const char* option, const char* value) { return job_of({option, value}).samples.request; };
   EXPECT_EQ(sampling("--step", "1001/30000").step, Rational(1001, 30000));
   EXPECT_EQ(sampling("--rate", "30000/1001").step, Rational(1001, 30000)) << "exactly 1/HZ";
   EXPECT_EQ(sampling("--rate", "24").mode, Mode::step);
@@ -55,7 +55,7 @@ TEST(Plan, each_sampling_option_has_its_mode_and_value) {
 TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
   const auto names = [](const std::vector<std::string>& words) {
     std::vector<std::string_view> found;
-    for (const std::size_t field : job_of(words).fields) found.push_back(fields()[field].name);
+    for (const std::size_t field : job_of(words).rows.fields) found.push_back(fields()[field].name);
     return found;
   };
   EXPECT_THAT(names({"--emit", "bezier"}), ElementsAre("start", "duration", "bezier"));
@@ -70,30 +70,30 @@ TEST(Plan, a_sampling_option_is_needed) {
 }
 
 TEST(Plan, the_range_is_exact_and_goes_forward) {
-  const Job job = stepped({"--from", "-7/24", "--to", "0.1"});
-  EXPECT_EQ(job.sampling.from, Rational(-7, 24));
-  EXPECT_EQ(job.sampling.to, Rational(1, 10));
+  const ResampleJob job = stepped({"--from", "-7/24", "--to", "0.1"});
+  EXPECT_EQ(job.samples.request.from, Rational(-7, 24));
+  EXPECT_EQ(job.samples.request.to, Rational(1, 10));
   EXPECT_EQ(stepped_refusal({"--from", "-7/24", "--to", "-1"}),
             "--to -1 is before --from -7/24; expected a later end; swap the two");
   EXPECT_EQ(stepped_refusal({"--from", "1", "--to", "1"}), "") << "a single time is a range";
 }
 
 TEST(Plan, options_about_the_input_have_their_meaning) {
-  EXPECT_EQ(stepped({"-i", "jsonl"}).input.format, FormatId::jsonl);
-  EXPECT_EQ(stepped({"--comment", "//"}).input.delimited.comment, "//");
-  EXPECT_EQ(stepped({"--comment", "none"}).input.delimited.comment, "");
-  EXPECT_EQ(stepped({"--header"}).input.delimited.header, true);
-  EXPECT_EQ(stepped({"--no-header"}).input.delimited.header, false);
-  EXPECT_EQ(stepped({"--decimal", ","}).input.delimited.decimal, ',');
-  EXPECT_EQ(stepped({"--missing", "skip-cell"}).input.keys.missing, Missing::skip_cell);
-  EXPECT_EQ(stepped({"--duplicates", "break"}).curves.duplicates, Duplicates::break_curve);
-  EXPECT_TRUE(stepped({"--parameter", "chordal"}).input.columns.timeless);
+  EXPECT_EQ(stepped({"-i", "jsonl"}).keys.input.format, FormatId::jsonl);
+  EXPECT_EQ(stepped({"--comment", "//"}).keys.input.delimited.comment, "//");
+  EXPECT_EQ(stepped({"--comment", "none"}).keys.input.delimited.comment, "");
+  EXPECT_EQ(stepped({"--header"}).keys.input.delimited.header, true);
+  EXPECT_EQ(stepped({"--no-header"}).keys.input.delimited.header, false);
+  EXPECT_EQ(stepped({"--decimal", ","}).keys.input.delimited.decimal, ',');
+  EXPECT_EQ(stepped({"--missing", "skip-cell"}).keys.input.keys.missing, Missing::skip_cell);
+  EXPECT_EQ(stepped({"--duplicates", "break"}).keys.curves.duplicates, Duplicates::break_curve);
+  EXPECT_TRUE(stepped({"--parameter", "chordal"}).keys.input.columns.timeless);
 }
 
 TEST(Plan, groups_come_after_the_columns_whatever_their_order) {
   for (const auto& words : {std::vector<std::string>{"--group", "id,take", "--columns", "carry=label"},
                             std::vector<std::string>{"--columns", "carry=label", "--group", "id,take"}}) {
-    const auto roles = stepped(words).input.columns.roles;
+    const auto roles = stepped(words).keys.input.columns.roles;
     ASSERT_EQ(roles.size(), 2U);
     EXPECT_EQ(roles[0].role, Role::carry);
     EXPECT_EQ(roles[1].role, Role::group);
@@ -103,27 +103,27 @@ TEST(Plan, groups_come_after_the_columns_whatever_their_order) {
 
 TEST(Plan, notations_have_their_count) {
   using Kind = Notation::Kind;
-  EXPECT_EQ(stepped({"--digits", "17"}).notation.kind, Kind::digits);
-  EXPECT_EQ(stepped({"--digits", "17"}).notation.count, 17);
-  EXPECT_EQ(stepped({"--fixed", "0"}).notation.kind, Kind::fixed);
-  EXPECT_EQ(stepped({"--hex"}).notation.kind, Kind::hex);
-  EXPECT_EQ(stepped({}).notation.kind, Kind::shortest);
+  EXPECT_EQ(stepped({"--digits", "17"}).rows.notation.kind, Kind::digits);
+  EXPECT_EQ(stepped({"--digits", "17"}).rows.notation.count, 17);
+  EXPECT_EQ(stepped({"--fixed", "0"}).rows.notation.kind, Kind::fixed);
+  EXPECT_EQ(stepped({"--hex"}).rows.notation.kind, Kind::hex);
+  EXPECT_EQ(stepped({}).rows.notation.kind, Kind::shortest);
 }
 
 TEST(Plan, golden_rows_take_more_digits_and_exact_input) {
-  const Job job = stepped({"--golden", "--exact-input", "--digits", "100"});
+  const ResampleJob job = stepped({"--golden", "--exact-input", "--digits", "100"});
   ASSERT_TRUE(job.golden.has_value());
-  EXPECT_TRUE(job.golden->decimal && job.input.keys.keeps_decimals);
+  EXPECT_TRUE(job.golden->decimal && job.keys.input.keys.keeps_decimals);
   EXPECT_EQ(job.golden->notation.count, 100);
   EXPECT_FALSE(stepped({"--golden"}).golden->decimal);
 }
 
 TEST(Plan, the_output_goes_to_one_place) {
-  EXPECT_EQ(stepped({"-o", "out.csv"}).output, "out.csv");
-  const Job job = stepped({"--output-dir", "out", "a.csv", "b.csv"});
-  EXPECT_EQ(job.output_folder, "out");
-  EXPECT_THAT(job.files, ElementsAre("a.csv", "b.csv"));
-  EXPECT_EQ(stepped({"--no-output-header"}).output_header, false);
+  EXPECT_EQ(stepped({"-o", "out.csv"}).files.outputs.file, "out.csv");
+  const ResampleJob job = stepped({"--output-dir", "out", "a.csv", "b.csv"});
+  EXPECT_EQ(job.files.outputs.folder, "out");
+  EXPECT_THAT(job.files.files, ElementsAre("a.csv", "b.csv"));
+  EXPECT_EQ(stepped({"--no-output-header"}).rows.header, false);
 }
 
 TEST(Plan, standard_input_is_read_once) {
@@ -138,15 +138,25 @@ TEST(Plan, standard_input_is_read_once) {
 }
 
 TEST(Plan, a_comparison_has_its_file_and_all_columns_unless_fields_are_given) {
-  const Job check = job_of({"--check", "theirs.csv", "keys.csv"});
-  ASSERT_TRUE(check.comparison);
-  EXPECT_FALSE(check.comparison->identify);
-  EXPECT_EQ(check.comparison->file, "theirs.csv");
-  EXPECT_TRUE(check.fields.empty());
-  EXPECT_FALSE(check.sampling.from_left);
-  EXPECT_TRUE(job_of({"--identify", "theirs.csv"}).comparison->identify);
-  EXPECT_EQ(job_of({"--check", "theirs.csv", "--fields", "position"}).fields.size(), 1U);
-  EXPECT_TRUE(job_of({"--check", "theirs.csv", "--side", "left"}).sampling.from_left);
+  const auto check = job_of<CompareJob>({"--check", "theirs.csv", "keys.csv"});
+  EXPECT_FALSE(check.identify);
+  EXPECT_EQ(check.comparison.keys_file, "keys.csv");
+  EXPECT_EQ(check.comparison.file, "theirs.csv");
+  EXPECT_TRUE(check.comparison.fields.empty());
+  EXPECT_FALSE(check.comparison.from_left);
+  EXPECT_TRUE(job_of<CompareJob>({"--identify", "theirs.csv"}).identify);
+  const auto of = [](const std::vector<std::string>& words) { return job_of<CompareJob>(words).comparison; };
+  EXPECT_EQ(of({"--check", "theirs.csv", "--fields", "position"}).fields.size(), 1U);
+  EXPECT_TRUE(of({"--check", "theirs.csv", "--side", "left"}).from_left);
+}
+
+TEST(Plan, each_product_has_a_job_of_its_own) {
+  EXPECT_EQ(job_of<ExplainJob>({"--plot", "--explain"}).format, FormatId::svg);
+  EXPECT_EQ(job_of<FitJob>({"--fit", "0.1", "-f", "svg"}).rows.format, FormatId::svg);
+  const auto fit = job_of<FitJob>({"--fit", "0.1,x=2", "--keep-times", "1,2", "--fit-keys", "hermite"});
+  EXPECT_EQ(fit.options.tolerances.size(), 2U);
+  EXPECT_THAT(fit.options.kept_times, ElementsAre(Rational(1), Rational(2)));
+  EXPECT_EQ(fit.options.keys, FitKeys::hermite);
 }
 
 TEST(Plan, a_comparison_is_with_one_file_of_keys) {
@@ -155,7 +165,7 @@ TEST(Plan, a_comparison_is_with_one_file_of_keys) {
 
 std::vector<std::string> options(std::vector<std::string> words) {
   words.insert(words.begin(), "--meta");
-  return job_of(words).meta->meta.options;
+  return job_of(words).rows.provenance->meta.options;
 }
 
 TEST(ProvenanceOptions, are_those_that_change_bytes_each_as_one_word) {
@@ -173,16 +183,15 @@ TEST(ProvenanceOptions, have_no_line_ends) {
   EXPECT_THAT(stepped_refusal({"--meta", "--group", "a\nb"}), testing::StartsWith("--group: the value has a line end"));
 }
 
-TEST(ProvenanceOptions, are_there_only_with_their_option) { EXPECT_FALSE(job_of({"-n", "3"}).meta); }
+TEST(ProvenanceOptions, are_there_only_with_their_option) { EXPECT_FALSE(job_of({"-n", "3"}).rows.provenance); }
 
 }  // namespace
 
 TEST(Plan, a_plot_has_samples_of_its_own) {
-  const Job job = job_of({"--plot"});
-  EXPECT_EQ(job.output_format, FormatId::svg);
-  EXPECT_EQ(job.sampling.mode, Mode::segments);
-  EXPECT_EQ(job.sampling.count, 50U);
-  EXPECT_EQ(job_of({"--plot", "--count=7"}).sampling.mode, Mode::count);
+  const SamplingRequest samples = job_of<PlotJob>({"--plot"}).samples.request;
+  EXPECT_EQ(samples.mode, Mode::segments);
+  EXPECT_EQ(samples.count, 50U);
+  EXPECT_EQ(job_of<PlotJob>({"--plot", "--count=7"}).samples.request.mode, Mode::count);
   EXPECT_THAT(refusal({"-f", "svg"}), testing::HasSubstr("--step"));
 }
 

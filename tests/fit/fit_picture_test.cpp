@@ -20,10 +20,9 @@ class FitPicture : public testing::Test {
  protected:
   FitPicture() {
     std::ofstream(path_) << "t,x,y\n0,0,1\n1,2,1\n2,4,1\n3,6,1\n";
-    job_.files = {path_};
-    job_.output = picture_;
-    job_.sampling.mode = Mode::fit;
-    job_.fit.tolerances = {{"", 0.1}};
+    job_.files.files = {path_};
+    job_.files.outputs.file = picture_;
+    job_.options.tolerances = {{"", 0.1}};
     job_.verbosity.quiet = true;
   }
   ~FitPicture() override {
@@ -39,7 +38,7 @@ class FitPicture : public testing::Test {
   }
 
   std::string path_ = testing::TempDir() + "fit_picture.csv", picture_ = testing::TempDir() + "fit_picture.svg";
-  Job job_;
+  FitJob job_;
 };
 
 TEST_F(FitPicture, shows_the_recording_the_keys_and_their_differences) {
@@ -51,7 +50,7 @@ TEST_F(FitPicture, shows_the_recording_the_keys_and_their_differences) {
 }
 
 TEST_F(FitPicture, of_several_files_is_refused) {
-  job_.files.push_back(path_);
+  job_.files.files.push_back(path_);
   try {
     draw_fit(job_);
     ADD_FAILURE();

@@ -20,15 +20,15 @@ Input input_of(std::vector<std::string> channels) {
   return input;
 }
 
-Job job_with(std::vector<Tolerance> tolerances) {
-  Job job;
-  job.fit.tolerances = std::move(tolerances);
-  return job;
+FitOptions within(std::vector<Tolerance> tolerances) {
+  FitOptions options;
+  options.tolerances = std::move(tolerances);
+  return options;
 }
 
-std::string refusal(const Input& input, const Job& job) {
+std::string refusal(const Input& input, const FitOptions& options) {
   try {
-    (void)keys_of_fit(input, job);
+    (void)keys_of_fit(input, {}, options);
   } catch (const Error& error) {
     return error.message();
   }
@@ -36,52 +36,51 @@ std::string refusal(const Input& input, const Job& job) {
 }
 
 TEST(Fitting, columns_carry_what_the_keys_do) {
-  Job job = job_with({{"", 1}});
-  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "bias"));
-  EXPECT_THAT(keys_of_fit(input_of({"x", "y"}), job).channels,
+  FitOptions options = within({{"", 1}});
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), {}, options).channels, ElementsAre("x", "tension", "bias"));
+  EXPECT_THAT(keys_of_fit(input_of({"x", "y"}), {}, options).channels,
               ElementsAre("x", "y", "tension_x", "tension_y", "bias_x", "bias_y"));
-  job.fit.corner = 30;
-  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "tension", "continuity", "bias"));
-  job.fit.keys = FitKeys::hermite;
-  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_vin", "x_vout"));
-  job.fit.corner = {};
-  EXPECT_THAT(keys_of_fit(input_of({"x"}), job).channels, ElementsAre("x", "x_v"));
+  options.corner = 30;
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), {}, options).channels, ElementsAre("x", "tension", "continuity", "bias"));
+  options.keys = FitKeys::hermite;
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), {}, options).channels, ElementsAre("x", "x_vin", "x_vout"));
+  options.corner = {};
+  EXPECT_THAT(keys_of_fit(input_of({"x"}), {}, options).channels, ElementsAre("x", "x_v"));
 }
 
 TEST(Fitting, rotations_are_left_out) {
   Input input = input_of({"x", "qx", "qy", "qz", "qw"});
   input.schema.rotations = {{{{{1, 2, 3, 4}}}}};
-  EXPECT_THAT(keys_of_fit(input, job_with({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
+  EXPECT_THAT(keys_of_fit(input, {}, within({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
   input.schema.channels[0] = "q0";
   input.schema.rotations = {{{{{1, 2, 3, 4}}}}, {{{{0, 0, 0, 0}}}}};
-  EXPECT_EQ(refusal(input, job_with({{"", 1}})), only_rotations().message());
+  EXPECT_EQ(refusal(input, within({{"", 1}})), only_rotations().message());
 }
 
 TEST(Fitting, inputs_without_samples_are_refused) {
-  const Job job = job_with({{"", 1}});
+  const FitOptions options = within({{"", 1}});
   Input input = input_of({"x", "y"});
-  EXPECT_EQ(refusal(input, job), "");
-  EXPECT_EQ(refusal(input, job_with({{"x", 1}})), channel_without_tolerance("y").message());
-  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"z", 1}})),
+  EXPECT_EQ(refusal(input, options), "");
+  EXPECT_EQ(refusal(input, within({{"x", 1}})), channel_without_tolerance("y").message());
+  EXPECT_EQ(refusal(input, within({{"x", 1}, {"z", 1}})),
             "--fit: " + tolerance_of_unknown_channel("z", {"x", "y"}).message());
-  EXPECT_EQ(refusal(input, job_with({{"x", 1}, {"", 2}})), "");
+  EXPECT_EQ(refusal(input, within({{"x", 1}, {"", 2}})), "");
   input.facts.roles = {"tension"};
-  EXPECT_EQ(refusal(input, job), fit_of_keys("tension").message());
+  EXPECT_EQ(refusal(input, options), fit_of_keys("tension").message());
   input.schema.time.is_given = false;
-  EXPECT_EQ(refusal(input, job), fit_without_times().message());
+  EXPECT_EQ(refusal(input, options), fit_without_times().message());
 }
 
 TEST(Fitting, reports_add_up) {
   FitReport report;
   report.add({100, 10, 6, 0.5, 17});
   report.add({50, 5, 4, 0.25, 120});
-  const Note note = note_of(report, job_with({{"", 0.1}}).fit);
+  const Note note = note_of(report, within({{"", 0.1}}));
   EXPECT_TRUE(note.is_important);
   EXPECT_EQ(
       note.text,
       "150 samples, 15 keys, 10 times fewer; at most 0.05 from a sample, on line 17; no fewer than 10 keys can do");
-  EXPECT_THAT(note_of(report, job_with({{"x", 0.1}}).fit).text,
-              testing::HasSubstr("at most 0.5 of the tolerance from"));
+  EXPECT_THAT(note_of(report, within({{"x", 0.1}})).text, testing::HasSubstr("at most 0.5 of the tolerance from"));
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "cli/plan.hpp"
@@ -20,7 +22,6 @@
 #include "io/terminal.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/reader.hpp"
-#include "run/pipeline.hpp"
 #include "sample/fields.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -74,7 +75,13 @@ bool names_a_file(std::string_view options) {
   return false;
 }
 
-/// The request of a line of options, from standard input to standard output with few rows; nothing for other requests.
+/// Jobs that read keys or recordings and write rows, a picture or an explanation.
+template <class Product>
+concept ReadsFiles = requires(Product job) {
+  job.files;
+};
+
+/// The job of a line of options, from standard input to standard output with few rows; nothing for other jobs.
 std::optional<Job> job_of(std::string_view line) {
   if (names_a_file(line) || find_invalid_utf8(line) != std::string_view::npos) return std::nullopt;
   std::vector<std::string> words{"tcbsample"};
@@ -84,15 +91,20 @@ std::optional<Job> job_of(std::string_view line) {
   std::vector<const char*> arguments;
   for (const std::string& word : words) arguments.push_back(word.c_str());
   try {
-    Invocation request = tcb::parse(static_cast<int>(arguments.size()), arguments.data());
-    if (request.text) return std::nullopt;
-    request.job.files = {"-"};
-    request.job.output = "-";
-    request.job.output_folder.reset();
-    request.job.batch = {};
-    request.job.verbosity = {.quiet = true};
-    request.job.sampling.max_rows = std::min(request.job.sampling.max_rows, most_rows);
-    return request.job;
+    Job job = tcb::parse(static_cast<int>(arguments.size()), arguments.data());
+    const auto limit = []<class Product>(Product& one) {
+      if constexpr (ReadsFiles<Product>) {
+        one.files = {};
+        one.files.files = {"-"};
+        if constexpr (requires { one.verbosity; }) one.verbosity = {.quiet = true};
+        if constexpr (requires { one.samples; }) {
+          std::uint64_t& most = one.samples.request.max_rows;
+          most = std::min(most, most_rows);
+        }
+      }
+      return ReadsFiles<Product>;
+    };
+    return std::visit(limit, job) ? std::optional(job) : std::nullopt;
   } catch (const Error& error) {
     require(error.exit() == Exit::usage, "options refused as if they were data", error_text(error));
     require(error_text(error).starts_with("tcbsample: error: "), "options refused elsewhere", error_text(error));
@@ -114,13 +126,25 @@ struct Outcome {
   std::string out, refusal;
 };
 
-Outcome run(Job plan, unsigned jobs, std::string_view input) {
+/// Runs a job by the entry of its product.
+struct Entry {
+  Exit operator()(const ResampleJob& job) const { return resample(job); }
+  Exit operator()(const ExplainJob& job) const { return explain(job); }
+  Exit operator()(const PlotJob& job) const { return plot(job); }
+  Exit operator()(const FitJob& job) const { return fit(job); }
+  Exit operator()(const auto&) const { return Exit::usage; }
+};
+
+Outcome run(Job job, unsigned threads, std::string_view input) {
   static const MemoryFile in(STDIN_FILENO), out(STDOUT_FILENO);
   in.set(input);
   out.set("");
-  plan.jobs = jobs;
+  const auto set_threads = [threads](auto& one) {
+    if constexpr (requires { one.threads; }) one.threads.requested = threads;
+  };
+  std::visit(set_threads, job);
   try {
-    require(resample(plan) == Exit::done, "a failure without a refusal", input);
+    require(std::visit(Entry(), job) == Exit::done, "a failure without a refusal", input);
     return {out.text(), {}};
   } catch (const Error& error) {
     require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error_text(error));
@@ -145,10 +169,11 @@ void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
   }
 }
 
-/// Requires: rows without an error.
-void require_sound(const Job& plan, std::string_view text, std::string_view rows) {
-  const Format& format = format_of(plan.output_format);
-  if (format.family == FormatFamily::array || format.family == FormatFamily::picture) return;
+/// Checks the rows of a job. Requires: it ended without an error.
+template <class Product>
+void require_sound(const Product& job, std::string_view text, std::string_view rows) {
+  const Format& format = format_of(job.rows.format);
+  if (format.is_binary || format.family == FormatFamily::picture) return;
   if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
   if (format.name == "jsonl") {
     for (const std::string_view row : split(rows, '\n')) {
@@ -159,19 +184,22 @@ void require_sound(const Job& plan, std::string_view text, std::string_view rows
   const auto bytes = [text, read = false]() mutable {
     return std::exchange(read, true) ? std::nullopt : std::optional(std::string(text));
   };
-  const Input input = open_input("-", bytes, plan.input);
-  if (!input.schema.groups.empty() || !input.schema.labels.empty()) return;               // their texts may be anything
-  if (plan.time_notation || input.schema.time.notation != TimeNotation::seconds) return;  // times are words
+  const Input input = open_input("-", bytes, job.keys.input);
+  if (!input.schema.groups.empty() || !input.schema.labels.empty()) return;  // their texts may be anything
+  if (job.rows.time_notation || input.schema.time.notation != TimeNotation::seconds) return;  // times are words
   const auto drop_line = [&rows] { rows.remove_prefix(std::min(rows.size(), rows.find('\n') + 1)); };
   while (rows.starts_with('#')) drop_line();  // provenance
-  if (plan.output_header.value_or(input.schema.named)) {
+  if (job.rows.header.value_or(input.schema.named)) {
     if (rows.substr(0, rows.find('\n')).find('"') != std::string_view::npos) return;
     drop_line();
   }
-  const auto mode = plan.sampling.mode;
-  const bool in_order = mode != Mode::at && mode != Mode::arc_at;
+  bool in_order = true;
+  if constexpr (std::is_same_v<Product, ResampleJob>) {
+    const Mode mode = job.samples.request.mode;
+    in_order = mode != Mode::at && mode != Mode::arc_at;
+  }
   const char delimiter = format.name == "csv" ? ',' : format.name == "tsv" ? '\t' : ' ';
-  require_sound_rows(rows, delimiter, in_order && fields()[plan.fields[0]].name == "time");
+  require_sound_rows(rows, delimiter, in_order && fields()[job.rows.fields[0]].name == "time");
 }
 
 }  // namespace
@@ -322,7 +350,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto& plan = parsed(line);
   if (!plan) return 0;
   const Outcome outcome = run(*plan, 1, input);
-  if (outcome.refusal.empty() && !plan->explain) require_sound(*plan, input, outcome.out);
+  const auto check_rows = [&](const auto& job) {
+    if constexpr (requires { job.rows; }) require_sound(job, input, outcome.out);
+  };
+  if (outcome.refusal.empty()) std::visit(check_rows, *plan);
   if (size % 4 != 0) return 0;
   const Outcome threaded = run(*plan, 4, input);
   require_same(outcome.out, threaded.out, "-j 1 and -j 4");

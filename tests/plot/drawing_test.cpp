@@ -12,6 +12,7 @@
 
 #include "error.hpp"
 #include "option_names.hpp"
+#include "plot/plot_job.hpp"
 #include "read/reader.hpp"
 
 namespace tcb {
@@ -26,21 +27,20 @@ Source<std::string> bytes_of(const std::string& text) {
 }
 
 /// The picture of files named a.csv, b.csv, ….
-std::string drawn(Job job, const std::vector<std::string>& texts) {
+std::string drawn(const PlotJob& job, const std::vector<std::string>& texts) {
   const std::string path = testing::TempDir() + fmt::format("drawing_test.{}.svg", getpid());
-  job.output_format = FormatId::svg;
-  Drawing drawing(job, path);
+  Drawing drawing(job.picture, job.samples.request, path);
   char name = 'a';
   for (const std::string& text : texts) {
     const std::string file = std::string("folder/") + name++ + ".csv";
-    const Input input = open_input(file, bytes_of(text), job.input);
-    Curves curves(input.schema, input.keys, job.curves, false);
+    const Input input = open_input(file, bytes_of(text), job.keys.input);
+    Curves curves(input.schema, input.keys, job.keys.curves, false);
     std::optional<CurvePipeline> pipeline;
     while (const auto curve = curves.next()) {
       const bool first = !pipeline;
       if (first) {
-        pipeline.emplace(job.sampling, job.curve, job.fields, job.golden, input.schema, input.keys.traits,
-                         *curve->curve_info);
+        pipeline.emplace(job.samples.request, job.keys.rules, std::vector<std::size_t>{}, std::nullopt, input.schema,
+                         input.keys.traits, *curve->curve_info);
         drawing.begin(file, input.schema, pipeline->facts());
       }
       drawing.add(curve->group, pipeline->stored(curve->keys), short_rules(pipeline->facts()));
@@ -53,10 +53,10 @@ std::string drawn(Job job, const std::vector<std::string>& texts) {
   return bytes.str();
 }
 
-Job sampled() {
-  Job job;
-  job.sampling.mode = Mode::count;
-  job.sampling.count = 5;
+PlotJob sampled() {
+  PlotJob job;
+  job.samples.request.mode = Mode::count;
+  job.samples.request.count = 5;
   return job;
 }
 
@@ -65,17 +65,17 @@ const std::string keys = "time,x,y\n0,0,0\n1,2,1\n2,3,5\n";
 TEST(Drawing, the_title_is_the_file_and_what_is_done_with_it) {
   EXPECT_THAT(drawn(sampled(), {keys}),
               AllOf(HasSubstr(">a.csv<"), HasSubstr("preset gte · 3 keys · 5, equally spaced in time · 5 rows")));
-  Job job = sampled();
+  PlotJob job = sampled();
   job.picture.title = "A <title>";
   EXPECT_THAT(drawn(job, {keys}), HasSubstr(">A &lt;title&gt;<"));
 }
 
 TEST(Drawing, rules_other_than_those_of_the_preset_are_named) {
-  Job job = sampled();
-  job.curve.ends = TextSetting{"natural"};
+  PlotJob job = sampled();
+  job.keys.rules.ends = TextSetting{"natural"};
   EXPECT_THAT(drawn(job, {keys}), Not(HasSubstr("preset")));
   job = sampled();
-  job.curve.preset = TextSetting{"vtk"};
+  job.keys.rules.preset = TextSetting{"vtk"};
   EXPECT_THAT(drawn(job, {keys}), HasSubstr("preset vtk"));
 }
 
@@ -86,7 +86,7 @@ TEST(Drawing, several_files_have_a_colour_each) {
 }
 
 TEST(Drawing, axes_are_channels) {
-  Job job = sampled();
+  PlotJob job = sampled();
   job.picture.axes = {"2", "x"};
   EXPECT_THAT(drawn(job, {keys}), HasSubstr("class=\"n\">x<"));
   for (const auto& axes : {std::vector<std::string>{"x", "w"}, {"x", "1"}}) {
@@ -100,8 +100,8 @@ TEST(Drawing, a_single_key_is_drawn_without_samples) {
 }
 
 TEST(Drawing, curves_beyond_the_most_are_counted) {
-  Job job = sampled();
-  job.input.columns.roles = {{Role::group, {"id"}, option::group}};
+  PlotJob job = sampled();
+  job.keys.input.columns.roles = {{Role::group, {"id"}, option::group}};
   std::string text = "id,time,x\n";
   for (int i = 0; i < 402; ++i) text += fmt::format("{0},0,{0}\n{0},1,0\n", i);
   EXPECT_THAT(drawn(job, {text}), HasSubstr("400 of 402 curves"));

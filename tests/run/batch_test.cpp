@@ -1,11 +1,12 @@
 // Batches: files that fail, files that are current, the first failure as the end, threads for large files.
+#include "run/batch.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
 
 #include "error.hpp"
-#include "run/pipeline.hpp"
 
 namespace {
 

@@ -1,4 +1,6 @@
 // Explanation: a line for each fact that was detected, and for the curve or the curves.
+#include "run/explain.hpp"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "option_names.hpp"
-#include "run/pipeline.hpp"
 
 namespace tcb {
 namespace {
@@ -17,11 +18,11 @@ namespace {
 std::string explained(const std::string& text, std::uint64_t count, const std::vector<std::string>& groups = {}) {
   const auto path = std::filesystem::temp_directory_path() / ("explain_test." + std::to_string(getpid()) + ".csv");
   std::ofstream(path) << text;
-  Job job;
-  job.sampling.mode = Mode::count;
-  job.sampling.count = count;
+  ExplainJob job;
+  job.samples.request.mode = Mode::count;
+  job.samples.request.count = count;
   job.fields = {0, 1};
-  if (!groups.empty()) job.input.columns.roles.push_back({Role::group, groups, option::group});
+  if (!groups.empty()) job.keys.input.columns.roles.push_back({Role::group, groups, option::group});
   const std::string result = explanation(path.string(), job);
   std::filesystem::remove(path);
   return result;

@@ -21,11 +21,11 @@ class Pipeline : public testing::Test {
   Pipeline() {
     fs::create_directories(folder_);
     for (const char* name : {"a.csv", "b.csv"}) std::ofstream(folder_ / name) << "t,x\n0,0\n2,2\n";
-    job_.files = {folder_ / "a.csv", folder_ / "b.csv"};
-    job_.sampling.mode = tcb::Mode::count;
-    job_.sampling.count = 3;
-    job_.fields = {0, 1};
-    job_.curve.ends = tcb::TextSetting{"natural"};
+    job_.files.files = {folder_ / "a.csv", folder_ / "b.csv"};
+    job_.samples.request.mode = tcb::Mode::count;
+    job_.samples.request.count = 3;
+    job_.rows.fields = {0, 1};
+    job_.keys.rules.ends = tcb::TextSetting{"natural"};
     job_.verbosity.quiet = true;
   }
   ~Pipeline() override { fs::remove_all(folder_); }
@@ -37,18 +37,18 @@ class Pipeline : public testing::Test {
   }
 
   const fs::path folder_ = fs::temp_directory_path() / ("pipeline_test." + std::to_string(getpid()));
-  tcb::Job job_;
+  tcb::ResampleJob job_;
 };
 
 TEST_F(Pipeline, files_share_an_output_and_its_header) {
-  job_.output = folder_ / "all.csv";
+  job_.files.outputs.file = folder_ / "all.csv";
   EXPECT_EQ(run(), tcb::Exit::done);
-  EXPECT_EQ(text_of(job_.output), "t,x\n0,0\n1,1\n2,2\n\n0,0\n1,1\n2,2\n");
+  EXPECT_EQ(text_of(job_.files.outputs.file), "t,x\n0,0\n1,1\n2,2\n\n0,0\n1,1\n2,2\n");
 }
 
 TEST_F(Pipeline, a_file_that_fails_has_no_output_and_the_others_do) {
   std::ofstream(folder_ / "a.csv") << "t,x\n0,0\n0,2\n";
-  job_.output_folder = folder_ / "out";
+  job_.files.outputs.folder = folder_ / "out";
   testing::internal::CaptureStderr();
   EXPECT_EQ(run(), tcb::Exit::data);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("a.csv:3"), std::string::npos);
@@ -57,8 +57,8 @@ TEST_F(Pipeline, a_file_that_fails_has_no_output_and_the_others_do) {
 }
 
 TEST_F(Pipeline, an_error_of_the_only_file_is_the_error_of_the_run) {
-  job_.files = {folder_ / "none.csv"};
-  job_.output_folder = folder_ / "out";
+  job_.files.files = {folder_ / "none.csv"};
+  job_.files.outputs.folder = folder_ / "out";
   EXPECT_THROW(run(), tcb::Error);
 }
 

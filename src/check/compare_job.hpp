@@ -1,0 +1,28 @@
+// Compare job: checks samples, or identifies the rules that made them, from both files to the report.
+#pragma once
+
+#include <string>
+
+#include "check/comparison.hpp"
+#include "error.hpp"
+#include "plot/picture.hpp"
+#include "run/job.hpp"
+#include "schema/formats.hpp"
+
+namespace tcb {
+
+/// A report on samples.
+struct CompareJob {
+  Comparison comparison;
+  bool identify = false;  ///< rank the conventions by their agreement with the samples; otherwise check these
+  std::string output = "-";
+  FormatId format = FormatId::csv;  ///< JSON or a picture; others: the report is text
+  PictureOptions picture;
+  Verbosity verbosity;
+};
+
+/// Compares and writes the report. Returns Exit::data if the samples do not agree with the curve.
+/// Throws: Error, naming the file.
+Exit compare(const CompareJob& job);
+
+}  // namespace tcb

@@ -1,0 +1,29 @@
+// Fit job: keys for recordings, from the bytes of samples to the bytes of keys or of a picture.
+#pragma once
+
+#include "error.hpp"
+#include "fit/fit_options.hpp"
+#include "io/input_list.hpp"
+#include "plot/picture.hpp"
+#include "run/job.hpp"
+#include "write/writer.hpp"
+
+namespace tcb {
+
+/// Keys for the recordings in files.
+struct FitJob {
+  InputListOptions files;
+  bool fail_fast = false;  ///< stop at the first file that fails
+  KeyOptions keys;         ///< how the samples are read
+  FitOptions options;
+  WriterOptions rows;
+  PictureOptions picture;  ///< for a format that is a picture
+  ThreadOptions threads;
+  Verbosity verbosity;
+};
+
+/// Fits the recordings of every file, and writes their keys or a picture. Returns the exit code of the program, as
+/// convert_files(). Throws: Error, with the file. An incomplete output does not get its name.
+Exit fit(const FitJob& job);
+
+}  // namespace tcb

@@ -1,0 +1,33 @@
+// Fit options: within which limits recordings are fitted, and what the keys carry.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "numbers/rational.hpp"
+#include "run/job.hpp"
+#include "run/sample_options.hpp"
+
+namespace tcb {
+
+/// What the keys carry.
+enum class FitKeys { tcb, hermite };
+struct FitKeysName {
+  std::string_view name;
+  FitKeys keys;
+};
+inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
+
+/// How recordings are fitted.
+struct FitOptions {
+  std::vector<Tolerance> tolerances;
+  std::optional<double> angle;  ///< of rotations from the samples, in radians; nothing: they are not fitted
+  FitKeys keys = FitKeys::tcb;
+  std::optional<double> corner;      ///< in degrees: where the samples turn by more, the curve may have a corner
+  std::vector<Rational> kept_times;  ///< of samples that become keys in any case
+  GroupedPlaces grouped_kept_times;  ///< instead of kept_times, if groups have their own
+};
+
+}  // namespace tcb

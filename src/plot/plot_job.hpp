@@ -1,0 +1,27 @@
+// Plot: pictures of curves and their samples, from the bytes of keys to the bytes of SVG.
+#pragma once
+
+#include "error.hpp"
+#include "io/input_list.hpp"
+#include "plot/picture.hpp"
+#include "run/job.hpp"
+#include "run/sample_options.hpp"
+
+namespace tcb {
+
+/// Pictures of the curves of files.
+struct PlotJob {
+  InputListOptions files;
+  bool fail_fast = false;  ///< stop at the first file that fails
+  KeyOptions keys;
+  SampleOptions samples;  ///< those that are shown on the curves
+  PictureOptions picture;
+  ThreadOptions threads;
+  Verbosity verbosity;
+};
+
+/// Reads the keys of every file and draws their curves. Returns the exit code of the program, as convert_files().
+/// Throws: Error, with the file. An incomplete picture does not get its name.
+Exit plot(const PlotJob& job);
+
+}  // namespace tcb

@@ -1,0 +1,35 @@
+// Explanation: what was detected in a file and will be done with it, one fact per line.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "io/input_list.hpp"
+#include "run/job.hpp"
+#include "run/sample_options.hpp"
+#include "schema/formats.hpp"
+
+namespace tcb {
+
+/// Rows or a picture that are explained instead of made.
+struct ExplainJob {
+  InputListOptions files;
+  KeyOptions keys;
+  SampleOptions samples;
+  std::optional<GoldenOptions> golden;
+  std::vector<std::size_t> fields;  ///< of the rows, as indices into fields()
+  FormatId format = FormatId::csv;  ///< of the output; the explanation is JSON if that is
+  std::optional<bool> header;       ///< of the output; nothing: as the input has one
+};
+
+/// Prints the explanation of each file. Throws: Error, with the file.
+Exit explain(const ExplainJob& job);
+
+/// The explanation of one file: reads the keys and places the samples, but evaluates none. Throws: Error as resample()
+/// does.
+std::string explanation(const std::string& path, const ExplainJob& job);
+
+}  // namespace tcb

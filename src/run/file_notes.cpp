@@ -1,0 +1,46 @@
+// File notes: what is reported about an input, from its first bytes to its last curve, and about an earlier output.
+#include "run/file_notes.hpp"
+
+#include <algorithm>
+
+#include "io/input_file.hpp"
+#include "numbers/decimal_time.hpp"
+
+namespace tcb {
+
+FileNotes::FileNotes(Report& report, const std::string& path) : report_(report), path_(path) {
+  if (is_terminal(path)) add(reads_terminal());
+}
+
+void FileNotes::add_input(const Input& input, const KeyOptions& options, bool is_rate) {
+  const bool takes_likely = !options.input.rotation.none && options.input.rotation.requests.empty();
+  if (takes_likely && input.facts.likely_rotation) {
+    const bool is_matrix = input.facts.likely_rotation == spline::RotationForm::matrix;
+    add(is_matrix ? likely_matrix() : likely_quaternion());
+  }
+  if (!input.schema.time.is_given && !options.rules.parameter) add(no_time_column());
+  if (is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
+  const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
+  if (input.facts.ignored.empty()) return;
+  add(chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));
+}
+
+void FileNotes::add_samples(const PlacedCurve& placed, const SamplingRequest& request, bool is_closed) {
+  const auto distance = placed.remainder();
+  const bool ends_at_key = !request.to && !is_closed;
+  if (distance && remainders_++ == 0) add(remainder_note(nearest_time(*distance).hi, ends_at_key));
+  if (placed.facts.step && request.end != EndPolicy::drop) add(step_is(time_text(*placed.facts.step)));
+}
+
+void FileNotes::end(const Curves& curves) {
+  if (remainders_ > 1) add(more_remainders(remainders_ - 1));
+  if (curves.skipped() > 0) add(skipped_rows(curves.skipped()));
+}
+
+void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request) {
+  if (!request || request->from.empty()) return;
+  const std::string &earlier = request->earlier.program, &current = request->meta.program;
+  if (earlier != current) report.warning(request->from, other_program(earlier, current));
+}
+
+}  // namespace tcb

@@ -1,0 +1,45 @@
+// File notes: what is reported about an input, from its first bytes to its last curve, and about an earlier output.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "keys/curves.hpp"
+#include "read/input.hpp"
+#include "run/curve_pipeline.hpp"
+#include "run/job.hpp"
+#include "run/notes.hpp"
+#include "run/progress.hpp"
+#include "sample/request.hpp"
+#include "write/provenance.hpp"
+
+namespace tcb {
+
+/// Reports facts about a file that a user may not expect.
+class FileNotes {
+ public:
+  /// Notes a file that is a terminal. The arguments outlive this.
+  FileNotes(Report& report, const std::string& path);
+
+  void add(const Note& note) { report_.note(path_, note); }
+
+  /// Notes what was detected in the input. `is_rate`: samples are requested per second.
+  void add_input(const Input& input, const KeyOptions& options, bool is_rate = false);
+
+  /// Notes where the samples of a curve end. Requires: they were all taken.
+  void add_samples(const PlacedCurve& placed, const SamplingRequest& request, bool is_closed);
+
+  /// Notes counts of all curves.
+  void end(const Curves& curves);
+
+ private:
+  Report& report_;
+  const std::string& path_;
+  std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
+};
+
+/// Warns if another version made the output to reproduce, as its last digits may differ.
+void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request);
+
+}  // namespace tcb

@@ -1,0 +1,70 @@
+// In words: the rules of a curve and the requested samples, for provenance, explanations and pictures.
+#include "run/in_words.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "numbers/decimal_time.hpp"
+#include "option_names.hpp"
+
+namespace tcb {
+
+std::string number_in_words(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
+
+Facts rules_in_words(const RuleFacts& facts) {
+  const spline::CurveRules<double>& rules = facts.spec.rules;
+  Facts words{{"tangents", std::string(name_of(rules.tangents))}};
+  if (facts.spec.closed) {
+    words.emplace_back("closed", "yes");
+  } else {
+    words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
+  }
+  if (rules.equal_speed) words.emplace_back("equal speed", "yes");
+  if (!rules.rotations.empty()) {
+    const auto& [curve, tangents, ends] = rules.rotation_rules;
+    words.emplace_back("rotation curve", std::string(name_of(curve)));
+    if (tangents) words.emplace_back("rotation tangents", std::string(name_of(*tangents)));
+    if (ends && !facts.spec.closed) words.emplace_back("rotation ends", std::string(name_of(*ends)));
+  }
+  if (!facts.timed) {
+    const std::string_view made = facts.spec.parameter_name ? std::string_view(*facts.spec.parameter_name) : "uniform";
+    words.emplace_back("times", fmt::format("none; made with {} {}", option::parameter, made));
+  }
+  return words;
+}
+
+Facts preset_in_words(const RuleFacts& facts) {
+  Facts words{{"preset", std::string(spline::name_of(facts.spec.preset))}};
+  const Facts rules = rules_in_words(facts);
+  words.insert(words.end(), rules.begin(), rules.end());
+  return words;
+}
+
+std::string samples_in_words(const SamplingRequest& request) {
+  const std::string_view of = by_length(request.mode) ? "arc length" : "time";
+  switch (request.mode) {
+    case Mode::step:
+      if (request.is_rate) return fmt::format("{} per unit of time", number_in_words(Rational(1) / request.step));
+      [[fallthrough]];
+    case Mode::arc_step: return fmt::format("every {} of {}", number_in_words(request.step), of);
+    case Mode::arc_count:
+    case Mode::count: return fmt::format("{}, equally spaced in {}", request.count, of);
+    case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
+    case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
+    case Mode::at:
+    case Mode::arc_at:
+      return request.places.empty() ? fmt::format("at places in {} for each group", of)
+                                    : fmt::format("at {} places in {}", request.places.size(), of);
+    case Mode::emit: return "the cubic of each segment";
+    case Mode::tolerance: {
+      const auto& [distance, angle] = request.tolerance;
+      if (!request.tolerance.limits_angle()) return fmt::format("within {} of the curve", distance);
+      if (!request.tolerance.limits_distance()) return fmt::format("rotations within {} radians", angle);
+      return fmt::format("within {} of the curve, rotations within {} radians", distance, angle);
+    }
+  }
+  return "";
+}
+
+}  // namespace tcb

@@ -1,0 +1,24 @@
+// Sample options: the samples that are requested of each curve, where groups may have their own places.
+#include "run/sample_options.hpp"
+
+#include "option_names.hpp"
+#include "run/errors.hpp"
+#include "schema/key_block.hpp"
+
+namespace tcb {
+
+const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::string_view option,
+                                             const CurveKeys& curve, const Schema& schema) {
+  const auto found = places.find(contents(curve.group));
+  if (found == places.end()) throw group_without_places(group_title(schema.groups, curve.group)).about(option);
+  return found->second;
+}
+
+SamplingRequest SampleOptions::of(const CurveKeys& curve, const Schema& schema) const {
+  SamplingRequest own = request;
+  if (grouped_places.empty()) return own;
+  own.places = places_of_group(grouped_places, request.mode == Mode::at ? option::at : option::arc_at, curve, schema);
+  return own;
+}
+
+}  // namespace tcb
