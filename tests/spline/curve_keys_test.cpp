@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "tcb/spline/curve_stream.hpp"
+
 namespace tcb::spline {
 namespace {
 

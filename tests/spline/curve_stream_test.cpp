@@ -41,7 +41,8 @@ void expect_equal(const Segments<double>& found, const Curve<double>& curve) {
     }
     for (std::size_t k = 0; k < segment.rotations.size(); ++k) {
       const auto a = found.rotations_of(i)[k].at({0.25, -0.75}), b = segment.rotations[k].at({0.25, -0.75});
-      EXPECT_TRUE(a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w);
+      EXPECT_TRUE((a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w) ||
+                  (a.x == -b.x && a.y == -b.y && a.z == -b.z && a.w == -b.w));
     }
   }
 }

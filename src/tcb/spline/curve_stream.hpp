@@ -7,7 +7,8 @@
 //     while (read(block)) use(segments(stream.push(block), rules));
 //     use(segments(stream.finish(), rules));
 //
-// Together these are the segments that Curve has, bit for bit. A closed curve begins with what closes it, which
+// Together these are the segments that Curve has, bit for bit; only the quaternions of a rotation may have the other
+// sign, as each window takes that of its first key. A closed curve begins with what closes it, which
 // find_closing() of closing.hpp finds. Keys that lack positions cannot be streamed, because the next key that has one
 // may be any number of keys away; for them see CurveKeys.
 #pragma once
