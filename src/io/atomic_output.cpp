@@ -1,12 +1,12 @@
-// Atomic outputs: temporary files with locks, which get their final name when they are complete; interruptions.
+// Atomic outputs: temporary files, which get their final name when they are complete; interruptions.
 #include "io/atomic_output.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -14,7 +14,9 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <random>
 #include <set>
+#include <span>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -38,15 +40,17 @@ TemporaryFiles& temporary_files() {
   return known;
 }
 
-/// The signals that interrupt the program: of these three, those that its caller does not ignore.
-sigset_t interruptions() {
-  sigset_t signals;
-  ::sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+constexpr std::array interruptions{SIGINT, SIGTERM, SIGHUP};
+
+/// The other signals that end a program unless it handles them, without those of faults in it.
+constexpr std::array further_signals{SIGQUIT, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGUSR1, SIGUSR2};
+
+/// Adds those of the signals that the caller of the program does not ignore.
+void add_unless_ignored(sigset_t& set, std::span<const int> signals) {
+  for (const int signal : signals) {
     struct sigaction action {};
-    if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
+    if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&set, signal);
   }
-  return signals;
 }
 
 /// Threads: only this one receives the signals, so it may call any function.
@@ -59,81 +63,42 @@ sigset_t interruptions() {
   end_interrupted();
 }
 
-/// The names that an unfinished `path` may have: more than one, for processes that write the same file at the same
-/// time.
-std::string unfinished_name(const std::filesystem::path& path, int attempt) {
+/// A hidden name in the folder of `path`, with random letters.
+std::string unfinished_name(const std::filesystem::path& path) {
   constexpr std::size_t longest = 200;  // file systems allow 255 bytes
-  const std::string ending = attempt == 0 ? ".tcbsample" : ".tcbsample" + std::to_string(attempt);
-  return path.parent_path() / ("." + path.filename().string().substr(0, longest) + ending);
-}
-
-bool is_name_of(const std::string& name, int descriptor) {
-  struct stat named {};
-  struct stat opened {};
-  return ::lstat(name.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
-         named.st_ino == opened.st_ino;
-}
-
-/// Removes the file if no process holds a lock on it.
-void remove_abandoned(const std::string& name) {
-  constexpr int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  int descriptor = ::open(name.c_str(), O_RDWR | flags);  // some network file systems lock only files open for writing
-  if (descriptor < 0) descriptor = ::open(name.c_str(), O_RDONLY | flags);
-  if (descriptor < 0) return;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_name_of(name, descriptor)) ::unlink(name.c_str());
-  ::close(descriptor);
-}
-
-/// A new file with a lock on it, or -1 with errno set, EEXIST if another process uses the name. Another
-/// process may take the file for abandoned and remove it before it is locked; then that process gets the name.
-int create_locked(const std::string& name, mode_t permissions) {
-  const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
-  if (descriptor < 0) return -1;
-  const bool lost = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;  // some systems lack locks
-  if (!lost && is_name_of(name, descriptor)) return descriptor;
-  ::close(descriptor);
-  errno = EEXIST;
-  return -1;
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1);
+  std::string name = "." + path.filename().string().substr(0, longest) + ".";
+  for (int i = 0; i < 10; ++i) name += letters[letter(random)];
+  return path.parent_path() / (name + ".tcbsample");
 }
 
 /// Creates a file in the folder of `path`, open for writing and with these permissions as far as the umask grants them.
-/// Returns its descriptor, or -1 with errno set. `name` becomes its name: that of `path` between a dot and
-/// ".tcbsample". The program holds a lock on it, so other processes do not touch it; a file without a lock was left by
-/// a process that was killed, and is replaced.
+/// Returns its descriptor, or -1 with errno set. `name` becomes its name.
 int create_unfinished(const std::string& path, mode_t permissions, std::string& name) {
-  constexpr int most_attempts = 1000;
+  constexpr int most_attempts = 100;
   const std::lock_guard lock(temporary_files().mutex);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    name = unfinished_name(path, attempt);
-    int descriptor = create_locked(name, permissions);
-    if (descriptor < 0 && errno == EEXIST) {
-      remove_abandoned(name);
-      descriptor = create_locked(name, permissions);
+    std::string unused = unfinished_name(path);
+    const int descriptor = ::open(unused.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+    if (descriptor >= 0) {
+      name = *temporary_files().all.insert(std::move(unused)).first;
+      return descriptor;
     }
-    if (descriptor >= 0) temporary_files().all.insert(name);
-    if (descriptor >= 0) return descriptor;
     if (errno != EEXIST) break;
   }
-  name.clear();
   return -1;
 }
 
-/// Gives the file its final name, replacing any file of that name. The caller closes the descriptor.
-/// Promises: false with errno set if that fails, or if writing the file failed.
-bool finish(int descriptor, const std::string& name, const std::string& path) {
-  const int other = ::dup(descriptor);  // closing it reports write errors before the file gets its name
-  if (other < 0 || ::close(other) != 0) return false;
-  const std::lock_guard lock(temporary_files().mutex);
-  if (std::rename(name.c_str(), path.c_str()) != 0) return false;
-  temporary_files().all.erase(name);
-  return true;
-}
-
-/// Removes the file that create_unfinished() created. The caller then closes the descriptor, which has the lock.
-void discard(const std::string& name) {
-  const std::lock_guard lock(temporary_files().mutex);
-  ::unlink(name.c_str());
-  temporary_files().all.erase(name);
+/// The file that a path leads to. A path that does not lead anywhere, or is too long for the system, stays as it is.
+/// Throws: Error (usage) for a link that cannot be followed.
+std::string target_of(const std::string& path) {
+  std::error_code error, none;
+  std::string target = std::filesystem::canonical(path, error);
+  if (!error) return target;
+  if (std::filesystem::is_symlink(path, none)) throw cannot_write(error.message()).in(path);
+  return path;
 }
 
 /// The number of a descriptor that the program inherited, from a name such as /dev/stdout or /dev/fd/3: writing
@@ -161,11 +126,20 @@ void make_folder(const std::string& path) {
   if (error) throw cannot_create_folder(error.message()).in(path);
 }
 
+OpenOutput::~OpenOutput() {
+  if (!temporary.empty()) {
+    const std::lock_guard lock(temporary_files().mutex);
+    ::unlink(temporary.c_str());
+    temporary_files().all.erase(temporary);
+  }
+  if (descriptor > STDERR_FILENO) ::close(descriptor);
+}
+
 Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
   const Compression compression = compression_of(path_);
   open();
   if (compression != Compression::none) compressor_.emplace(compression);
-  if (!begins_last || (unfinished_ && !compressor_)) return;
+  if (!begins_last || (!open_.temporary.empty() && !compressor_)) return;
   spool_.reset(std::tmpfile());
   if (spool_ == nullptr) throw cannot_create_temporary(std::strerror(errno)).in(shown_name());
 }
@@ -173,39 +147,23 @@ Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
 void Output::open() {
   if (path_ == "-") return;
   if (const auto own = own_descriptor(path_)) {
-    descriptor_ = ::dup(*own);
-    if (descriptor_ < 0) fail_to_write();
-    return;
-  }
-  std::error_code none;
-  const auto kind = std::filesystem::status(path_, none).type();
-  if (kind == std::filesystem::file_type::regular)
-    path_ = std::filesystem::canonical(path_, none);  // the target of a link
-  const bool device = kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found;
-  if (device) {  // /dev/null or a pipe: written in place
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail_to_write();
+    open_.descriptor = ::dup(*own);
+    if (open_.descriptor < 0) fail_to_write();
     return;
   }
   struct stat before {};
-  const bool replaces = ::stat(path_.c_str(), &before) == 0;  // the new file gets the permissions of that file
-  descriptor_ = create_unfinished(path_, replaces ? S_IRUSR | S_IWUSR : 0666, temporary_);
-  unfinished_ = descriptor_ >= 0;
-  if (!unfinished_) fail_to_write();
-  if (replaces && ::fchmod(descriptor_, before.st_mode & 07777U) != 0) {
-    const int reason = errno;
-    remove();
-    errno = reason;
-    fail_to_write();
+  const bool exists = ::stat(path_.c_str(), &before) == 0;
+  if (exists && !S_ISREG(before.st_mode)) {  // /dev/null or a pipe: written in place
+    open_.descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (open_.descriptor < 0) fail_to_write();
+    return;
   }
-}
-
-Output::~Output() { remove(); }
-
-void Output::remove() {
-  if (!temporary_.empty()) discard(temporary_);  // while it is locked
-  temporary_.clear();
-  if (descriptor_ > 2) ::close(std::exchange(descriptor_, -1));
+  if (exists) path_ = target_of(path_);
+  if (exists && ::faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write();
+  open_.descriptor = create_unfinished(path_, exists ? S_IRUSR | S_IWUSR : 0666, open_.temporary);
+  if (open_.descriptor < 0) fail_to_write();
+  constexpr mode_t permissions = 0777;  // without setuid and setgid
+  if (exists && ::fchmod(open_.descriptor, before.st_mode & permissions) != 0) fail_to_write();
 }
 
 void Output::fail_to_write() const { throw cannot_write(std::strerror(errno)).in(shown_name()); }
@@ -230,7 +188,7 @@ void Output::put(std::string_view text) {
 }
 
 void Output::send_compressed(std::string_view bytes, bool last) {
-  compressor_ ? send(descriptor_, compressor_->add(bytes, last)) : send(descriptor_, bytes);
+  compressor_ ? send(open_.descriptor, compressor_->add(bytes, last)) : send(open_.descriptor, bytes);
 }
 
 void Output::send(int descriptor, std::string_view bytes) const {
@@ -244,7 +202,7 @@ void Output::send(int descriptor, std::string_view bytes) const {
 
 void Output::write_beginning(std::string_view bytes) {
   flush();
-  const int descriptor = spool_ == nullptr ? descriptor_ : ::fileno(spool_.get());
+  const int descriptor = spool_ == nullptr ? open_.descriptor : ::fileno(spool_.get());
   if (::lseek(descriptor, 0, SEEK_SET) < 0) fail_to_write();
   send(descriptor, bytes);
   if (::lseek(descriptor, 0, SEEK_END) < 0) fail_to_write();
@@ -267,25 +225,31 @@ void Output::commit() {
   if (spool_ != nullptr) send_spooled();
   if (compressor_) send_compressed("", true);
   if (path_ == "-") return;
-  if (unfinished_) {
-    if (!finish(descriptor_, temporary_, path_)) fail_to_write();
-    temporary_.clear();
-  }
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail_to_write();
+  if (::close(std::exchange(open_.descriptor, -1)) != 0) fail_to_write();  // writing may fail as late as here
+  if (open_.temporary.empty()) return;
+  const std::lock_guard lock(temporary_files().mutex);
+  if (std::rename(open_.temporary.c_str(), path_.c_str()) != 0) fail_to_write();
+  temporary_files().all.erase(std::exchange(open_.temporary, ""));
 }
 
 void end_when_interrupted() {
   (void)std::signal(SIGPIPE, SIG_DFL);
+  (void)std::signal(SIGXFSZ, SIG_IGN);
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  add_unless_ignored(signals, interruptions);
   struct sigaction action {};
   action.sa_handler = [](int) { end_interrupted(); };
-  const sigset_t signals = interruptions();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : interruptions) {
     if (::sigismember(&signals, signal) == 1) ::sigaction(signal, &action, nullptr);
   }
 }
 
 void remove_unfinished_when_interrupted() {
-  const sigset_t signals = interruptions();
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  add_unless_ignored(signals, interruptions);
+  add_unless_ignored(signals, further_signals);
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads created from here on
   try {
     std::thread(wait_for_interruption, signals).detach();

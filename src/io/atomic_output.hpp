@@ -17,17 +17,25 @@ std::string folder_of(const std::string& path);
 /// Creates a folder and those above it, unless they exist. Throws: Error (usage).
 void make_folder(const std::string& path);
 
+/// A descriptor for writing, and the temporary name of the file behind it, if it has one. The destructor closes the
+/// descriptor, unless it is a standard stream, and removes the file.
+struct OpenOutput {
+  int descriptor = 1;
+  std::string temporary = {};
+
+  OpenOutput() = default;
+  OpenOutput(const OpenOutput&) = delete;
+  OpenOutput& operator=(const OpenOutput&) = delete;
+  ~OpenOutput();
+};
+
 /// An output: standard output, or a file that appears under its name only when it is complete. An ending such as .gz
-/// compresses it.
+/// compresses it. What was written is removed unless commit() was called.
 class Output {
  public:
   /// "-" is standard output. `begins_last`: the first bytes are final only when all others are written; an output
   /// without random access then gets all bytes from a temporary file. Throws: Error (usage) if it cannot be written.
   explicit Output(std::string path, bool begins_last = false);
-  Output(const Output&) = delete;
-  Output& operator=(const Output&) = delete;
-  /// Removes what was written unless commit() was called.
-  ~Output();
 
   /// Writes in large parts, or on each call once `live` is set.
   void write(std::string_view text);
@@ -44,17 +52,14 @@ class Output {
   void flush();
   void put(std::string_view text);
   void send_compressed(std::string_view bytes, bool last = false);
-  void remove();
   void send(int descriptor, std::string_view bytes) const;
   void send_spooled();
   [[noreturn]] void fail_to_write() const;
   std::string shown_name() const { return path_ == "-" ? "standard output" : path_; }
 
   std::string path_;
-  std::string temporary_;    ///< its name until it is complete, if it needs one
-  bool unfinished_ = false;  ///< it gets its name in commit()
+  OpenOutput open_;
   std::string pending_;
-  int descriptor_ = 1;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> spool_{nullptr,
                                                          std::fclose};  ///< all bytes, until the first ones are final
   std::optional<Compressor> compressor_ = {};                           ///< of the bytes, by the ending of the path
@@ -62,10 +67,12 @@ class Output {
 };
 
 /// From now on SIGINT, SIGTERM and SIGHUP, unless they are ignored, end the program with Exit::interrupted. A closed
-/// pipe ends it without a message, even if the caller ignores SIGPIPE.
+/// pipe ends it without a message, even if the caller ignores SIGPIPE. An output beyond the limit of the size of files
+/// is an error, not a signal.
 void end_when_interrupted();
 
-/// From now on a thread waits for these signals, and removes all unfinished files before the program ends.
+/// From now on a thread waits for these signals and for the others that end a program, such as SIGQUIT and SIGXCPU. It
+/// removes all unfinished files, and ends the program with Exit::interrupted.
 /// Requires: no other thread runs yet.
 void remove_unfinished_when_interrupted();
 

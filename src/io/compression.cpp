@@ -3,6 +3,7 @@
 
 #include <zlib.h>
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
 #include <new>
@@ -17,7 +18,8 @@ namespace {
 
 constexpr std::size_t part_size = 256UL * 1024;
 constexpr std::string_view gzip_magic = "\x1F\x8B", zstandard_magic = "\x28\xB5\x2F\xFD";
-constexpr int gzip_window = 15 + 16;  ///< the largest, in the format of gzip
+constexpr std::string_view skippable_magic = "\x2A\x4D\x18";  ///< after a first byte from 0x50 to 0x5F
+constexpr int gzip_window = 15 + 16;                          ///< the largest, in the format of gzip
 
 Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
 
@@ -31,7 +33,7 @@ struct Buffers {
 /// Members of a gzip file, one after another; zeros after the last are padding.
 class Gunzip {
  public:
-  static constexpr const char* name = "gzip";
+  static constexpr std::string_view name = "gzip";
 
   Gunzip() {
     if (inflateInit2(&stream_, gzip_window) != Z_OK) throw std::bad_alloc();
@@ -70,7 +72,7 @@ class Gunzip {
 /// Frames of a Zstandard file, one after another.
 class Unzstd {
  public:
-  static constexpr const char* name = "Zstandard";
+  static constexpr std::string_view name = "Zstandard";
 
   Unzstd() : stream_(ZSTD_createDStream(), ZSTD_freeDStream) {
     if (stream_ == nullptr) throw std::bad_alloc();
@@ -82,6 +84,7 @@ class Unzstd {
     ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
     ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
     const std::size_t result = ZSTD_decompressStream(stream_.get(), &out, &in);
+    if (ZSTD_getErrorCode(result) == ZSTD_error_frameParameter_windowTooLarge) throw zstandard_window_too_large();
     if (ZSTD_isError(result) != 0) return false;
     buffers.in.remove_prefix(in.pos);
     buffers.size = out.pos;
@@ -135,6 +138,16 @@ Compression compression_of(std::string_view path) {
   return ending == ".gz" ? Compression::gzip : Compression::zstandard;
 }
 
+namespace {
+
+/// Whether bytes begin a Zstandard file: a frame, or a skippable frame before it as pzstd writes it.
+bool begins_zstandard(std::string_view bytes) {
+  if (bytes.starts_with(zstandard_magic)) return true;
+  return bytes.substr(0, 1) >= "\x50" && bytes.substr(0, 1) <= "\x5F" && bytes.substr(1).starts_with(skippable_magic);
+}
+
+}  // namespace
+
 Source<std::string> decompressed(Source<std::string> bytes) {
   std::string beginning;
   while (beginning.size() < zstandard_magic.size()) {
@@ -142,7 +155,7 @@ Source<std::string> decompressed(Source<std::string> bytes) {
     if (!more) break;
     beginning += *more;
   }
-  const bool gzip = beginning.starts_with(gzip_magic), zstandard = beginning.starts_with(zstandard_magic);
+  const bool gzip = beginning.starts_with(gzip_magic), zstandard = begins_zstandard(beginning);
   bytes = preceded_by(std::move(beginning), std::move(bytes));
   if (gzip) return decoded<Gunzip>(std::move(bytes));
   return zstandard ? decoded<Unzstd>(std::move(bytes)) : bytes;

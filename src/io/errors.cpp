@@ -33,6 +33,12 @@ Error compressed_data_cut(std::string_view compression) {
           fmt::format("the {} data end too early; expected a complete file; copy or create it again", compression)};
 }
 
+Error zstandard_window_too_large() {
+  return {Exit::data,
+          "decompressing the Zstandard data takes a window of more than 128 MiB of memory; expected at most that; "
+          "decompress the file with zstd -d --long=31 first"};
+}
+
 Error cannot_write(std::string_view reason) { return {Exit::usage, fmt::format("cannot be written: {}", reason)}; }
 
 Error cannot_create_folder(std::string_view reason) {

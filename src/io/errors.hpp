@@ -18,6 +18,7 @@ Error input_changed();
 // Decompressing. `compression` is its name, such as "gzip".
 Error compressed_data_damaged(std::string_view compression);
 Error compressed_data_cut(std::string_view compression);
+Error zstandard_window_too_large();
 
 // Writing.
 Error cannot_write(std::string_view reason);

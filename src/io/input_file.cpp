@@ -13,6 +13,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "io/errors.hpp"
 
@@ -40,7 +41,11 @@ struct stat status_of(int descriptor) {
 }
 
 bool is_same(const struct stat& a, const struct stat& b) {
-  return a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
+  const auto same_time = [](const timespec& x, const timespec& y) {
+    return x.tv_sec == y.tv_sec && x.tv_nsec == y.tv_nsec;
+  };
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino && a.st_size == b.st_size && same_time(a.st_mtim, b.st_mtim) &&
+         same_time(a.st_ctim, b.st_ctim);
 }
 
 int open_for_reading(const std::string& path) {
@@ -74,6 +79,16 @@ bool is_live(const std::string& path) {
   struct stat status {};
   const int failed = path == "-" ? ::fstat(STDIN_FILENO, &status) : ::stat(path.c_str(), &status);
   return failed == 0 && !S_ISREG(status.st_mode);
+}
+
+ChangeWatch::ChangeWatch(std::string path) : path_(std::move(path)) {
+  struct stat status {};
+  if (path_ != "-" && ::stat(path_.c_str(), &status) == 0 && S_ISREG(status.st_mode)) before_ = status;
+}
+
+bool ChangeWatch::has_changed() const {
+  struct stat now {};
+  return before_ && (::stat(path_.c_str(), &now) != 0 || !is_same(*before_, now));
 }
 
 Source<std::string> read_file(const std::string& path) {

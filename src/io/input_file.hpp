@@ -3,7 +3,10 @@
 // Source: FIPS 180-4; computed by Nettle.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +29,19 @@ bool is_terminal(const std::string& path);
 
 /// Whether it is a pipe, a socket or a terminal: rows should be written as soon as they are computed.
 bool is_live(const std::string& path);
+
+/// Tells whether a file changes, by its size, its modification time and its change time. Standard input, pipes and
+/// devices do not count as changing.
+class ChangeWatch {
+ public:
+  /// Watches from now on. A file that does not exist now does not count as changing.
+  explicit ChangeWatch(std::string path);
+  bool has_changed() const;
+
+ private:
+  std::string path_;
+  std::optional<struct stat> before_;
+};
 
 /// Whether a failed read or write has to be repeated, by errno; waits until it may succeed.
 /// `events`: those of poll() to wait for.

@@ -1,9 +1,11 @@
 // Input lists: files that are named, listed, or found in folders, and the path of the output of each.
 #include "io/input_list.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -27,7 +29,10 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
   const char end = options.nul ? '\0' : '\n';
   const Source<std::string> bytes = read_file(options.list);
   std::string name;
+  bool is_first = true;
   const auto take = [&] {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (std::exchange(is_first, false) && name.starts_with(byte_order_mark)) name.erase(0, byte_order_mark.size());
     if (!options.nul && name.ends_with('\r')) name.pop_back();
     const bool blank = !options.nul && name.find_first_not_of(" \t") == std::string::npos;
     if (name.find('\0') != std::string::npos) throw nul_in_list().in(shown_name(options.list));
@@ -117,7 +122,7 @@ void require_not_over_inputs(const std::vector<InputFile>& files, const std::vec
   for (const InputFile& file : files) check(output_path(file, outputs), file.path);
 }
 
-/// Sets the sizes of the files, and whether their outputs are newer.
+/// Sets the sizes of the files, and whether their outputs are newer. Returns the sorted identities of all inputs.
 std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOptions& options) {
   const auto newer = [](const timespec& a, const timespec& b) {
     return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
@@ -131,6 +136,12 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOpti
     if (!options.update) continue;
     const auto output = status_of(output_path(file, options.outputs));
     file.is_current = output && !newer(status->st_mtim, output->st_mtim);
+  }
+  std::vector<std::string> others = options.other_inputs;
+  if (!options.list.empty()) others.push_back(options.list);
+  for (const std::string& path : others) {
+    const auto status = path == "-" ? std::nullopt : status_of(path);
+    if (status && S_ISREG(status->st_mode)) identities.emplace_back(status->st_dev, status->st_ino);
   }
   std::ranges::sort(identities);
   return identities;
@@ -149,6 +160,18 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs) {
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
   return (fs::path(*outputs.folder) / below / fs::path(without_compression(kept.native())).stem()) +=
          outputs.suffix + std::string(outputs.ending);
+}
+
+void make_older(const std::string& path, const std::string& than) {
+  const auto newer = status_of(than);
+  if (!newer) return;
+  timespec time = newer->st_mtim;
+  if (--time.tv_nsec < 0) {
+    time.tv_nsec = 999'999'999;
+    --time.tv_sec;
+  }
+  const std::array times{timespec{0, UTIME_OMIT}, time};
+  (void)::utimensat(AT_FDCWD, path.c_str(), times.data(), 0);
 }
 
 Inputs find_inputs(const InputListOptions& options) {

@@ -18,12 +18,13 @@ struct OutputPaths {
 };
 
 struct InputListOptions {
-  std::vector<std::string> files;         ///< "-" is standard input
-  std::string list;                       ///< a file that names more files; "-": standard input; empty: none
-  bool nul = false;                       ///< the names in the list end in NUL, not in a line end
-  bool recursive = false;                 ///< a folder means the files in it; then outputs have a folder
-  std::vector<std::string_view> endings;  ///< of the files in folders that are inputs; none: all are
-  bool update = false;                    ///< compare the times of inputs and their outputs
+  std::vector<std::string> files;              ///< "-" is standard input
+  std::string list;                            ///< a file that names more files; "-": standard input; empty: none
+  bool nul = false;                            ///< the names in the list end in NUL, not in a line end
+  bool recursive = false;                      ///< a folder means the files in it; then outputs have a folder
+  std::vector<std::string_view> endings;       ///< of the files in folders that are inputs; none: all are
+  bool update = false;                         ///< compare the times of inputs and their outputs
+  std::vector<std::string> other_inputs = {};  ///< files that the run reads besides; no output replaces them
   OutputPaths outputs;
 };
 
@@ -48,5 +49,8 @@ Inputs find_inputs(const InputListOptions& options);
 /// The path of the output of a file: its name below the output folder, with the suffix and the format's ending.
 /// Requires: outputs.folder. Throws: Error (usage) for standard input.
 std::string output_path(const InputFile& file, const OutputPaths& outputs);
+
+/// Makes a file older than another one, so that it does not count as current. Does nothing if one of them is gone.
+void make_older(const std::string& path, const std::string& than);
 
 }  // namespace tcb

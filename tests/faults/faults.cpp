@@ -97,11 +97,6 @@ int open(const char* path, int flags, ...) {
   return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
 }
 
-int flock(int descriptor, int operation) {
-  if (is_fault("no-locks")) return static_cast<int>(fail(ENOLCK));
-  return static_cast<int>(::syscall(SYS_flock, descriptor, operation));
-}
-
 int fchmod(int descriptor, mode_t mode) {
   if (is_fault("fchmod-fails")) return static_cast<int>(fail(EPERM));
   return static_cast<int>(::syscall(SYS_fchmod, descriptor, mode));

@@ -1,6 +1,7 @@
 // Atomic outputs: files that appear when they are complete, permissions, links, and errors.
 #include "io/atomic_output.hpp"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "io/file_fixture.hpp"
@@ -56,6 +57,35 @@ TEST_F(FileTest, an_output_has_the_permissions_of_any_new_file) {
   output.commit();
   ::umask(mask);
   EXPECT_EQ(fs::status(path("out")).permissions(), static_cast<fs::perms>(0640));
+}
+
+TEST_F(FileTest, an_output_does_not_inherit_setuid_and_setgid) {
+  made("old", "");
+  ASSERT_EQ(::chmod(path("old").c_str(), 06755), 0);
+  Output output(path("old"));
+  output.commit();
+  EXPECT_EQ(fs::status(path("old")).permissions(), static_cast<fs::perms>(0755));
+}
+
+TEST_F(FileTest, files_of_others_with_names_of_temporary_files_are_not_touched) {
+  made(".out.tcbsample", "mine");
+  Output output(path("out"));
+  output.commit();
+  EXPECT_EQ(text_of(path(".out.tcbsample")), "mine");
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(FileTest, an_output_without_a_temporary_file_for_its_beginning_leaves_nothing) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const int next = ::dup(0);
+  ::close(next);
+  const rlimit one_more{static_cast<rlim_t>(next) + 1, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &one_more), 0);
+  const std::string error = error_of([&] { Output output(path("out.npy.gz"), true); });
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_NE(error.find("Too many open files"), std::string::npos) << error;
+  EXPECT_EQ(entries(), 0U);
 }
 
 TEST_F(FileTest, an_output_that_cannot_be_written_is_refused_at_once) {

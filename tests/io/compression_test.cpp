@@ -95,6 +95,16 @@ TEST(Compression, files_of_other_programs_are_read) {
   EXPECT_EQ(unpacked(by_gzip + std::string(512, '\0')), "0,1\n") << "zeros at the end are padding";
 }
 
+TEST(Compression, a_skippable_frame_may_come_first) {
+  const std::string frame = "\x50\x2A\x4D\x18\x04\0\0\0abcd"s;  // pzstd writes such frames
+  EXPECT_EQ(unpacked(frame + packed(Compression::zstandard, "0,1\n")), "0,1\n");
+}
+
+TEST(Compression, a_window_beyond_the_limit_is_refused) {
+  const std::string window_of_256_mib = "\x28\xB5\x2F\xFD\0\x90\x01\0\0"s;
+  EXPECT_THAT(refusal(window_of_256_mib), HasSubstr("a window of more than 128 MiB"));
+}
+
 TEST(Compression, cut_data_are_refused) {
   for (const Compression compression : {Compression::gzip, Compression::zstandard}) {
     const std::string bytes = packed(compression, "t,x\n0,1\n1,2\n");

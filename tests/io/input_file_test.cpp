@@ -1,6 +1,7 @@
 // Input files: parts as they arrive, errors, and which paths are live.
 #include "io/input_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -47,6 +48,19 @@ TEST_F(FileTest, what_cannot_be_read_is_refused) {
       error_of([&] { read_file(folder_.string())(); }),
       "usage: " + folder_.string() +
           ": error: this is a folder; expected a file; give --recursive and --output-dir to process the files in it");
+}
+
+TEST_F(FileTest, a_change_is_seen_also_with_the_old_size_and_time) {
+  const std::string file = made("in", "abc");
+  const ChangeWatch watch(file), none(path("none")), standard_input("-");
+  EXPECT_FALSE(watch.has_changed());
+  struct stat before {};
+  ASSERT_EQ(::stat(file.c_str(), &before), 0);
+  made("in", "abd");
+  const timespec times[2] = {before.st_atim, before.st_mtim};
+  ASSERT_EQ(::utimensat(AT_FDCWD, file.c_str(), times, 0), 0);
+  EXPECT_TRUE(watch.has_changed());
+  EXPECT_FALSE(none.has_changed() || standard_input.has_changed());
 }
 
 TEST_F(FileTest, names_for_messages) {

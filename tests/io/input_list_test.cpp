@@ -103,7 +103,8 @@ TEST_F(Inputs, an_output_is_current_if_it_is_not_older) {
 
 TEST_F(Inputs, lists_name_more_files) {
   for (const char* path : {"a.csv", "b.csv"}) touch(path);
-  std::ofstream("list") << "b.csv\n\na.csv";
+  std::ofstream("list") << "\xEF\xBB\xBF"
+                        << "b.csv\n\na.csv";  // after a byte order mark
   InputListOptions options;
   options.list = "list";
   options.outputs.folder = "out";
@@ -126,6 +127,30 @@ TEST_F(Inputs, no_output_replaces_an_input) {
   EXPECT_EQ(refusal(options),
             "a.csv: error: its output out/a.csv is also an input, which it would replace; expected another file; give "
             "another output");
+}
+
+TEST_F(Inputs, no_output_replaces_a_file_that_is_read_besides) {
+  for (const char* path : {"a.csv", "times"}) touch(path);
+  std::ofstream("list") << "a.csv\n";
+  InputListOptions options;
+  options.list = "list";
+  options.other_inputs = {"times"};
+  for (const char* path : {"times", "./list"}) {
+    options.outputs.file = path;
+    EXPECT_NE(refusal(options).find("is also an input"), std::string::npos) << path;
+  }
+}
+
+TEST_F(Inputs, an_output_made_older_is_not_current) {
+  for (const char* path : {"a.csv", "out/a.csv"}) touch(path);
+  InputListOptions options;
+  options.files = {"a.csv"};
+  options.update = true;
+  options.outputs.folder = "out";
+  options.outputs.ending = ".csv";
+  EXPECT_TRUE(find_inputs(options).files[0].is_current);
+  tcb::make_older("out/a.csv", "a.csv");
+  EXPECT_FALSE(find_inputs(options).files[0].is_current);
 }
 
 }  // namespace
