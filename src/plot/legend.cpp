@@ -23,10 +23,10 @@ std::string colour_of(std::size_t name) {
 }
 
 double Legend::height() const {
-  return entries({true, true, true, true, scene_.worst.has_value()}, true).back().at.y + line_height + 8;
+  return entries({true, true, true, true, scene_.worst.has_value()}, {false, true}).back().at.y + line_height + 8;
 }
 
-std::vector<Legend::Entry> Legend::entries(const Marks& marks, bool samples_hidden) const {
+std::vector<Legend::Entry> Legend::entries(const Marks& marks, const HiddenMarks& hidden) const {
   std::vector<Entry> all;
   if (scene_.names.size() > 1) {
     add_names(all);
@@ -44,7 +44,8 @@ std::vector<Legend::Entry> Legend::entries(const Marks& marks, bool samples_hidd
     all.push_back({Symbol::axis_z, "z axis", css});
   }
   if (marks.worst) all.push_back({Symbol::worst, "largest difference", css});
-  if (samples_hidden) all.push_back({Symbol::none, "samples are too dense to be shown", css});
+  if (hidden.keys) all.push_back({Symbol::none, "keys are too dense to be shown", css});
+  if (hidden.samples) all.push_back({Symbol::none, "samples are too dense to be shown", css});
   Pixel at;
   for (Entry& entry : all) {
     const double width = width_of(entry.text, entry.symbol != Symbol::none);
@@ -85,8 +86,8 @@ void Legend::draw_symbol(Svg& svg, Symbol symbol, const Pixel& at) {
   }
 }
 
-void Legend::draw(Svg& svg, const Pixel& corner, const Marks& marks, bool samples_hidden) const {
-  for (const Entry& entry : entries(marks, samples_hidden)) {
+void Legend::draw(Svg& svg, const Pixel& corner, const Marks& marks, const HiddenMarks& hidden) const {
+  for (const Entry& entry : entries(marks, hidden)) {
     const Pixel at = corner + entry.at + Pixel{0, line_height / 2};
     svg.begin_group(entry.css);
     draw_symbol(svg, entry.symbol, at);

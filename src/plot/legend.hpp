@@ -13,6 +13,11 @@ namespace tcb {
 /// The class of a curve's colour and dashes.
 std::string colour_of(std::size_t name);
 
+/// Marks that no view has, because there are too many.
+struct HiddenMarks {
+  bool keys = false, samples = false;
+};
+
 /// Entries side by side, in as many lines as the width requires.
 class Legend {
  public:
@@ -20,8 +25,8 @@ class Legend {
 
   /// The height of the legend with every mark.
   double height() const;
-  /// Draws the marks that the picture has, and the names. `samples_hidden`: there are too many to be drawn.
-  void draw(Svg& svg, const Pixel& corner, const Marks& marks, bool samples_hidden) const;
+  /// Draws the marks that the picture has, and the names.
+  void draw(Svg& svg, const Pixel& corner, const Marks& marks, const HiddenMarks& hidden) const;
 
  private:
   enum class Symbol { none, curve, key, corner, tangent, sample, worst, axis_x, axis_y, axis_z };
@@ -32,7 +37,7 @@ class Legend {
     Pixel at = {};  ///< where it begins, from the legend's left upper corner
   };
 
-  std::vector<Entry> entries(const Marks& marks, bool samples_hidden) const;
+  std::vector<Entry> entries(const Marks& marks, const HiddenMarks& hidden) const;
   void add_names(std::vector<Entry>& entries) const;
   static void draw_symbol(Svg& svg, Symbol symbol, const Pixel& at);
 

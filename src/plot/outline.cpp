@@ -1,7 +1,8 @@
-// Outlines: segments as exact Bezier curves in pixels, or many of them as a polyline within a quarter of a pixel.
+// Outlines: segments as exact Bezier curves in pixels; many of them as a polyline within a quarter of a pixel, or as
+// the cells of half a pixel that they cross.
 //
-// Three steps sum up to a quarter of a pixel: chords within 0.05 of the curve, vertices nearer than 0.1 to the previous
-// one dropped, and the others thinned by 0.1.
+// Three errors of a polyline sum up to a quarter of a pixel: chords within 0.05 of the curve, vertices nearer than 0.1
+// to the previous one dropped, and the others thinned by 0.1.
 #include "plot/outline.hpp"
 
 #include <algorithm>
@@ -11,7 +12,10 @@
 namespace tcb {
 namespace {
 
-constexpr double chord_error = 0.05, thinning = 0.1;
+constexpr double chord_error = 0.05, least_step = 0.1, thinning = 0.1;
+
+/// The side of a cell in pixels.
+constexpr double cell = 0.5;
 
 Pixel bezier(const std::array<Pixel, 4>& p, double u) {
   const double v = 1 - u;
@@ -86,11 +90,49 @@ void ExactOutline::add(const PixelSegment& segment) {
   for (std::size_t i = 1; i < 4; ++i) append_pixel(data_, segment.points[i]);
 }
 
-ThinnedOutline::ThinnedOutline(bool is_graph, double left, double width, std::size_t most_vertices)
-    : is_graph_(is_graph),
-      left_(left),
-      column_width_(std::max(0.25, 4 * width / static_cast<double>(most_vertices))),
-      most_(most_vertices) {}
+CrossedCells::CrossedCells(const Box& box)
+    : corner_{box.left - 1, box.top - 1},
+      columns_(static_cast<std::size_t>((box.width + 2) / cell) + 1),
+      rows_(static_cast<std::size_t>((box.height + 2) / cell) + 1, std::vector<bool>(columns_)) {}
+
+void CrossedCells::add(const Pixel& at) {
+  const auto index = [](double distance, std::size_t size) {
+    return static_cast<std::size_t>(std::clamp(distance / cell, 0.0, static_cast<double>(size - 1)));
+  };
+  rows_[index(at.y - corner_.y, rows_.size())][index(at.x - corner_.x, columns_)] = true;
+}
+
+void CrossedCells::add_line(const Pixel& from, const Pixel& to) {
+  const Pixel step = to - from;
+  const double steps = std::ceil(std::max(std::abs(step.x), std::abs(step.y)) / cell);
+  for (double i = 0; i < steps; ++i) add(from + i / steps * step);
+  add(to);
+}
+
+/// The cells as lines along rows, or along columns.
+std::string CrossedCells::lines(bool along_rows) const {
+  const std::size_t lines = along_rows ? rows_.size() : columns_, cells = along_rows ? columns_ : rows_.size();
+  const auto is_crossed = [&](std::size_t line, std::size_t i) { return along_rows ? rows_[line][i] : rows_[i][line]; };
+  std::string data;
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (std::size_t i = 0; i < cells; ++i) {
+      if (!is_crossed(line, i)) continue;
+      const std::size_t first = i;
+      while (i + 1 < cells && is_crossed(line, i + 1)) ++i;
+      const double begin = static_cast<double>(first), middle = static_cast<double>(line) + 0.5;
+      data += 'M';
+      append_pixel(data, corner_ + cell * (along_rows ? Pixel{begin, middle} : Pixel{middle, begin}));
+      data += along_rows ? 'h' : 'v';
+      append_pixels(data, cell * static_cast<double>(i + 1 - first));
+    }
+  }
+  return data;
+}
+
+std::string CrossedCells::data() const {
+  std::string along_rows = lines(true), along_columns = lines(false);
+  return along_rows.size() < along_columns.size() ? along_rows : along_columns;
+}
 
 void ThinnedOutline::add(const PixelSegment& segment) {
   if (!last_) add_vertex(segment.points[0]);
@@ -98,73 +140,36 @@ void ThinnedOutline::add(const PixelSegment& segment) {
 }
 
 void ThinnedOutline::add_vertex(const Pixel& at) {
-  last_ = at;
-  if (is_graph_) return add_to_column(at);
+  const std::optional<Pixel> before = std::exchange(last_, at);
+  if (cells_) return cells_->add_line(*before, at);
   if (!vertices_.empty()) {
     const Pixel step = at - vertices_.back();
-    if (step.x * step.x + step.y * step.y < nearest_ * nearest_) return;
+    if (step.x * step.x + step.y * step.y < least_step * least_step) return;
   }
   vertices_.push_back(at);
-  constexpr std::size_t spare = 16;
-  if (vertices_.size() > spare * most_) halve();
+  if (vertices_.size() <= most_vertices) return;
+  cells_ = cells_of(vertices_);
+  vertices_ = {};
 }
 
-/// Replaces the vertices between the first and the last of a column by the lowest and the highest.
-void ThinnedOutline::add_to_column(const Pixel& at) {
-  const double number = std::floor((at.x - left_) / column_width_);
-  if (column_.empty() || number != column_number_) {
-    end_column();
-    column_number_ = number;
-    column_.assign(4, at);
-    return;
-  }
-  if (at.y < column_[1].y) column_[1] = at;
-  if (at.y > column_[2].y) column_[2] = at;
-  column_[3] = at;
+/// The cells that a polyline crosses.
+CrossedCells ThinnedOutline::cells_of(const std::vector<Pixel>& vertices) const {
+  CrossedCells cells(box_);
+  for (std::size_t i = 1; i < vertices.size(); ++i) cells.add_line(vertices[i - 1], vertices[i]);
+  return cells;
 }
 
-void ThinnedOutline::end_column() {
-  if (column_.empty()) return;
-  if (column_[1].x > column_[2].x) std::swap(column_[1], column_[2]);
-  for (const Pixel& at : std::exchange(column_, {})) {
-    const bool repeats = !vertices_.empty() && vertices_.back().x == at.x && vertices_.back().y == at.y;
-    if (!repeats) vertices_.push_back(at);
-  }
-}
-
-/// Keeps of every 24 successive vertices the first and those with the extremes of x and y, so that no more than about
-/// a fifth of randomly placed vertices remain.
-void ThinnedOutline::halve() {
-  constexpr std::size_t together = 24;
-  std::vector<Pixel> kept;
-  for (std::size_t begin = 0; begin < vertices_.size(); begin += together) {
-    const std::size_t end = std::min(begin + together, vertices_.size());
-    std::array<std::size_t, 5> chosen{begin, begin, begin, begin, begin};
-    for (std::size_t i = begin; i < end; ++i) {
-      if (vertices_[i].x < vertices_[chosen[1]].x) chosen[1] = i;
-      if (vertices_[i].x > vertices_[chosen[2]].x) chosen[2] = i;
-      if (vertices_[i].y < vertices_[chosen[3]].y) chosen[3] = i;
-      if (vertices_[i].y > vertices_[chosen[4]].y) chosen[4] = i;
-    }
-    std::ranges::sort(chosen);
-    const auto end_of_unique = std::unique(chosen.begin(), chosen.end());
-    for (auto i = chosen.begin(); i != end_of_unique; ++i) kept.push_back(vertices_[*i]);
-  }
-  vertices_ = std::move(kept);
-}
-
-std::string ThinnedOutline::data() {
-  end_column();
-  if (!is_graph_ && last_) vertices_.push_back(*last_);
-  std::vector<Pixel> all = thinned(vertices_, thinning);
-  while (all.size() > most_ && !is_graph_ && most_ > 8) {
-    vertices_ = std::move(all);
-    halve();
-    all = thinned(vertices_, thinning);
-  }
-  std::string data = all.empty() ? "" : "M";
-  for (const Pixel& at : all) append_pixel(data, at);
-  return data;
+OutlinePath ThinnedOutline::path() {
+  constexpr std::string_view of_cells = "s";  // the class of thin lines, which are never dashed
+  if (cells_) return {cells_->data(), of_cells};
+  if (last_) vertices_.push_back(*last_);
+  std::string polyline = vertices_.empty() ? "" : "M";
+  for (const Pixel& at : thinned(vertices_, thinning)) append_pixel(polyline, at);
+  constexpr std::size_t small = 50000;  // bytes
+  if (polyline.size() < small) return {std::move(polyline)};
+  std::string cells = cells_of(vertices_).data();
+  if (cells.size() < polyline.size()) return {std::move(cells), of_cells};
+  return {std::move(polyline)};
 }
 
 std::vector<Pixel> thinned(const std::vector<Pixel>& vertices, double distance) {

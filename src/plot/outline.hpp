@@ -1,4 +1,5 @@
-// Outlines: segments as exact Bezier curves in pixels, or many of them as a polyline within a quarter of a pixel.
+// Outlines: segments as exact Bezier curves in pixels; many of them as a polyline within a quarter of a pixel, or as
+// the cells of half a pixel that they cross. No outline is farther than a pixel from its curve.
 #pragma once
 
 #include <array>
@@ -6,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plot/svg.hpp"
@@ -20,47 +22,70 @@ struct PixelSegment {
   bool is_graph = false;           ///< the view shows time to the right, which is linear without a warp
 };
 
-/// The outline of one curve in one view as the data of a path.
+/// The data of a path and its class.
+struct OutlinePath {
+  std::string data;
+  std::string_view css = "l";
+};
+
+/// The outline of one curve in one view.
 class Outline {
  public:
   virtual ~Outline() = default;
   virtual void add(const PixelSegment& segment) = 0;
-  virtual std::string data() = 0;
+  virtual OutlinePath path() = 0;
 };
 
 /// Every segment as a Bezier curve; an eased one in a graph as a polyline within a tenth of a pixel.
 class ExactOutline : public Outline {
  public:
   void add(const PixelSegment& segment) override;
-  std::string data() override { return data_; }
+  OutlinePath path() override { return {data_}; }
 
  private:
   std::string data_;
 };
 
-/// A polyline of a bounded number of vertices. Promises: within a quarter of a pixel of the curve if that needs no
-/// more vertices; otherwise it has the extremes of each part of the curve, in a graph of each column of pixels.
-/// Memory: a few times the number of vertices.
+/// The cells of half a pixel that lines cross. Memory: a bit for each cell of the box.
+class CrossedCells {
+ public:
+  explicit CrossedCells(const Box& box);
+
+  /// Adds points of a line that are at most a cell apart.
+  void add_line(const Pixel& from, const Pixel& to);
+
+  /// The cells as horizontal or as vertical lines through neighbouring ones, whichever are fewer. Promises: a line is
+  /// within 0.75 pixels of every point of the lines added, and every point of a line is as near to one of them.
+  std::string data() const;
+
+ private:
+  void add(const Pixel& at);
+  std::string lines(bool along_rows) const;
+
+  Pixel corner_;
+  std::size_t columns_;
+  std::vector<std::vector<bool>> rows_;
+};
+
+/// Many segments as a polyline within a quarter of a pixel, or as cells where that takes fewer bytes.
+/// Memory: up to `most_vertices`, or the cells.
 class ThinnedOutline : public Outline {
  public:
-  ThinnedOutline(bool is_graph, double left, double width, std::size_t most_vertices);
+  /// `box`: that of the view.
+  explicit ThinnedOutline(const Box& box) : box_(box) {}
   void add(const PixelSegment& segment) override;
-  std::string data() override;
+  OutlinePath path() override;
 
  private:
   void add_vertex(const Pixel& at);
-  void add_to_column(const Pixel& at);
-  void end_column();
-  void halve();
+  CrossedCells cells_of(const std::vector<Pixel>& vertices) const;
 
-  bool is_graph_;
-  double left_, column_width_;
-  std::size_t most_;
-  std::vector<Pixel> vertices_;
-  std::vector<Pixel> column_;  ///< first, lowest, highest and last vertex of the current column
-  double column_number_ = 0;
-  double nearest_ = 0.1;       ///< vertices of a path that are nearer to the previous one are dropped
-  std::optional<Pixel> last_;  ///< of all
+  static constexpr std::size_t most_vertices = 100000;
+
+  Box box_;
+  std::vector<Pixel> vertices_;        ///< without those that are near the one before; empty once there are cells
+  std::optional<CrossedCells> cells_;  ///< of a curve with more vertices
+  std::optional<Pixel> last_;          ///< vertex
 };
 
 /// The fewest vertices that Douglas and Peucker's method finds, so that all others are within `distance` of them.

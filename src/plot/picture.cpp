@@ -1,4 +1,4 @@
-// Picture: the views of a scene with their curves, titles and the legend, as SVG of a bounded size.
+// Picture: the views of a scene with their curves, titles and the legend, as SVG.
 #include "plot/picture.hpp"
 
 #include <algorithm>
@@ -14,12 +14,11 @@
 namespace tcb {
 namespace {
 
-/// The largest size of a picture in bytes, a little less than 300 kB.
+/// The size of a picture in bytes up to which outlines are exact, a little less than 300 kB.
 constexpr std::size_t most_bytes = 290000;
 
 /// The approximate size of an element in bytes, with the one between others.
-constexpr std::size_t bytes_of_vertex = 13, bytes_of_segment = 42, bytes_of_dot = 48, bytes_of_tick = 26,
-                      bytes_of_path = 40;
+constexpr std::size_t bytes_of_segment = 42, bytes_of_dot = 48, bytes_of_tick = 26, bytes_of_path = 40;
 
 /// More dots or ticks would be too close together in a view, or too many bytes.
 constexpr double between_keys = 4, between_samples = 3;
@@ -47,7 +46,7 @@ class Composer {
     const Marks shown{any(&Marks::keys), any(&Marks::corners), any(&Marks::handles), any(&Marks::samples),
                       scene_.worst.has_value()};
     legend_.draw(svg_, {picture_margin, arrangement_.height - legend_.height()}, shown,
-                 scene_.rows() > 0 && !shown.samples);
+                 {scene_.keys() > 0 && !shown.keys, scene_.rows() > 0 && !shown.samples});
     svg_.end();
     return svg_.text();
   }
@@ -101,9 +100,7 @@ class Composer {
 
   std::unique_ptr<Outline> outline_of(const View& view) const {
     if (extent_.segments * bytes_of_segment <= bytes_for_outlines_) return std::make_unique<ExactOutline>();
-    const std::size_t vertices = bytes_for_outlines_ / bytes_of_vertex / scene_.curves.size();
-    return std::make_unique<ThinnedOutline>(view.is_graph(), view.box.left, view.box.width,
-                                            std::max<std::size_t>(vertices, 4));
+    return std::make_unique<ThinnedOutline>(view.box);
   }
 
   void draw_curve(const SceneCurve& curve) {

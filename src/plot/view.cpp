@@ -191,7 +191,7 @@ void CurveDrawing::add_handles(const PixelSegment& segment, const Pixel& out, co
 void CurveDrawing::draw(Svg& svg, const SceneCurve& curve, const Keys& keys) {
   if (!handles_.empty()) svg.add_path(handles_, "h");
   const bool is_dotted = marks_.keys && view_.up < curve.dotted;
-  if (const std::string data = outline_->data(); !data.empty() && !is_dotted) svg.add_path(data, "l");
+  if (const OutlinePath path = outline_->path(); !path.data.empty() && !is_dotted) svg.add_path(path.data, path.css);
   std::string ticks;
   for (std::size_t i = 0; marks_.samples && i < curve.samples.size(); ++i) {
     const SceneSample& sample = curve.samples[i];

@@ -13,7 +13,7 @@ using testing::Not;
 
 std::string drawn(const Legend& legend, const Marks& marks) {
   Svg svg;
-  legend.draw(svg, {0, 0}, marks, false);
+  legend.draw(svg, {0, 0}, marks, {});
   return svg.text();
 }
 
