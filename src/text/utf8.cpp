@@ -4,15 +4,29 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
 
 namespace tcb {
 namespace {
 
 unsigned code(char c) { return static_cast<unsigned char>(c); }
 
-bool is_control(char c) { return code(c) < 0x20 || code(c) == 0x7F; }
+/// Whether a character changes how a terminal or a page shows the text around it: controls of ASCII and of Latin-1 (C0
+/// and C1), separators of lines, and controls of the direction of writing.
+/// Source: the Unicode Standard, sections 23.1 and 23.2 (general categories Cc, Zl and Zp; property Bidi_Control).
+bool is_control(std::string_view character) {
+  if (character.size() == 1) return code(character[0]) < 0x20 || code(character[0]) == 0x7F;
+  if (character.size() == 2) return (character[0] == '\xC2' && code(character[1]) < 0xA0) || character == "\u061C";
+  if (character.size() > 3) return false;
+  return character == "\u200E" || character == "\u200F" || (character >= "\u2028" && character <= "\u202E") ||
+         (character >= "\u2066" && character <= "\u2069");
+}
 
-std::string escaped(char c) { return fmt::format("\\x{:02X}", code(c)); }
+std::string escaped(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) text += fmt::format("\\x{:02X}", code(c));
+  return text;
+}
 
 /// How many bytes the character at the beginning has; 0 if it is invalid.
 /// Source: RFC 3629, section 4.
@@ -29,6 +43,23 @@ std::size_t character_size(std::string_view text) {
   const bool surrogate = first == 0xED && second >= 0xA0;
   const bool beyond = first == 0xF4 && second >= 0x90;
   return overlong || surrogate || beyond ? 0 : size;
+}
+
+/// The characters in the first bytes of a text, with invalid bytes and those of control characters as \xNN.
+struct ShownText {
+  std::string text;
+  bool is_cut = false;  ///< it has more characters
+};
+ShownText shown_text(std::string_view text, std::size_t most_bytes) {
+  ShownText shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t size = character_size(text.substr(at));
+    const std::string_view character = text.substr(at, std::max<std::size_t>(size, 1));
+    at += character.size();
+    if (at > most_bytes) return {std::move(shown.text), true};
+    shown.text += size == 0 || is_control(character) ? escaped(character) : std::string(character);
+  }
+  return shown;
 }
 
 /// The number of bytes that begin a character; those after its first are 10xxxxxx. Eight bytes at a time.
@@ -66,21 +97,10 @@ std::size_t find_invalid_utf8(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string out = "\"";
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t size = character_size(text.substr(at));
-    if (at + std::max<std::size_t>(size, 1) > longest) return out + "…\"";
-    const bool printable = size > 1 || (size == 1 && !is_control(text[at]));
-    out += printable ? std::string(text.substr(at, size)) : escaped(text[at]);
-    at += std::max<std::size_t>(size, 1);
-  }
-  return out + "\"";
+  const ShownText shown = shown_text(text, longest);
+  return "\"" + shown.text + (shown.is_cut ? "…\"" : "\"");
 }
 
-std::string in_one_line(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += is_control(c) ? escaped(c) : std::string(1, c);
-  return out;
-}
+std::string in_one_line(std::string_view text) { return shown_text(text, text.size()).text; }
 
 }  // namespace tcb

@@ -32,10 +32,11 @@ inline LinePosition position_after(std::string_view text, LinePosition position)
 /// Where the first invalid byte of a text is, or npos.
 std::size_t find_invalid_utf8(std::string_view text);
 
-/// Text in quotes as messages show it: cut to a length that fits a line, with unprintable bytes as \xNN.
+/// Text in quotes as messages show it: cut to a length that fits a line, with the bytes of control characters, among
+/// them those of the direction of writing, and of invalid characters as \xNN.
 std::string in_quotes(std::string_view text);
 
-/// Text with its control characters, which names of files and columns may have, as \xNN.
+/// Text with invalid bytes and those of control characters, which names of files and columns may have, as \xNN.
 std::string in_one_line(std::string_view text);
 
 }  // namespace tcb
