@@ -6,6 +6,7 @@
 #include "check/ranking.hpp"
 #include "check/report.hpp"
 #include "io/atomic_output.hpp"
+#include "io/input_list.hpp"
 #include "run/progress.hpp"
 #include "stream/ordered_map.hpp"
 
@@ -35,6 +36,7 @@ Exit draw(const CompareJob& job, FileProgress* progress) {
 }  // namespace
 
 Exit compare(const CompareJob& job) {
+  require_no_input_replaced(job.output, {job.comparison.keys_file, job.comparison.file});
   if (job.output != "-") remove_unfinished_when_interrupted();
   const ThreadPool pool(job.comparison.threads.count());
   Report report(job.verbosity);

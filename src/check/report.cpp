@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "numbers/print_number.hpp"
+#include "text/utf8.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -43,8 +44,9 @@ std::string list_json(const std::vector<std::string>& texts) {
 /// The last lines that all reports have.
 std::string remarks(const ComparisonSummary& summary) {
   std::string out;
-  for (const std::string& problem : summary.problems) out += fmt::format("problem: {}\n", problem);
-  if (!summary.ignored.empty()) out += fmt::format("not compared: {}\n", fmt::join(summary.ignored, ", "));
+  for (const std::string& problem : summary.problems) out += fmt::format("problem: {}\n", printable(problem));
+  if (!summary.ignored.empty())
+    out += fmt::format("not compared: {}\n", printable(fmt::format("{}", fmt::join(summary.ignored, ", "))));
   return out;
 }
 
@@ -54,8 +56,8 @@ std::string text(const Distance& distance) {
 
 std::string text(const Difference& difference, const std::string& file) {
   const bool both = !std::isnan(difference.given) && !std::isnan(difference.computed);
-  return fmt::format("{}:{}: row {}, {}: {} instead of {}{}", file, difference.line, difference.row, difference.column,
-                     number_text(difference.given), number_text(difference.computed),
+  return fmt::format("{}:{}: row {}, {}: {} instead of {}{}", printable(file), difference.line, difference.row,
+                     printable(difference.column), number_text(difference.given), number_text(difference.computed),
                      both ? "; " + text(difference.distance) : "");
 }
 
@@ -139,12 +141,13 @@ std::string row_json(const Identification& found, const Candidate& candidate, bo
 std::string text(const Check& check) {
   std::string out =
       fmt::format("check: {}\nfile: {}\nkeys: {}\nsamples: at its {}\n", check.passed() ? "passed" : "failed",
-                  check.file, check.keys, samples_at(check.by_length));
+                  printable(check.file), printable(check.keys), samples_at(check.by_length));
   out += fmt::format("rows: {}\nvalues: {}\nmismatches: {}\n", check.rows, check.values, check.mismatches);
   if (check.first) out += fmt::format("first: {}\n", text(*check.first, check.file));
   if (check.worst) out += fmt::format("worst: {}\n", text(*check.worst, check.file));
   for (const ColumnCheck& column : check.columns) {
-    out += fmt::format("column {}: mismatches {}, largest {}\n", column.name, column.mismatches, text(column.largest));
+    out += fmt::format("column {}: mismatches {}, largest {}\n", printable(column.name), column.mismatches,
+                       text(column.largest));
   }
   return out + remarks(check);
 }
@@ -165,8 +168,8 @@ std::string json(const Check& check) {
 
 std::string text(const Identification& found) {
   std::string out = verdict(found) + same_orders(found);
-  out += fmt::format("file: {}\nkeys: {}\nsamples: at its {}\nrows: {}\nconventions: {}\n", found.file, found.keys,
-                     samples_at(found.by_length), found.rows, found.conventions);
+  out += fmt::format("file: {}\nkeys: {}\nsamples: at its {}\nrows: {}\nconventions: {}\n", printable(found.file),
+                     printable(found.keys), samples_at(found.by_length), found.rows, found.conventions);
   out += remarks(found);
   out += "rank  largest error           rows off  convention\n";
   for (std::size_t i = 0; i < std::min(found.ranking.candidates.size(), most_ranked); ++i) {

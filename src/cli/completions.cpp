@@ -15,6 +15,7 @@
 #include "io/input_file.hpp"
 #include "read/reader.hpp"
 #include "schema/roles.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -182,6 +183,7 @@ std::string columns_text(const std::vector<std::string>& files) {
       throw error.in(shown_name(file));
     }
   }
+  std::ranges::transform(names, names.begin(), printable);
   return fmt::format("{}", fmt::join(names, "\n"));
 }
 

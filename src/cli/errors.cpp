@@ -201,6 +201,10 @@ Error list_unreadable() {
   return usage("the file cannot be read; expected a file of numbers, or @FILE:COLUMN for a column of a file");
 }
 
+Error list_of_too_many_numbers(std::uint64_t most) {
+  return usage(fmt::format("the list has more than {} numbers; expected fewer; divide the list", most));
+}
+
 Error list_without_numbers() { return usage("the file has no numbers; expected at least one"); }
 
 Error groups_of_numbers_in_provenance() {
@@ -283,6 +287,12 @@ Error file_in_provenance(std::string_view file) {
   return {Exit::data, fmt::format("the provenance has the file {} among its options; expected options only; remove it "
                                   "from the provenance",
                                   in_quotes(file))};
+}
+
+Error option_of_provenance_reads_file(std::string_view option) {
+  return {Exit::data, fmt::format("the provenance has {} with the name of a file to be read; expected the numbers "
+                                  "themselves, as the program records them; replace the name",
+                                  option)};
 }
 
 Error provenance_without_meta() {

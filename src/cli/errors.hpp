@@ -57,6 +57,7 @@ Error range_without_end(std::string_view text);
 Error range_of_too_many_numbers(std::string_view text, std::uint64_t most);
 /// In the file of the list.
 Error list_unreadable();
+Error list_of_too_many_numbers(std::uint64_t most);
 Error list_without_numbers();
 Error groups_of_numbers_in_provenance();
 
@@ -83,6 +84,8 @@ Error comparison_of_several_files(std::size_t files);
 Error line_end_in_provenance();
 Error option_not_of_provenance(std::string_view option);
 Error file_in_provenance(std::string_view file);
+/// `option` reads a file that the keys do not name.
+Error option_of_provenance_reads_file(std::string_view option);
 Error provenance_without_meta();
 /// `option` is given besides the options of `file`.
 Error option_besides_provenance(std::string_view option, std::string_view file);

@@ -6,69 +6,103 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "cli/errors.hpp"
 #include "cli/values.hpp"
+#include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/without_faults.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
+#include "read/csv/splitter.hpp"
 #include "read/reader.hpp"
+#include "read/text_bytes.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
+/// So many numbers of an option are kept at most.
+constexpr std::uint64_t most_places = 10'000'000;
+
 /// Appends A, A + H, ... up to B for "A:B:H". The places of a range are kept, so there is a limit to their number.
 void append_range(std::string_view text, std::vector<Rational>& values) {
-  constexpr std::uint64_t most = 10'000'000;
   const std::vector<std::string_view> parts = split(text, ':');
   if (parts.size() != 3) throw not_a_range(text);
   const auto part = [&](std::size_t i) { return ratio_or(not_a_range, parts[i]); };
   const Rational first = part(0), last = part(1), step = part(2);
   if (step == 0 || (last - first) / step < 0) throw range_without_end(text);
   const Rational steps = floor((last - first) / step);
-  if (steps >= most) throw range_of_too_many_numbers(text, most);
+  if (steps >= most_places) throw range_of_too_many_numbers(text, most_places);
   for (std::uint64_t i = 0; i <= whole_number(steps); ++i) values.push_back(first + step * i);
 }
 
-/// The numbers in a text as a list separated by commas. A first line without any number is a header.
-std::string numbers_in(std::istream& file, const std::string& path) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  std::string items, line;
-  for (std::uint64_t number = 1; std::getline(file, line); ++number) {
-    std::ranges::replace_if(line, is_blank, ',');
+/// Whether all cells are words, such as the names of columns, and not misspelt numbers.
+bool is_header(const std::vector<std::string_view>& cells) {
+  return std::ranges::all_of(cells, [](std::string_view cell) {
+    return cell.find_first_of("0123456789.") == std::string_view::npos || cell.starts_with('"');
+  });
+}
+
+/// The numbers of a list, line by line.
+class NumberList {
+ public:
+  explicit NumberList(std::string path) : path_(std::move(path)) {}
+
+  void add_line(std::string_view text) {
+    ++line_;
+    if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+    std::string line(text);
+    std::ranges::replace_if(
+        line, [](char c) { return c == ' ' || c == '\t' || c == '\r'; }, ',');
     const std::vector<std::string_view> cells = split(line, ',');
-    if (number == 1 && std::ranges::none_of(cells, [](auto cell) { return parse_rational(cell).has_value(); }))
-      continue;
-    for (const std::string_view item : cells) {
-      if (item.empty()) continue;
-      at_position({shown_name(path), number, 0}, [&] { (void)ratio_or(not_a_list_of_numbers, item); });
-      items += (items.empty() ? "" : ",") + std::string(item);
+    if (line_ == 1 && is_header(cells)) return;
+    for (const std::string_view cell : cells) {
+      if (cell.empty()) continue;
+      at_position({shown_name(path_), line_, 0}, [&] { (void)ratio_or(not_a_list_of_numbers, cell); });
+      items_ += (items_.empty() ? "" : ",") + std::string(cell);
+      if (++count_ > most_places) throw list_of_too_many_numbers(most_places).in(shown_name(path_));
     }
   }
-  if (items.empty()) throw list_without_numbers().in(shown_name(path));
-  return items;
+
+  std::string items() const {
+    if (items_.empty()) throw list_without_numbers().in(shown_name(path_));
+    return items_;
+  }
+
+ private:
+  std::string path_, items_;
+  std::uint64_t line_ = 0, count_ = 0;
+};
+
+/// The numbers in a file as a list separated by commas. A first line of words is a header.
+std::string numbers_in(const std::string& path) {
+  NumberList list(path);
+  TextBytes bytes(decompressed(read_file(path)));
+  std::string text;
+  LinePosition position;
+  while (in_file(shown_name(path), [&] { return bytes.append_to(text, position); })) {
+    std::size_t begin = 0;
+    for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1, ++position.line) {
+      list.add_line(std::string_view(text).substr(begin, end - begin));
+    }
+    text.erase(0, begin);
+    if (text.size() > longest_record) in_file(shown_name(path), [&] { refuse_long_record(position.line); });
+  }
+  if (!text.empty()) list.add_line(text);
+  return list.items();
 }
 
 /// The numbers in a text; for @FILE those in that file, for "-" those of standard input, as one text separated by
 /// commas.
 std::string listed_numbers(const std::string& text) {
-  if (text == "-") {
-    std::string bytes;
-    const Source<std::string> parts = read_file(text);
-    while (const auto part = parts()) bytes += *part;
-    std::istringstream input(bytes);
-    return numbers_in(input, text);
-  }
+  if (text == "-") return numbers_in(text);
   if (!text.starts_with('@')) return text;
-  std::ifstream file(text.substr(1));
-  if (!file) throw list_unreadable().in(text.substr(1));
-  return numbers_in(file, text.substr(1));
+  const std::string path = text.substr(1);
+  if (!std::filesystem::exists(path)) throw list_unreadable().in(path);
+  return numbers_in(path);
 }
 
 /// The parts of "@FILE:COLUMN". Both may contain colons: the file is the longest name of one. Nothing for a file alone.
@@ -135,7 +169,9 @@ std::vector<Rational> ratios(const std::string& text) {
 void store_places(TypedOptions& typed, std::string_view option, const std::string& text) {
   typed.place_column = place_column(text, option);
   typed.places_from_input = text == "-";
+  if (typed.place_column) typed.files.other_inputs.push_back(typed.place_column->path);
   if (typed.place_column) return;
+  if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
   typed.set_text(option, listed_numbers(text));
   typed.places = ratios(typed.text(option));
 }

@@ -226,8 +226,23 @@ std::string word(const OptionRow& row, const TypedOptions& typed) {
   return word;
 }
 
+/// Throws: Error (data) if an option of an earlier output, which may be a stranger's, names a file to be read.
+void require_no_file(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    const std::size_t end = std::min(word.find('='), word.size());
+    for (const OptionRow& row : option_table()) {
+      const bool is_named = std::ranges::count(row.all_names(), std::string_view(word).substr(0, end)) > 0;
+      const std::string_view value = std::string_view(word).substr(std::min(end + 1, word.size()));
+      const bool reads = row.kind == ValueKind::file || row.kind == ValueKind::folder ||
+                         (row.kind == ValueKind::places && (value.starts_with('@') || value == "-"));
+      if (is_named && reads) throw option_of_provenance_reads_file(row.name);
+    }
+  }
+}
+
 /// Throws: Error unless all options of an earlier output are such that provenance has, --meta among them.
 void require_recorded(const std::vector<std::string>& words) {
+  require_no_file(words);
   const TypedOptions typed = read_options(words);
   for (const OptionRow& row : option_table()) {
     if (!typed.has(row.name) || row.changes_rows) continue;

@@ -20,6 +20,9 @@ class Numbers {
   Numbers(const KeyBlock& block, std::size_t key, bool decimal)
       : block_(block), key_(key), per_key_(block.decimals.size() / block.lines.size()), decimal_(decimal) {}
 
+  /// Whether the key has a number at this index as written.
+  bool has(std::size_t index) const { return index < per_key_ && !block_.decimals[key_ * per_key_ + index].empty(); }
+
   /// The number at this index among the key's decimals. Requires: not missing.
   Rational operator()(std::size_t index, const Time& nearest) const {
     return of(index < per_key_ ? block_.decimals[key_ * per_key_ + index] : std::string_view(), nearest);
@@ -45,10 +48,16 @@ class Numbers {
   bool decimal_;
 };
 
-/// `first`: the index of the tension among the key's decimals; the others follow after `step` numbers each.
-spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& number, std::size_t first,
-                                std::size_t step) {
-  return {number(first, tcb.tension), number(first + step, tcb.continuity), number(first + 2 * step, tcb.bias)};
+/// Tension, continuity and bias in a channel: its own where they are written, or else those of the key.
+spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& number, std::size_t channel,
+                                std::size_t channels) {
+  const auto exact = [&](NumberOfKey::Kind own, std::size_t common, double nearest) {
+    const std::size_t index = NumberOfKey::of_channel(own, channel, channels);
+    return number(number.has(index) ? index : common, nearest);
+  };
+  return {exact(NumberOfKey::tension_of, NumberOfKey::tension, tcb.tension),
+          exact(NumberOfKey::continuity_of, NumberOfKey::continuity, tcb.continuity),
+          exact(NumberOfKey::bias_of, NumberOfKey::bias, tcb.bias)};
 }
 
 /// A time and the time that a distance makes, in a float of 80 digits.
@@ -123,10 +132,8 @@ void ExactKeys::add(const KeyBlock& block) {
   for (std::size_t key = 0; key < keys.size(); ++key) {
     const Numbers number(block, key, decimal_);
     keys_.times.push_back(number(NumberOfKey::time, keys.times[key]));
-    if (!keys.has_channel_tcbs()) keys_.tcbs.push_back(exact_tcb(keys.tcb(key), number, NumberOfKey::tension, 1));
-    for (std::size_t i = 0; keys.has_channel_tcbs() && i < keys.channels; ++i) {
-      const std::size_t first = NumberOfKey::of_channel(NumberOfKey::tension_of, i, keys.channels);
-      keys_.tcbs.push_back(exact_tcb(keys.tcb(key, i), number, first, keys.channels));
+    for (std::size_t i = 0; i < (keys.has_channel_tcbs() ? keys.channels : 1); ++i) {
+      keys_.tcbs.push_back(exact_tcb(keys.tcb(key, i), number, i, keys.channels));
     }
     if (!keys.eases.empty()) {
       const spline::Ease<double>& ease = keys.eases[key];

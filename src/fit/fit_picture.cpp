@@ -59,6 +59,7 @@ Exit draw_fit(const FitJob& job) {
   const OutputPaths& outputs = job.files.outputs;
   if (job.files.files.size() != 1 || outputs.folder || job.files.recursive) throw fit_picture_of_several_files();
   const std::string& path = job.files.files[0];
+  (void)find_inputs(job.files);  // refuses an output that would replace an input
   if (outputs.file != "-") remove_unfinished_when_interrupted();
   const ThreadPool pool(job.threads.count());
   Report notes(job.verbosity);

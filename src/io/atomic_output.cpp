@@ -126,7 +126,7 @@ void make_folder(const std::string& path) {
   if (error) throw cannot_create_folder(error.message()).in(path);
 }
 
-OpenOutput::~OpenOutput() {
+OutputTarget::~OutputTarget() {
   if (!temporary.empty()) {
     const std::lock_guard lock(temporary_files().mutex);
     ::unlink(temporary.c_str());

@@ -19,14 +19,14 @@ void make_folder(const std::string& path);
 
 /// A descriptor for writing, and the temporary name of the file behind it, if it has one. The destructor closes the
 /// descriptor, unless it is a standard stream, and removes the file.
-struct OpenOutput {
+struct OutputTarget {
   int descriptor = 1;
   std::string temporary = {};
 
-  OpenOutput() = default;
-  OpenOutput(const OpenOutput&) = delete;
-  OpenOutput& operator=(const OpenOutput&) = delete;
-  ~OpenOutput();
+  OutputTarget() = default;
+  OutputTarget(const OutputTarget&) = delete;
+  OutputTarget& operator=(const OutputTarget&) = delete;
+  ~OutputTarget();
 };
 
 /// An output: standard output, or a file that appears under its name only when it is complete. An ending such as .gz
@@ -58,7 +58,7 @@ class Output {
   std::string shown_name() const { return path_ == "-" ? "standard output" : path_; }
 
   std::string path_;
-  OpenOutput open_;
+  OutputTarget open_;
   std::string pending_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> spool_{nullptr,
                                                          std::fclose};  ///< all bytes, until the first ones are final

@@ -106,14 +106,19 @@ void require_distinct_outputs(const std::vector<InputFile>& files, const OutputP
 /// The identity of the file at a path, however the path is spelled.
 using Identity = std::pair<dev_t, ino_t>;
 
+/// Nothing for standard input, pipes and devices, and where there is no file.
+std::optional<Identity> identity_of(const std::string& path) {
+  const auto status = path == "-" ? std::nullopt : status_of(path);
+  if (!status || !S_ISREG(status->st_mode)) return std::nullopt;
+  return Identity(status->st_dev, status->st_ino);
+}
+
 /// Throws: Error (usage) if an output would replace an input.
 void require_not_over_inputs(const std::vector<InputFile>& files, const std::vector<Identity>& sorted_identities,
                              const OutputPaths& outputs) {
   const auto check = [&](const std::string& output, const std::string& input) {
-    const auto there = status_of(output);
-    if (!there || !S_ISREG(there->st_mode)) return;
-    if (!std::ranges::binary_search(sorted_identities, Identity(there->st_dev, there->st_ino))) return;
-    throw output_is_input(output).in(input);
+    const auto there = identity_of(output);
+    if (there && std::ranges::binary_search(sorted_identities, *there)) throw output_is_input(output).in(input);
   };
   if (!outputs.folder) {
     check(outputs.file, files.front().path);
@@ -140,8 +145,7 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOpti
   std::vector<std::string> others = options.other_inputs;
   if (!options.list.empty()) others.push_back(options.list);
   for (const std::string& path : others) {
-    const auto status = path == "-" ? std::nullopt : status_of(path);
-    if (status && S_ISREG(status->st_mode)) identities.emplace_back(status->st_dev, status->st_ino);
+    if (const auto identity = identity_of(path)) identities.push_back(*identity);
   }
   std::ranges::sort(identities);
   return identities;
@@ -160,6 +164,13 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs) {
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
   return (fs::path(*outputs.folder) / below / fs::path(without_compression(kept.native())).stem()) +=
          outputs.suffix + std::string(outputs.ending);
+}
+
+void require_no_input_replaced(const std::string& output, const std::vector<std::string>& inputs) {
+  const auto there = identity_of(output);
+  for (const std::string& input : inputs) {
+    if (there && identity_of(input) == there) throw output_is_input(output).in(input);
+  }
 }
 
 void make_older(const std::string& path, const std::string& than) {

@@ -114,11 +114,10 @@ std::string clock_text(const Rational& seconds, std::optional<int> decimals) {
 }
 
 std::optional<std::string> timecode_text(const Rational& seconds, bool drops, const Rational& rate) {
-  const Rational frames = seconds * rate, nearest = floor(frames + Rational(1, 2));
-  // A time in the input or on the grid was rounded once.
-  if (nearest < 0 || nearest_time(nearest / rate) != nearest_time(seconds)) return std::nullopt;
+  const std::optional<Rational> frame = whole_frame(seconds, rate);
+  if (!frame || *frame < 0) return std::nullopt;
   const auto nominal = static_cast<std::uint64_t>(nominal_rate(rate));
-  std::uint64_t number = whole_number(nearest);
+  std::uint64_t number = whole_number(*frame);
   if (drops) {
     const auto dropped = static_cast<std::uint64_t>(dropped_numbers(rate));
     if (dropped == 0) return std::nullopt;
@@ -166,6 +165,11 @@ std::optional<Rational> read_time(std::string_view text, TimeNotation notation, 
     case TimeNotation::iso: return read_date(text);
     default: return std::nullopt;
   }
+}
+
+std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rate) {
+  const Rational nearest = floor(seconds * rate + Rational(1, 2));
+  return nearest_time(nearest / rate) == nearest_time(seconds) ? std::optional(nearest) : std::nullopt;
 }
 
 std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation notation, const Rational& rate,

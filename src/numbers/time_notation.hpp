@@ -72,6 +72,9 @@ std::optional<TimeNotation> find_notation(std::string_view text);
 /// below the rate. `rate`: frames per second. Source of dropped numbers: SMPTE ST 12-1.
 std::optional<Rational> read_time(std::string_view text, TimeNotation notation, const Rational& rate);
 
+/// The frame at a time in seconds that was rounded once, as times in an input or on a grid are; nothing between frames.
+std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rate);
+
 /// The text of a time in seconds, with `decimals` decimals or as many as it has; nothing where it has none: between two
 /// frames, before 0 in timecode, or beyond the years 0 to 9999.
 std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation notation, const Rational& rate,

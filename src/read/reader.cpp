@@ -73,8 +73,10 @@ void require_known_format(std::string_view beginning) {
   if (other != other_formats.end()) throw at_first_byte(input_in_other_format(other->name));
 }
 
-/// Whether further bytes may complete the beginning of another format.
+/// Whether further bytes may complete the beginning of another format, which few blanks come before.
 bool may_begin_other_format(std::string_view beginning) {
+  constexpr std::size_t most_blanks = 4096;
+  if (beginning.size() > most_blanks) return false;
   beginning.remove_prefix(std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size()));
   return std::ranges::any_of(other_formats, [&](const auto& row) {
     return row.bytes.size() > beginning.size() && row.bytes.starts_with(beginning);

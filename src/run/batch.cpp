@@ -79,9 +79,14 @@ Exit convert_each(const Inputs& inputs, const OutputPaths& paths, bool fail_fast
   const auto convert = [&](const InputFile& file, unsigned some) {
     const std::string path = output_path(file, paths);
     if (file.inside > 0) make_folder(folder_of(path));
+    const ChangeWatch input(file.path);
     const std::unique_ptr<BatchOutput> output = open(path);
     const std::uint64_t rows = output->add(file, some);
     output->commit();
+    if (input.has_changed()) {
+      make_older(path, file.path);
+      report.warning(file.path, changed_after_reading());
+    }
     return rows;
   };
   const InputFile& first = inputs.files.front();

@@ -19,6 +19,7 @@
 #include "sample/fields.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
+#include "text/utf8.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -255,7 +256,7 @@ std::string explanation(const std::string& path, const ExplainJob& job) {
   if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
   if (is_json(job.format)) return as_object(lines);
   std::string out;
-  for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, value);
+  for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, printable(value));
   return out;
 }
 

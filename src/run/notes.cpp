@@ -56,6 +56,11 @@ Note step_is(std::string_view step) { return {fmt::format("the step is {}", step
 
 Note skipped_rows(std::uint64_t rows) { return {fmt::format("rows skipped for missing numbers: {}", rows)}; }
 
+Note changed_after_reading() {
+  return {fmt::format("the file changed after it was read; its output has the earlier keys, and {} makes it again",
+                      option::update)};
+}
+
 Note other_program(std::string_view earlier, std::string_view current) {
   return {fmt::format("made by {}; this is {}, whose last digits may differ", earlier, current)};
 }

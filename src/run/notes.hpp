@@ -27,6 +27,8 @@ Note remainder_note(double distance, bool at_key);
 Note more_remainders(std::uint64_t curves);
 Note step_is(std::string_view step);
 Note skipped_rows(std::uint64_t rows);
+/// An input changed after its last byte was read.
+Note changed_after_reading();
 /// An earlier output is made again by another version.
 Note other_program(std::string_view earlier, std::string_view current);
 

@@ -14,6 +14,7 @@
 
 #include "io/input_file.hpp"
 #include "io/terminal.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -109,11 +110,12 @@ Report::~Report() { clear(); }
 
 void Report::note(const std::string& path, const Note& note) {
   if (note.is_important ? !verbosity_.quiet : verbosity_.notes)
-    print(message_head(shown_name(path), MessageKind::note, verbosity_.color) + note.text);
+    print(message_head(printable(shown_name(path)), MessageKind::note, verbosity_.color) + printable(note.text));
 }
 
 void Report::warning(const std::string& path, const Note& note) {
-  if (!verbosity_.quiet) print(message_head(path, MessageKind::warning, verbosity_.color) + note.text);
+  if (!verbosity_.quiet)
+    print(message_head(printable(path), MessageKind::warning, verbosity_.color) + printable(note.text));
 }
 
 void Report::error(const Error& error) { print(error_text(error, verbosity_.color)); }

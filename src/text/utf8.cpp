@@ -101,6 +101,12 @@ std::string in_quotes(std::string_view text) {
   return "\"" + shown.text + (shown.is_cut ? "…\"" : "\"");
 }
 
-std::string in_one_line(std::string_view text) { return shown_text(text, text.size()).text; }
+std::string printable(std::string_view text) { return shown_text(text, text.size()).text; }
+
+std::string in_one_line(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += is_control({&c, 1}) ? escaped({&c, 1}) : std::string(1, c);
+  return out;
+}
 
 }  // namespace tcb

@@ -36,7 +36,11 @@ std::size_t find_invalid_utf8(std::string_view text);
 /// them those of the direction of writing, and of invalid characters as \xNN.
 std::string in_quotes(std::string_view text);
 
-/// Text with invalid bytes and those of control characters, which names of files and columns may have, as \xNN.
+/// Text as messages and reports show it on a terminal: with invalid bytes and those of control characters, which names of
+/// files and columns may have, as \xNN.
+std::string printable(std::string_view text);
+
+/// Text as a file holds it in one line: with the control characters of ASCII as \xNN.
 std::string in_one_line(std::string_view text);
 
 }  // namespace tcb

@@ -77,7 +77,8 @@ std::vector<std::string> Writer::texts(const Table& table) const {
     const Rational seconds = exact_time(table.cells[i]) * unit_, rate = options_.frame_rate.value_or(1);
     if (is_number) {
       const Rational frames = Rational(table.cells[i].hi) * unit_ * rate;  // of the double, whose error is the smaller
-      texts[i] = time_text(nearest_time(notation_ == TimeNotation::frames ? frames : seconds));
+      const bool counts = notation_ == TimeNotation::frames;
+      texts[i] = time_text(nearest_time(counts ? whole_frame(seconds, rate).value_or(frames) : seconds));
       continue;
     }
     const auto text = time_in_words(seconds, notation_, rate, decimals);

@@ -9,6 +9,7 @@
 namespace tcb {
 namespace {
 
+using namespace std::string_literals;
 using testing::ElementsAre;
 
 class Places : public FileTest {
@@ -30,6 +31,19 @@ TEST_F(Places, in_a_file_are_numbers_below_a_header) {
   const TypedOptions options = typed("@" + made("times", "when\n0.1 2\n3,4\n"));
   EXPECT_EQ(options.text(option::at), "0.1,2,3,4");
   EXPECT_THAT(options.places, ElementsAre(Rational(1, 10), Rational(2), Rational(3), Rational(4)));
+}
+
+TEST_F(Places, in_a_file_are_read_as_keys_are) {
+  const std::string packed = "\x1f\x8b\x08\0\0\0\0\0\0\x03\x33\xd0\x31\xe4\x02\0\x95\x76\xb0\xc6\x04\0\0\0"s;  // 0,1
+  EXPECT_EQ(typed("@" + made("times.gz", packed)).text(option::at), "0,1");
+  EXPECT_EQ(typed("@" + made("marked",
+                             "\xEF\xBB\xBF"
+                             "0.5\n"))
+                .text(option::at),
+            "0.5");
+  EXPECT_THAT(error_of([&] { typed("@" + made("nul", "0,1\n\0"s)); }), testing::HasSubstr("NUL"));
+  EXPECT_THAT(error_of([&] { typed("@" + made("misspelt", "O.5\n1\n")); }),
+              testing::HasSubstr("misspelt:1: error: \"O.5\""));
 }
 
 TEST_F(Places, in_a_column_keep_all_their_digits_and_their_order) {

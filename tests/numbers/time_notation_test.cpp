@@ -92,5 +92,14 @@ TEST(TimeNotation, times_between_frames_have_no_timecode) {
   EXPECT_FALSE(time_in_words(-1, smpte, 24, {}));
 }
 
+TEST(TimeNotation, a_time_that_was_rounded_once_is_at_its_frame) {
+  for (const Rational& rate : {Rational(24), ntsc, Rational(24000, 1001)}) {
+    for (std::int64_t frame = 0; frame < 200000; frame += frame < 1000 ? 1 : 997) {
+      ASSERT_EQ(whole_frame(exact_time(nearest_time(Rational(frame) / rate)), rate), Rational(frame));
+    }
+    EXPECT_EQ(whole_frame(Rational(31, 2) / rate, rate), std::nullopt);
+  }
+}
+
 }  // namespace
 }  // namespace tcb

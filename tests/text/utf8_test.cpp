@@ -30,12 +30,12 @@ TEST(Utf8, the_first_invalid_byte_is_found) {
 
 TEST(Utf8, control_characters_are_escaped_in_one_line) {
   EXPECT_EQ(in_one_line("a\nb\x7F\xC3\xBC"), "a\\x0Ab\\x7F\xC3\xBC");
-  EXPECT_EQ(in_one_line("\xC2\x9B"
+  EXPECT_EQ(printable("\xC2\x9B"
                         "31m"),
             "\\xC2\\x9B31m")
       << "a control of Latin-1";
-  EXPECT_EQ(in_one_line("\x9B"), "\\x9B") << "no character";
-  EXPECT_EQ(in_one_line("a\u202Eb\u2066c\u200Fd\u2028e\u061Cf"),
+  EXPECT_EQ(printable("\x9B"), "\\x9B") << "no character";
+  EXPECT_EQ(printable("a\u202Eb\u2066c\u200Fd\u2028e\u061Cf"),
             "a\\xE2\\x80\\xAEb\\xE2\\x81\\xA6c\\xE2\\x80\\x8Fd\\xE2\\x80\\xA8e\\xD8\\x9Cf")
       << "the direction of writing, and an end of a line";
   EXPECT_EQ(in_quotes("x\u202Ey"), "\"x\\xE2\\x80\\xAEy\"");
