@@ -203,12 +203,19 @@ def random_keys(channels, n, style):
 
 def write(keys, style, timed=True):
     channels = len(keys[0][1])
-    names = (["t"] if timed else []) + ["x", "y", "z"][:channels] + ["tension", "continuity", "bias"]
+    parameters = ["tension", "continuity", "bias"]
+    axes = ["x", "y", "z"][:channels]
+    names = (["t"] if timed else []) + axes + parameters
     if style == "ease":
         names += ["ease_in", "ease_out"]
+    # Channels may have columns of their own, which the common ones do not change.
+    own = [i for i in range(3) if style == "own" and rng.random() < 0.7]
+    names += [f"{parameters[i]}_{axis}" for i in own for axis in axes]
     lines = [",".join(names)]
     for t, p, tcb, ease in keys:
-        lines.append(",".join(map(text, ([t] if timed else []) + p + tcb + (ease if style == "ease" else []))))
+        common = [0.375 if i in own else tcb[i] for i in range(3)]
+        cells = ([t] if timed else []) + p + common + (ease if style == "ease" else [])
+        lines.append(",".join(map(text, cells + [tcb[i] for i in own for _ in axes])))
     return "\n".join(lines) + "\n"
 
 
@@ -246,7 +253,7 @@ def made(keys, number, dec=exact):
 
 for number in range(curves):
     channels = rng.choice([1, 2, 3, 3])
-    style = rng.choice(["plain", "tcb", "short", "ease"])
+    style = rng.choice(["plain", "tcb", "short", "ease", "own"])
     keys = random_keys(channels, rng.choice([2, 3, 4, 6, 9]), style)
     rule, ends = rng.choice(rules), [rng.choice(end_rules), rng.choice(end_rules)]
     velocity = [rng.uniform(-3, 3) for _ in range(channels)]
