@@ -34,7 +34,7 @@ TEST(NearMisses, other_names_are_none) {
 
 TEST(NearMisses, of_a_channel_are_errors) {
   EXPECT_THAT(error_of([] {
-                const Names header{"t", "x", "tensoin_x"};
+                const std::vector<std::string> header{"t", "x", "tensoin_x"};
                 require_no_near_miss(header, find_columns(header, {true, true, true}, {}), {}, false);
               }),
               HasSubstr("column \"tensoin_x\" would be a channel, but its name is close to the role tension_x"));

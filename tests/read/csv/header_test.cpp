@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "read/csv/csv_reader.hpp"
+#include "read/csv/splitter.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
