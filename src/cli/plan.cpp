@@ -235,7 +235,7 @@ void require_no_file(const std::vector<std::string>& words) {
       const std::string_view value = std::string_view(word).substr(std::min(end + 1, word.size()));
       const bool reads = row.kind == ValueKind::file || row.kind == ValueKind::folder ||
                          (row.kind == ValueKind::places && (value.starts_with('@') || value == "-"));
-      if (is_named && reads) throw option_of_provenance_reads_file(row.name);
+      if (is_named && row.changes_rows && reads) throw option_of_provenance_reads_file(row.name);
     }
   }
 }

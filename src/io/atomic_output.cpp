@@ -74,21 +74,42 @@ std::string unfinished_name(const std::filesystem::path& path) {
   return path.parent_path() / (name + ".tcbsample");
 }
 
-/// Creates a file in the folder of `path`, open for writing and with these permissions as far as the umask grants them.
-/// Returns its descriptor, or -1 with errno set. `name` becomes its name.
-int create_unfinished(const std::string& path, mode_t permissions, std::string& name) {
+/// Calls make(name) with unused names of temporary files, and returns the descriptor or 0 that it returns, or -1 with
+/// errno set. `name` becomes the name of the file that it made.
+template <class Make>
+int make_temporary(const std::string& path, std::string& name, const Make& make) {
   constexpr int most_attempts = 100;
   const std::lock_guard lock(temporary_files().mutex);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     std::string unused = unfinished_name(path);
-    const int descriptor = ::open(unused.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
-    if (descriptor >= 0) {
-      name = *temporary_files().all.insert(std::move(unused)).first;
-      return descriptor;
-    }
-    if (errno != EEXIST) break;
+    const int result = make(unused.c_str());
+    if (result >= 0) name = *temporary_files().all.insert(std::move(unused)).first;
+    if (result >= 0 || errno != EEXIST) return result;
   }
   return -1;
+}
+
+/// Opens a new file in the folder of `path` for writing, with these permissions as far as the umask grants them. It has
+/// no name, so that nothing is left if the program is killed; on file systems that do not have such files, it has a
+/// temporary one. The descriptor is -1 with errno set if that fails.
+void open_new(OutputTarget& target, const std::string& path, mode_t permissions) {
+  std::string folder = folder_of(path);
+  if (folder.empty()) folder = ".";
+  target.descriptor = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, permissions);
+  target.is_file = true;
+  if (target.descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return;
+  target.descriptor = make_temporary(path, target.temporary, [permissions](const char* name) {
+    return ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+  });
+}
+
+/// Gives a new file a temporary name, unless it has one. Promises: false with errno set if that fails.
+bool name_temporarily(OutputTarget& target, const std::string& path) {
+  if (!target.temporary.empty()) return true;
+  const std::string open_file = "/proc/self/fd/" + std::to_string(target.descriptor);
+  return make_temporary(path, target.temporary, [&open_file](const char* name) {
+           return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+         }) == 0;
 }
 
 /// The file that a path leads to. A path that does not lead anywhere, or is too long for the system, stays as it is.
@@ -139,7 +160,7 @@ Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
   const Compression compression = compression_of(path_);
   open();
   if (compression != Compression::none) compressor_.emplace(compression);
-  if (!begins_last || (!open_.temporary.empty() && !compressor_)) return;
+  if (!begins_last || (open_.is_file && !compressor_)) return;
   spool_.reset(std::tmpfile());
   if (spool_ == nullptr) throw cannot_create_temporary(std::strerror(errno)).in(shown_name());
 }
@@ -160,7 +181,7 @@ void Output::open() {
   }
   if (exists) path_ = target_of(path_);
   if (exists && ::faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write();
-  open_.descriptor = create_unfinished(path_, exists ? S_IRUSR | S_IWUSR : 0666, open_.temporary);
+  open_new(open_, path_, exists ? S_IRUSR | S_IWUSR : 0666);
   if (open_.descriptor < 0) fail_to_write();
   constexpr mode_t permissions = 0777;  // without setuid and setgid
   if (exists && ::fchmod(open_.descriptor, before.st_mode & permissions) != 0) fail_to_write();
@@ -225,8 +246,9 @@ void Output::commit() {
   if (spool_ != nullptr) send_spooled();
   if (compressor_) send_compressed("", true);
   if (path_ == "-") return;
+  if (open_.is_file && !name_temporarily(open_, path_)) fail_to_write();
   if (::close(std::exchange(open_.descriptor, -1)) != 0) fail_to_write();  // writing may fail as late as here
-  if (open_.temporary.empty()) return;
+  if (!open_.is_file) return;
   const std::lock_guard lock(temporary_files().mutex);
   if (std::rename(open_.temporary.c_str(), path_.c_str()) != 0) fail_to_write();
   temporary_files().all.erase(std::exchange(open_.temporary, ""));

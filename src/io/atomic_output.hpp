@@ -21,7 +21,8 @@ void make_folder(const std::string& path);
 /// descriptor, unless it is a standard stream, and removes the file.
 struct OutputTarget {
   int descriptor = 1;
-  std::string temporary = {};
+  bool is_file = false;        ///< a new file, which gets its final name when it is complete
+  std::string temporary = {};  ///< empty also for a new file that has no name yet
 
   OutputTarget() = default;
   OutputTarget(const OutputTarget&) = delete;

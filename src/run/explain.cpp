@@ -254,6 +254,7 @@ std::string explanation(const std::string& path, const ExplainJob& job) {
   append(input_facts(input));
   append(explainer.lines());
   if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
+  if (!explainer.needs().empty()) lines.emplace_back("needs", explainer.needs());
   if (is_json(job.format)) return as_object(lines);
   std::string out;
   for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, printable(value));

@@ -91,9 +91,11 @@ ssize_t write(int descriptor, const void* buffer, std::size_t size) {
 int open(const char* path, int flags, ...) {
   std::va_list arguments;
   va_start(arguments, flags);
-  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+  const bool creates = (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
+  const mode_t mode = creates ? va_arg(arguments, mode_t) : 0;
   va_end(arguments);
-  if ((flags & O_CREAT) != 0 && is_fault("read-only")) return static_cast<int>(fail(EROFS));
+  if ((flags & O_TMPFILE) == O_TMPFILE && is_fault("no-unnamed")) return static_cast<int>(fail(EOPNOTSUPP));
+  if (creates && is_fault("read-only")) return static_cast<int>(fail(EROFS));
   return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
 }
 
