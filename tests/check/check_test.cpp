@@ -138,7 +138,7 @@ TEST(Places, by_arc_length_end_with_the_length) {
 /// All cells of the rows that are on the curve, row after row.
 std::vector<double> cells_of(const Line& line, std::vector<std::size_t>& rows) {
   std::vector<double> cells;
-  for_each_row(line.inputs.table.curves.at(0), line.places(), line.inputs.columns, line.indexed, true, 2,
+  for_each_row(line.inputs.table.curves.at(0), line.places(), line.inputs.columns, line.indexed, spline::Side::left, 2,
                [&](std::size_t row, std::span<const Cell> of_row) {
                  rows.push_back(row);
                  for (const Cell& cell : of_row) cells.push_back(cell.hi);
@@ -163,7 +163,7 @@ TEST(Rows, of_many_places_keep_their_order_over_all_blocks) {
   for (std::size_t i = 0; i < count; ++i) file += std::to_string((i * 7) % 2000) + "e-3,0\n";
   const Line line(file);
   std::size_t next = 0;
-  for_each_row(line.inputs.table.curves.at(0), line.places(), line.inputs.columns, line.indexed, true, 2,
+  for_each_row(line.inputs.table.curves.at(0), line.places(), line.inputs.columns, line.indexed, spline::Side::left, 2,
                [&](std::size_t row, std::span<const Cell> cells) {
                  EXPECT_EQ(row, next++);
                  EXPECT_NEAR(cells[0].hi, 3 * time(row), 1e-13);

@@ -1,4 +1,6 @@
 // Picture: what a picture has, and its size in bytes.
+#include "plot/picture.hpp"
+
 #include <gmock/gmock.h>
 
 #include "plot/scene.hpp"
