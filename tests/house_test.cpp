@@ -44,7 +44,8 @@ const std::map<std::string, std::set<std::string>> allowed{
       "error"}},
     // The command line makes the job of a product.
     {"cli",
-     {"fit", "check", "plot", "run", "read", "sample", "write", "schema", "tcb", "text", "numbers", "io", "error"}},
+     {"fit", "check", "plot", "run", "read", "keys", "sample", "write", "schema", "tcb", "text", "numbers", "io",
+      "error"}},
     {"main", {"cli", "fit", "check", "plot", "run", "io", "error"}},
 };
 

@@ -49,6 +49,7 @@ TEST_F(Pipeline, files_share_an_output_and_its_header) {
 TEST_F(Pipeline, a_file_that_fails_has_no_output_and_the_others_do) {
   std::ofstream(folder_ / "a.csv") << "t,x\n0,0\n0,2\n";
   job_.files.outputs.folder = folder_ / "out";
+  job_.files.outputs.ending = ".csv";
   testing::internal::CaptureStderr();
   EXPECT_EQ(run(), tcb::Exit::data);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("a.csv:3"), std::string::npos);
@@ -59,6 +60,7 @@ TEST_F(Pipeline, a_file_that_fails_has_no_output_and_the_others_do) {
 TEST_F(Pipeline, an_error_of_the_only_file_is_the_error_of_the_run) {
   job_.files.files = {folder_ / "none.csv"};
   job_.files.outputs.folder = folder_ / "out";
+  job_.files.outputs.ending = ".csv";
   EXPECT_THROW(run(), tcb::Error);
 }
 
