@@ -173,7 +173,7 @@ void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
 template <class Product>
 void require_sound(const Product& job, std::string_view text, std::string_view rows) {
   const Format& format = format_of(job.rows.format);
-  if (format.is_binary || format.family == FormatFamily::picture) return;
+  if (format.family == FormatFamily::array || format.family == FormatFamily::picture) return;
   if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
   if (format.name == "jsonl") {
     for (const std::string_view row : split(rows, '\n')) {

@@ -9,7 +9,9 @@ using Long = multiprecision::number<multiprecision::cpp_bin_float<60>, multiprec
 
 template class tcb::spline::Curve<float>;
 template class tcb::spline::Curve<double>;
+#if !defined(__clang__) || __clang_major__ >= 16  // older ones also instantiate members whose constraints are not met
 template class tcb::spline::Curve<Exact>;
+#endif
 template class tcb::spline::Curve<Long>;
 template class tcb::spline::CurveStream<float>;
 template class tcb::spline::CurveStream<double>;
