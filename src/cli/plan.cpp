@@ -43,6 +43,7 @@ Job parse(int argc, const char* const* argv) {
     provenance = earlier_provenance(typed);
     words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
     typed = read_options(words);
+    typed.files.other_inputs.push_back(provenance->from);
   }
   set_output_format(typed, provenance.has_value());
   require_no_conflict(typed);
