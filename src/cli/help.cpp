@@ -205,8 +205,8 @@ std::string presets_text() {
   }
   out +=
       "\nENDS: the tangent out of the first key, and the tangent into the last key; a\n"
-      "single formula is for both. D is the chord of the end segment, h its duration,\n"
-      "m the tangent at its other end; a to d and T belong to the end key:\n";
+      "  single formula is for both. D is the chord of the end segment, h its duration,\n"
+      "  m the tangent at its other end; a to d and T belong to the end key:\n";
   for (const auto& row : end_rules<double>) {
     const bool same = row.outgoing == row.incoming;
     out += fmt::format("{:<17}{}\n", row.name,
