@@ -15,7 +15,7 @@ namespace {
 constexpr double chord_error = 0.05, least_step = 0.1, thinning = 0.1;
 
 /// The side of a cell in pixels.
-constexpr double cell = 0.5;
+constexpr double cell_size = 0.5;
 
 Pixel bezier(const std::array<Pixel, 4>& p, double u) {
   const double v = 1 - u;
@@ -92,19 +92,19 @@ void ExactOutline::add(const PixelSegment& segment) {
 
 CrossedCells::CrossedCells(const Box& box)
     : corner_{box.left - 1, box.top - 1},
-      columns_(static_cast<std::size_t>((box.width + 2) / cell) + 1),
-      rows_(static_cast<std::size_t>((box.height + 2) / cell) + 1, std::vector<bool>(columns_)) {}
+      columns_(static_cast<std::size_t>((box.width + 2) / cell_size) + 1),
+      rows_(static_cast<std::size_t>((box.height + 2) / cell_size) + 1, std::vector<bool>(columns_)) {}
 
 void CrossedCells::add(const Pixel& at) {
   const auto index = [](double distance, std::size_t size) {
-    return static_cast<std::size_t>(std::clamp(distance / cell, 0.0, static_cast<double>(size - 1)));
+    return static_cast<std::size_t>(std::clamp(distance / cell_size, 0.0, static_cast<double>(size - 1)));
   };
   rows_[index(at.y - corner_.y, rows_.size())][index(at.x - corner_.x, columns_)] = true;
 }
 
 void CrossedCells::add_line(const Pixel& from, const Pixel& to) {
   const Pixel step = to - from;
-  const double steps = std::ceil(std::max(std::abs(step.x), std::abs(step.y)) / cell);
+  const double steps = std::ceil(std::max(std::abs(step.x), std::abs(step.y)) / cell_size);
   for (double i = 0; i < steps; ++i) add(from + i / steps * step);
   add(to);
 }
@@ -121,9 +121,9 @@ std::string CrossedCells::lines(bool along_rows) const {
       while (i + 1 < cells && is_crossed(line, i + 1)) ++i;
       const double begin = static_cast<double>(first), middle = static_cast<double>(line) + 0.5;
       data += 'M';
-      append_pixel(data, corner_ + cell * (along_rows ? Pixel{begin, middle} : Pixel{middle, begin}));
+      append_pixel(data, corner_ + cell_size * (along_rows ? Pixel{begin, middle} : Pixel{middle, begin}));
       data += along_rows ? 'h' : 'v';
-      append_pixels(data, cell * static_cast<double>(i + 1 - first));
+      append_pixels(data, cell_size * static_cast<double>(i + 1 - first));
     }
   }
   return data;
