@@ -20,6 +20,7 @@
 #include "read/reader.hpp"
 #include "read/text_bytes.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -39,11 +40,10 @@ void append_range(std::string_view text, std::vector<Rational>& values) {
   for (std::uint64_t i = 0; i <= whole_number(steps); ++i) values.push_back(first + step * i);
 }
 
-/// Whether all cells are words, such as the names of columns, and not misspelt numbers.
+/// Whether no cell has a digit, so that the cells are names of columns and not misspelt numbers.
 bool is_header(const std::vector<std::string_view>& cells) {
-  return std::ranges::all_of(cells, [](std::string_view cell) {
-    return cell.find_first_of("0123456789.") == std::string_view::npos || cell.starts_with('"');
-  });
+  return std::ranges::all_of(
+      cells, [](std::string_view cell) { return cell.find_first_of("0123456789") == std::string_view::npos; });
 }
 
 /// The numbers of a list, line by line.
@@ -53,7 +53,7 @@ class NumberList {
 
   void add_line(std::string_view text) {
     ++line_;
-    if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+    if (line_ == 1 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     std::string line(text);
     std::ranges::replace_if(
         line, [](char c) { return c == ' ' || c == '\t' || c == '\r'; }, ',');
@@ -77,7 +77,7 @@ class NumberList {
   std::uint64_t line_ = 0, count_ = 0;
 };
 
-/// The numbers in a file as a list separated by commas. A first line of words is a header.
+/// The numbers in a file as a list separated by commas. A first line without a digit is a header.
 std::string numbers_in(const std::string& path) {
   NumberList list(path);
   TextBytes bytes(decompressed(read_file(path)));

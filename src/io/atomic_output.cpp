@@ -90,14 +90,15 @@ int make_temporary(const std::string& path, std::string& name, const Make& make)
 }
 
 /// Opens a new file in the folder of `path` for writing, with these permissions as far as the umask grants them. It has
-/// no name, so that nothing is left if the program is killed; on file systems that do not have such files, it has a
-/// temporary one. The descriptor is -1 with errno set if that fails.
+/// no name, so that nothing is left if the program is killed; it has a temporary one on file systems that do not have
+/// such files, and without /proc, through which it gets its name. The descriptor is -1 with errno set if that fails.
 void open_new(OutputTarget& target, const std::string& path, mode_t permissions) {
-  std::string folder = folder_of(path);
-  if (folder.empty()) folder = ".";
-  target.descriptor = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, permissions);
   target.is_file = true;
-  if (target.descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return;
+  if (::access("/proc/self/fd", X_OK) == 0) {
+    const std::string folder = folder_of(path);
+    target.descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, permissions);
+    if (target.descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return;
+  }
   target.descriptor = make_temporary(path, target.temporary, [permissions](const char* name) {
     return ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
   });

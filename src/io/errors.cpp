@@ -59,6 +59,13 @@ Error nul_in_list() {
                                    option::null)};
 }
 
+Error long_name_in_list(std::size_t most) {
+  return {Exit::usage,
+          fmt::format("the list of files has a name of more than {} bytes; expected one name per line; give "
+                      "{} if the names end in NUL",
+                      most, option::null)};
+}
+
 Error empty_list() { return {Exit::usage, "the list of files has no names; expected one per line; add some"}; }
 
 Error cannot_read_folder(std::string_view reason) {

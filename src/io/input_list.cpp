@@ -13,6 +13,7 @@
 #include "io/errors.hpp"
 #include "io/input_file.hpp"
 #include "text/file_ending.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -24,6 +25,9 @@ std::optional<struct stat> status_of(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
+/// In bytes; systems allow less.
+constexpr std::size_t longest_name = 65536;
+
 /// The names in a list, without blank lines and carriage returns at the ends of lines.
 void append_listed(std::vector<std::string>& names, const InputListOptions& options) {
   const char end = options.nul ? '\0' : '\n';
@@ -31,11 +35,9 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
   std::string name;
   bool is_first = true;
   const auto take = [&] {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (std::exchange(is_first, false) && name.starts_with(byte_order_mark)) name.erase(0, byte_order_mark.size());
     if (!options.nul && name.ends_with('\r')) name.pop_back();
     const bool blank = !options.nul && name.find_first_not_of(" \t") == std::string::npos;
-    if (name.find('\0') != std::string::npos) throw nul_in_list().in(shown_name(options.list));
     if (!name.empty() && !blank) names.push_back(name);
     name.clear();
   };
@@ -44,7 +46,9 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
       if (c == end) {
         take();
       } else {
+        if (c == '\0') throw nul_in_list().in(shown_name(options.list));
         name += c;
+        if (name.size() > longest_name) throw long_name_in_list(longest_name).in(shown_name(options.list));
       }
     }
   }

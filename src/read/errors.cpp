@@ -35,6 +35,12 @@ Error two_byte_order_marks() {
   return {Exit::data, "the text begins with two byte order marks; expected at most one; remove one"};
 }
 
+Error blank_beginning() {
+  return {
+      Exit::data,
+      "the first 64 MiB are blank; expected keys; remove the blank lines, or check whether the file is the right one"};
+}
+
 Error nul_in_text() {
   return {Exit::data,
           "this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8"};

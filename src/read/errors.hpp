@@ -13,6 +13,7 @@ Error input_in_other_format(std::string_view format);
 Error input_is_npy();
 Error text_not_in_utf8(std::string_view encoding);
 Error two_byte_order_marks();
+Error blank_beginning();
 
 // All bytes.
 Error nul_in_text();

@@ -13,6 +13,7 @@
 #include "read/errors.hpp"
 #include "read/json/shapes.hpp"
 #include "schema/rotation_columns.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -94,7 +95,6 @@ void require_bytes(std::string_view beginning) {
 
 /// Drops a UTF-8 byte order mark. Throws: Error (data) for two.
 Source<std::string> without_mark(Source<std::string> bytes) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
   std::string beginning;
   constexpr std::size_t enough = 6;  // for require_bytes()
   while (beginning.size() < enough || may_begin_other_format(beginning)) {
@@ -103,8 +103,8 @@ Source<std::string> without_mark(Source<std::string> bytes) {
     beginning += *more;
   }
   require_bytes(beginning);
-  if (beginning.starts_with(mark)) beginning.erase(0, mark.size());
-  if (beginning.starts_with(mark)) throw at_first_byte(two_byte_order_marks());
+  if (beginning.starts_with(byte_order_mark)) beginning.erase(0, byte_order_mark.size());
+  if (beginning.starts_with(byte_order_mark)) throw at_first_byte(two_byte_order_marks());
   return preceded_by(std::move(beginning), std::move(bytes));
 }
 
@@ -133,7 +133,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
     if (!more) break;
     blank = more->find_first_not_of(" \t\r\n") == std::string::npos;
     beginning += *more;
-    if (beginning.size() > longest_record) refuse_long_record(1);
+    if (blank && beginning.size() > longest_record) throw at_first_byte(blank_beginning());
   }
   const FormatId format = options.format ? *options.format : detect(path, beginning);
   Records records = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);

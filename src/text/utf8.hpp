@@ -8,6 +8,9 @@
 
 namespace tcb {
 
+/// What some editors write before a text.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// How many line ends a text has.
 inline std::uint64_t count_lines(std::string_view text) {
   std::uint64_t count = 0;
@@ -36,8 +39,8 @@ std::size_t find_invalid_utf8(std::string_view text);
 /// them those of the direction of writing, and of invalid characters as \xNN.
 std::string in_quotes(std::string_view text);
 
-/// Text as messages and reports show it on a terminal: with invalid bytes and those of control characters, which names of
-/// files and columns may have, as \xNN.
+/// Text as messages and reports show it on a terminal: with invalid bytes and those of control characters, which names
+/// of files and columns may have, as \xNN.
 std::string printable(std::string_view text);
 
 /// Text as a file holds it in one line: with the control characters of ASCII as \xNN.

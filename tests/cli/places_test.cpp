@@ -42,6 +42,7 @@ TEST_F(Places, in_a_file_are_read_as_keys_are) {
                 .text(option::at),
             "0.5");
   EXPECT_THAT(error_of([&] { typed("@" + made("nul", "0,1\n\0"s)); }), testing::HasSubstr("NUL"));
+  EXPECT_THAT(error_of([&] { typed("@" + made("quoted", "\"0.5\"\n1\n")); }), testing::HasSubstr("quoted:1: error"));
   EXPECT_THAT(error_of([&] { typed("@" + made("misspelt", "O.5\n1\n")); }),
               testing::HasSubstr("misspelt:1: error: \"O.5\""));
 }

@@ -115,6 +115,15 @@ TEST_F(Inputs, lists_name_more_files) {
   EXPECT_EQ(found(options).size(), 1);
 }
 
+TEST_F(Inputs, lists_that_are_no_text_are_refused_at_once) {
+  InputListOptions options;
+  options.list = "/dev/zero";
+  EXPECT_NE(refusal(options).find("NUL"), std::string::npos);
+  std::ofstream("long") << std::string(100000, 'a');
+  options.list = "long";
+  EXPECT_NE(refusal(options).find("a name of more than 65536 bytes"), std::string::npos);
+}
+
 TEST_F(Inputs, no_output_replaces_an_input) {
   for (const char* path : {"a.csv", "b.csv"}) touch(path);
   fs::create_symlink("../b.csv", "link");
