@@ -31,7 +31,7 @@ TEST(Utf8, the_first_invalid_byte_is_found) {
 TEST(Utf8, control_characters_are_escaped_in_one_line) {
   EXPECT_EQ(in_one_line("a\nb\x7F\xC3\xBC"), "a\\x0Ab\\x7F\xC3\xBC");
   EXPECT_EQ(printable("\xC2\x9B"
-                        "31m"),
+                      "31m"),
             "\\xC2\\x9B31m")
       << "a control of Latin-1";
   EXPECT_EQ(printable("\x9B"), "\\x9B") << "no character";

@@ -3,8 +3,8 @@
 // Build with -ffp-contract=off (the CMake target tcb::spline sets it), round to nearest and without -ffast-math: then
 // the results have the same bits with every compiler and machine.
 //
-// Keys (key.hpp) and CurveRules (curve_rules.hpp) describe a curve. Curve (curve.hpp) keeps it, for any time or length in
-// any order; CurveStream (curve_stream.hpp) makes its segments while keys come in, in constant memory. A complete
+// Keys (key.hpp) and CurveRules (curve_rules.hpp) describe a curve. Curve (curve.hpp) keeps it, for any time or length
+// in any order; CurveStream (curve_stream.hpp) makes its segments while keys come in, in constant memory. A complete
 // program, which tests/library runs:
 //
 //     #include <tcb/spline/spline.hpp>
@@ -62,8 +62,8 @@
 //       const auto camera = Curve<double>::build_closed(poses, turning);
 //       const Quaternion<double> q = camera->rotation(1.5);
 //       const Vector3<double> w = camera->angular_velocity(1.5);
-//       std::printf("camera, t 1.5: rotation %.4f %.4f %.4f %.4f, turning %.4f radians per unit of time around z\n", q.x,
-//                   q.y, q.z, q.w, w[2]);
+//       std::printf("camera, t 1.5: rotation %.4f %.4f %.4f %.4f, turning %.4f radians per unit of time around z\n",
+//                   q.x, q.y, q.z, q.w, w[2]);
 //
 //       // The open curve once more, segment after segment.
 //       CurveStream<double> stream;
