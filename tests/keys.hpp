@@ -23,16 +23,16 @@ inline Source<KeyBlock> keys_of(const std::string& lines, std::size_t size) {
   std::uint64_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (blocks.back().lines.size() == size) blocks.emplace_back();
+    if (blocks.back().size() == size) blocks.emplace_back();
     KeyBlock& block = blocks.back();
     if (line == "/") {
-      block.breaks.push_back(block.lines.size());
+      block.breaks.before.push_back(block.size());
       continue;
     }
     std::istringstream cells(line);
     std::string time, position, text;
     cells >> time >> position;
-    if (time == "gap") block.gaps.push_back(block.lines.size());
+    if (time == "gap") block.breaks.gaps.push_back(block.size());
     if (time == "gap") std::swap(time, position);
     const auto value = [](const std::string& cell) {
       return cell.find_first_of("0123456789") == std::string::npos ? std::nan("") : std::stod(cell);
@@ -40,7 +40,7 @@ inline Source<KeyBlock> keys_of(const std::string& lines, std::size_t size) {
     block.keys.channels = 1;
     block.keys.times.emplace_back(value(time));
     block.keys.positions.push_back(value(position));
-    block.lines.push_back(number);
+    block.text_positions.lines.push_back(number);
     while (cells >> text) block.texts.add(text);
   }
   return [blocks, next = std::size_t{0}]() mutable {
@@ -52,12 +52,12 @@ inline Source<KeyBlock> keys_of(const std::string& lines, std::size_t size) {
 inline std::string shown_keys(const Source<KeyBlock>& keys) {
   std::string out;
   while (const auto block = keys()) {
-    for (std::size_t i = 0; i < block->lines.size(); ++i) {
-      if (std::ranges::count(block->breaks, i) > 0) out += " /";
-      if (std::ranges::count(block->gaps, i) > 0) out += " gap";
-      out += fmt::format(" {}:{}", block->lines[i], block->keys.positions[i]);
+    for (std::size_t i = 0; i < block->size(); ++i) {
+      if (std::ranges::count(block->breaks.before, i) > 0) out += " /";
+      if (std::ranges::count(block->breaks.gaps, i) > 0) out += " gap";
+      out += fmt::format(" {}:{}", block->line(i), block->keys.positions[i]);
     }
-    for (const Error& fault : block->faults) out += fmt::format(" [{}]", error_text(fault.in("f")));
+    for (const Error& fault : block->faults.errors) out += fmt::format(" [{}]", error_text(fault.in("f")));
   }
   return out;
 }

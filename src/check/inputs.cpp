@@ -39,7 +39,7 @@ char decimal_mark_of(std::string_view beginning) {
 void append(SampleRows& rows, const KeyBlock& block) {
   rows.times.insert(rows.times.end(), block.keys.times.begin(), block.keys.times.end());
   rows.numbers.insert(rows.numbers.end(), block.keys.positions.begin(), block.keys.positions.end());
-  rows.lines.insert(rows.lines.end(), block.lines.begin(), block.lines.end());
+  rows.lines.insert(rows.lines.end(), block.text_positions.lines.begin(), block.text_positions.lines.end());
 }
 
 }  // namespace
@@ -255,7 +255,7 @@ MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const
     columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
   }
   for (const RotationColumns& rotation : rotation_columns(keys)) {
-    if (rotation.shown.form != spline::RotationForm::quaternion) continue;
+    if (!rotation.shown.is_quaternion()) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto found = std::ranges::find(columns.compared, keys.channels[rotation.channels[i]], &MatchedColumn::name);

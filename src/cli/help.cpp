@@ -1,4 +1,4 @@
-// Help: the texts made from the tables of options, presets and rules, for terminals and the manual page.
+// Help: the texts for terminals, made from the tables of options, presets and rules.
 #include "cli/help.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/completions.hpp"
+#include "cli/manual.hpp"
 #include "cli/options.hpp"
 #include "tcb/spline/rules.hpp"
 
@@ -40,44 +41,8 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return out + "\n";
 }
 
-/// Text for the manual page, where dashes, backslashes and leading points have a meaning.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\\')
-      out += "\\e";
-    else if (c == '-')
-      out += "\\-";
-    else
-      out += c;
-  }
-  return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
-}
+}  // namespace
 
-/// Calls begin(group), and then show(row) for each option of the group.
-template <class Begin, class Show>
-void for_each_group(Begin begin, Show show) {
-  for (const std::string_view group : option_groups) {
-    begin(group);
-    for (const OptionRow& row : option_table()) {
-      if (row.group == group) show(row);
-    }
-  }
-}
-
-std::string manual_options() {
-  std::string out;
-  const auto show = [&out](const OptionRow& row) {
-    std::vector<std::string> names;
-    for (const std::string_view name : row.all_names()) names.push_back("\\fB" + escaped(name) + "\\fR");
-    const std::string value = row.value.empty() ? "" : " \\fI" + escaped(row.value) + "\\fR";
-    out += fmt::format(".TP\n{}{}\n{}.\n", fmt::join(names, ", "), value, escaped(row.description()));
-  };
-  for_each_group([&out](std::string_view group) { out += fmt::format(".SS {}\n", group); }, show);
-  return out;
-}
-
-/// The rules of a preset's rotations that are not those of its positions; empty: they have the first curve alone.
 std::string rotation_rules_text(const spline::RotationRules& rules) {
   std::vector<std::string> words;
   if (rules.tangents) words.push_back(fmt::format("tangents {}", name_of(*rules.tangents)));
@@ -85,53 +50,6 @@ std::string rotation_rules_text(const spline::RotationRules& rules) {
   if (rules.curve != spline::rotation_curves[0].id) words.push_back(fmt::format("curve {}", name_of(rules.curve)));
   return fmt::format("{}", fmt::join(words, ", "));
 }
-
-std::string manual_presets() {
-  std::string out;
-  for (const auto& row : presets) {
-    const std::string rotations = rotation_rules_text(row.rotations);
-    out += fmt::format(".TP\n.B {}\n{}, {}: {}{}.\n", escaped(row.name), escaped(name_of(row.tangents)),
-                       escaped(name_of(row.ends)), escaped(row.product),
-                       rotations.empty() ? "" : escaped("; rotations: " + rotations));
-  }
-  return out;
-}
-
-std::string manual_tangents() {
-  std::string out;
-  for (const auto& row : tangent_rules<double>) {
-    out += fmt::format(".TP\n.B {}\nin = {}\n.br\nout = {}\n.br\nUsed by {}.\nChoose it {}.\n", escaped(row.name),
-                       escaped(row.incoming), escaped(row.outgoing), escaped(row.used_by), escaped(row.choose));
-  }
-  return out;
-}
-
-std::string manual_ends() {
-  std::string out;
-  for (const auto& row : end_rules<double>) {
-    out += fmt::format(
-        ".TP\n.B {}\nout of the first key = {}\n.br\ninto the last key = {}\n.br\n{} {}.\nChoose it {}.\n",
-        escaped(fmt::format("{}{}", row.name, row.takes_velocity ? "=V..." : "")), escaped(row.outgoing),
-        escaped(row.incoming), row.takes_velocity ? "Takes" : "Used by", escaped(row.used_by), escaped(row.choose));
-  }
-  return out;
-}
-
-/// The prose of the manual page, with the tables in the places marked for them.
-std::string manual() {
-  std::string page(manual_template);
-  const auto fill = [&](std::string_view mark, const std::string& text) {
-    page.replace(page.find(mark), mark.size(), text);
-  };
-  fill("@VERSION@", TCBSAMPLE_VERSION);
-  fill("@OPTIONS@\n", manual_options());
-  fill("@PRESETS@\n", manual_presets());
-  fill("@TANGENTS@\n", manual_tangents());
-  fill("@ENDS@\n", manual_ends());
-  return page.substr(0, page.find_last_not_of('\n') + 1);
-}
-
-}  // namespace
 
 std::string usage_text() {
   return "Usage: tcbsample [OPTION]... [FILE]...\n"
@@ -230,7 +148,7 @@ std::string version_text() { return fmt::format("tcbsample {}", TCBSAMPLE_VERSIO
 
 std::string generated_text(Generated kind, const std::vector<std::string>& files) {
   switch (kind) {
-    case Generated::manual: return manual();
+    case Generated::manual: return manual_page();
     case Generated::bash: return bash_completion();
     case Generated::zsh: return zsh_completion();
     case Generated::fish: return fish_completion();

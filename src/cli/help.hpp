@@ -1,15 +1,13 @@
-// Help: the texts made from the tables of options, presets and rules, for terminals and the manual page.
+// Help: the texts for terminals, made from the tables of options, presets and rules.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "cli/typed_options.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
-
-/// The prose of the manual page, man/tcbsample.1.in, put into the program by the build.
-extern const char* const manual_template;
 
 /// The text shown without arguments, the help on one screen, and all of it, in 80 columns.
 std::string usage_text();
@@ -18,6 +16,9 @@ std::string help_text();
 
 /// Presets, tangent rules and end rules with their formulas, in 80 columns.
 std::string presets_text();
+
+/// The rules of a preset's rotations that are not those of its positions; empty if only the curve is the usual one.
+std::string rotation_rules_text(const spline::RotationRules& rules);
 
 std::string version_text();
 

@@ -18,7 +18,7 @@ namespace {
 class Numbers {
  public:
   Numbers(const KeyBlock& block, std::size_t key, bool decimal)
-      : block_(block), key_(key), per_key_(block.decimals.size() / block.lines.size()), decimal_(decimal) {}
+      : block_(block), key_(key), per_key_(block.decimals.size() / block.size()), decimal_(decimal) {}
 
   /// Whether the key has a number at this index as written.
   bool has(std::size_t index) const { return index < per_key_ && !block_.decimals[key_ * per_key_ + index].empty(); }
@@ -30,9 +30,9 @@ class Numbers {
 
   /// One of the numbers of its given rotations.
   Rational of_rotation(std::size_t rotation, std::size_t number, double nearest) const {
-    const std::size_t given = block_.given_rotations.size() / block_.lines.size();
+    const std::size_t given = block_.rotations.numbers.size() / block_.size();
     const std::size_t index = (key_ * given + rotation) * spline::RotationNumbers<double>().size() + number;
-    return of(block_.given_decimals.empty() ? std::string_view() : block_.given_decimals[index], nearest);
+    return of(block_.rotations.decimals.empty() ? std::string_view() : block_.rotations.decimals[index], nearest);
   }
 
  private:
@@ -40,7 +40,7 @@ class Numbers {
     if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
     if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
     if (const auto number = parse_rational(text)) return *number;
-    throw decimal_too_long().at({"", block_.lines[key_], 0});
+    throw decimal_too_long().at({"", block_.line(key_), 0});
   }
 
   const KeyBlock& block_;
@@ -141,7 +141,7 @@ void ExactKeys::add(const KeyBlock& block) {
     }
     add_velocities(keys, key, number);
     for (std::size_t i = 0; i < converted_.size(); ++i) {
-      const auto& given = block.given_rotations[key * converted_.size() + i];
+      const auto& given = block.rotations.numbers[key * converted_.size() + i];
       spline::RotationNumbers<Rational>& exact = converted_[i].numbers.emplace_back();
       for (std::size_t j = 0; j < converted_[i].rotation.notation.numbers(); ++j) {
         if (!std::isnan(given[j])) exact[j] = number.of_rotation(i, j, given[j]);

@@ -21,7 +21,7 @@ namespace {
 
 KeyBlock block_of(Keys keys) {
   KeyBlock block;
-  block.lines.assign(keys.size(), 1);
+  block.text_positions.lines.assign(keys.size(), 1);
   block.keys = std::move(keys);
   return block;
 }

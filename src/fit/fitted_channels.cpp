@@ -86,7 +86,7 @@ FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules,
   if (!options.angle) return fitted;
   if (rotations.empty()) throw tolerance_without_rotation().about(option::fit);
   for (const auto& [columns, given, names] : schema.rotations) {
-    if (given.notation.form != spline::RotationForm::quaternion) {
+    if (!given.notation.is_quaternion()) {
       throw fit_of_other_form(given.columns[0]);
     }
     fitted.groups.push_back(rotation_group(fitted.numbers, columns.channels, *options.angle, options.keys));

@@ -164,12 +164,12 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const Cur
   while (const std::optional<KeyBlock> block = blocks()) {
     for (std::size_t key = 0; key < block->size(); ++key) {
       samples.times.push_back(block->keys.times[key]);
-      samples.lines.push_back(block->lines[key]);
+      samples.lines.push_back(block->line(key));
       recording.times.push_back((samples.times.back() - samples.times.front()).hi);
       for (const std::size_t channel : channels) {
         recording.positions.push_back(block->keys.position(key)[channel]);
         if (!std::isnan(recording.positions.back())) continue;
-        throw sample_without_number(schema.channels[channel]).at({"", block->lines[key], 0});
+        throw sample_without_number(schema.channels[channel]).at({"", block->line(key), 0});
       }
     }
   }

@@ -20,7 +20,7 @@ class AngleChain {
   void check(const KeyBlock& block) {
     for (std::size_t key = 0; key < block.size(); ++key) {
       const double value = block.keys.position(key)[angle_.channel];
-      const std::uint64_t line = block.lines[key];
+      const std::uint64_t line = block.line(key);
       if (std::isnan(value)) throw angle_missing(name_).at({"", line, 0});
       require_angle(value, angle_.degrees, false, name_, line);
       if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);

@@ -65,11 +65,11 @@ class Curves::Splitter {
   std::optional<KeyBlock> next_keys() {
     if (!fill() || (!started_ && block_->begins_curve(at_))) return std::nullopt;
     started_ = false;
-    const auto next = std::ranges::upper_bound(block_->breaks, at_);
-    const std::size_t end = next == block_->breaks.end() ? block_->size() : *next;
+    const auto next = std::ranges::upper_bound(block_->breaks.before, at_);
+    const std::size_t end = next == block_->breaks.before.end() ? block_->size() : *next;
     if (at_ == 0 && end == block_->size()) {
       std::optional<KeyBlock> whole = std::exchange(block_, std::nullopt);
-      whole->breaks.clear();
+      whole->breaks.before.clear();
       return whole;
     }
     return block_->range(std::exchange(at_, end), end);
@@ -92,7 +92,7 @@ class Curves::Splitter {
       block_ = blocks_();
       at_ = 0;
       if (!block_) return false;
-      skipped_ += block_->skipped;
+      skipped_ += block_->faults.skipped;
     }
     return true;
   }

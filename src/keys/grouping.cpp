@@ -82,8 +82,8 @@ class Groups {
       keys_.push_back({static_cast<std::uint32_t>(blocks_.size() - 1), static_cast<std::uint32_t>(target.size() + i),
                        curve, breaks, gap});
     }
-    if (block.break_after) ++section_;
-    skipped_ += block.skipped;
+    if (block.breaks.at_end) ++section_;
+    skipped_ += block.faults.skipped;
     if (target.empty()) {
       target = std::move(block);
     } else {
@@ -107,7 +107,7 @@ class Groups {
   std::optional<KeyBlock> next() {
     if (next_ == keys_.size()) return std::nullopt;
     KeyBlock block;
-    block.skipped = std::exchange(skipped_, 0);
+    block.faults.skipped = std::exchange(skipped_, 0);
     const std::size_t end = std::min(keys_.size(), next_ + most_keys);
     for (; next_ < end; ++next_) {
       const KeyReference& key = keys_[next_];
@@ -116,8 +116,8 @@ class Groups {
         if (!block.empty()) break;
         block.curve_info = curve_infos_[key.curve];
       }
-      if ((begins && next_ > 0) || (key.breaks && !begins)) block.breaks.push_back(block.size());
-      if (key.gap) block.gaps.push_back(block.size());
+      if ((begins && next_ > 0) || (key.breaks && !begins)) block.breaks.before.push_back(block.size());
+      if (key.gap) block.breaks.gaps.push_back(block.size());
       block.append(blocks_[key.block], key.key, key.key + 1);
     }
     return block;

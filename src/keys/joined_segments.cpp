@@ -48,7 +48,7 @@ class Joiner {
     KeyBlock result = block.selected(kept);
     if (!result.decimals.empty()) result.decimals = joined_decimals(block, kept);
     result.take_block_data(block);
-    result.breaks = std::move(breaks);
+    result.breaks.before = std::move(breaks);
     held_ = block.range(block.size() - 1, block.size());
     return result;
   }

@@ -56,8 +56,8 @@ KeyStore::KeyStore(const Source<KeyBlock>& blocks) : columns_(std::make_shared<C
   std::optional<KeyBlock> block;  // kept until the next one: freed memory would not return to the system
   while ((block = blocks())) {
     if (block->empty()) continue;
-    if (size() == 0) first_line_ = block->lines.front();
-    last_line_ = block->lines.back();
+    if (size() == 0) first_line_ = block->text_positions.lines.front();
+    last_line_ = block->text_positions.lines.back();
     columns_->append(block->keys);
   }
 }

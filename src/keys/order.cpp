@@ -56,14 +56,14 @@ class Order {
   }
 
   static KeyLocation location(const KeyBlock& block, std::size_t key) {
-    return {block.keys.times[key], block.lines[key], block.list_position(key)};
+    return {block.keys.times[key], block.line(key), block.list_position(key)};
   }
 
   /// The keys to keep; the others are dropped, or are faults of the block.
   KeyBlock filtered(KeyBlock block) {
     KeyBlock all = std::exchange(held_, {});
     const std::size_t held = all.size();
-    std::vector<std::size_t> kept, breaks = all.breaks;
+    std::vector<std::size_t> kept, breaks = all.breaks.before;
     all.append(block, 0, block.size());
     if (held > 0) kept.push_back(0);
     if (column_.empty() && !is_in_order(block)) column_ = labels_.distinguishing(all, duplicates_ != Duplicates::error);
@@ -71,7 +71,7 @@ class Order {
       const bool begins_curve = block.begins_curve(i - held);
       const Placement placement = begins_curve ? Placement::begins_curve : placement_of(all.keys.times[i]);
       const bool repeats = placement == Placement::repeats;
-      if (repeats || placement == Placement::goes_back) block.faults.push_back(fault(all, i, repeats));
+      if (repeats || placement == Placement::goes_back) block.faults.errors.push_back(fault(all, i, repeats));
       if (repeats || placement == Placement::dropped) continue;
       if (placement == Placement::replaces_last) kept.pop_back();
       if (placement == Placement::begins_curve) breaks.push_back(kept.size());
@@ -80,7 +80,7 @@ class Order {
     }
     KeyBlock result = all.selected(kept);
     if (held > 0) result.curve_info = std::move(all.curve_info);
-    result.breaks = std::move(breaks);
+    result.breaks.before = std::move(breaks);
     result.take_block_data(block);
     return result;
   }
@@ -124,9 +124,9 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
   return [blocks = std::move(blocks), broken = false, any = false]() mutable -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
     if (!block) return std::nullopt;
-    if (block->gaps.empty() && block->breaks.empty() && !broken) {
+    if (block->breaks.gaps.empty() && block->breaks.before.empty() && !broken) {
       any = any || !block->empty();
-      broken = std::exchange(block->break_after, false) && any;
+      broken = std::exchange(block->breaks.at_end, false) && any;
       return block;
     }
     std::vector<std::size_t> kept, breaks;
@@ -138,15 +138,15 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
       kept.push_back(i);
       any = true;
     }
-    broken = broken || block->break_after;
-    if (!block->gaps.empty()) {
+    broken = broken || block->breaks.at_end;
+    if (!block->breaks.gaps.empty()) {
       KeyBlock rest = block->selected(kept);
       rest.take_block_data(*block);
       block = std::move(rest);
     }
-    block->breaks = std::move(breaks);
-    block->gaps.clear();
-    block->break_after = false;
+    block->breaks.before = std::move(breaks);
+    block->breaks.gaps.clear();
+    block->breaks.at_end = false;
     return block;
   };
 }

@@ -1,10 +1,9 @@
-// Parameterize and check: times for keys without any, from the distances between them; ease and number of keys.
+// Parameterize: times for keys without any, from the distances between them.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "schema/key_block.hpp"
@@ -17,10 +16,6 @@ namespace tcb {
 /// 0. `metric`: the channels that count for distances; empty: all. Throws: Error (data) if two positions are equal,
 /// or a step is lost in rounding; it has both lines.
 Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric);
-
-/// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
-/// from key to key, up to the thousandth: then it may be the time.
-Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
 
 /// The power of a distance at a scalar, from its square. Doubles add up squares as double-doubles, in units of a power
 /// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/rounding.hpp.
@@ -56,19 +51,5 @@ S parameter_step(std::span<const P> a, std::span<const P> b, double exponent, st
   for (std::size_t i = 0; i < channels; ++i) distance.add_square(a[channel(i)], b[channel(i)]);
   return distance.power(exponent);
 }
-
-/// The scale on which a product shows tension, continuity and bias, where it is not from -1 to 1.
-enum class ShownTcbScale { from_0_to_50, percent };
-
-/// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
-/// scale on which the product shows them.
-Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
-
-/// The keys without their ease.
-Source<KeyBlock> without_ease(Source<KeyBlock> blocks);
-
-/// Passes keys on, and checks that there are at least `least` of them, 1 or 2, and that their ease is in [0, 1].
-/// Requires: increasing times. Throws: Error (data) with the line of the key.
-Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least);
 
 }  // namespace tcb

@@ -69,13 +69,13 @@ void keep_given(KeyBlock& block, std::span<const GivenRotation> rotations) {
   }
   for (std::size_t key = 0; key < block.size(); ++key) {
     for (const GivenRotation& given : rotations) {
-      GivenNumbers& numbers = block.given_rotations.emplace_back();
+      GivenNumbers& numbers = block.rotations.numbers.emplace_back();
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         const bool is_number = i < given.channels.size();
         if (is_number) numbers[i] = block.keys.positions[key * channels + given.channels[i]];
         if (decimals == 0) continue;
         const std::size_t index = key * decimals + NumberOfKey::position + (is_number ? given.channels[i] : 0);
-        block.given_decimals.add(is_number ? block.decimals[index] : "");
+        block.rotations.decimals.add(is_number ? block.decimals[index] : "");
       }
     }
   }
@@ -148,10 +148,11 @@ class Conversion {
 
  private:
   void convert_key(KeyBlock& block, std::size_t key) {
-    const std::uint64_t line = block.lines[key];
+    const std::uint64_t line = block.line(key);
     double* const positions = block.keys.positions.data() + key * block.keys.channels;
     const spline::RotationNotation& notation = given_.notation;
-    const GivenNumbers& numbers = block.given_rotations[key * (block.given_rotations.size() / block.size()) + number_];
+    const GivenNumbers& numbers =
+        block.rotations.numbers[key * (block.rotations.numbers.size() / block.size()) + number_];
     const auto lacking = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
     if (lacking == static_cast<std::ptrdiff_t>(notation.numbers())) {
       for (const std::size_t channel : channels_) positions[channel] = std::numeric_limits<double>::quiet_NaN();
@@ -182,7 +183,7 @@ class Conversion {
     const bool is_whole = std::abs(angle) >= spline::whole_turn<double>(degrees).hi;
     if (!is_whole && std::abs(q.w) > half_turn_rounding) return;
     if (is_whole && !has_whole_turns_)
-      throw whole_turns_of_rotation(given_.columns[0], angle).at({"", block.lines[key], 0});
+      throw whole_turns_of_rotation(given_.columns[0], angle).at({"", block.line(key), 0});
     block.keys.turns[key * block.keys.turns_per_key() + *turn_] =
         spline::turn_vector_from(numbers, degrees, before_, in_parent_);
   }
@@ -218,7 +219,7 @@ class Conversion {
 std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations) {
   std::vector<ConvertedRotation> converted;
   for (const auto& [columns, given, names] : rotations.rotations) {
-    if (given.notation.form == spline::RotationForm::quaternion) continue;
+    if (given.notation.is_quaternion()) continue;
     converted.push_back({columns, given.notation, given.relative, rotations.in_parent});
   }
   return converted;
@@ -228,7 +229,7 @@ Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const Rotatio
   std::vector<GivenRotation> given;
   auto conversions = std::make_shared<std::vector<Conversion>>();
   for (const RotationSchema& rotation : rotations.rotations) {
-    if (rotation.given.notation.form == spline::RotationForm::quaternion) continue;
+    if (rotation.given.notation.is_quaternion()) continue;
     conversions->emplace_back(conversions->size(), rotation, rotations);
     given.push_back(rotation.given);
   }

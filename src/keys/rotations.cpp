@@ -29,7 +29,7 @@ class SignChain {
       : channels_(rotation.columns.channels),
         turn_(rotation.columns.turn),
         name_(rotation.given.columns[0]),
-        is_quaternion_(rotation.given.notation.form == spline::RotationForm::quaternion),
+        is_quaternion_(rotation.given.notation.is_quaternion()),
         normalize_(rotation.given.normalize),
         has_tangents_(curve != spline::RotationCurve::slerp) {}
 
@@ -73,7 +73,7 @@ class SignChain {
 
   /// Whether the quaternion of a key was negated.
   bool add_key(KeyBlock& block, std::size_t key) {
-    const std::uint64_t line = block.lines[key];
+    const std::uint64_t line = block.line(key);
     double* const positions = block.keys.positions.data() + key * block.keys.channels;
     Numbers q{};
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = positions[channels_[i]];
@@ -113,7 +113,7 @@ class SignChain {
   }
 
   void negate_decimals(KeyBlock& block, const std::vector<bool>& negated) const {
-    const std::size_t per_key = block.decimals.size() / block.lines.size();
+    const std::size_t per_key = block.decimals.size() / block.size();
     Texts decimals;
     for (std::size_t i = 0; i < block.decimals.size(); ++i) {
       const std::size_t number = i % per_key;

@@ -23,7 +23,7 @@ class VelocityCheck {
     for (std::size_t i = 0; i < keys.velocities.size(); ++i) {
       const std::size_t channel = i % keys.channels;
       const bool is_key = !std::isnan(keys.positions[i]);
-      if (keys.given[channel] && is_key) add(channel, keys.velocities[i], block.lines[i / keys.channels]);
+      if (keys.given[channel] && is_key) add(channel, keys.velocities[i], block.line(i / keys.channels));
     }
     return block;
   }

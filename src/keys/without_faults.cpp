@@ -14,9 +14,10 @@ namespace {
 
 /// Takes the faults of a block, in the order of their positions.
 void gather(std::vector<Error>& faults, KeyBlock& block) {
-  std::ranges::stable_sort(
-      block.faults, {}, [](const Error& fault) { return std::pair(fault.position().line, fault.position().column); });
-  std::ranges::move(block.faults, std::back_inserter(faults));
+  std::ranges::stable_sort(block.faults.errors, {}, [](const Error& fault) {
+    return std::pair(fault.position().line, fault.position().column);
+  });
+  std::ranges::move(block.faults.errors, std::back_inserter(faults));
 }
 
 /// Throws: Error (data) with all of them, at most ten. Requires: there is at least one.
@@ -32,11 +33,11 @@ void gather(std::vector<Error>& faults, KeyBlock& block) {
 Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
   return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
-    if (!block || block->faults.empty()) return block;
+    if (!block || block->faults.errors.empty()) return block;
     std::vector<Error> faults;
     for (bool more = true; more;) {
       gather(faults, *block);
-      more = faults.size() < most_faults && !block->unreadable && !live;
+      more = faults.size() < most_faults && !block->faults.unreadable && !live;
       try {
         if (more) block = blocks();
       } catch (const Error& error) {

@@ -1,10 +1,9 @@
 // Printing decimals of more digits than doubles have: in full, or rounded.
+#include "numbers/print_decimal.hpp"
+
 #include <algorithm>
 #include <string>
 #include <utility>
-
-#include "numbers/decimal_time.hpp"
-#include "numbers/print_number.hpp"
 
 namespace tcb {
 namespace {

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "numbers/print_decimal.hpp"
 #include "numbers/shortest_decimal.hpp"
 
 namespace tcb {

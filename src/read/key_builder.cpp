@@ -110,7 +110,7 @@ void KeyBuilder::begin_key() {
   for (std::string& text : texts_) text.clear();
   for (std::string& decimal : decimals_) decimal.clear();
   is_missing_ = false;
-  faults_ = block_.faults.size();
+  faults_ = block_.faults.errors.size();
 }
 
 void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal) {
@@ -159,19 +159,19 @@ bool KeyBuilder::end_key() {
   if (!ends_.empty() && !std::isfinite((time_ + Time(duration_)).hi)) {
     add_fault(segment_without_duration(duration_));
   }
-  const bool is_faulty = block_.faults.size() > faults_;
+  const bool is_faulty = block_.faults.errors.size() > faults_;
   const bool is_gap = is_missing_ && rules_.missing == Missing::break_curve;
   if (is_faulty || (is_missing_ && !is_gap)) {
-    if (!is_faulty) ++block_.skipped;
+    if (!is_faulty) ++block_.faults.skipped;
     return false;
   }
-  if (is_gap) block_.gaps.push_back(block_.size());
+  if (is_gap) block_.breaks.gaps.push_back(block_.size());
   if (has_channel_roles_) {
     complete_channels();
     complete_velocities();
   }
   add_key();
-  if (std::exchange(breaks_, false)) block_.breaks.push_back(block_.size());
+  if (std::exchange(breaks_, false)) block_.breaks.before.push_back(block_.size());
   if (!ends_.empty()) add_segment_end();
   return true;
 }
@@ -259,8 +259,8 @@ void KeyBuilder::complete_velocities() {
 
 KeyBlock KeyBuilder::finish(std::string path) {
   block_.keys.positions.resize(block_.size() * block_.keys.channels);  // drops a key that was not ended
-  block_.path = std::move(path);
-  block_.break_after = breaks_;
+  block_.text_positions.path = std::move(path);
+  block_.breaks.at_end = breaks_;
   return std::move(block_);
 }
 

@@ -70,12 +70,12 @@ class KeyBuilder {
 
   /// Adds a fault; the current key is not kept.
   void add_fault(Error fault) {
-    if (!is_full()) block_.faults.push_back(std::move(fault));
+    if (!is_full()) block_.faults.errors.push_back(std::move(fault));
   }
   /// No more faults are needed.
-  bool is_full() const { return block_.faults.size() >= most_faults; }
+  bool is_full() const { return block_.faults.errors.size() >= most_faults; }
   /// Nothing after the last fault can be read.
-  void set_unreadable() { block_.unreadable = true; }
+  void set_unreadable() { block_.faults.unreadable = true; }
 
   /// Ends the key; a record that is a segment has two keys, its ends. Returns whether it is kept; if so, set_position()
   /// must follow.
@@ -83,12 +83,14 @@ class KeyBuilder {
   /// The text position of the record that was kept last.
   void set_position(std::uint64_t line, std::uint64_t column) {
     for (std::size_t i = 0; i < keys_per_record(); ++i) {
-      block_.lines.push_back(line);
-      block_.columns.push_back(static_cast<std::uint32_t>(column));
+      block_.text_positions.lines.push_back(line);
+      block_.text_positions.columns.push_back(static_cast<std::uint32_t>(column));
     }
   }
   /// The number of the record that was kept last, in its list.
-  void set_number(std::uint64_t number) { block_.numbers.insert(block_.numbers.end(), keys_per_record(), number); }
+  void set_number(std::uint64_t number) {
+    block_.text_positions.numbers.insert(block_.text_positions.numbers.end(), keys_per_record(), number);
+  }
 
   /// Adds a break before the next key that is kept.
   void break_curve() { breaks_ = true; }

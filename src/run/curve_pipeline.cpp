@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "exact/precision_levels.hpp"
+#include "keys/key_checks.hpp"
 #include "keys/parameterize.hpp"
 #include "keys/velocities.hpp"
 #include "option_names.hpp"

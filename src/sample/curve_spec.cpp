@@ -235,7 +235,7 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
     throw path_of_rotations();
   }
   const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
-  const auto is_quaternion = [](const auto& one) { return one.shown.form == spline::RotationForm::quaternion; };
+  const auto is_quaternion = [](const auto& one) { return one.shown.is_quaternion(); };
   if (emits && !spec.rules.angles.empty()) throw pieces_of_angles();
   if (emits && curve == spline::RotationCurve::components && !std::ranges::all_of(spec.rotations, is_quaternion)) {
     throw pieces_of_other_form();

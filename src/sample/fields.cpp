@@ -16,48 +16,6 @@ void write_times(Cell* first, std::size_t width, const CurveSegment&, std::span<
 
 namespace {
 
-bool is_quaternion(const RotationColumns& rotation) { return rotation.shown.form == spline::RotationForm::quaternion; }
-
-/// The cell of a channel that has one.
-PositionCell cell_of_channel(std::size_t channel, std::span<const RotationColumns> rotations) {
-  PositionCell cell{channel};
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    const auto own = std::ranges::find(rotations[i].channels, channel);
-    if (own == rotations[i].channels.end()) continue;
-    cell.rotation = i;
-    cell.number = static_cast<std::size_t>(own - rotations[i].channels.begin());
-  }
-  return cell;
-}
-
-}  // namespace
-
-std::vector<PositionCell> position_cells(std::size_t channels, std::span<const RotationColumns> rotations) {
-  std::size_t count = channels;
-  for (const RotationColumns& rotation : rotations) {
-    count += rotation.shown.numbers() - rotation.channels.size();
-  }
-  std::vector<PositionCell> cells(count);
-  std::vector<bool> taken(count);
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    for (std::size_t k = 0; !is_quaternion(rotations[i]) && k < rotations[i].shown.numbers(); ++k) {
-      cells[rotations[i].places[k]] = {PositionCell::none, i, k};
-      taken[rotations[i].places[k]] = true;
-    }
-  }
-  auto next = taken.begin();
-  for (std::size_t channel = 0; channel < channels; ++channel) {
-    const PositionCell cell = cell_of_channel(channel, rotations);
-    if (cell.rotation != PositionCell::none && !is_quaternion(rotations[cell.rotation])) continue;
-    next = std::find(next, taken.end(), false);
-    cells[static_cast<std::size_t>(next - taken.begin())] = cell;
-    ++next;
-  }
-  return cells;
-}
-
-namespace {
-
 /// Writes the column of a channel of all samples.
 void write_channel(Cell* cell, std::size_t width, const CurveSegment& segment, std::size_t channel,
                    std::span<const Sample> samples) {
@@ -96,7 +54,7 @@ void write_rotation(Cell* row, std::size_t width, const spline::RotationSegment<
 
 void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
   const std::span<const RotationColumns> rotations = segment.rotation_columns;
-  if (std::ranges::all_of(rotations, is_quaternion)) {
+  if (std::ranges::all_of(rotations, [](const auto& rotation) { return rotation.shown.is_quaternion(); })) {
     for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
       if (!segment.is_rotation(i)) write_channel(first + i, width, segment, i, samples);
     }

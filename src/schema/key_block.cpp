@@ -27,9 +27,9 @@ void drop_last(std::vector<T>& values) {
 
 }  // namespace
 
-bool KeyBlock::has_gap_at(std::size_t key) const { return std::ranges::binary_search(gaps, key); }
+bool KeyBlock::has_gap_at(std::size_t key) const { return std::ranges::binary_search(breaks.gaps, key); }
 
-bool KeyBlock::has_break_before(std::size_t key) const { return std::ranges::binary_search(breaks, key); }
+bool KeyBlock::has_break_before(std::size_t key) const { return std::ranges::binary_search(breaks.before, key); }
 
 bool KeyBlock::begins_curve(std::size_t key) const {
   return (key == 0 && curve_info != nullptr) || has_break_before(key);
@@ -42,13 +42,13 @@ void KeyBlock::append(const KeyBlock& from, std::size_t first, std::size_t last)
     spline::append_entries(to, column, from.size(), first, last);
   };
   spline::for_each_column(append_keys, keys, from.keys);
-  copy(lines, from.lines, first, last);
-  copy(columns, from.columns, first, last);
-  copy(numbers, from.numbers, first, last);
+  copy(text_positions.lines, from.text_positions.lines, first, last);
+  copy(text_positions.columns, from.text_positions.columns, first, last);
+  copy(text_positions.numbers, from.text_positions.numbers, first, last);
+  text_positions.path = from.text_positions.path;
   copy(marks, from.marks, first * from.marks_per_key(), last * from.marks_per_key());
   copy(texts, from.texts, from.size(), first, last);
   copy(decimals, from.decimals, from.size(), first, last);
-  path = from.path;
 }
 
 KeyBlock KeyBlock::range(std::size_t first, std::size_t last) const {
@@ -72,35 +72,35 @@ KeyBlock KeyBlock::split_last() {
   const std::size_t last = size() - 1;
   KeyBlock one = range(last, last + 1);
   if (has_break_before(last)) {
-    one.breaks = {0};
-    breaks.pop_back();
+    one.breaks.before = {0};
+    breaks.before.pop_back();
   }
   if (last == 0) one.curve_info = std::move(curve_info);
   marks.resize(marks_per_key() * last);
   texts.cut(texts_per_key() * last);
   decimals.cut(decimals.size() / size() * last);
   spline::for_each_column([&](auto& column) { column.resize(column.size() / size() * last); }, keys);
-  drop_last(lines);
-  drop_last(columns);
-  drop_last(numbers);
+  drop_last(text_positions.lines);
+  drop_last(text_positions.columns);
+  drop_last(text_positions.numbers);
   return one;
 }
 
 void KeyBlock::take_block_data(KeyBlock& from) {
   spline::take_common(keys, from.keys);
-  break_after = from.break_after;
+  breaks.at_end = from.breaks.at_end;
   if (curve_info == nullptr) curve_info = std::move(from.curve_info);
-  skipped = from.skipped;
   faults = std::move(from.faults);
-  unreadable = from.unreadable;
 }
 
 TextPosition KeyBlock::text_position(std::size_t key) const {
-  return {"", lines[key], columns.empty() ? 0 : columns[key]};
+  const std::vector<std::uint32_t>& columns = text_positions.columns;
+  return {"", line(key), columns.empty() ? 0 : columns[key]};
 }
 
 std::string KeyBlock::list_position(std::size_t key) const {
-  return numbers.empty() ? "" : fmt::format("{}[{}]", path, numbers[key]);
+  const std::vector<std::uint64_t>& numbers = text_positions.numbers;
+  return numbers.empty() ? "" : fmt::format("{}[{}]", text_positions.path, numbers[key]);
 }
 
 }  // namespace tcb

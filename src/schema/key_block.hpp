@@ -45,38 +45,50 @@ struct NumberOfKey {
 /// The largest number of faults of an input that are reported.
 inline constexpr std::size_t most_faults = 10;
 
-/// Successive keys. If the input has no times, the keys have none either. A position that is NaN is missing; in a
-/// gap the time may be NaN too.
-struct KeyBlock {
-  // One entry per key, or none at all:
-  Keys keys;
-  std::vector<std::uint64_t> lines;         ///< always one per key
+/// Where keys are written. One entry per key, or none at all.
+struct KeyTextPositions {
+  std::vector<std::uint64_t> lines = {};    ///< always one per key
   std::vector<std::uint32_t> columns = {};  ///< in those lines
   std::string path = {};                    ///< of the list that holds the keys, in JSON
   std::vector<std::uint64_t> numbers = {};  ///< in that list
-  Texts texts = {};                         ///< of each key: those of its groups, then its labels
-  Texts decimals = {};                      ///< of each key in the order of NumberOfKey: its numbers as written
+};
 
-  /// For each key and each rotation in another form than a quaternion: the numbers of the rotation, and each number as
-  /// written.
-  std::vector<spline::RotationNumbers<double>> given_rotations = {};
-  Texts given_decimals = {};
+/// Rotations in another form than a quaternion: for each key and each of these rotations its numbers, and each number
+/// as written.
+struct WrittenRotations {
+  std::vector<spline::RotationNumbers<double>> numbers = {};
+  Texts decimals = {};
+};
 
-  std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of KeyTraits::marks
-
-  // Indices of keys, increasing:
+/// Where curves break. Indices of keys are increasing.
+struct KeyBreaks {
   std::vector<std::size_t> gaps = {};    ///< entries that are not keys, but breaks in place of one
-  std::vector<std::size_t> breaks = {};  ///< keys with a break before them
+  std::vector<std::size_t> before = {};  ///< keys with a break before them
+  bool at_end = false;                   ///< there is a break before the next block's first key
+};
 
-  // Of the block:
-  bool break_after = false;                          ///< there is a break before the next block's first key
+/// The keys that are not in the block.
+struct KeyFaults {
+  std::vector<Error> errors = {};  ///< of invalid keys
+  bool unreadable = false;         ///< nothing after the last error can be read
+  std::uint64_t skipped = 0;       ///< number of keys that were skipped
+};
+
+/// Successive keys. If the input has no times, the keys have none either. A position that is NaN is missing; in a
+/// gap the time may be NaN too.
+struct KeyBlock {
+  Keys keys;
+  KeyTextPositions text_positions = {};
+  Texts texts = {};     ///< of each key: those of its groups, then its labels
+  Texts decimals = {};  ///< of each key in the order of NumberOfKey: its numbers as written
+  WrittenRotations rotations = {};
+  std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of KeyTraits::marks
+  KeyBreaks breaks = {};
   std::shared_ptr<const CurveInfo> curve_info = {};  ///< of the curve that begins here, if each has its own
-  std::uint64_t skipped = 0;                         ///< number of keys that were skipped
-  std::vector<Error> faults = {};                    ///< errors of keys, which are not in the block
-  bool unreadable = false;                           ///< nothing after the last fault can be read
+  KeyFaults faults = {};
 
-  std::size_t size() const { return lines.size(); }
-  bool empty() const { return lines.empty(); }
+  std::size_t size() const { return text_positions.lines.size(); }
+  bool empty() const { return text_positions.lines.empty(); }
   std::size_t marks_per_key() const { return empty() ? 0 : marks.size() / size(); }
   std::size_t texts_per_key() const { return empty() ? 0 : texts.size() / size(); }
   std::string_view text(std::size_t key, std::size_t i) const { return texts[key * texts_per_key() + i]; }
@@ -104,6 +116,7 @@ struct KeyBlock {
   /// Moves the members of the block `from` into this one; this block's own curve_info has priority.
   void take_block_data(KeyBlock& from);
 
+  std::uint64_t line(std::size_t key) const { return text_positions.lines[key]; }
   /// The text position of the key's time, or in JSON of the key itself.
   TextPosition text_position(std::size_t key) const;
   /// The key in its list, as in "keys[17]"; empty if the input is no list.

@@ -146,8 +146,7 @@ void set_channels(Schema& schema, const Columns& columns) {
   for (std::size_t read = 0; read < now.size(); ++read) {
     now[read] = schema.channels.size();
     const std::size_t index = rotation_with(schema.rotations, read);
-    const bool is_plain = index == schema.rotations.size() ||
-                          schema.rotations[index].given.notation.form == spline::RotationForm::quaternion;
+    const bool is_plain = index == schema.rotations.size() || schema.rotations[index].given.notation.is_quaternion();
     if (is_plain) {
       schema.channels.push_back(columns.channels[read]);
       schema.sources.push_back(read);
@@ -158,7 +157,7 @@ void set_channels(Schema& schema, const Columns& columns) {
   if (rotation_with(schema.rotations, 0) < schema.rotations.size()) schema.time.may_be_first_channel = false;
   for (AngleColumn& angle : schema.angles) angle.channel = now[angle.channel];
   for (RotationSchema& rotation : schema.rotations) {
-    if (rotation.given.notation.form != spline::RotationForm::quaternion) continue;
+    if (!rotation.given.notation.is_quaternion()) continue;
     std::ranges::transform(rotation.given.channels, rotation.columns.channels.begin(),
                            [&](std::size_t i) { return now[i]; });
   }
@@ -191,7 +190,7 @@ void show_rotation(Schema& schema, std::size_t index, const spline::RotationNota
   const std::string number = schema.rotations.size() == 1 ? "" : "_" + std::to_string(index + 1);
   std::vector<std::string> names = shown == rotation.given.notation ? rotation.given.columns : names_in(shown, number);
   rotation.columns.shown = shown;
-  if (shown.form == spline::RotationForm::quaternion) {
+  if (shown.is_quaternion()) {
     for (std::size_t i = 0; i < names.size(); ++i) schema.channels[rotation.columns.channels[i]] = names[i];
   } else {
     rotation.names = std::move(names);
@@ -256,7 +255,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
     const spline::RotationNotation& given = schema.rotations[i].given.notation;
     spline::RotationNotation shown = options.as_curves ? spline::RotationNotation{} : options.shown.value_or(given);
     shown.degrees = options.degrees;
-    if (shown.form != spline::RotationForm::quaternion || given.form != spline::RotationForm::quaternion) {
+    if (!shown.is_quaternion() || !given.is_quaternion()) {
       show_rotation(schema, i, shown);
     }
   }

@@ -16,7 +16,7 @@ std::vector<std::string*> names_of(Schema& schema) {
   if (schema.time.is_given) names.push_back(&schema.time.name);
   const auto is_shown = [&](std::size_t channel) {
     return std::ranges::none_of(schema.rotations, [&](const RotationSchema& rotation) {
-      return rotation.columns.shown.form != spline::RotationForm::quaternion && rotation.columns.has(channel);
+      return !rotation.columns.shown.is_quaternion() && rotation.columns.has(channel);
     });
   };
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {

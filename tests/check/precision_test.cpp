@@ -46,7 +46,7 @@ struct Many {
       KeyBlock& block = curve.blocks.back();
       block.keys.times.emplace_back(static_cast<double>(key));
       block.keys.positions.push_back(0);
-      block.lines.push_back(key + 2);
+      block.text_positions.lines.push_back(key + 2);
     }
     SampleRows rows;
     for (std::size_t row = 0; row + 1 < 2 * keys; ++row) {

@@ -26,17 +26,6 @@ TEST(Help, the_help_shows_every_option_in_80_columns) {
   EXPECT_THAT(help, HasSubstr("\n  -V, --version\n")) << "a flag shows no value";
 }
 
-TEST(Help, the_manual_shows_every_option_with_its_dashes_escaped) {
-  const std::string page = generated_text(Generated::manual);
-  for (std::string name : option_names()) {
-    name = std::regex_replace(name, std::regex("-"), "\\-");
-    EXPECT_THAT(page, HasSubstr("\\fB" + name + "\\fR"));
-  }
-  EXPECT_THAT(page, HasSubstr(".TP\n\\fB\\-s\\fR, \\fB\\-\\-step\\fR \\fIH\\fR\nSamples every H of time"));
-  EXPECT_EQ(page.find("@OPTIONS@"), std::string::npos);
-  EXPECT_FALSE(page.ends_with('\n')) << "whoever prints it ends the line";
-}
-
 TEST(Help, defaults_are_shown) {
   EXPECT_THAT(help_text(), HasSubstr("(default: 1e9)\n"));
   EXPECT_THAT(help_text(), HasSubstr("(default: error)\n"));

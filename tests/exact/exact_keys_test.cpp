@@ -14,7 +14,7 @@ KeyBlock block() {
   result.keys.channels = 2;
   result.keys.times = {0.0, 0.1, 0.2};
   result.keys.positions = {0, 0.1, 3, 0.1, 3, 4.1};
-  result.lines = {1, 2, 3};
+  result.text_positions.lines = {1, 2, 3};
   for (const char* time : {"0", "0.1", "0.2"}) {
     for (const char* text : {time, "", "", "", "", "", "", ""}) result.decimals.add(text);
   }
@@ -72,8 +72,8 @@ TEST(ExactKeys, rotations_in_other_forms_are_converted_at_each_scalar) {
   keys_about_x.keys.channels = 4;
   keys_about_x.keys.times = {0.0, 1.0};
   keys_about_x.keys.positions = {0.5, 0, 0, 0.866, -0.866, 0, 0, -0.5};
-  keys_about_x.given_rotations = {{2, 0, 0, 60}, {2, 0, 0, 60}};
-  keys_about_x.lines = {1, 2};
+  keys_about_x.rotations.numbers = {{2, 0, 0, 60}, {2, 0, 0, 60}};
+  keys_about_x.text_positions.lines = {1, 2};
   ExactKeys keys(false, {{columns, notation, true, false}});
   keys.add(keys_about_x);
   const auto curve = curve_at<Float<40>>(keys.curve(2, {}, std::nullopt))->segments(0, 1);

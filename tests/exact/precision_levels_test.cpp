@@ -16,7 +16,7 @@ Table exact_rows(const SamplingRequest& request, const Notation& notation) {
   block.keys.channels = 1;
   block.keys.times = {0.0, 3.0, 6.0};
   block.keys.positions = {0, 1, 2};
-  block.lines = {1, 2, 3};
+  block.text_positions.lines = {1, 2, 3};
   ExactKeys exact(true);
   exact.add(block);
   const KeyStore store([block, done = false]() mutable -> std::optional<KeyBlock> {

@@ -36,19 +36,18 @@ class ShownKeys {
   void add(const KeyBlock& block) {
     if (block.curve_info)
       text_ += fmt::format("id {}\n", block.curve_info->id);  // a curve begins, of one block or more
-    const std::size_t texts = block.lines.empty() ? 0 : block.texts.size() / block.lines.size();
-    for (std::size_t i = 0; i < block.lines.size(); ++i) {
-      if (std::ranges::count(block.breaks, i) > 0 || breaks_) text_ += "break\n";
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (block.has_break_before(i) || breaks_) text_ += "break\n";
       breaks_ = false;
-      if (std::ranges::count(block.gaps, i) > 0) {
+      if (block.has_gap_at(i)) {
         text_ += "gap\n";
       } else {
         add_key(block, i);
       }
-      for (std::size_t j = 0; j < texts; ++j) text_ += fmt::format("text {}\n", block.texts[i * texts + j]);
+      for (std::size_t j = 0; j < block.texts_per_key(); ++j) text_ += fmt::format("text {}\n", block.text(i, j));
     }
-    breaks_ = breaks_ || block.break_after;
-    skipped_ += block.skipped;
+    breaks_ = breaks_ || block.breaks.at_end;
+    skipped_ += block.faults.skipped;
   }
 
   std::string text() const { return text_ + fmt::format("{} skipped\n", skipped_); }
@@ -61,13 +60,13 @@ class ShownKeys {
 
   void add_key(const KeyBlock& block, std::size_t i) {
     const spline::Keys<double>& keys = block.keys;
-    text_ += fmt::format("{}:{}", block.lines[i], block.columns.empty() ? 0 : block.columns[i]);
-    require(block.lines[i] >= 1 && block.lines[i] <= lines_, "a key on no line", text_);
+    text_ += fmt::format("{}:{}", block.line(i), block.text_position(i).column);
+    require(block.line(i) >= 1 && block.line(i) <= lines_, "a key on no line", text_);
     if (!keys.times.empty()) {
       add_number(keys.times.at(i).hi);
       add_number(keys.times.at(i).lo);
     }
-    require(keys.positions.size() == block.lines.size() * keys.channels, "positions missing", text_);
+    require(keys.positions.size() == block.size() * keys.channels, "positions missing", text_);
     for (const double value : keys.position(i)) add_number(value, may_miss_);
     for (std::size_t channel = 0; channel < (keys.has_channel_tcbs() ? keys.channels : 1); ++channel) {
       const auto& [tension, continuity, bias] = keys.tcb(i, channel);

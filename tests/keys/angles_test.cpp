@@ -16,9 +16,9 @@ Source<KeyBlock> keys_of(const std::vector<double>& angles) {
   KeyBlock block;
   block.keys.channels = 1;
   for (const double angle : angles) {
-    block.keys.times.emplace_back(static_cast<double>(block.lines.size()));
+    block.keys.times.emplace_back(static_cast<double>(block.size()));
     block.keys.positions.push_back(angle);
-    block.lines.push_back(block.lines.size() + 2);
+    block.text_positions.lines.push_back(block.size() + 2);
   }
   return [block, done = false]() mutable -> std::optional<KeyBlock> {
     return std::exchange(done, true) ? std::nullopt : std::optional(block);

@@ -14,7 +14,7 @@ KeyBlock block_of(const std::vector<double>& times, const std::vector<std::size_
   for (std::size_t i = 0; i < times.size(); ++i) {
     block.keys.times.push_back(Time(times[i]));
     block.keys.positions.push_back(positions[i]);
-    block.lines.push_back(i + 1);
+    block.text_positions.lines.push_back(i + 1);
   }
   block.marks = marks;
   return block;

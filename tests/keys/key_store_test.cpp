@@ -42,7 +42,7 @@ void expect_keys_back(std::size_t per_key) {
       block.keys.tcbs.resize(block.keys.tcbs.size() + per_key, {0.25, number, 0.5});
       block.keys.eases.push_back({0, 1 / (1 + number)});
       block.keys.velocities.insert(block.keys.velocities.end(), {{number, 1}, {2, -number}});
-      block.lines.push_back(all.size() + i + 1);
+      block.text_positions.lines.push_back(all.size() + i + 1);
     }
     spline::append(all, block.keys, 0, size);
     return block;

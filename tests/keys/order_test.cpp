@@ -74,9 +74,9 @@ TEST(InOrder, decreasing_times_are_refused_each_with_the_previous_key) {
 TEST(InOrder, keys_of_json_are_named_by_their_path) {
   const Source<KeyBlock> blocks = [done = false]() mutable -> std::optional<KeyBlock> {
     if (std::exchange(done, true)) return std::nullopt;
-    KeyBlock block{{1, {3.0, 3.0}, {0, 1}, {}, {}, {}}, {1, 1}};
-    block.path = "curves[2].keys";
-    block.numbers = {7, 8};
+    KeyBlock block{{1, {3.0, 3.0}, {0, 1}, {}, {}, {}}, {{1, 1}}};
+    block.text_positions.path = "curves[2].keys";
+    block.text_positions.numbers = {7, 8};
     return block;
   };
   EXPECT_EQ(shown_keys(in_order(blocks, Duplicates::error)),

@@ -46,7 +46,7 @@ TEST(Rotations, of_three_angles_get_a_channel_more) {
   block.keys.channels = 4;
   block.keys.times = {0.0, 1.0};
   block.keys.positions = {0, 0, 90, 7, 0, 0, 0, 8};
-  block.lines = {2, 3};
+  block.text_positions.lines = {2, 3};
   for (const char* const decimal :
        {"0", "", "", "", "", "", "", "0", "0", "90", "7", "1", "", "", "", "", "", "", "0", "0", "0", "8"}) {
     block.decimals.add(decimal);
@@ -60,8 +60,8 @@ TEST(Rotations, of_three_angles_get_a_channel_more) {
   ASSERT_EQ(wider.decimals.size(), 24U);
   EXPECT_EQ(wider.decimals[11], "7");
   EXPECT_EQ(wider.decimals[12], "1");
-  EXPECT_EQ(wider.given_rotations[0], (spline::RotationNumbers<double>{0, 0, 90}));
-  EXPECT_EQ(wider.given_decimals[2], "90");
+  EXPECT_EQ(wider.rotations.numbers[0], (spline::RotationNumbers<double>{0, 0, 90}));
+  EXPECT_EQ(wider.rotations.decimals[2], "90");
 }
 
 /// The position x of a key and the quaternion of its matrix, between whose rows x is.
@@ -71,7 +71,7 @@ Numbers quaternion_of(const Numbers& matrix, bool normalize) {
   block.keys.times = {0.0};
   block.keys.positions = matrix;
   block.keys.positions.insert(block.keys.positions.begin() + 3, 7);
-  block.lines = {2};
+  block.text_positions.lines = {2};
   const GivenRotation given{{spline::RotationForm::matrix}, false, {"r11"}, {0, 1, 2, 4, 5, 6, 7, 8, 9}, normalize};
   const RotationSchema rotation{{{{0, 1, 2, 3}}}, given};
   return with_quaternions(source_of(block), {{rotation}, {0, 0, 0, 0, 3}})()->keys.positions;

@@ -20,7 +20,7 @@ inline KeyBlock block_of(const std::vector<Numbers>& rotations) {
     block.keys.times.emplace_back(static_cast<double>(i));
     block.keys.positions.push_back(7);
     block.keys.positions.insert(block.keys.positions.end(), rotations[i].begin(), rotations[i].end());
-    block.lines.push_back(i + 2);
+    block.text_positions.lines.push_back(i + 2);
   }
   return block;
 }

@@ -24,7 +24,7 @@ std::string error_with(const std::vector<double>& positions, const std::vector<s
       block.keys.times.emplace_back(static_cast<double>(key));
       block.keys.positions.push_back(positions[key]);
       block.keys.velocities.push_back(velocities[key]);
-      block.lines.push_back(key + 1);
+      block.text_positions.lines.push_back(key + 1);
     }
     return block;
   };

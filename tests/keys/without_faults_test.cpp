@@ -15,7 +15,7 @@ Source<KeyBlock> blocks(std::vector<std::vector<std::uint64_t>> lines, bool ends
     if (next == lines.size() && ends_badly) throw sort_without_times().at({"", 99, 1});
     if (next == lines.size()) return std::nullopt;
     KeyBlock block;
-    for (const std::uint64_t line : lines[next]) block.faults.push_back(sort_of_segments().at({"", line, 1}));
+    for (const std::uint64_t line : lines[next]) block.faults.errors.push_back(sort_of_segments().at({"", line, 1}));
     ++next;
     return block;
   };

@@ -1,9 +1,9 @@
 // Printing decimals of more digits than doubles have: the notation is the shorter one, as for doubles.
+#include "numbers/print_decimal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "numbers/print_number.hpp"
 
 namespace tcb {
 namespace {

@@ -55,7 +55,7 @@ TEST(KeyBuilder, cells_become_numbers_and_texts_by_their_roles) {
   EXPECT_EQ(block.text(0, 1), "\"label");
   EXPECT_EQ(block.text(1, 1), "") << "the texts of one key are not those of the next";
   EXPECT_TRUE(std::isnan(block.keys.positions[0]));
-  EXPECT_EQ(block.lines, (std::vector<std::uint64_t>{3, 2}));
+  EXPECT_EQ(block.text_positions.lines, (std::vector<std::uint64_t>{3, 2}));
 }
 
 TEST(KeyBuilder, channels_without_tension_of_their_own_have_the_common_one) {
@@ -83,18 +83,18 @@ TEST(KeyBuilder, channels_without_tension_of_their_own_have_the_common_one) {
 }
 
 TEST(KeyBuilder, a_missing_number_is_a_fault_or_is_skipped_or_breaks_the_curve) {
-  EXPECT_EQ(three(Missing::error).faults.size(), 1U);
+  EXPECT_EQ(three(Missing::error).faults.errors.size(), 1U);
   EXPECT_EQ(three(Missing::error).size(), 2U);
   const KeyBlock rows = three(Missing::skip_row);
-  EXPECT_EQ(rows.skipped, 1U);
+  EXPECT_EQ(rows.faults.skipped, 1U);
   EXPECT_THAT(rows.keys.positions, ElementsAre(10, 20, 30, 60));
   const KeyBlock cells = three(Missing::skip_cell);
-  EXPECT_EQ(cells.skipped, 0U);
+  EXPECT_EQ(cells.faults.skipped, 0U);
   EXPECT_TRUE(std::isnan(cells.keys.positions[2]));
   EXPECT_EQ(cells.keys.positions[3], 40);
   const KeyBlock breaks = three(Missing::break_curve);
   EXPECT_EQ(breaks.size(), 3U);
-  EXPECT_THAT(breaks.gaps, ElementsAre(1));
+  EXPECT_THAT(breaks.breaks.gaps, ElementsAre(1));
 }
 
 TEST(KeyBuilder, a_time_cannot_be_skipped_alone_and_a_group_only_with_its_row) {
@@ -131,9 +131,9 @@ TEST(KeyBuilder, breaks_are_before_the_next_key_that_is_kept) {
   add(keys, 3);
   keys.break_curve();
   const KeyBlock block = keys.finish("keys");
-  EXPECT_THAT(block.breaks, ElementsAre(1));
-  EXPECT_TRUE(block.break_after);
-  EXPECT_EQ(block.path, "keys");
+  EXPECT_THAT(block.breaks.before, ElementsAre(1));
+  EXPECT_TRUE(block.breaks.at_end);
+  EXPECT_EQ(block.text_positions.path, "keys");
 }
 
 TEST(KeyBuilder, a_key_that_is_not_ended_is_dropped) {
@@ -148,7 +148,7 @@ TEST(KeyBuilder, at_most_ten_faults_are_kept) {
   KeyBuilder keys(columns, {});
   for (int i = 0; i < 20; ++i) add(keys, i, false);
   EXPECT_TRUE(keys.is_full());
-  EXPECT_EQ(keys.finish().faults.size(), most_faults);
+  EXPECT_EQ(keys.finish().faults.errors.size(), most_faults);
 }
 
 }  // namespace

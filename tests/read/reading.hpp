@@ -43,12 +43,12 @@ inline std::string shown_time(const spline::DoubleDouble& time) {
 
 /// Key i as "LINE: TIME POSITION…", with " [T C B]" at the end where those are not all 0.
 inline std::string shown_key(const KeyBlock& block, std::size_t i) {
-  std::string text = fmt::format("{}: {}", block.lines.at(i), shown_time(block.keys.times.at(i)));
+  std::string text = fmt::format("{}: {}", block.line(i), shown_time(block.keys.times.at(i)));
   for (const double value : block.keys.position(i)) text += fmt::format(" {}", value);
   const auto& tcb = block.keys.tcb(i);
   if (tcb != spline::Tcb<double>{}) text += fmt::format(" [{} {} {}]", tcb.tension, tcb.continuity, tcb.bias);
-  for (std::size_t text_number = 0; text_number < block.texts.size() / block.lines.size(); ++text_number) {
-    text += fmt::format(" <{}>", block.texts[i * (block.texts.size() / block.lines.size()) + text_number]);
+  for (std::size_t number = 0; number < block.texts_per_key(); ++number) {
+    text += fmt::format(" <{}>", block.text(i, number));
   }
   return text + "\n";
 }

@@ -26,7 +26,7 @@ Source<KeyBlock> blocks(const std::vector<std::array<double, 2>>& table, std::si
     for (const std::size_t end = std::min(next + size, table.size()); next < end; ++next) {
       block.keys.times.emplace_back(table[next][0]);
       block.keys.positions.push_back(table[next][1]);
-      block.lines.push_back(next + 1);
+      block.text_positions.lines.push_back(next + 1);
     }
     return block;
   };
@@ -52,7 +52,7 @@ KeyStore kept(std::vector<spline::Time<double>> times, std::vector<double> posit
   block.keys.times = std::move(times);
   block.keys.positions = std::move(positions);
   for (const double tension : tensions) block.keys.tcbs.push_back({tension, 0, 0});
-  for (std::size_t i = 0; i < block.keys.size(); ++i) block.lines.push_back(i + 1);
+  for (std::size_t i = 0; i < block.keys.size(); ++i) block.text_positions.lines.push_back(i + 1);
   return KeyStore([block, done = false]() mutable -> std::optional<KeyBlock> {
     return std::exchange(done, true) ? std::nullopt : std::optional(block);
   });

@@ -16,7 +16,7 @@ namespace {
 std::string words(const spline::BuildError& error) {
   KeyBlock block;
   block.keys = {2, {0.5, 2.0}, {1, 2, 3, 4}, {}, {}, {}};
-  block.lines = {4, 7};
+  block.text_positions.lines = {4, 7};
   const KeyStore keys([block, done = false]() mutable -> std::optional<KeyBlock> {
     return std::exchange(done, true) ? std::nullopt : std::optional(block);
   });

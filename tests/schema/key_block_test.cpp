@@ -13,8 +13,8 @@ KeyBlock three_keys() {
   KeyBlock block = *keys_of("0 5 a b\n1 6 c d\n2 7 e f\n", 3)();
   block.keys.tcbs = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
   block.keys.eases = {{0, 1}, {0, 2}, {0, 3}};
-  block.columns = {1, 2, 3};
-  block.numbers = {10, 11, 12};
+  block.text_positions.columns = {1, 2, 3};
+  block.text_positions.numbers = {10, 11, 12};
   for (const char* decimal : {"0.0", "1.0", "2.0"}) block.decimals.add(decimal);
   return block;
 }
@@ -26,9 +26,9 @@ TEST(KeyBlock, selected_keys_keep_all_that_belongs_to_them) {
   EXPECT_EQ(part.keys.positions, (std::vector<double>{5, 7}));
   EXPECT_EQ(part.keys.tcbs[1].tension, 3);
   EXPECT_EQ(part.keys.eases[1].out, 3);
-  EXPECT_EQ(part.lines, (std::vector<std::uint64_t>{1, 3}));
-  EXPECT_EQ(part.columns, (std::vector<std::uint32_t>{1, 3}));
-  EXPECT_EQ(part.numbers, (std::vector<std::uint64_t>{10, 12}));
+  EXPECT_EQ(part.text_positions.lines, (std::vector<std::uint64_t>{1, 3}));
+  EXPECT_EQ(part.text_positions.columns, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(part.text_positions.numbers, (std::vector<std::uint64_t>{10, 12}));
   ASSERT_EQ(part.texts.size(), 4U);
   EXPECT_EQ(part.text(1, 0), "e");
   ASSERT_EQ(part.decimals.size(), 2U);
@@ -60,16 +60,16 @@ TEST(KeyBlock, tension_of_channels_belongs_to_their_keys) {
 
 TEST(KeyBlock, the_last_key_splits_off_with_all_that_belongs_to_it) {
   KeyBlock block = three_keys();
-  block.breaks = {1, 2};
+  block.breaks.before = {1, 2};
   block.curve_info = std::make_shared<const CurveInfo>();
   const KeyBlock last = block.split_last();
   ASSERT_EQ(last.size(), 1U);
   EXPECT_EQ(last.keys.positions, std::vector<double>{7});
   EXPECT_EQ(last.keys.tcbs[0].tension, 3);
   EXPECT_EQ(last.keys.eases[0].out, 3);
-  EXPECT_EQ(last.lines, std::vector<std::uint64_t>{3});
-  EXPECT_EQ(last.columns, std::vector<std::uint32_t>{3});
-  EXPECT_EQ(last.numbers, std::vector<std::uint64_t>{12});
+  EXPECT_EQ(last.text_positions.lines, std::vector<std::uint64_t>{3});
+  EXPECT_EQ(last.text_positions.columns, std::vector<std::uint32_t>{3});
+  EXPECT_EQ(last.text_positions.numbers, std::vector<std::uint64_t>{12});
   EXPECT_EQ(last.text(0, 1), "f");
   EXPECT_EQ(last.decimals[0], "2.0");
   EXPECT_TRUE(last.begins_curve(0));
@@ -80,11 +80,11 @@ TEST(KeyBlock, the_last_key_splits_off_with_all_that_belongs_to_it) {
   EXPECT_EQ(block.keys.positions, (std::vector<double>{5, 6}));
   EXPECT_EQ(block.keys.tcbs.size(), 2U);
   EXPECT_EQ(block.keys.eases.size(), 2U);
-  EXPECT_EQ(block.columns.size(), 2U);
-  EXPECT_EQ(block.numbers.size(), 2U);
+  EXPECT_EQ(block.text_positions.columns.size(), 2U);
+  EXPECT_EQ(block.text_positions.numbers.size(), 2U);
   EXPECT_EQ(block.texts.size(), 4U);
   EXPECT_EQ(block.decimals.size(), 2U);
-  EXPECT_EQ(block.breaks, std::vector<std::size_t>{1});
+  EXPECT_EQ(block.breaks.before, std::vector<std::size_t>{1});
   EXPECT_NE(block.curve_info, nullptr);
 }
 
@@ -99,17 +99,17 @@ TEST(KeyBlock, an_only_key_splits_off_with_the_curve_that_it_begins) {
 TEST(KeyBlock, the_members_of_a_block_move_to_another_block) {
   KeyBlock from = three_keys(), to;
   from.keys.common_tcb = {1, 2, 3};
-  from.break_after = from.unreadable = true;
-  from.skipped = 4;
-  from.faults.emplace_back(Exit::data, "a fault");
+  from.breaks.at_end = from.faults.unreadable = true;
+  from.faults.skipped = 4;
+  from.faults.errors.emplace_back(Exit::data, "a fault");
   from.curve_info = std::make_shared<const CurveInfo>();
   to.take_block_data(from);
   EXPECT_TRUE(to.empty());
   EXPECT_EQ(to.keys.channels, 1U);
   EXPECT_EQ(to.keys.common_tcb.bias, 3);
-  EXPECT_TRUE(to.break_after && to.unreadable && to.curve_info != nullptr);
-  EXPECT_EQ(to.skipped, 4U);
-  EXPECT_EQ(to.faults.size(), 1U);
+  EXPECT_TRUE(to.breaks.at_end && to.faults.unreadable && to.curve_info != nullptr);
+  EXPECT_EQ(to.faults.skipped, 4U);
+  EXPECT_EQ(to.faults.errors.size(), 1U);
 }
 
 TEST(KeyBlock, a_key_has_a_position_in_text_and_in_its_list) {
@@ -117,9 +117,9 @@ TEST(KeyBlock, a_key_has_a_position_in_text_and_in_its_list) {
   EXPECT_EQ(block.text_position(1).line, 2U);
   EXPECT_EQ(block.text_position(1).column, 0U);
   EXPECT_EQ(block.list_position(1), "");
-  block.columns = {3, 8};
-  block.path = "keys";
-  block.numbers = {3, 4};
+  block.text_positions.columns = {3, 8};
+  block.text_positions.path = "keys";
+  block.text_positions.numbers = {3, 4};
   EXPECT_EQ(block.text_position(1).column, 8U);
   EXPECT_EQ(block.list_position(1), "keys[4]");
 }

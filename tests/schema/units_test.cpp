@@ -35,7 +35,7 @@ TEST(Units, channels_are_scaled_from_their_decimals) {
   options.units.scales = {{"x", Rational(parse_rational("1e308").value())}};
   EXPECT_THAT(error_of([&] {
                 const auto keys = opened("t,x\n0,3\n1,2\n", options).keys.blocks();
-                throw keys->faults.at(0);
+                throw keys->faults.errors.at(0);
               }),
               HasSubstr("x: \"3\" is not a finite double"));
 }

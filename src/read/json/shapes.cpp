@@ -79,8 +79,8 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts) {
       at_position(position_of_channels(curve.members), [&] { name_channels(curve.columns, curve.members.channels); });
       return curve;
     }
-    const bool unreadable = part->keys.unreadable;
-    curve.path = part->keys.path;
+    const bool unreadable = part->keys.faults.unreadable;
+    curve.path = part->keys.text_positions.path;
     curve.blocks.push_back(std::move(part->keys));
     if (!unreadable) continue;
     curve.columns = *columns;
@@ -121,11 +121,11 @@ Error no_keys(const JsonCurveInfo& members) {
 
 /// The blocks of a curve with its information.
 std::deque<KeyBlock> marked(Curve curve) {
-  auto first = std::ranges::find_if(curve.blocks, [](const KeyBlock& block) { return !block.lines.empty(); });
+  auto first = std::ranges::find_if(curve.blocks, [](const KeyBlock& block) { return !block.empty(); });
   if (first != curve.blocks.end()) {
     first->curve_info = std::make_shared<const CurveInfo>(std::move(curve.members.curve_info));
   } else if (curve.blocks.empty()) {
-    curve.blocks.emplace_back().faults.push_back(no_keys(curve.members));
+    curve.blocks.emplace_back().faults.errors.push_back(no_keys(curve.members));
   }
   return std::move(curve.blocks);
 }

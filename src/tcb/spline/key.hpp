@@ -59,6 +59,7 @@ struct RotationNotation {
     constexpr std::array<std::size_t, 4> counts{4, 4, 3, 9};
     return counts[static_cast<std::size_t>(form)];
   }
+  constexpr bool is_quaternion() const { return form == RotationForm::quaternion; }
   friend bool operator==(const RotationNotation&, const RotationNotation&) = default;
 };
 

@@ -236,7 +236,7 @@ template <class S>
 RotationNumbers<S> signed_numbers_of(Quaternion<S> q, const RotationNotation& notation) {
   using std::sqrt;
   if (notation.form == RotationForm::matrix) return matrix_of(q);
-  if (notation.form == RotationForm::quaternion) return {q.x, q.y, q.z, q.w};
+  if (notation.is_quaternion()) return {q.x, q.y, q.z, q.w};
   if (notation.form == RotationForm::euler) {
     const auto angles = euler_angles(q, notation);
     return {in_unit(angles[0], notation.degrees), in_unit(angles[1], notation.degrees),
