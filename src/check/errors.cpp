@@ -33,7 +33,7 @@ Error unnamed_sample_columns(std::size_t columns, const std::vector<std::string>
 
 Error fields_without_places() {
   return {Exit::usage,
-          "the places of the samples are missing; expected the field time or s; add it where the samples have that "
+          "the fields give no times or arc lengths; expected the field time or s; add it at the position of its "
           "column"};
 }
 

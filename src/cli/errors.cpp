@@ -72,7 +72,7 @@ Error not_a_count(std::string_view text) {
 
 Error not_a_whole_number(std::string_view text, std::uint64_t least, std::uint64_t most) {
   return about_value(text,
-                     fmt::format("is not a whole number from {0} to {1}; expected one, such as {0}", least, most));
+                     fmt::format("is not valid; expected a whole number from {0} to {1}, such as {0}", least, most));
 }
 
 Error not_a_curve_tolerance(std::string_view text) {
@@ -114,25 +114,25 @@ Error not_three_parameters(std::string_view text) {
 }
 
 Error not_a_list_of_columns(std::string_view text) {
-  return about_value(text, "has an empty item; expected names or numbers of columns, separated by commas");
+  return about_value(text, "has an empty item; expected column names or numbers between commas; remove a comma");
 }
 
 Error not_a_list_of_renamings(std::string_view text) {
   return about_value(text,
-                     "is not a list of names; expected two names with = between them, or several such pairs separated "
-                     "by commas, as in pos_x=x,pos_y=y");
+                     "is not a list of renamings; expected NAME=NAME pairs separated by commas, such as "
+                     "pos_x=x,pos_y=y");
 }
 
 Error not_a_list_of_scales(std::string_view text) {
   return about_value(text,
-                     "is not a list of factors; expected a channel and a factor other than 0, or several such pairs "
-                     "separated by commas, such as x=0.01,y=1/3");
+                     "is not a list of factors; expected CHANNEL=FACTOR pairs separated by commas, with factors other "
+                     "than 0, such as x=0.01,y=1/3");
 }
 
 Error not_a_list_of_angles(std::string_view text) {
   return about_value(text,
-                     "is not a list of angles; expected a channel and a unit, degrees or radians, or several such "
-                     "pairs separated by commas, such as heading=degrees");
+                     "is not a list of angles; expected CHANNEL=degrees or CHANNEL=radians, separated by commas, such "
+                     "as heading=degrees");
 }
 
 Error not_a_rotation(std::string_view text) {
@@ -145,8 +145,7 @@ Error not_a_rotation(std::string_view text) {
 Error not_an_order_of_axes(std::string_view text) {
   return about_value(text,
                      "has no valid order of axes; expected three of the letters X, Y and Z, with no two equal letters "
-                     "side by side, such as ZYX for turns around the axes as already turned, or zyx for turns around "
-                     "fixed axes");
+                     "side by side, such as ZYX for intrinsic rotations, or zyx for extrinsic rotations");
 }
 
 Error not_a_form_of_rotations(std::string_view text) {
@@ -164,7 +163,7 @@ Error field_repeated(std::string_view field) {
 }
 
 Error not_a_part_of_a_name(std::string_view text) {
-  return about_value(text, "contains /; expected a part of a file name without it");
+  return about_value(text, "contains /; expected part of a file name; remove the /");
 }
 
 Error not_two_axes(std::string_view text) {
@@ -189,7 +188,7 @@ Error not_a_range(std::string_view text) {
 }
 
 Error range_without_end(std::string_view text) {
-  return about_value(text, "is a range without an end; expected a step that leads from the first number to the last");
+  return about_value(text, "never reaches its end; expected a step that leads from the first number to the last");
 }
 
 Error range_of_too_many_numbers(std::string_view text, std::uint64_t most) {
@@ -216,7 +215,7 @@ Error groups_of_numbers_in_provenance() {
 
 Error options_exclude_each_other(std::string_view option, std::string_view other, std::string_view reason) {
   return usage(
-      fmt::format("{} and {} exclude each other{}; expected one of them; remove the other", option, other, reason));
+      fmt::format("{} and {} cannot be combined{}; expected only one; remove the other", option, other, reason));
 }
 
 Error option_needs_another(std::string_view option, std::string_view other, std::string_view reason) {
@@ -224,7 +223,7 @@ Error option_needs_another(std::string_view option, std::string_view other, std:
 }
 
 Error option_without_effect_with(std::string_view option, std::string_view other, std::string_view reason) {
-  return usage(fmt::format("{} has no effect with {}{}; remove it", option, other, reason));
+  return usage(fmt::format("{0} has no effect with {1}{2}; remove {0}", option, other, reason));
 }
 
 Error option_without_effect(std::string_view option, std::string_view reason) {
@@ -232,7 +231,7 @@ Error option_without_effect(std::string_view option, std::string_view reason) {
 }
 
 Error no_sampling_option(std::span<const std::string_view> options) {
-  return usage(fmt::format("there is no sampling option; expected one of {}; for example tcbsample {} 0.1 keys.csv",
+  return usage(fmt::format("there is no sampling option; expected one of {}; give one, as in tcbsample {} 0.1 keys.csv",
                            listed(options), option::step));
 }
 
@@ -261,9 +260,7 @@ Error binary_to_terminal() {
 }
 
 Error standard_input_twice() {
-  return usage(
-      "the file is standard input, and so are the keys; expected standard input once; give a file name for "
-      "one of them");
+  return usage("the file and the keys are both standard input; expected it once; give a file name for one of them");
 }
 
 Error comparison_of_several_files(std::size_t files) {
@@ -306,8 +303,8 @@ Error option_besides_provenance(std::string_view option, std::string_view file) 
 }
 
 Error other_number_of_files(std::string_view file, std::size_t recorded, std::size_t files) {
-  return usage(fmt::format("the number of files of keys is {}, but {} was made from {}; give the same files", files,
-                           file, recorded));
+  return usage(fmt::format("the number of key files is {}, but {} was made from {}; give the same files", files, file,
+                           recorded));
 }
 
 }  // namespace tcb

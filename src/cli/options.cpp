@@ -160,8 +160,7 @@ constexpr OptionRow option_rows[] = {
      "SCALE",
      input_group,
      "The scale of tension, continuity and bias: 3dsmax converts 0 to 50 into -1 to 1; none takes them as they are. By "
-     "default they are taken as they are, but for presets of products that show 0 to 50 or percent, numbers beyond 5 "
-     "are rejected",
+     "default it is none, but presets of products that show 0 to 50 or percent reject numbers beyond 5",
      "",
      name,
      recorded,
@@ -171,7 +170,7 @@ constexpr OptionRow option_rows[] = {
     {option::decimal, "", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other, recorded,
      [](Typed& to, Text text) { to.keys.input.delimited.decimal = decimal_mark(text); }},
     {option::group, "-g", "COL[,COL]", input_group,
-     "Makes one curve of all rows that have the same values in these columns, in any order; the rows begin with these "
+     "Makes one curve of all rows with the same values in these columns, in any order; output rows begin with these "
      "columns",
      "", columns, recorded,
      [](Typed& to, Text text) {
@@ -196,7 +195,7 @@ constexpr OptionRow option_rows[] = {
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.units.time = named_row(time_units, text).unit; },
      [](const Conflicts& of) { of.exclude({option::input_fps}); }, names_in<time_units>},
     {option::input_fps, "", "HZ", input_group,
-     "Times are numbers of frames at HZ frames per second, such as 24 or 30000/1001, and become seconds", "", other,
+     "Converts times from frame numbers at HZ frames per second, such as 24 or 30000/1001, to seconds", "", other,
      recorded, [](Typed& to, Text text) { to.keys.input.units.frame_rate = positive_ratio(text); }},
     {option::scale, "", "CHANNEL=FACTOR,...", input_group,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
@@ -286,7 +285,7 @@ constexpr OptionRow option_rows[] = {
      {},
      names_in<spline::end_rules<double>>},
     {option::closed, "", "", curve_group,
-     "The curve continues from the last key to the first; if the last key has the first position again, it only sets "
+     "The curve continues from the last key to the first; if the last key repeats the first position, it only sets "
      "the time of the return",
      "", flag, recorded,
      [](Typed& to, Text) {
@@ -427,7 +426,7 @@ constexpr OptionRow option_rows[] = {
        check_mode(of, {option::from, option::to, option::end, option::keys});
      }},
     {option::tolerance, "", "D[,ANGLE]", sampling_group,
-     "Takes as few samples as a greedy search finds whose polyline stays within D of the curve, over the metric "
+     "Uses a greedy search for few samples whose polyline stays within D of the curve, over the metric "
      "channels, and whose rotations stay within ANGLE, such as 0.5deg or 0.01rad",
      "", other, recorded,
      [](Typed& to, Text text) {
@@ -454,7 +453,7 @@ constexpr OptionRow option_rows[] = {
      },
      names_in<form_table>},
     {option::fit, "", "D,...", sampling_group,
-     "Prints keys instead of samples: the fewest found whose curve is within D of every sample in the input, over the "
+     "Prints keys, not samples: the fewest keys found whose curve is within D of every sample in the input, over the "
      "metric channels. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
      "", other, recorded, [](Typed& to, Text text) { std::tie(to.fit.tolerances, to.fit.angle) = fit_limits(text); },
      [](const Conflicts& of) {
@@ -472,8 +471,8 @@ constexpr OptionRow option_rows[] = {
        of.exclude({option::plot, option::explain});
      }},
     {option::fit_keys, "", "KIND", sampling_group,
-     "The parameters that keys of --fit have: tcb means tension and bias, hermite means velocities", "tcb", name,
-     recorded, [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).keys; }, need_fit,
+     "The parameters of the keys of --fit: tcb means tension and bias, hermite means velocities", "tcb", name, recorded,
+     [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).keys; }, need_fit,
      names_in<fit_key_names>},
     {option::keep_times, "", "T,...", sampling_group,
      "Times of samples that --fit turns into keys in any case, written as in --at", "", places, recorded,
@@ -501,8 +500,8 @@ constexpr OptionRow option_rows[] = {
      {},
      names_in<end_policies>},
     {option::keys, "", "", sampling_group,
-     "Makes every key a sample as well; it replaces a sample that is within a billionth of a step of it", "", flag,
-     recorded, [](Typed& to, Text) { to.sampling.keys = true; }},
+     "Adds every key as a sample, in place of a sample within a billionth of a step of the key", "", flag, recorded,
+     [](Typed& to, Text) { to.sampling.keys = true; }},
     {option::max_rows, "", "N", sampling_group, "Fails if there are more than N samples", "1e9", other, recorded,
      [](Typed& to, Text text) { to.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
 

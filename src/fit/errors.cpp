@@ -35,7 +35,7 @@ Error fit_of_setting(std::string_view member) {
 
 Error fit_of_sequence(std::string_view format) {
   return {Exit::data,
-          fmt::format("there are several curves, and {} does not show where the keys of one end; give {} ssv or json, "
+          fmt::format("there are several curves, and {} does not show where one curve ends; give {} ssv or json, "
                       "or name a column of groups with {}",
                       format, option::output_format, option::group)};
 }
@@ -52,13 +52,13 @@ Error channel_without_tolerance(std::string_view channel) {
 }
 
 Error fit_of_other_form(std::string_view column) {
-  return {Exit::data, fmt::format("column \"{}\" belongs to a rotation that is no quaternion; {} needs quaternions; "
+  return {Exit::data, fmt::format("column \"{}\" belongs to a rotation that is not a quaternion; {} needs quaternions; "
                                   "convert the samples first with {} quaternion",
                                   column, option::fit, option::rotation_output)};
 }
 
 Error sample_without_number(std::string_view channel) {
-  return {Exit::data, fmt::format("the number of channel \"{}\" is missing; {} needs a number in every sample; fill it "
+  return {Exit::data, fmt::format("channel \"{}\" has no number; {} needs a number in every sample; fill it "
                                   "in, or give {} skip-row",
                                   channel, option::fit, option::missing)};
 }

@@ -245,8 +245,7 @@ Note note_of(const FitReport& report, const FitOptions& options) {
                                           : fmt::format("{:.4g} of the tolerance", report.largest);
   const double ratio = static_cast<double>(report.samples) / static_cast<double>(report.keys);
   return {fmt::format(
-              "{} samples, {} keys, {:.3g} times fewer; at most {} from a sample, on line {}; no fewer than {} keys "
-              "can do",
+              "{} samples, {} keys, {:.3g} times fewer; largest distance {}, on line {}; at least {} keys are needed",
               report.samples, report.keys, ratio, largest, report.line, report.least_keys),
           true};
 }

@@ -35,7 +35,7 @@ Error compressed_data_cut(std::string_view compression) {
 
 Error zstandard_window_too_large() {
   return {Exit::data,
-          "decompressing the Zstandard data takes a window of more than 128 MiB of memory; expected at most that; "
+          "the Zstandard data need a window of more than 128 MiB of memory; expected at most 128 MiB; "
           "decompress the file with zstd -d --long=31 first"};
 }
 
@@ -87,8 +87,8 @@ Error same_output(std::string_view output, std::string_view other_input) {
 }
 
 Error output_is_input(std::string_view output) {
-  return {Exit::usage, fmt::format("its output {} is also an input, which it would replace; expected another file; "
-                                   "give another output",
+  return {Exit::usage, fmt::format("its output {} would replace an input; expected a different file; give another "
+                                   "output",
                                    output)};
 }
 

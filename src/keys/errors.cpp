@@ -76,15 +76,15 @@ Error too_few_keys(std::size_t count) {
 
 Error tcb_from_0_to_50(std::string_view role, double value) {
   return {Exit::data,
-          fmt::format("{} is {}, and 3ds Max and similar programs show 0 to 50 with 25 for 0; expected a "
+          fmt::format("{} is {}, as in 3ds Max and similar programs, which show 0 to 50 with 25 for 0; expected a "
                       "number that is usually from -1 to 1; give {} 3dsmax to convert it, or {} none to take "
                       "it unchanged",
                       role, value, option::tcb_scale, option::tcb_scale)};
 }
 
 Error tcb_in_percent(std::string_view role, double value) {
-  return {Exit::data, fmt::format("{} is {}, and the product shows percent; expected a number that is usually from -1 "
-                                  "to 1; divide it by 100, or give {} none to take it unchanged",
+  return {Exit::data, fmt::format("{} is {}, as in a product that shows percent; expected a number that is usually "
+                                  "from -1 to 1; divide it by 100, or give {} none to take it unchanged",
                                   role, value, option::tcb_scale)};
 }
 
@@ -101,7 +101,7 @@ Error position_repeats(std::uint64_t line_before) {
 }
 
 Error parameter_step_lost(double step, double time) {
-  return {Exit::data, fmt::format("the distance makes a step of {}, which is lost when it is added to the time {}; "
+  return {Exit::data, fmt::format("the distance gives a step of {}, which is too small to change the time {}; "
                                   "expected times that doubles can distinguish; give a smaller exponent to {}",
                                   step, time, option::parameter)};
 }
@@ -113,8 +113,8 @@ Error rotation_incomplete(std::string_view column) {
 }
 
 Error quaternion_is_zero(std::string_view column) {
-  return {Exit::data, fmt::format("the quaternion that begins with {} is zero, which is no rotation; expected the norm "
-                                  "1; correct it, or give {} none for plain channels",
+  return {Exit::data, fmt::format("the quaternion that begins with {} is zero, so it is not a rotation; expected the "
+                                  "norm 1; correct it, or give {} none for plain channels",
                                   in_quotes(column), option::rotation)};
 }
 
@@ -126,7 +126,7 @@ Error quaternion_not_unit(std::string_view column, double norm) {
 }
 
 Error matrix_not_a_rotation(std::string_view column, double determinant) {
-  return {Exit::data, fmt::format("the matrix that begins with {} has the determinant {}, so it is no rotation; "
+  return {Exit::data, fmt::format("the matrix that begins with {} has the determinant {}, so it is not a rotation; "
                                   "expected 1; check its columns and their order, or give {} none for plain channels",
                                   in_quotes(column), determinant, option::rotation)};
 }

@@ -10,7 +10,7 @@
 namespace tcb {
 
 Error columns_of_other_picture(const std::vector<std::string>& columns, const std::vector<std::string>& expected) {
-  return {Exit::data, fmt::format("the columns are {}; expected {}, as in the files before; give {} FOLDER to draw a "
+  return {Exit::data, fmt::format("the columns are {}; expected {}, as in the earlier files; give {} FOLDER to draw a "
                                   "picture of each file",
                                   listed(columns), listed(expected), option::output_dir)};
 }

@@ -60,8 +60,8 @@ Error time_in_other_notation(std::string_view column, std::string_view time) {
 }
 
 Error no_provenance() {
-  return {Exit::data, fmt::format("there is no provenance that shows how this file was made; expected an output that "
-                                  "was made with {}; give such a file",
+  return {Exit::data, fmt::format("this file has no provenance; expected an output that was made with {}; give such a "
+                                  "file",
                                   option::meta)};
 }
 

@@ -16,7 +16,7 @@ Error parameter_with_times(std::string_view time) {
 }
 
 Error group_without_places(const std::vector<std::string>& curve) {
-  return {Exit::data, fmt::format("the file has no places for the curve {}; expected some for each curve; add rows",
+  return {Exit::data, fmt::format("the file has no rows for the curve {}; expected rows for each curve; add some",
                                   fmt::join(curve, ", "))};
 }
 

@@ -49,7 +49,7 @@ Note remainder_note(double distance, bool at_key) {
 }
 
 Note more_remainders(std::uint64_t curves) {
-  return {fmt::format("the same in {} more curves, with their own distances", curves), true};
+  return {fmt::format("a remainder is also left in {} more curves", curves), true};
 }
 
 Note step_is(std::string_view step) { return {fmt::format("the step is {}", step)}; }
@@ -62,7 +62,7 @@ Note changed_after_reading() {
 }
 
 Note other_program(std::string_view earlier, std::string_view current) {
-  return {fmt::format("made by {}; this is {}, whose last digits may differ", earlier, current)};
+  return {fmt::format("{} made this file; last digits may differ in {}", earlier, current)};
 }
 
 }  // namespace tcb

@@ -27,7 +27,7 @@ Error end_velocity_missing(const SettingOrigin& ends, std::string_view rule) {
 }
 
 Error end_velocity_unexpected(const SettingOrigin& ends, std::string_view rule) {
-  return about_setting(ends, fmt::format("{} is a rule without a value; remove the value", in_quotes(rule)));
+  return about_setting(ends, fmt::format("{} has a value; expected only a rule; remove it", in_quotes(rule)));
 }
 
 Error end_velocity_not_a_number(const SettingOrigin& ends, std::string_view rule, std::string_view number) {
@@ -43,14 +43,14 @@ Error end_velocity_of_other_size(const SettingOrigin& ends, std::size_t numbers,
 }
 
 Error end_velocity_of_rotation(const SettingOrigin& ends) {
-  return about_setting(ends, fmt::format("a velocity has a number for each channel, which does not fit rotations; "
-                                         "expected another end rule; give {} none to take rotations as plain channels",
+  return about_setting(ends, fmt::format("the rule velocity does not apply to rotations; expected a different end "
+                                         "rule; change it, or give {} none to take rotations as plain channels",
                                          option::rotation));
 }
 
 Error too_many_end_rules(const SettingOrigin& ends, std::size_t rules) {
   return about_setting(
-      ends, fmt::format("there are {} rules; expected one, or one for the start and one for the end", rules));
+      ends, fmt::format("there are {} rules; expected one for both ends, or one for each end; remove some", rules));
 }
 
 Error ends_of_closed_curve(const SettingOrigin& ends, const SettingOrigin& closed) {
@@ -78,8 +78,7 @@ Error period_beyond_doubles(const SettingOrigin& period, std::string_view text) 
 
 Error period_of_open_curve(const SettingOrigin& closed) {
   return about_setting(closed,
-                       "the curve is open, but it has a period, which only closed curves have; remove one of "
-                       "them");
+                       "the curve is open, but has a period; expected a closed curve; close it, or remove the period");
 }
 
 Error no_channel_of_metric(const SettingOrigin& metric, std::string_view name,
@@ -124,13 +123,13 @@ Error path_of_rotations() {
 }
 
 Error pieces_of_angles() {
-  return {Exit::data, fmt::format("the pieces of an angle would lie in different turns; expected channels that are no "
-                                  "angles; remove {} or {}",
+  return {Exit::data, fmt::format("the pieces of an angle would lie in different turns; expected no angles; remove {} "
+                                  "or {}",
                                   option::angle, option::emit)};
 }
 
 Error pieces_of_other_form() {
-  return {Exit::data, fmt::format("the pieces of a rotation are those of the numbers of its quaternion; expected "
+  return {Exit::data, fmt::format("the pieces of a rotation are cubics of its quaternion; expected "
                                   "rotations as quaternions; give {} quaternion",
                                   option::rotation_output)};
 }
@@ -161,21 +160,21 @@ Error tolerance_of_rotations() {
 }
 
 Error closing_key_differs(std::uint64_t line) {
-  return {Exit::data, fmt::format("this key closes the curve at the position of line {}, but has another tension, "
+  return {Exit::data, fmt::format("this key closes the curve at the position of line {}, but has a different tension, "
                                   "continuity or bias; expected the same numbers; correct one of the two keys",
                                   line)};
 }
 
 Error closing_velocity_differs(std::uint64_t line) {
-  return {Exit::data, fmt::format("this key closes the curve at the position of line {}, but has another velocity; "
+  return {Exit::data, fmt::format("this key closes the curve at the position of line {}, but the velocity differs; "
                                   "expected the same; correct one of the two keys, or leave the incoming velocity of "
                                   "the first key and the outgoing velocity of the last key empty",
                                   line)};
 }
 
 Error closing_key_against_period(std::uint64_t line) {
-  return {Exit::data, fmt::format("this key repeats the position of line {} and so ends the period, but the "
-                                  "given period is another; remove the key or the period",
+  return {Exit::data, fmt::format("this key repeats the position of line {}, so it ends the period, but the "
+                                  "given period differs; remove the key or the period",
                                   line)};
 }
 
@@ -269,7 +268,7 @@ Error samples_beyond_doubles() {
 }
 
 Error step_too_small(std::string_view step, std::string_view place) {
-  return {Exit::usage, fmt::format("the step {} is too small: near {} two rows would get the same number; give a "
+  return {Exit::usage, fmt::format("the step {} is too small: two rows near {} would coincide; give a "
                                    "larger step",
                                    step, place)};
 }
@@ -284,13 +283,13 @@ Error too_many_rows(std::string_view rows, std::uint64_t most, bool at_least) {
 }
 
 Error no_piece_in_range() {
-  return {Exit::usage, fmt::format("no part of the curve lies from {0} to {1}; expected a range with a duration; "
+  return {Exit::usage, fmt::format("no part of the curve lies between {0} and {1}; expected a longer range; "
                                    "correct {0} or {1}",
                                    option::from, option::to)};
 }
 
 Error piece_with_ease(std::uint64_t number, std::string_view from, std::string_view to) {
-  return {Exit::data, fmt::format("segment {}, from the key at time {} to the key at {}, has ease, so it is no cubic "
+  return {Exit::data, fmt::format("segment {}, from the key at time {} to the key at {}, has ease, so it is not cubic "
                                   "in time; expected keys without ease; give {}, or a sampling option instead of {}",
                                   number, from, to, option::no_ease, option::emit)};
 }

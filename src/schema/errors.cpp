@@ -67,13 +67,13 @@ Error column_nearly_role(std::string_view column, std::string_view role) {
 
 Error column_of_unknown_channel(std::string_view column, std::string_view channel,
                                 std::span<const std::string> channels) {
-  return {Exit::data, fmt::format("column {} belongs to a channel {} by its name, but there is none; the channels are "
+  return {Exit::data, fmt::format("column {} names a channel {}, which does not exist; expected one of "
                                   "{}; correct the name, or name the channels with {} position=NAME:NAME",
                                   in_quotes(column), in_quotes(channel), listed(channels), option::columns)};
 }
 
 Error role_of_unknown_channel(std::string_view role, std::string_view channel, std::span<const std::string> channels) {
-  return {Exit::data, fmt::format("the role {} belongs to a channel {}, but there is none; expected one of the "
+  return {Exit::data, fmt::format("the role {} names a channel {}, which does not exist; expected one of the "
                                   "channels {}; correct the role",
                                   role, in_quotes(channel), listed(channels))};
 }
@@ -144,14 +144,13 @@ Error times_unclear(std::string_view column) {
 }
 
 Error times_without_column() {
-  return {Exit::data,
-          fmt::format("there is no time column; expected one, as the option is about times; name it with {} "
-                      "time=NAME, or remove the option",
-                      option::columns)};
+  return {Exit::data, fmt::format("there is no time column, but the option needs one; name the column with {} "
+                                  "time=NAME, or remove the option",
+                                  option::columns)};
 }
 
 Error time_units_differ(std::string_view column, std::string_view unit_of_column, std::string_view unit_of_option) {
-  return {Exit::data, fmt::format("the times are in {} by this option, but in {} by the name of their column, {}; "
+  return {Exit::data, fmt::format("the times are in {} by this option, but in {} by the name of column {}; "
                                   "expected one unit; remove the option, or rename the column",
                                   unit_of_option, unit_of_column, in_quotes(column))};
 }

@@ -35,7 +35,7 @@ Error time_not_in_notation(std::string_view time, std::string_view notation) {
 }
 
 Error columns_differ_from_before(std::span<const std::string> columns, std::span<const std::string> columns_before) {
-  return {Exit::data, fmt::format("its rows have the columns {}; expected {}, as in the files before; give {} to write "
+  return {Exit::data, fmt::format("the columns are {}; expected {}, as in the earlier files; give {} to write "
                                   "an output for each file",
                                   listed(columns), listed(columns_before), option::output_dir)};
 }
@@ -54,19 +54,19 @@ Error file_name_not_utf8(char byte) {
 }
 
 Error checksum_differs(std::string_view checksum, std::string_view expected, std::string_view output) {
-  return {Exit::data, fmt::format("its SHA-256 is {}; expected {}, that of the keys that {} was made from; give that "
+  return {Exit::data, fmt::format("its SHA-256 is {}; expected {}, as recorded in {}; give the recorded "
                                   "file",
                                   checksum, expected, output)};
 }
 
 Error made_from_fewer_inputs(std::string_view output, std::size_t inputs) {
   return {Exit::usage,
-          fmt::format("more files of keys are given than {} was made from; expected {}; give as many", output, inputs)};
+          fmt::format("there are more key files than {} was made from; expected {}; remove the rest", output, inputs)};
 }
 
 Error made_from_more_inputs(std::string_view output, std::size_t inputs) {
-  return {Exit::usage, fmt::format("fewer files of keys are given than {} was made from; expected {}; give as many",
-                                   output, inputs)};
+  return {Exit::usage,
+          fmt::format("there are fewer key files than {} was made from; expected {}; add the rest", output, inputs)};
 }
 
 }  // namespace tcb

@@ -31,7 +31,7 @@ TEST(Conflicts, of_two_sampling_options_each_pair_is_refused) {
   for (std::size_t i = 0; i < modes.size(); ++i) {
     for (std::size_t j = i + 1; j < modes.size(); ++j) {
       EXPECT_THAT(refusal({modes[j], modes[i]}),
-                  StartsWith(name_of(modes[i]) + " and " + name_of(modes[j]) + " exclude each other; "));
+                  StartsWith(name_of(modes[i]) + " and " + name_of(modes[j]) + " cannot be combined; "));
     }
   }
 }
@@ -48,10 +48,11 @@ TEST(Conflicts, options_that_exclude_each_other_are_refused) {
                                                         {"--progress", "--no-progress"},
                                                         {"--progress", "--quiet"}}) {
     EXPECT_THAT(stepped_refusal({other, option}),
-                StartsWith(name_of(option) + " and " + name_of(other) + " exclude each other; "));
+                StartsWith(name_of(option) + " and " + name_of(other) + " cannot be combined; "));
   }
-  EXPECT_THAT(refusal({"--identify=a", "--check=a"}), StartsWith("--check and --identify exclude each other; "));
-  for (const char* other : {"--plot", "--explain"}) EXPECT_THAT(refusal({"--fit=1", other}), HasSubstr("exclude"));
+  EXPECT_THAT(refusal({"--identify=a", "--check=a"}), StartsWith("--check and --identify cannot be combined; "));
+  for (const char* other : {"--plot", "--explain"})
+    EXPECT_THAT(refusal({"--fit=1", other}), HasSubstr("cannot be combined"));
 }
 
 TEST(Conflicts, options_without_effect_on_the_samples_are_refused) {
@@ -124,31 +125,32 @@ TEST(Conflicts, an_option_that_needs_another_is_refused_alone) {
 
 TEST(Conflicts, have_one_form_of_message) {
   EXPECT_EQ(stepped_refusal({"--arc-count=3"}),
-            "--step and --arc-count exclude each other; expected one of them; remove the other");
+            "--step and --arc-count cannot be combined; expected only one; remove the other");
   EXPECT_EQ(stepped_refusal({"--exact-input"}), "--exact-input needs --golden; give both, or neither");
-  EXPECT_EQ(refusal({"--at=1", "--keys"}), "--keys has no effect with --at; remove it");
-  EXPECT_EQ(stepped_refusal({"--check=a"}),
-            "--step has no effect with --check, which takes the samples of its file and prints a report; remove it");
+  EXPECT_EQ(refusal({"--at=1", "--keys"}), "--keys has no effect with --at; remove --keys");
+  EXPECT_EQ(
+      stepped_refusal({"--check=a"}),
+      "--step has no effect with --check, which takes the samples of its file and prints a report; remove --step");
 }
 
 TEST(Conflicts, that_depend_on_values_show_them) {
   EXPECT_EQ(stepped_refusal({"--decimal=,", "--delimiter=comma"}),
-            "--delimiter comma and --decimal , exclude each other; expected one of them; remove the other");
+            "--delimiter comma and --decimal , cannot be combined; expected only one; remove the other");
   EXPECT_EQ(stepped_refusal({"-f", "npy", "--fixed", "3"}),
-            "--fixed 3 has no effect with --output-format npy, which holds the doubles themselves; remove it");
+            "--fixed 3 has no effect with --output-format npy, which holds the doubles themselves; remove --fixed 3");
   EXPECT_EQ(stepped_refusal({"-f", "jsonl", "--hex"}),
-            "--hex has no effect with --output-format jsonl, which has no hexadecimal numbers; remove it");
+            "--hex has no effect with --output-format jsonl, which has no hexadecimal numbers; remove --hex");
   EXPECT_EQ(stepped_refusal({"--digits", "18"}),
             "--digits 18 needs --golden, as a double has 17 significant digits; give both, or neither");
   EXPECT_EQ(stepped_refusal({"--fields", "time,arc_error", "--golden"}),
-            "--golden and --fields time,arc_error exclude each other, as the exact s has no error; expected one of "
-            "them; remove the other");
+            "--golden and --fields time,arc_error cannot be combined, as the exact s has no error; expected only one; "
+            "remove the other");
 }
 
 TEST(Conflicts, of_pictures_are_refused) {
   for (const char* option : {"--fields=time", "--digits=3", "--golden", "--meta", "--no-output-header"}) {
     EXPECT_THAT(stepped_refusal({option, "-f", "svg"}),
-                HasSubstr("has no effect with --output-format svg, which draws the curve and has no rows; remove it"));
+                HasSubstr("has no effect with --output-format svg, which draws the curve and has no rows; remove "));
     EXPECT_THAT(stepped_refusal({option, "--plot"}), HasSubstr("has no effect with --plot, which draws the curve"));
   }
   for (const char* option : {"--axes=x:y", "--title=a", "--size=200x200"}) {
@@ -156,13 +158,12 @@ TEST(Conflicts, of_pictures_are_refused) {
     EXPECT_EQ(stepped_refusal({option, "-f", "svg"}), "") << option;
   }
   EXPECT_EQ(stepped_refusal({"--plot", "--metric=x,y"}), "");
-  EXPECT_THAT(stepped_refusal({"--plot", "-f", "csv"}), HasSubstr("--output-format and --plot exclude each other"));
+  EXPECT_THAT(stepped_refusal({"--plot", "-f", "csv"}), HasSubstr("--output-format and --plot cannot be combined"));
 }
 
 TEST(Conflicts, of_the_format_of_the_input_are_refused) {
   for (const char* option : {"--delimiter=;", "--header", "--no-header", "--comment=%", "--decimal=,"}) {
-    EXPECT_THAT(stepped_refusal({option, "-i", "json"}),
-                HasSubstr(" has no effect with --input-format json; remove it"));
+    EXPECT_THAT(stepped_refusal({option, "-i", "json"}), HasSubstr(" has no effect with --input-format json; remove "));
     EXPECT_EQ(stepped_refusal({option, "-i", "csv"}), "") << option;
   }
 }
@@ -177,9 +178,9 @@ TEST(Conflicts, of_the_format_of_the_output_are_refused) {
 
 TEST(Conflicts, missing_cells_exclude_what_needs_all_channels) {
   EXPECT_EQ(stepped_refusal({"--missing", "skip-cell", "--equal-speed"}),
-            "--missing skip-cell and --equal-speed exclude each other, as all channels are needed at each key; "
-            "expected one of them; remove the other");
-  EXPECT_THAT(stepped_refusal({"--missing", "skip-cell", "--parameter=0.5"}), HasSubstr("exclude each other"));
+            "--missing skip-cell and --equal-speed cannot be combined, as all channels are needed at each key; "
+            "expected only one; remove the other");
+  EXPECT_THAT(stepped_refusal({"--missing", "skip-cell", "--parameter=0.5"}), HasSubstr("cannot be combined"));
   EXPECT_EQ(stepped_refusal({"--missing", "skip-cell", "--parameter=uniform"}), "");
   EXPECT_EQ(stepped_refusal({"--missing", "skip-row", "--equal-speed"}), "");
 }
@@ -204,7 +205,8 @@ TEST(Conflicts, a_side_needs_fields_that_may_differ) {
 
 TEST(Conflicts, an_extrapolation_needs_times_that_may_be_outside) {
   EXPECT_EQ(stepped_refusal({"--extrapolate=hold"}),
-            "--extrapolate hold has no effect with --step 1 alone, whose samples are on the curve; remove it");
+            "--extrapolate hold has no effect with --step 1 alone, whose samples are on the curve; remove "
+            "--extrapolate hold");
   EXPECT_EQ(stepped_refusal({"--extrapolate=hold", "--from=-1"}), "");
   EXPECT_EQ(stepped_refusal({"--extrapolate=error"}), "");
   EXPECT_EQ(refusal({"--extrapolate=hold", "--at=1"}), "");

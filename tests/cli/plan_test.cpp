@@ -64,9 +64,10 @@ TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
 }
 
 TEST(Plan, a_sampling_option_is_needed) {
-  EXPECT_EQ(refusal({"a.csv"}),
-            "there is no sampling option; expected one of --step, --rate, --count, --segments, --per-segment, --at, "
-            "--arc-step, --arc-count, --arc-at, --tolerance, --emit, --fit; for example tcbsample --step 0.1 keys.csv");
+  EXPECT_EQ(
+      refusal({"a.csv"}),
+      "there is no sampling option; expected one of --step, --rate, --count, --segments, --per-segment, --at, "
+      "--arc-step, --arc-count, --arc-at, --tolerance, --emit, --fit; give one, as in tcbsample --step 0.1 keys.csv");
 }
 
 TEST(Plan, the_range_is_exact_and_goes_forward) {
@@ -129,8 +130,7 @@ TEST(Plan, the_output_goes_to_one_place) {
 TEST(Plan, standard_input_is_read_once) {
   EXPECT_EQ(
       stepped_refusal({"--files", "-", "-"}),
-      "--files: the file is standard input, and so are the keys; expected standard input once; give a file name for "
-      "one of them");
+      "--files: the file and the keys are both standard input; expected it once; give a file name for one of them");
   EXPECT_EQ(stepped_refusal({"--files", "-", "a.csv"}), "");
   EXPECT_NE(refusal({"--check", "-"}), "");
   EXPECT_NE(refusal({"--identify", "-", "-"}), "");

@@ -77,10 +77,9 @@ TEST(Fitting, reports_add_up) {
   report.add({50, 5, 4, 0.25, 120});
   const Note note = note_of(report, within({{"", 0.1}}));
   EXPECT_TRUE(note.is_important);
-  EXPECT_EQ(
-      note.text,
-      "150 samples, 15 keys, 10 times fewer; at most 0.05 from a sample, on line 17; no fewer than 10 keys can do");
-  EXPECT_THAT(note_of(report, within({{"x", 0.1}})).text, testing::HasSubstr("at most 0.5 of the tolerance from"));
+  EXPECT_EQ(note.text,
+            "150 samples, 15 keys, 10 times fewer; largest distance 0.05, on line 17; at least 10 keys are needed");
+  EXPECT_THAT(note_of(report, within({{"x", 0.1}})).text, testing::HasSubstr("largest distance 0.5 of the tolerance"));
 }
 
 }  // namespace

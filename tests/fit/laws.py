@@ -125,7 +125,7 @@ def check(kind):
         distance = max(gaps) if by_channel else math.hypot(*gaps)
         if distance > tolerance + rounding:
             fail(f"line {i + 2} is {distance} from the curve, more than {tolerance}", arguments)
-    least = int(re.search(r"no fewer than (\d+) keys", result.stderr)[1])
+    least = int(re.search(r"at least (\d+) keys are needed", result.stderr)[1])
     most = (2.5 if kind in ("noisy", "steps") else 1.6) * least + 2
     if len(keys) < least or (len(keys) > most and kind != "steps"):
         fail(f"{len(keys)} keys, at least {least}", arguments)

@@ -133,9 +133,9 @@ TEST_F(Inputs, no_output_replaces_an_input) {
   options.files = {"a.csv", "b.csv"};
   options.outputs.folder = "out";
   options.outputs.ending = ".csv";
-  EXPECT_EQ(refusal(options),
-            "a.csv: error: its output out/a.csv is also an input, which it would replace; expected another file; give "
-            "another output");
+  EXPECT_EQ(
+      refusal(options),
+      "a.csv: error: its output out/a.csv would replace an input; expected a different file; give another output");
 }
 
 TEST_F(Inputs, no_output_replaces_a_file_that_is_read_besides) {
@@ -146,7 +146,7 @@ TEST_F(Inputs, no_output_replaces_a_file_that_is_read_besides) {
   options.other_inputs = {"times"};
   for (const char* path : {"times", "./list"}) {
     options.outputs.file = path;
-    EXPECT_NE(refusal(options).find("is also an input"), std::string::npos) << path;
+    EXPECT_NE(refusal(options).find("would replace an input"), std::string::npos) << path;
   }
 }
 

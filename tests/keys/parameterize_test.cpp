@@ -52,7 +52,7 @@ TEST(Parameterized, refuses_a_step_that_rounding_loses) {
   EXPECT_EQ(refusal_of([] {
               drain(parameterized(blocks({0, 1e300, 0, 1}), 1, {}));
             }),
-            "f:4: error: the distance makes a step of 1, which is lost when it is added to the time 2e+300; expected "
+            "f:4: error: the distance gives a step of 1, which is too small to change the time 2e+300; expected "
             "times that doubles can distinguish; give a smaller exponent to --parameter");
 }
 

@@ -97,9 +97,9 @@ TEST(Rotations, of_matrices_become_quaternions) {
   expect_near(quaternion_of({0, -1.0009, 0, 1, 0, 0, 0, 0, 1}, false), {0, 0, root, root, 7});
   EXPECT_THAT(refusal_of_matrix({0, -1.0011, 0, 1, 0, 0, 0, 0, 1}), HasSubstr("orthogonal"));
   EXPECT_THAT(refusal_of_matrix({1, 0.0011, 0, 0, 1, 0, 0, 0, 1}), HasSubstr("orthogonal"));
-  EXPECT_THAT(refusal_of_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, true), HasSubstr("is no rotation"));
-  EXPECT_THAT(refusal_of_matrix({1, 0, 0, 0, 1, 0, 0, 0, 0}, true), HasSubstr("is no rotation"));
-  EXPECT_THAT(refusal_of_matrix({0, 0, 0, 0, 0, 0, 0, 0, 0}, true), HasSubstr("is no rotation"));
+  EXPECT_THAT(refusal_of_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, true), HasSubstr("is not a rotation"));
+  EXPECT_THAT(refusal_of_matrix({1, 0, 0, 0, 1, 0, 0, 0, 0}, true), HasSubstr("is not a rotation"));
+  EXPECT_THAT(refusal_of_matrix({0, 0, 0, 0, 0, 0, 0, 0, 0}, true), HasSubstr("is not a rotation"));
   for (const double size : {1e-200, 3.0, 1e300}) {
     expect_near(quaternion_of({0, -size, 0, size, 0, 0, 0, 0, size / 8}, true), {0, 0, root, root, 7});
   }

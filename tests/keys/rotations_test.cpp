@@ -64,7 +64,7 @@ TEST(Rotations, decimals_change_their_signs_too) {
 TEST(Rotations, what_is_no_rotation_is_refused) {
   EXPECT_THAT(refusal({{0, 0, 0, 1}, {0, 0, 0, 1.0011}}), MatchesRegex("3: .* has the norm.*"));
   EXPECT_THAT(refusal({{0, 0, 0, 1e200}}), MatchesRegex("2: .* has the norm.*"));
-  EXPECT_THAT(refusal({{0, 0, 0, 0}}, true), MatchesRegex("2: .* is zero, which is no rotation.*"));
+  EXPECT_THAT(refusal({{0, 0, 0, 0}}, true), MatchesRegex("2: .* is zero, so it is not a rotation.*"));
   EXPECT_THAT(refusal({{0, 0, 0, 1}, {0, 0, 1, 0}}),
               MatchesRegex("3: .* is exactly 180 degrees from the rotation on line 2.*"));
   EXPECT_EQ(checked(block_of({{0, 0, 0, 0.9995}, {0, 0, 0, 1.0005}})).size(), 2U);

@@ -100,8 +100,7 @@ std::string errors_of(const tcb::Verbosity& verbosity) {
 }
 
 TEST(Report, notes_and_warnings_depend_on_the_verbosity) {
-  const std::string warning =
-      "old.csv: warning: made by tcbsample 1; this is tcbsample 2, whose last digits may differ\n";
+  const std::string warning = "old.csv: warning: tcbsample 1 made this file; last digits may differ in tcbsample 2\n";
   const std::string loss =
       "a.csv: note: ignored: note, extra, b; --columns gives them roles, as in carry=NAME or position=NAME:NAME\n";
   EXPECT_EQ(errors_of({}), loss + warning);

@@ -97,14 +97,15 @@ TEST(Closing, refuses_what_makes_no_closed_curve) {
   EXPECT_EQ(close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
             "f: error: the period of the closed curve is unknown; give --period, or add a last row that repeats the "
             "first position");
-  EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
-            "f:3: error: this key closes the curve at the position of line 1, but has another tension, continuity or "
-            "bias; expected the same numbers; correct one of the two keys");
+  EXPECT_EQ(
+      close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
+      "f:3: error: this key closes the curve at the position of line 1, but has a different tension, continuity or "
+      "bias; expected the same numbers; correct one of the two keys");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
             "f: error: the period ends before the last key, at time 2; give a longer period");
   EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
-            "f:3: error: this key repeats the position of line 1 and so ends the period, but the given period is "
-            "another; remove the key or the period");
+            "f:3: error: this key repeats the position of line 1, so it ends the period, but the given period differs; "
+            "remove the key or the period");
   EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
             "f: error: a closed curve needs at least two distinct keys; add keys");
 }

@@ -61,8 +61,8 @@ TEST(MakeSpec, contradictions_are_refused) {
   settings.closed = Setting<bool>{true, {option::closed}};
   EXPECT_EQ(refusal(settings), "--ends: a closed curve has no ends; remove --ends or --closed");
   EXPECT_EQ(refusal(ends("zero,zero,zero")),
-            "--ends: there are 3 rules; expected one, or one for the start and one for the end");
-  EXPECT_EQ(refusal(ends("zero=3")), "--ends: \"zero=3\" is a rule without a value; remove the value");
+            "--ends: there are 3 rules; expected one for both ends, or one for each end; remove some");
+  EXPECT_EQ(refusal(ends("zero=3")), "--ends: \"zero=3\" has a value; expected only a rule; remove it");
   settings = {};
   settings.period = TextSetting{"-1", {option::period}};
   EXPECT_EQ(refusal(settings), "--period: \"-1\" is not a period; expected a decimal or a ratio above 0, such as 7.5");

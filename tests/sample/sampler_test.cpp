@@ -184,7 +184,7 @@ TEST(Sampler, refuses_to_leave_the_curve) {
 
 TEST(Sampler, refuses_steps_that_round_away) {
   EXPECT_EQ(refusal(request(Mode::step, "1e-8"), {1e9, 1e9 + 1}),
-            "the step 1e-08 is too small: near 1000000001 two rows would get the same number; give a larger step");
+            "the step 1e-08 is too small: two rows near 1000000001 would coincide; give a larger step");
 }
 
 TEST(Sampler, stops_reading_after_the_last_row) {

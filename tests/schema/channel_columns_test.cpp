@@ -54,7 +54,7 @@ TEST(ChannelColumns, a_velocity_of_no_channel_is_a_channel) {
   EXPECT_THAT(columns.channels, ElementsAre("q_v", "x", "x_v_v", "t_v"));
   EXPECT_THAT(find({"t", "q_v", "tension_q_v"}).channels, ElementsAre("q_v"));
   EXPECT_THAT(find({"t", "x", "x_v"}, "position=x:x_v").channels, ElementsAre("x", "x_v"));
-  EXPECT_THAT(error_in({"t", "x", "q_vin"}), HasSubstr("column \"q_vin\" belongs to a channel \"q\""));
+  EXPECT_THAT(error_in({"t", "x", "q_vin"}), HasSubstr("column \"q_vin\" names a channel \"q\""));
 }
 
 TEST(ChannelColumns, velocities_are_whole_and_without_tension) {
@@ -95,13 +95,11 @@ TEST(ChannelColumns, a_channel_may_have_such_a_name_where_it_is_requested) {
 }
 
 TEST(ChannelColumns, an_unknown_channel_is_an_error) {
-  EXPECT_THAT(
-      error_in({"t", "x", "y", "tension_q"}),
-      HasSubstr(
-          "column \"tension_q\" belongs to a channel \"q\" by its name, but there is none; the channels are x, y"));
+  EXPECT_THAT(error_in({"t", "x", "y", "tension_q"}),
+              HasSubstr("column \"tension_q\" names a channel \"q\", which does not exist; expected one of x, y"));
   EXPECT_THAT(error_in({"t", "x", "tension_t"}), HasSubstr("a channel \"t\""));
   EXPECT_THAT(error_in({"t", "x", "k"}, "bias_q=k"),
-              HasSubstr("the role bias_q belongs to a channel \"q\", but there is none"));
+              HasSubstr("the role bias_q names a channel \"q\", which does not exist"));
   EXPECT_THAT(error_in({"t", "x", "a", "b"}, "tension_x=a:b"),
               HasSubstr("a second column, \"b\", has the role tension_x"));
   EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("has the role tension_x"));

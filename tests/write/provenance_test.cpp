@@ -112,12 +112,12 @@ TEST(ProvenanceRecorder, requires_the_inputs_of_the_earlier_output) {
   request.earlier.inputs = {{"first.csv", abc}};
   const std::optional<ProvenanceRequest> made_from_one(request);
   ProvenanceRecorder recorder(made_from_one);
-  EXPECT_THAT(message_of([&] { (void)recorder.after_rows(FormatId::csv); }), testing::StartsWith("fewer files"));
+  EXPECT_THAT(message_of([&] { (void)recorder.after_rows(FormatId::csv); }), testing::StartsWith("there are fewer"));
   EXPECT_EQ(recorder.observe_bytes("other name.csv", bytes_of("abc"))(), "abc");
   recorder.end_input();
   EXPECT_THAT(recorder.after_rows(FormatId::csv), testing::StartsWith("# input: first.csv\n"));
   EXPECT_THAT(message_of([&] { (void)recorder.observe_bytes("second.csv", bytes_of("abc")); }),
-              testing::StartsWith("more files"));
+              testing::StartsWith("there are more"));
   ProvenanceRecorder another(made_from_one);
   EXPECT_THAT(message_of([&] { (void)another.observe_bytes("first.csv", bytes_of("abd")); }),
               testing::HasSubstr(std::string("expected ") + abc));

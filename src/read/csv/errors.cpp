@@ -35,19 +35,16 @@ Error other_delimiter_likely(char delimiter, char likely_delimiter) {
 }
 
 Error empty_input() {
-  return {Exit::data,
-          fmt::format("there are no keys, as the input is empty; expected a row for each key; see {}", option::help)};
+  return {Exit::data, fmt::format("the input is empty; expected a row for each key; see {}", option::help)};
 }
 
 Error header_without_rows() {
-  return {Exit::data,
-          fmt::format("there are no keys, as no row follows the header; expected a row for each key; see {}",
-                      option::help)};
+  return {Exit::data, fmt::format("no row follows the header; expected a row for each key; see {}", option::help)};
 }
 
 Error lines_end_in_carriage_returns() {
   return {Exit::data,
-          "there are no keys, as the input is one line with carriage returns in it; expected a line for each key; "
+          "the input is a single line that contains carriage returns; expected a line for each key; "
           "change them to line feeds, as in tr '\\r' '\\n'"};
 }
 
@@ -102,7 +99,8 @@ Error cell_not_utf8(std::string_view cell, char byte) {
 }
 
 Error group_is_empty(std::string_view column) {
-  return {Exit::data, fmt::format("{}: an empty cell; expected the name of a curve; fill it in, or give {} skip-row",
+  return {Exit::data, fmt::format("{}: found an empty cell; expected the name of a curve; fill it in, or give {} "
+                                  "skip-row",
                                   column, option::missing)};
 }
 
@@ -115,13 +113,13 @@ Error number_in_text_column(std::string_view column, std::string_view cell) {
 }
 
 Error number_is_missing(std::string_view column, std::string_view cell) {
-  return {Exit::data, fmt::format("{}: {} where a number was expected; fill it in, or give {} skip-row, skip-cell or "
+  return {Exit::data, fmt::format("{}: found {}; expected a number; fill it in, or give {} skip-row, skip-cell or "
                                   "break",
                                   column, missing_cell(cell), option::missing)};
 }
 
 Error time_is_missing(std::string_view column, std::string_view cell) {
-  return {Exit::data, fmt::format("{}: {} where a time was expected; fill it in, or give {} skip-row or break", column,
+  return {Exit::data, fmt::format("{}: found {}; expected a time; fill it in, or give {} skip-row or break", column,
                                   missing_cell(cell), option::missing)};
 }
 

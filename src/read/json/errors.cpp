@@ -79,7 +79,7 @@ Error number_too_large(std::string_view number) {
   return refused("{} is too large for a double; expected less than 1.8e308 in size; correct it", in_quotes(number));
 }
 
-Error text_after_list() { return refused("text after the end of the array of keys; expected nothing more; remove it"); }
+Error text_after_list() { return refused("there is text after the array of keys; expected nothing; remove it"); }
 
 Error curve_expected() { return refused("no curve here; expected an object with \"keys\"; correct the text"); }
 
@@ -92,12 +92,12 @@ Error no_key_between_commas() {
 }
 
 Error key_is_no_object(std::string_view what) {
-  return refused("{} in place of a key; expected an object; correct it", what);
+  return refused("found {} as a key; expected an object; correct it", what);
 }
 
-Error no_keys() { return refused("no keys; expected at least two; add them"); }
+Error no_keys() { return refused("found no keys; expected at least two; add them"); }
 
-Error curve_without_keys() { return refused("no keys; expected at least two; add them, or remove the curve"); }
+Error curve_without_keys() { return refused("found no keys; expected at least two; add them, or remove the curve"); }
 
 Error curves_differ(std::string_view time, const std::vector<std::string>& channels, std::string_view first_time,
                     const std::vector<std::string>& first_channels) {
@@ -111,9 +111,9 @@ Error groups_of_curves() {
       option::group);
 }
 
-Error single_number_expected() { return refused("not a number; expected one; correct it"); }
+Error single_number_expected() { return refused("this is not a number; expected one; correct it"); }
 
-Error tcb_array_expected() { return refused("not an array; expected [T,C,B]; correct it"); }
+Error tcb_array_expected() { return refused("this is not an array; expected [T,C,B]; correct it"); }
 
 Error array_unused(std::string_view member) {
   return refused(
@@ -157,7 +157,7 @@ Error rotation_size(std::size_t found) {
 
 Error rotation_members() {
   return refused(
-      "\"rotation\" has other members than x, y, z and w; expected the four numbers of a quaternion; correct them, or "
+      "\"rotation\" has members other than x, y, z and w; expected the four numbers of a quaternion; correct them, or "
       "give {} position=NAME:NAME for the members to take",
       option::columns);
 }
@@ -184,19 +184,23 @@ Error not_a_number(std::string_view text) {
 }
 
 Error number_missing(std::string_view sign, bool is_time) {
-  return refused("{} in place of a number; expected a number; fill it in, or give {} skip-row{} or break", sign,
-                 option::missing, is_time ? "" : ", skip-cell");
+  return refused("found {}; expected a number; fill it in, or give {} skip-row{} or break", sign, option::missing,
+                 is_time ? "" : ", skip-cell");
 }
 
 Error text_missing() {
-  return refused("null in place of a text; expected a text; fill it in, or give {} skip-row", option::missing);
+  return refused("found null; expected a text; fill it in, or give {} skip-row", option::missing);
 }
 
-Error number_expected() { return refused("not a number; expected one, as in the first key; correct it"); }
+Error number_expected() { return refused("this is not a number; expected one, as in the first key; correct it"); }
 
-Error text_expected() { return refused("not a text or a number; expected one, as in the first key; correct it"); }
+Error text_expected() {
+  return refused("this is not a text or a number; expected one, as in the first key; correct it");
+}
 
-Error array_expected() { return refused("not an array; expected one of numbers, as in the first key; correct it"); }
+Error array_expected() {
+  return refused("this is not an array; expected one of numbers, as in the first key; correct it");
+}
 
 Error array_size(std::size_t found, std::size_t expected) {
   return refused("the array has {}; expected {}, as in the first key; correct it", counted(found, "element"), expected);
@@ -208,7 +212,7 @@ Error also_in_tcb() {
 
 Error no_such_time(std::string_view time) {
   return refused(
-      "{} does not exist; expected a time of a day, a frame below the rate that is not dropped, and no leap second; "
+      "{} does not exist; expected a time of day without leap seconds, and an undropped frame below the rate; "
       "correct it",
       in_quotes(time));
 }
@@ -239,8 +243,8 @@ Error true_or_false_expected(std::string_view found) {
   return refused("found {}; expected true or false; correct it", in_quotes(found));
 }
 
-Error channel_names_expected() { return refused("not an array of names in quotes; expected one; correct it"); }
+Error channel_names_expected() { return refused("this is not an array of names in quotes; expected one; correct it"); }
 
-Error id_expected() { return refused("not a text or a number; expected one; correct it"); }
+Error id_expected() { return refused("this is not a text or a number; expected one; correct it"); }
 
 }  // namespace tcb::json

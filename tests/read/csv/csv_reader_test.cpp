@@ -53,7 +53,7 @@ TEST(Csv, a_cell_that_is_not_a_number_is_an_error_at_its_character) {
             "f:3:7: error: bias: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct "
             "the cell");
   EXPECT_EQ(read("frame,x\n0,1\nNaN,1\n"),
-            "f:3:1: error: frame: \"NaN\" where a time was expected; fill it in, or give --missing skip-row or break");
+            "f:3:1: error: frame: found \"NaN\"; expected a time; fill it in, or give --missing skip-row or break");
 }
 
 TEST(Csv, a_tiny_number_is_not_too_large) { EXPECT_EQ(read("t,x\n0,1e-400\n1,2\n"), "t x\n2: 0 0\n3: 1 2\n"); }
@@ -105,7 +105,7 @@ TEST(Csv, missing_numbers_are_treated_as_requested) {
   options.keys.tcb = {0.25, 0, 0};
   EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n3: 1 nan nan [0.25 0 0]\n4: 2 3 nan [1 0 0]\n");
   EXPECT_EQ(read("t,x\n0,1\n,2\n", options),
-            "f:3:1: error: t: an empty cell where a time was expected; fill it in, or give --missing skip-row or break")
+            "f:3:1: error: t: found an empty cell; expected a time; fill it in, or give --missing skip-row or break")
       << "a time cannot be skipped alone";
 }
 

@@ -31,7 +31,7 @@ TEST(Header, the_first_record_is_a_header_if_a_cell_in_it_is_not_a_number) {
   EXPECT_EQ(read("0,inf\n1,2\n"),
             "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
   EXPECT_EQ(read("0,NA\n1,2\n"),
-            "f:1:3: error: x: \"NA\" where a number was expected; fill it in, or give --missing skip-row, skip-cell or "
+            "f:1:3: error: x: found \"NA\"; expected a number; fill it in, or give --missing skip-row, skip-cell or "
             "break");
 }
 
@@ -45,10 +45,9 @@ TEST(Header, a_first_record_of_text_and_numbers_without_a_known_name_is_an_error
 }
 
 TEST(Header, carriage_returns_alone_end_no_lines) {
-  EXPECT_EQ(
-      read("t,x\r0,1\r1,2\r"),
-      "f:1:1: error: there are no keys, as the input is one line with carriage returns in it; expected a line for "
-      "each key; change them to line feeds, as in tr '\\r' '\\n'");
+  EXPECT_EQ(read("t,x\r0,1\r1,2\r"),
+            "f:1:1: error: the input is a single line that contains carriage returns; expected a line for "
+            "each key; change them to line feeds, as in tr '\\r' '\\n'");
 }
 
 TEST(Header, a_header_may_be_forced_or_denied) {
@@ -84,7 +83,7 @@ TEST(Header, columns_of_text_are_ignored_and_one_cell_that_is_missing_makes_no_t
       << "of two rows, one is a number";
   EXPECT_EQ(read("t,label,x\n0,one,1\n1,two,2\n"), "t x\n2: 0 1\n3: 1 2\n");
   EXPECT_EQ(read("t,x\n0,\n1,2\n"),
-            "f:2:3: error: x: an empty cell where a number was expected; fill it in, or give --missing skip-row, "
+            "f:2:3: error: x: found an empty cell; expected a number; fill it in, or give --missing skip-row, "
             "skip-cell or break");
 }
 
@@ -94,11 +93,9 @@ TEST(Header, names_may_be_quoted_from_the_first_on) {
 
 TEST(Header, an_input_without_keys_is_an_error) {
   for (const char* text : {"", "\n \n", "# t,x\n", "\xEF\xBB\xBF"}) {
-    EXPECT_EQ(read(text), "f: error: there are no keys, as the input is empty; expected a row for each key; see --help")
-        << text;
+    EXPECT_EQ(read(text), "f: error: the input is empty; expected a row for each key; see --help") << text;
   }
-  EXPECT_EQ(read("\nt,x\n"),
-            "f:2:1: error: there are no keys, as no row follows the header; expected a row for each key; see --help");
+  EXPECT_EQ(read("\nt,x\n"), "f:2:1: error: no row follows the header; expected a row for each key; see --help");
 }
 
 TEST(Header, missing_columns_are_errors) {

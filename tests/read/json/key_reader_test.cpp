@@ -37,14 +37,14 @@ TEST(JsonKeys, members_may_come_in_another_order_in_every_key) {
 TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
   const std::string first = R"({"t":0,"x":1})";
   EXPECT_EQ(second(first, R"({"t":1,"x":null})"),
-            "f:2:12: error: keys[1].x: null in place of a number; expected a number; fill it in, or give --missing "
+            "f:2:12: error: keys[1].x: found null; expected a number; fill it in, or give --missing "
             "skip-row, skip-cell or break");
   EXPECT_EQ(second(first, R"({"t":"é","x":1})"),
             "f:2:6: error: keys[1].t: \"é\" is not a number; expected one without quotes; correct it");
   EXPECT_EQ(second(first, R"({"é":"ü","t":1,"x":true})"),
             "f:2:20: error: keys[1].x: \"true\" is not a number; expected one without quotes; correct it");
   EXPECT_EQ(read(R"([{"t":0,"x":null}])"),
-            "f:1:13: error: keys[0].x: null in place of a number; expected a number; fill it in, or give --missing "
+            "f:1:13: error: keys[0].x: found null; expected a number; fill it in, or give --missing "
             "skip-row, skip-cell or break");
   EXPECT_EQ(read(R"([{"t":0,"position":[1,"2",3]}])"),
             "f:1:23: error: keys[0].position[1]: \"2\" is not a number; expected one without quotes; correct it");
@@ -75,9 +75,10 @@ TEST(JsonKeys, an_array_of_another_length_and_a_value_of_another_shape_are_error
   EXPECT_EQ(second(first, R"({"t":1,"position":[1]})"),
             "f:2:19: error: keys[1].position: the array has 1 element; expected 2, as in the first key; correct it");
   EXPECT_EQ(second(first, R"({"t":1,"position":5})"),
-            "f:2:19: error: keys[1].position: not an array; expected one of numbers, as in the first key; correct it");
+            "f:2:19: error: keys[1].position: this is not an array; expected one of numbers, as in the first key; "
+            "correct it");
   EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":[2]})"),
-            "f:2:13: error: keys[1].x[0]: not a number; expected one, as in the first key; correct it");
+            "f:2:13: error: keys[1].x[0]: this is not a number; expected one, as in the first key; correct it");
 }
 
 TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
@@ -100,7 +101,7 @@ TEST(JsonKeys, missing_numbers_are_treated_as_requested) {
   EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 1 nan 3\n1: 2 nan 4\n1: 3 5 6\n");
   EXPECT_EQ(read(R"([{"t":0,"position":[1,null]},{"t":1,"position":[null,2]}])", options),
             "t x y\n1: 0 1 nan\n1: 1 nan 2\n");
-  EXPECT_THAT(read(R"([{"t":0,"x":1},{"t":null,"x":1}])", options), HasSubstr("keys[1].t: null in place of a number"));
+  EXPECT_THAT(read(R"([{"t":0,"x":1},{"t":null,"x":1}])", options), HasSubstr("keys[1].t: found null"));
 }
 
 TEST(JsonKeys, keys_have_the_texts_of_groups_and_labels) {

@@ -87,13 +87,12 @@ TEST(JsonMembers, keys_may_have_velocities) {
 }
 
 TEST(JsonMembers, tension_of_channels_has_errors_of_its_own) {
-  EXPECT_THAT(
-      channel_tcbs(R"([{"t":0,"position":[1,2],"tcb":{"q":[1,0,0]}}])"),
-      HasSubstr("f:1:2: error: column \"tension_q\" belongs to a channel \"q\" by its name, but there is none"));
+  EXPECT_THAT(channel_tcbs(R"([{"t":0,"position":[1,2],"tcb":{"q":[1,0,0]}}])"),
+              HasSubstr("f:1:2: error: column \"tension_q\" names a channel \"q\", which does not exist"));
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":[1,0,0]},"tension_x":1}])"),
               HasSubstr("has the role tension_x"));
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":1}}])"),
-              HasSubstr("keys[0].tcb.x: not an array; expected [T,C,B]; correct it"));
+              HasSubstr("keys[0].tcb.x: this is not an array; expected [T,C,B]; correct it"));
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1,"tcb":{"x":[1,0,0]}},{"t":1,"x":2,"tcb":{"x":[1,0]}}])"),
               HasSubstr("keys[1].tcb.x: "));
   EXPECT_THAT(channel_tcbs(R"([{"t":0,"x":1},{"t":1,"x":2,"tcb":{"x":[1,0,0]}}])"),

@@ -104,36 +104,36 @@ TEST(ObjectReader, one_object_may_go_over_lines) {
 
 TEST(ObjectReader, errors_have_the_position_and_the_path_of_the_value) {
   EXPECT_EQ(log(part_of("{\"a\":1},{\"a\":13}")),
-            "f:1:14: error: keys[1].a: not a number; expected one, as in the first key; correct it");
+            "f:1:14: error: keys[1].a: this is not a number; expected one, as in the first key; correct it");
   EXPECT_EQ(log(part_of("{\"é\":\"ü\",\"b\":[1, 13 ]}")),
-            "f:1:18: error: keys[0].b[1]: not a number; expected one, as in the first key; correct it");
+            "f:1:18: error: keys[0].b[1]: this is not a number; expected one, as in the first key; correct it");
   EXPECT_EQ(log(part_of("\n{\"a\":\n  13\n}")),
-            "f:3:3: error: keys[0].a: not a number; expected one, as in the first key; correct it");
+            "f:3:3: error: keys[0].a: this is not a number; expected one, as in the first key; correct it");
   EXPECT_EQ(log(part_of("{\"a\":\"\\\"\\\\\",\"b\":\"bad\"}")),
-            "f:1:17: error: keys[0].b: not a number; expected one, as in the first key; correct it");
+            "f:1:17: error: keys[0].b: this is not a number; expected one, as in the first key; correct it");
   EXPECT_EQ(log(lines_of("{\"a\":1}\n{\"a\":{},\"b\":[\"bad\"]}")),
-            "f:2:14: error: keys[1].b[0]: not a number; expected one, as in the first key; correct it");
+            "f:2:14: error: keys[1].b[0]: this is not a number; expected one, as in the first key; correct it");
 }
 
 TEST(ObjectReader, positions_are_those_in_the_file_that_the_chunk_is_from) {
   const JsonPart part{JsonPart::Kind::elements, {"{\"a\":1,\"b\":13},\n{\"a\":13}", 7, 5, 40}};
   EXPECT_EQ(error_of([&] { Log(part).parse(); }),
-            "f:7:16: error: keys[40].b: not a number; expected one, as in the first key; correct it");
+            "f:7:16: error: keys[40].b: this is not a number; expected one, as in the first key; correct it");
   const JsonPart later{JsonPart::Kind::elements, {"{\"a\":1},\n{\"a\":13}", 7, 5, 40}};
   EXPECT_EQ(error_of([&] { Log(later).parse(); }),
-            "f:8:6: error: keys[41].a: not a number; expected one, as in the first key; correct it")
+            "f:8:6: error: keys[41].a: this is not a number; expected one, as in the first key; correct it")
       << "the column is the part's on one line only";
 }
 
 TEST(ObjectReader, a_value_for_a_key_is_an_error_at_its_position) {
-  EXPECT_EQ(log(part_of("{},5")), "f:1:4: error: a number in place of a key; expected an object; correct it");
-  EXPECT_EQ(log(part_of("{},true")), "f:1:4: error: \"true\" in place of a key; expected an object; correct it");
+  EXPECT_EQ(log(part_of("{},5")), "f:1:4: error: found a number as a key; expected an object; correct it");
+  EXPECT_EQ(log(part_of("{},true")), "f:1:4: error: found \"true\" as a key; expected an object; correct it");
   EXPECT_EQ(log(part_of("")), "f:1:1: error: no key before or after a comma; expected an object; remove the comma");
-  EXPECT_EQ(log(lines_of("{}\n5\n")), "f:2:1: error: a number in place of a key; expected an object; correct it");
+  EXPECT_EQ(log(lines_of("{}\n5\n")), "f:2:1: error: found a number as a key; expected an object; correct it");
 }
 
 TEST(ObjectReader, an_array_for_a_key_is_an_error_at_its_bracket) {
-  EXPECT_EQ(log(part_of("{},[0]")), "f:1:4: error: an array in place of a key; expected an object; correct it");
+  EXPECT_EQ(log(part_of("{},[0]")), "f:1:4: error: found an array as a key; expected an object; correct it");
 }
 
 TEST(ObjectReader, the_first_wrong_token_is_an_error_with_what_was_expected) {

@@ -40,7 +40,7 @@ TEST(Json, an_input_without_keys_is_an_error) {
   for (const char* text : {"", " \n", "[]", "[ ]\n"}) {
     EXPECT_EQ(read(text, json), "f: error: the input has no keys; expected a JSON object for each key; see --help");
   }
-  EXPECT_EQ(read("{\"keys\":[]}", json), "f:1:1: error: no keys; expected at least two; add them");
+  EXPECT_EQ(read("{\"keys\":[]}", json), "f:1:1: error: found no keys; expected at least two; add them");
 }
 
 TEST(Json, faults_after_the_keys_have_their_position) {

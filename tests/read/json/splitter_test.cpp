@@ -166,9 +166,9 @@ TEST(JsonSplit, an_array_that_is_not_closed_is_an_error_after_its_last_element) 
 TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
   for (std::size_t piece = 1; piece < 20; ++piece) {
     EXPECT_EQ(error_of([&] { split("[{\"é\":0}]\n \t]x", piece); }),
-              "f:2:3: error: text after the end of the array of keys; expected nothing more; remove it");
+              "f:2:3: error: there is text after the array of keys; expected nothing; remove it");
     EXPECT_EQ(error_of([&] { split("[{\"é\":0}] [", piece); }),
-              "f:1:11: error: text after the end of the array of keys; expected nothing more; remove it");
+              "f:1:11: error: there is text after the array of keys; expected nothing; remove it");
   }
 }
 
