@@ -138,7 +138,7 @@ void for_each_row(const SampleRows& given, const Places& places, const MatchedCo
       columns.by_length
           ? evaluate_all(std::make_shared<const AnywhereInLength>(place, rows, curve.curve->curve().length().value))
           : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolation, curve.extent.first,
-                                                                *curve.extent.last));
+                                                                *curve.extent.last, curve.curve->frames()));
   std::size_t next = 0;
   while (std::optional<std::vector<Cell>> block = cells()) {
     const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);

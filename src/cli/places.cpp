@@ -140,7 +140,7 @@ GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys
   const Input input = open_input(column.path, read_file(column.path), options);
   const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
   SamplingRequest request;
-  request.frame_rate = input.schema.time.frame_rate;
+  if (const auto& rate = input.schema.time.frame_rate) request.frames.emplace(*rate);
   GroupedPlaces places;
   while (const std::optional<KeyBlock> block = keys()) {
     for (std::size_t key = 0; key < block->size(); ++key) {

@@ -88,6 +88,11 @@ spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules
           rules.metric,   rules.rotations,  rules.rotation_rules, rules.angles};
 }
 
+Rational exact_number(const Time& time, bool decimal, const std::optional<FrameTimes>& frames) {
+  const auto frame = frames ? frames->exact(time) : std::nullopt;
+  return frame ? *frame : exact_number(time, decimal);
+}
+
 ChannelFacts channel_facts(const ExactCurve& exact) {
   const std::size_t channels = exact.keys.channels;
   ChannelFacts facts{0, std::vector<bool>(channels, true), std::vector<bool>(channels, true),
@@ -131,7 +136,9 @@ void ExactKeys::add(const KeyBlock& block) {
   keys_.channels = keys.channels;
   for (std::size_t key = 0; key < keys.size(); ++key) {
     const Numbers number(block, key, decimal_);
-    keys_.times.push_back(number(NumberOfKey::time, keys.times[key]));
+    const bool is_written = decimal_ && number.has(NumberOfKey::time);
+    keys_.times.push_back(is_written ? number(NumberOfKey::time, keys.times[key])
+                                     : exact_number(keys.times[key], decimal_, frames_));
     for (std::size_t i = 0; i < (keys.has_channel_tcbs() ? keys.channels : 1); ++i) {
       keys_.tcbs.push_back(exact_tcb(keys.tcb(key, i), number, i, keys.channels));
     }

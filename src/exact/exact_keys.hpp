@@ -45,6 +45,9 @@ struct ExactCurve {
   }
 };
 
+/// The exact number of a time: that of its frame where times are frames in seconds, else as without them.
+Rational exact_number(const Time& time, bool decimal, const std::optional<FrameTimes>& frames);
+
 /// What is certain about the channels of a curve from its keys alone.
 struct ChannelFacts {
   Rational extent = 0;          ///< how far a key is from the first one in a channel, at most
@@ -58,7 +61,10 @@ ChannelFacts channel_facts(const ExactCurve& exact);
 class ExactKeys {
  public:
   /// `decimal`: a number is the decimal that it is written as, not the double nearest to it.
-  explicit ExactKeys(bool decimal, const std::vector<ConvertedRotation>& converted = {}) : decimal_(decimal) {
+  /// `frames`: where times are frames in seconds.
+  explicit ExactKeys(bool decimal, const std::vector<ConvertedRotation>& converted = {},
+                     const std::optional<FrameTimes>& frames = {})
+      : decimal_(decimal), frames_(frames) {
     for (const ConvertedRotation& rotation : converted) converted_.push_back({rotation, {}});
   }
 
@@ -86,6 +92,7 @@ class ExactKeys {
   bool is_converted(std::size_t channel) const;
 
   bool decimal_;
+  std::optional<FrameTimes> frames_;
   std::vector<ExactRotation> converted_;
   spline::Keys<Rational> keys_;
   Rational time_;  ///< of the last key, where distances make it: exactly that of a float

@@ -216,7 +216,9 @@ class Level final : public AnyLevel {
     sample_ = {time_at(segment_, S(segment_.end - segment_.start), at), at, s};
   }
 
-  S time(const Time& shown) const { return scalar_of<S>(exact_number(shown, rows_.exact.decimal)); }
+  S time(const Time& shown) const {
+    return scalar_of<S>(exact_number(shown, rows_.exact.decimal, rows_.exact.channels.frames));
+  }
 
   /// The sample at a time on the current segment.
   SampleOf<S> sample_at(const CurveSegment& fast, const Time& shown) const {

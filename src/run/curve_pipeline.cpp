@@ -43,7 +43,7 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       channels_(schema.channels),
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                  spec_.preset == spline::Preset::nel, spec_.closed} {
-  request_.frame_rate = schema.time.frame_rate;
+  if (schema.time.frame_rate) request_.frames = spec_.frames = FrameTimes(*schema.time.frame_rate);
   for (auto* const bound : {&request_.from, &request_.to}) {
     // The printed time of a frame is the frame.
     const Time nearest = *bound ? nearest_time(**bound) : Time();
@@ -83,24 +83,32 @@ Source<KeyBlock> CurvePipeline::recorded(Source<KeyBlock> blocks, const std::sha
 PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
   blocks = prepared(std::move(blocks), 2);
   if (!needs_.all_keys) return place_as_read(std::move(blocks));
-  const auto exact = std::make_shared<ExactKeys>(golden_ && golden_->decimal, converted_rotations(rotations_));
+  const auto exact =
+      std::make_shared<ExactKeys>(golden_ && golden_->decimal, converted_rotations(rotations_), spec_.frames);
   if (golden_) blocks = recorded(std::move(blocks), exact);
   KeyStore keys(blocks);
   const Extent range = extent(keys);
   return place_stored(keys, range, *exact);
 }
 
+/// Frames are counted from the curve's first key.
+void CurvePipeline::set_origin(const Time& first) {
+  if (spec_.frames) spec_.frames = spec_.frames->from(first);
+}
+
 /// Rows segment after segment, each as soon as its keys are read.
-PlacedCurve CurvePipeline::place_as_read(Source<KeyBlock> blocks) const {
+PlacedCurve CurvePipeline::place_as_read(Source<KeyBlock> blocks) {
   std::optional<KeyBlock> first = blocks();
   while (first->size() == 0) first = blocks();
   const Extent extent{first->keys.times.front(), {}, {}};
+  set_origin(extent.first);
   const auto estimate = std::make_shared<RowEstimate>(request_, extent);
   Source<Keys> keys = mapped(preceded_by(std::move(*first), std::move(blocks)), [estimate](KeyBlock block) {
     estimate->add(block);
     return std::move(block.keys);
   });
-  auto segments = segment_blocks(std::move(keys), spec_.rules, {.measured = needs_.lengths, .threads = threads_});
+  auto segments = segment_blocks(std::move(keys), spec_.rules,
+                                 {.measured = needs_.lengths, .threads = threads_, .frames = spec_.frames});
   segments = mapped(std::move(segments), [estimate](SegmentBlock block) {
     estimate->add(block);
     return block;
@@ -111,7 +119,8 @@ PlacedCurve CurvePipeline::place_as_read(Source<KeyBlock> blocks) const {
 /// The segments of a curve whose keys are all known.
 Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent& extent, bool measured) const {
   const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
-  return segment_blocks(keys, spec_.closed ? extent.last : std::nullopt, spec_.rules, {measured, expanded, threads_});
+  return segment_blocks(keys, spec_.closed ? extent.last : std::nullopt, spec_.rules,
+                        {measured, expanded, threads_, spec_.frames});
 }
 
 /// Rows segment after segment.
@@ -124,11 +133,12 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
 }
 
 /// The first and the last time of the curve.
-Extent CurvePipeline::extent(KeyStore& keys) const {
+Extent CurvePipeline::extent(KeyStore& keys) {
   if (keys.are_sparse()) {
     if (const auto error = spline::find_position_error(keys.all())) throw curve_error(*error, keys, channels_);
   }
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
+  set_origin(extent.first);
   extent.last = spec_.closed ? take_closing(keys, spec_, timed_, channels_) : keys.key(keys.size() - 1).times[0];
   return extent;
 }
@@ -234,7 +244,8 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
     return {look_up(curve, locator, request_.side()), locator, nullptr, {}, fast_rows(locator), expected};
   }
   const Time& end = *extent.last;
-  const auto locator = std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, end);
+  const auto locator =
+      std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, end, spec_.frames);
   return {look_up(curve, locator, request_.side()), locator, nullptr, {}, fast_rows(locator), expected};
 }
 
@@ -242,7 +253,7 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
 Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
                                    const std::shared_ptr<const Locator>& locator) const {
   std::optional<Rational> end;
-  if (spec_.closed) end = exact_number(*extent.last, golden_->decimal);
+  if (spec_.closed) end = exact_number(*extent.last, golden_->decimal, spec_.frames);
   if (spec_.period && golden_->decimal) end = exact.first_time() + *spec_.period;
   ExactCurve curve = exact.curve(keys, spec_.rules, end);
   curve.channels = spec_.channels();

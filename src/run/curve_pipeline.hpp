@@ -97,9 +97,10 @@ class CurvePipeline {
 
   Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least);
   Source<KeyBlock> recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const;
-  Extent extent(KeyStore& keys) const;
+  Extent extent(KeyStore& keys);
   Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
-  PlacedCurve place_as_read(Source<KeyBlock> blocks) const;
+  PlacedCurve place_as_read(Source<KeyBlock> blocks);
+  void set_origin(const Time& first);
   PlacedCurve place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const;
   PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
   PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent,

@@ -30,9 +30,18 @@ void measure(SegmentBlock& block, const Rules& rules) {
   }
 }
 
-SegmentBlock block_of(const spline::Window<double>& window, const Rules& rules, bool measured) {
-  SegmentBlock block{spline::segments(window, rules), {}, window.last, window.last && !window.ends};
-  if (measured) measure(block, rules);
+/// Gives times that are frames the digits that doubles omit.
+void make_precise(std::vector<Time>& times, const std::optional<FrameTimes>& frames) {
+  if (!frames) return;
+  for (Time& time : times) time = frames->elapsed(time);
+}
+
+/// The block of these segments, with their times as doubles where they are frames.
+SegmentBlock finished(SegmentBlock block, const Rules& rules, const SegmentOptions& options) {
+  if (options.frames) {
+    for (Time& time : block.segments.times) time = options.frames->time(time);
+  }
+  if (options.measured) measure(block, rules);
   return block;
 }
 
@@ -66,8 +75,14 @@ Source<spline::Window<double>> windows(Source<Keys> keys, spline::CurveStream<do
 
 Source<SegmentBlock> streamed_segments(Source<Keys> keys, spline::CurveStream<double> stream, const Rules& rules,
                                        const SegmentOptions& options) {
-  const auto link = [rules, measured = options.measured](const spline::Window<double>& window) {
-    return block_of(window, rules, measured);
+  if (options.frames) {
+    keys = mapped(std::move(keys), [frames = options.frames](Keys block) {
+      make_precise(block.times, frames);
+      return block;
+    });
+  }
+  const auto link = [rules, options](const spline::Window<double>& window) {
+    return finished({spline::segments(window, rules), {}, window.last, window.last && !window.ends}, rules, options);
   };
   return ordered_map(windows(in_small_blocks(std::move(keys)), std::move(stream)), link, options.threads);
 }
@@ -76,10 +91,10 @@ Source<SegmentBlock> streamed_segments(Source<Keys> keys, spline::CurveStream<do
 SegmentBlock sparse_segments(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
                              const SegmentOptions& options) {
   const auto part = options.expanded ? spline::expanded_part<double> : spline::part<double>;
-  const spline::CurveKeys<double> curve(keys.all(), rules, end, part);
-  SegmentBlock block{curve.segments(0, curve.size()), {}, true, curve.is_closed()};
-  if (options.measured) measure(block, rules);
-  return block;
+  Keys all = keys.all();
+  make_precise(all.times, options.frames);
+  const spline::CurveKeys<double> curve(std::move(all), rules, end, part);
+  return finished({curve.segments(0, curve.size()), {}, true, curve.is_closed()}, rules, options);
 }
 
 }  // namespace
@@ -89,7 +104,8 @@ Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::
   const Keys last = spline::with_signs_of(first, keys.key(keys.size() - 1), spec.rules.rotations);
   std::optional<Time> end;
   if (spec.period) {
-    end = nearest_time(exact_time(first.times[0]) + *spec.period, keys.decimals());
+    const auto frame = spec.frames ? spec.frames->exact(first.times[0]) : std::nullopt;
+    end = nearest_time(frame.value_or(exact_time(first.times[0])) + *spec.period, keys.decimals());
   } else if (!timed && keys.size() > 1 && !spline::is_repeated(first, last)) {
     const double step = parameter_step<double, double>(last.position(0), first.position(0), spec.parameter.value_or(0),
                                                        spec.rules.metric);
@@ -112,15 +128,20 @@ Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const
   return streamed_segments(std::move(keys), {}, rules, options);
 }
 
-Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
+Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& last, const Rules& rules,
                                     const SegmentOptions& options) {
+  const std::optional<Time> end = last && options.frames ? options.frames->elapsed(*last) : last;
   if (keys.are_sparse()) {
     return [block = std::optional(sparse_segments(keys, end, rules, options))]() mutable {
       return std::exchange(block, std::nullopt);
     };
   }
-  const auto stream =
-      end ? spline::CurveStream<double>(keys.key(keys.size() - 1), *end) : spline::CurveStream<double>();
+  spline::CurveStream<double> stream;
+  if (end) {
+    Keys last_key = keys.key(keys.size() - 1);
+    make_precise(last_key.times, options.frames);
+    stream = {std::move(last_key), *end};
+  }
   return streamed_segments(keys.source(), stream, rules, options);
 }
 

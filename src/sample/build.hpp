@@ -32,6 +32,7 @@ struct SegmentOptions {
   bool expanded =
       false;  ///< where keys lack positions, cubics are expanded parts of those between a channel's own keys
   unsigned threads = 1;
+  std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 };
 
 /// When a closed curve is back at its first key. A last key that repeats the first one is dropped: it only gives that

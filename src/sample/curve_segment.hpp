@@ -36,6 +36,19 @@ struct CurveSegmentOf {
   std::span<const AngleColumn> angles = {};
   std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
 
+  const FrameTimes* frames = nullptr;  ///< where times are frames in seconds
+
+  /// A time with the digits that a double omits; where times are frames, from an origin of their own.
+  spline::Time<S> precise(const spline::Time<S>& t) const {
+    if constexpr (std::is_same_v<S, double>) {
+      if (frames != nullptr) return frames->elapsed(t);
+    }
+    return t;
+  }
+  spline::Time<S> duration() const { return precise(end) - precise(start); }
+  /// From precise times to places on the segment.
+  spline::TimeMap<S> time_map() const { return {precise(start), precise(end), warp}; }
+
   /// Null where the channel is no angle.
   const AngleColumn* angle(std::size_t channel) const {
     const auto found = std::ranges::find(angles, channel, &spline::AngleChannel::channel);
@@ -77,13 +90,15 @@ spline::Time<S> time_at(const CurveSegmentOf<S>& segment, const spline::Time<S>&
                         const spline::LocalParameter<S>& at) {
   const auto rounded = [&](const spline::Time<S>& t) {
     if constexpr (std::is_same_v<S, double>) {
+      if (segment.frames != nullptr) return segment.frames->time(t);
       return rounded_time(t, segment.decimals);
     } else {
       return t;
     }
   };
-  if (!segment.warp.is_identity()) return rounded(segment.start + segment.warp.inverse(at) * duration);
-  return rounded(at.near_start() ? segment.start + duration * at.u : segment.end + duration * at.w);
+  const spline::Time<S> start = segment.precise(segment.start), end = segment.precise(segment.end);
+  if (!segment.warp.is_identity()) return rounded(start + segment.warp.inverse(at) * duration);
+  return rounded(at.near_start() ? start + duration * at.u : end + duration * at.w);
 }
 
 }  // namespace tcb

@@ -25,13 +25,14 @@ struct CurveSpec {
   std::optional<std::string> parameter_name = {};  ///< as given
   std::vector<RotationColumns> rotations = {};     ///< those of the rules, and how rows show them
   std::vector<AngleColumn> angles = {};            ///< likewise
+  std::optional<FrameTimes> frames = {};           ///< where the times of the keys are frames in seconds
   Extrapolation extrapolation = Extrapolation::error;
   bool ease = true;  ///< ease columns are used, if there are any
 
   /// There are rotations alone, which have no lengths.
   bool lacks_metric = false;
 
-  CurveChannels channels() const { return {rules.metric, rotations, angles}; }
+  CurveChannels channels() const { return {rules.metric, rotations, angles, frames}; }
 };
 
 /// The settings of the command line, completed by those of the input. A preset of the command

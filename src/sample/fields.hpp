@@ -142,7 +142,7 @@ void write_piece_length(Point<S>& point, CellWriter<S> out) {
 /// The four numbers of a piece's cubic in a form, for each channel; then zeros, up to the number of columns.
 template <class S>
 void write_form(Point<S>& point, CellWriter<S> out, CubicForm<S> form, std::size_t columns) {
-  const auto h = spline::elapsed<S>(piece_start(point), piece_end(point));
+  const auto h = piece_time(point);
   for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
     for (const S& number : form(piece_cubic(point, i), h)) out.add_of_channel(number, i, true);
     for (std::size_t column = 4; column < columns; ++column) out.add(S(0));

@@ -168,10 +168,8 @@ void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) 
 }
 
 Rational SamplingRequest::exact(const Time& time) const {
-  Rational decimal = exact_time(time);
-  if (!frame_rate) return decimal;
-  const Rational frames = floor(decimal * *frame_rate + Rational(1, 2)) / *frame_rate;
-  return nearest_time(frames) == time ? frames : decimal;
+  const auto frame = frames ? frames->exact(time) : std::nullopt;
+  return frame ? *frame : exact_time(time);
 }
 
 Spacing spacing(const SamplingRequest& request, const Extent& extent) {

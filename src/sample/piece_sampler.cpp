@@ -67,10 +67,11 @@ Run PieceSampler::place(const CurveSegment& segment) {
 
 void PieceSampler::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                           Located& located) const {
-  const spline::TimeMap<double> locate(segment.start, segment.end);
+  const spline::TimeMap<double> locate = segment.time_map();
   const auto [start, end] = range(segment);
-  fill(located, first, last, [&, start = start](std::uint64_t) -> Sample { return {start, locate(start)}; });
-  located.ends.assign(last - first, {end, locate(end)});
+  const auto at = [&](const Time& t) -> Sample { return {t, locate(segment.precise(t))}; };
+  fill(located, first, last, [&, start = start](std::uint64_t) { return at(start); });
+  located.ends.assign(last - first, at(end));
 }
 
 }  // namespace

@@ -33,6 +33,13 @@ const spline::Time<S>& piece_end(const Point<S>& point) {
   return time_of(point.segment(), point.end());
 }
 
+/// The time from a piece's start to its end, before it is rounded.
+template <class S>
+spline::Time<S> piece_time(const Point<S>& point) {
+  const auto& segment = point.segment();
+  return spline::elapsed<S>(segment.precise(piece_start(point)), segment.precise(piece_end(point)));
+}
+
 template <class S>
 S piece_duration(const Point<S>& point) {
   const spline::Time<S>&start = piece_start(point), &end = piece_end(point);
@@ -41,7 +48,7 @@ S piece_duration(const Point<S>& point) {
       return nearest_double(exact_number(end, false) - exact_number(start, false));
     }
   }
-  return spline::high_part<S>(spline::elapsed<S>(start, end));
+  return spline::high_part<S>(piece_time(point));
 }
 
 /// A channel of the piece as a cubic of its own, between the positions of samples.
@@ -50,7 +57,8 @@ spline::Cubic<S> piece_cubic(const Point<S>& point, std::size_t channel) {
   const auto& segment = point.segment();
   const spline::Cubic<S>& whole = segment.cubics[channel];
   spline::Cubic<S> cubic =
-      spline::expanded_part(whole, segment.start, segment.end, piece_start(point), piece_end(point));
+      spline::expanded_part(whole, segment.precise(segment.start), segment.precise(segment.end),
+                            segment.precise(piece_start(point)), segment.precise(piece_end(point)));
   cubic.p0 = spline::position(whole, point.sample().at);
   cubic.p1 = spline::position(whole, point.end().at);
   return cubic;

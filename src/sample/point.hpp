@@ -129,7 +129,7 @@ const spline::Derivatives<S>& Point<S>::derivatives() {
     return derivatives_;
   }
   spline::set_derivatives<S>(derivatives_, segment_->cubics, sample_->at, segment_->warp, u(),
-                             spline::high_part<S>(segment_->end - segment_->start));
+                             spline::high_part<S>(segment_->duration()));
   if (outside_ == nullptr) return derivatives_;
   if (spline::high_part<S>(outside_->beyond) != S(0)) {
     derivatives_.acceleration.assign(zero, S(0));
@@ -196,7 +196,7 @@ class PathShape<double> {
   /// The derivatives without ease: curvature and torsion are the same, and near a rest nothing cancels.
   const spline::Derivatives<double>& without_ease(const Point<double>& point) {
     const CurveSegment& segment = point.segment();
-    spline::set_derivatives<double>(plain_, segment.cubics, point.sample().at, {}, 0, (segment.end - segment.start).hi);
+    spline::set_derivatives<double>(plain_, segment.cubics, point.sample().at, {}, 0, segment.duration().hi);
     return plain_;
   }
   const spline::Shape<double>& shape(Point<double>& point) {
@@ -258,7 +258,7 @@ class PathShape {
   static Rates rates(const Point<S>& point) {
     const auto& segment = point.segment();
     if (segment.start == segment.end || (point.outside() != nullptr && point.outside()->holds)) return {};
-    const S u = point.u(), duration = segment.end - segment.start;
+    const S u = point.u(), duration = segment.duration();
     return {segment.warp.first_derivative(u) / duration, segment.warp.second_derivative(u) / (duration * duration)};
   }
   bool moves(Point<S>& point) const {

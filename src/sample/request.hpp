@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"
 #include "tcb/spline/key.hpp"
 
@@ -50,12 +51,12 @@ struct SamplingRequest {
   bool keys = false;                 ///< every key is a row too
   bool from_left = true;             ///< a row at a key is on the segment before it, not on the one after
   std::uint64_t max_rows = 1'000'000'000;
-  std::optional<Rational> frame_rate = {};  ///< the times of the keys are frames in seconds
+  std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 
   /// The side of a key on whose segment a row there is.
   spline::Side side() const { return from_left ? spline::Side::left : spline::Side::right; }
 
-  /// The exact time of a key: a decimal, or a whole number of frames in seconds.
+  /// The exact time of a key: a decimal, or a frame in seconds.
   Rational exact(const Time& time) const;
 };
 

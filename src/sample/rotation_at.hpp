@@ -47,7 +47,7 @@ class RotationAt {
 
  private:
   spline::Vector3<S> rate_on_curve() const {
-    const S du = segment_.warp.first_derivative(u_) / spline::high_part<S>(segment_.end - segment_.start);
+    const S du = segment_.warp.first_derivative(u_) / spline::high_part<S>(segment_.duration());
     const auto rate = segment_.rotations[index_].rate(sample_.at);
     return {rate[0] * du, rate[1] * du, rate[2] * du};
   }

@@ -71,7 +71,8 @@ class Placer {
                          .s_error = s_error_,
                          .rotations = segments.rotations_of(i),
                          .rotation_columns = channels_.rotations,
-                         .angles = channels_.angles};
+                         .angles = channels_.angles,
+                         .frames = channels_.frames ? &*channels_.frames : nullptr};
     if (last && block_->closes) segment.end_key = 0;
     decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
     segment.decimals = decimals_;

@@ -198,13 +198,13 @@ void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, s
 }
 
 void ByTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
-  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  const spline::TimeMap<double> locate = segment.time_map();
   set_coordinates(segment, first, last, located.coordinates);
   located.samples.resize(located.coordinates.size());
   for (std::size_t i = 0; i < located.samples.size(); ++i) {
     Sample& sample = located.samples[i];
     sample.t = located.coordinates[i];
-    sample.at = locate(sample.t);
+    sample.at = locate(segment.precise(sample.t));
     sample.s.reset();
   }
 }
@@ -233,13 +233,13 @@ Run PerSegment::place(const CurveSegment& segment) {
 }
 
 void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
-  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  const spline::TimeMap<double> locate = segment.time_map();
   const Grid grid = this->grid(segment);
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     if (row == Row::at_key) return {segment.start, {0, -1}};
     if (row == Row::at_end) return {segment.end, {1, 0}};
     const Time t = nearest_time(grid.start() + grid.step() * row, segment.decimals);
-    return {t, locate(t)};
+    return {t, locate(segment.precise(t))};
   });
 }
 
@@ -249,7 +249,7 @@ void locate_lengths(const CurveSegment& segment, Located& located) {
   located.arc.assign(segment.cubics, segment.rotations, segment.metric);
   located.places.resize(located.coordinates.size());
   located.arc.places(segment.s_start, segment.s_end, located.coordinates, located.places);
-  const Time duration = segment.end - segment.start;
+  const Time duration = segment.duration();
   located.samples.clear();
   for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
     located.samples.push_back(sample_at_length(segment, duration, located.coordinates[i], located.places[i]));
@@ -262,17 +262,25 @@ Time AnywhereInTime::on_curve(std::uint64_t row) const {
     if (t < first_) require_not_before(option::at, exact_time(t), first_key(first_));
     if (t > last_) require_not_after(option::at, exact_time(t), last_key(last_));
   }
-  return map_to_curve<double>(kind_, first_, last_, t).t;
+  return outside(t).t;
+}
+
+/// Where times are frames, the time on the curve is a double, as all are.
+Outside AnywhereInTime::outside(const Time& t) const {
+  if (!frames_) return map_to_curve<double>(kind_, first_, last_, t);
+  Outside outside = map_to_curve<double>(kind_, frames_->elapsed(first_), frames_->elapsed(last_), frames_->elapsed(t));
+  outside.t = frames_->time(outside.t);
+  return outside;
 }
 
 void AnywhereInTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                             Located& located) const {
-  const spline::TimeMap<double> locate(segment.start, segment.end, segment.warp);
+  const spline::TimeMap<double> locate = segment.time_map();
   located.outside.clear();
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     const Time t = place(row);
-    located.outside.push_back(map_to_curve<double>(kind_, first_, last_, t));
-    return {t, locate(located.outside.back().t)};
+    located.outside.push_back(outside(t));
+    return {t, locate(segment.precise(located.outside.back().t))};
   });
 }
 

@@ -108,15 +108,20 @@ class AnywhereLocator : public Locator {
 /// Places are times, which may be outside the curve.
 class AnywhereInTime : public AnywhereLocator {
  public:
-  AnywhereInTime(Coordinate place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last)
-      : AnywhereLocator(std::move(place), size), kind_(kind), first_(first), last_(last) {}
+  /// `frames`: where times are frames in seconds.
+  AnywhereInTime(Coordinate place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last,
+                 const std::optional<FrameTimes>& frames = {})
+      : AnywhereLocator(std::move(place), size), kind_(kind), first_(first), last_(last), frames_(frames) {}
 
   Time on_curve(std::uint64_t row) const override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
 
  private:
+  Outside outside(const Time& t) const;
+
   Extrapolation kind_;
   Time first_, last_;
+  std::optional<FrameTimes> frames_;
 };
 
 /// Places are arc lengths.

@@ -37,7 +37,8 @@ CurveSegment ShownCurve::segment(std::uint64_t number) const {
           segment.rotations,
           channels_.rotations,
           channels_.angles,
-          turns_};
+          turns_,
+          channels_.frames ? &*channels_.frames : nullptr};
 }
 
 }  // namespace tcb

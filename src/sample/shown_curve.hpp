@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sample/curve_segment.hpp"
@@ -17,6 +18,7 @@ class ShownCurve {
   ShownCurve(spline::Curve<double> curve, CurveChannels channels);
 
   const spline::Curve<double>& curve() const { return curve_; }
+  const std::optional<FrameTimes>& frames() const { return channels_.frames; }
   /// The number of segments.
   std::uint64_t size() const { return curve_.segment_count(); }
 

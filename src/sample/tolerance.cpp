@@ -127,8 +127,7 @@ class Walker {
   /// The place at the time that its row prints, where rounding that moves it by more than limits allow for.
   Vertex printed(const CurveSegment& segment, const Vertex& place) const {
     Vertex moved{place.segment, 0, rounded_time(place.t, segment.decimals), {}};
-    const auto at = spline::TimeMap<double>(segment.start, segment.end,
-                                            segment.warp)(std::clamp(moved.t, segment.start, segment.end));
+    const auto at = segment.time_map()(segment.precise(std::clamp(moved.t, segment.start, segment.end)));
     moved.u = at.u;
     double distance = 0;
     for (std::size_t i = 0; i < place.x.size(); ++i) {

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "numbers/frame_times.hpp"
 #include "tcb/spline/key.hpp"
 
 namespace tcb {
@@ -20,11 +22,12 @@ struct AngleColumn : spline::AngleChannel {
   bool is_signed = false;  ///< from half a turn below 0 to half a turn, else from 0 to a whole turn
 };
 
-/// The channels of a curve as rows show them.
+/// The channels of a curve as rows show them, and its times.
 struct CurveChannels {
   std::vector<std::size_t> metric;  ///< of lengths and speeds; empty: all
   std::vector<RotationColumns> rotations = {};
   std::vector<AngleColumn> angles = {};
+  std::optional<FrameTimes> frames = {};  ///< where times are frames in seconds
 };
 
 }  // namespace tcb
