@@ -79,8 +79,7 @@ class ExactKeys {
 
   std::size_t size() const { return keys_.size(); }
 
-  /// Requires: a key.
-  const Rational& first_time() const { return keys_.times[0]; }
+  const std::vector<Rational>& times() const { return keys_.times; }
 
   /// The curve of the first `size` keys; where it is closed, its end is the time of the key after them, or `end`.
   ExactCurve curve(std::size_t size, const spline::CurveRules<double>& rules, const std::optional<Rational>& end) const;

@@ -47,10 +47,12 @@ struct FastRow {
   std::uint64_t number;
   const Sample* end = nullptr;          ///< of the piece that begins at the sample, if there is one
   std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
+  /// The exact times of the row and of the end of its piece, where they have more digits than those of the samples.
+  std::optional<Rational> time = {}, end_time = {};
 };
 
-/// The exact arc lengths of rows.
-struct ArcLengths {
+/// The exact times or arc lengths of rows.
+struct ExactPlaces {
   std::vector<Rational> places;  ///< one a row, or none; then row j is at
   Rational from, step;           ///< from + j step, or
   std::uint64_t intervals = 0;   ///< if this is not 0, the step is such a part of the range to the curve's end
@@ -61,7 +63,7 @@ struct ArcLengths {
 struct RowsOfCurve {
   ExactCurve exact;
   ChannelFacts facts;
-  std::optional<ArcLengths> arc;
+  std::optional<ExactPlaces> arc;  ///< of rows that are placed by length
   spline::Side side;
 };
 
@@ -103,7 +105,7 @@ class Level final : public AnyLevel {
     const bool measured = std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
     point_.set(segment_, measured && !sample_.s ? measured_arc() : nullptr);
     point_.set(sample_, outside_ ? &*outside_ : nullptr);
-    if (row.end != nullptr) end_ = sample_at(row.segment, row.end->t);
+    if (row.end != nullptr) end_ = row.end_time ? sample_at(*row.end_time) : sample_at(row.segment, row.end->t);
     point_.set_end(&end_);
     std::vector<Value> result;
     for (const std::size_t field : chosen) {
@@ -182,7 +184,7 @@ class Level final : public AnyLevel {
   }
 
   S arc_length(std::uint64_t row) {
-    const ArcLengths& arc = *rows_.arc;
+    const ExactPlaces& arc = *rows_.arc;
     if (row == Row::at_end) return arc.to ? scalar_of<S>(*arc.to) : length_to(segment_.number + 1);
     if (!arc.places.empty()) return scalar_of<S>(arc.places[row]);
     if (arc.intervals == 0) return scalar_of<S>(arc.from + arc.step * row);
@@ -224,20 +226,28 @@ class Level final : public AnyLevel {
   SampleOf<S> sample_at(const CurveSegment& fast, const Time& shown) const {
     if (shown == fast.start || shown == fast.end) return sample_at_key(segment_, shown != fast.start);
     const S t = time(shown);
-    return {t, spline::TimeMap<S>(segment_.start, segment_.end, segment_.warp)(t)};
+    return {t, segment_.time_map()(t)};
   }
 
+  SampleOf<S> sample_at(const Rational& exact) const {
+    const S t = scalar_of<S>(exact);
+    return {t, segment_.time_map()(t)};
+  }
+
+  /// A row whose exact time is known may lie beside the segment on which its rounded time is.
   void place_by_time(const FastRow& row) {
     const Time& shown = row.sample.t;
-    const S t = time(shown);
+    const S t = row.time ? scalar_of<S>(*row.time) : time(shown);
     segment_ = segment(row.segment.number);
-    if (shown >= row.segment.start && shown <= row.segment.end) {
-      sample_ = sample_at(row.segment, shown);
+    const bool is_on_segment =
+        row.time ? t >= segment_.start && t <= segment_.end : shown >= row.segment.start && shown <= row.segment.end;
+    if (is_on_segment) {
+      sample_ = row.time ? sample_at(*row.time) : sample_at(row.segment, shown);
     } else {
       const std::vector<S>& times = curve_->times();
       outside_ = map_to_curve<S>(rows_.exact.extrapolation, times.front(), times.back(), t);
       segment_ = segment(spline::segment_at_time<S>(times, outside_->t, rows_.side));
-      sample_ = {t, spline::TimeMap<S>(segment_.start, segment_.end, segment_.warp)(outside_->t)};
+      sample_ = {t, segment_.time_map()(outside_->t)};
     }
     sample_.t = t;
   }

@@ -16,10 +16,10 @@ namespace tcb {
 
 namespace {
 
-/// Those of the rows of a request; nothing if it places them by time.
-std::optional<ArcLengths> arc_lengths(const SamplingRequest& request, const Extent& extent) {
+/// The arc lengths of the rows of a request; nothing if it places them by time.
+std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Extent& extent) {
   if (!by_length(request.mode)) return std::nullopt;
-  ArcLengths arc{request.places, 0, 0, 0, request.to};
+  ExactPlaces arc{request.places, 0, 0, 0, request.to};
   if (request.mode == Mode::arc_at) return arc;
   const Grid grid = spacing(request, extent).grid;
   arc.from = grid.start();
@@ -30,6 +30,68 @@ std::optional<ArcLengths> arc_lengths(const SamplingRequest& request, const Exte
   arc.intervals = whole_number(numerator(steps));
   return arc;
 }
+
+/// The times of the rows of a request on an exact curve.
+class ExactTimes {
+ public:
+  ExactTimes(const ExactCurve& curve, const SamplingRequest& request, const Extent& extent,
+             std::vector<Rational> places)
+      : curve_(curve), request_(request), places_(std::move(places)) {
+    const bool on_grid = request.mode == Mode::step || request.mode == Mode::count || request.mode == Mode::segments;
+    if (curve.decimal && on_grid && places_.empty()) grid_.emplace(spacing(request, extent).grid);
+  }
+
+  /// Sets the times of a row, unless they are those of its samples.
+  void set(FastRow& row) const {
+    if (!curve_.decimal || by_length(request_.mode)) return;
+    if (request_.mode == Mode::emit) {
+      row.time = bounded(request_.from, row.segment, row.segment.number);
+      row.end_time = bounded(request_.to, row.segment, row.segment.number + 1);
+    } else {
+      row.time = time(row);
+    }
+  }
+
+ private:
+  std::optional<Rational> time(const FastRow& row) const {
+    const std::uint64_t segment = row.segment.number;
+    if (!places_.empty()) return places_[row.number];
+    if (row.number == Row::at_key) return key(segment);
+    if (row.number == Row::at_end) return end(key(segment + 1));
+    if (grid_) return grid_->start() + grid_->step() * row.number;
+    if (request_.mode == Mode::per_segment && has_keys()) {
+      return *key(segment) + (*key(segment + 1) - *key(segment)) * row.number / request_.count;
+    }
+    if (row.sample.at.u == 0) return key(segment);
+    return row.sample.at.w == 0 ? key(segment + 1) : std::nullopt;
+  }
+
+  /// Whether keys have times that no distance makes.
+  bool has_keys() const { return !curve_.exponent; }
+
+  std::optional<Rational> key(std::uint64_t number) const {
+    if (!has_keys()) return std::nullopt;
+    return number < curve_.keys.size() ? curve_.keys.times[number] : curve_.end;
+  }
+
+  /// The end of the range, on a segment that ends at a key.
+  std::optional<Rational> end(const std::optional<Rational>& key) const {
+    if (request_.mode == Mode::per_segment || !request_.to) return key;
+    return key ? std::min(*request_.to, *key) : *request_.to;
+  }
+
+  /// A bound of the range within a segment, or the time of the key with this number.
+  std::optional<Rational> bounded(const std::optional<Rational>& bound, const CurveSegment& segment,
+                                  std::uint64_t number) const {
+    if (!has_keys()) return std::nullopt;
+    return bound ? std::clamp(*bound, *key(segment.number), *key(segment.number + 1)) : key(number);
+  }
+
+  const ExactCurve& curve_;
+  const SamplingRequest request_;
+  std::vector<Rational> places_;
+  std::optional<Grid> grid_;
+};
 
 /// A level of floats.
 struct FloatLevel {
@@ -43,12 +105,16 @@ constexpr std::array float_levels{FloatLevel{40, make_level<Float<40>>}, FloatLe
 
 class ExactRows::Evaluation {
  public:
-  Evaluation(ExactCurve curve, std::optional<ArcLengths> arc, spline::Side side, const Notation& notation)
-      : rows_{std::move(curve), {}, std::move(arc), side}, notation_(notation) {
+  Evaluation(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
+             std::vector<Rational> times)
+      : rows_{std::move(curve), {}, arc_lengths(request, extent), request.side()},
+        times_(rows_.exact, request, extent, std::move(times)),
+        notation_(notation) {
     rows_.facts = channel_facts(rows_.exact);
   }
 
-  void add_row(const FastRow& row, std::span<const std::size_t> chosen, Table& table) {
+  void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
+    times_.set(row);
     std::vector<Column> columns;
     for (const std::size_t index : chosen) {
       const Field& field = fields()[index];
@@ -107,8 +173,9 @@ class ExactRows::Evaluation {
     std::vector<Printed> cells;
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const Rounding rounding(notation_, columns[i].kind, row.segment.decimals);
-      const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && row.sample.t.lo != 0;
-      auto cell = is_known ? rounding.exactly({exact_time(row.sample.t)}) : rounding.between(rough[i], fine[i], more);
+      const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && (row.time || row.sample.t.lo != 0);
+      auto cell = is_known ? rounding.exactly({row.time ? *row.time : exact_time(row.sample.t)})
+                           : rounding.between(rough[i], fine[i], more);
       if (!cell && columns[i].rational && place_is_rational) {
         if (exact.empty()) exact = rational_values(row, chosen, key_at_end);
         cell = rounding.exactly(exact[i]);
@@ -122,14 +189,15 @@ class ExactRows::Evaluation {
   }
 
   RowsOfCurve rows_;
+  ExactTimes times_;
   Notation notation_;
   std::unique_ptr<AnyLevel> rational_;
   std::array<std::unique_ptr<AnyLevel>, float_levels.size()> floats_;
 };
 
-ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation)
-    : evaluation_(
-          std::make_unique<Evaluation>(std::move(curve), arc_lengths(request, extent), request.side(), notation)) {}
+ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
+                     std::vector<Rational> times)
+    : evaluation_(std::make_unique<Evaluation>(std::move(curve), request, extent, notation, std::move(times))) {}
 ExactRows::~ExactRows() = default;
 
 Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {

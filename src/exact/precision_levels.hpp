@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "exact/exact_keys.hpp"
 #include "numbers/print_number.hpp"
@@ -19,8 +20,10 @@ namespace tcb {
 /// The correctly rounded rows of one curve.
 class ExactRows {
  public:
-  /// For the rows of a request that are placed on a curve of this extent.
-  ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation);
+  /// For the rows of a request that are placed on a curve of this extent. `times`: of rows in any order, where the
+  /// input is exact.
+  ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
+            std::vector<Rational> times = {});
   ~ExactRows();
 
   /// The cells of a block, row after row, as tcb::evaluate gives them. Threads: one.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -13,9 +14,9 @@
 #include "fit/fit.hpp"
 #include "keys/angles.hpp"
 #include "keys/rotations.hpp"
-#include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "sample/errors.hpp"
+#include "sample/grid.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/angle.hpp"
 #include "text/suggest.hpp"
@@ -112,13 +113,16 @@ const std::vector<Rational>& kept_times_of(const CurveKeys& curve, const Schema&
 
 /// The samples at the times that are to have keys.
 std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const std::vector<Rational>& places) {
+  const auto find = [&](const Time& time) {
+    const auto found = std::ranges::lower_bound(samples, time);
+    return found != samples.end() && *found == time ? found : samples.end();
+  };
+  constexpr int all_decimals = std::numeric_limits<int>::max();
   std::vector<std::size_t> kept;
   for (const Rational& place : places) {
-    const Time time = nearest_time(place);
-    const auto found = std::ranges::lower_bound(samples, time);
-    if (found == samples.end() || *found != time) {
-      throw no_sample_to_keep(time_text(time)).about(option::keep_times);
-    }
+    auto found = find(nearest_time(place));
+    if (found == samples.end()) found = find(nearest_time(place, all_decimals));
+    if (found == samples.end()) throw no_sample_to_keep(text(place)).about(option::keep_times);
     kept.push_back(static_cast<std::size_t>(found - samples.begin()));
   }
   return kept;

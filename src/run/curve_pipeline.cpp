@@ -2,6 +2,7 @@
 #include "run/curve_pipeline.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "error.hpp"
@@ -13,6 +14,7 @@
 #include "run/errors.hpp"
 #include "sample/build.hpp"
 #include "sample/curve_errors.hpp"
+#include "sample/errors.hpp"
 #include "sample/look_up.hpp"
 #include "sample/tolerance.hpp"
 
@@ -44,10 +46,14 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                  spec_.preset == spline::Preset::nel, spec_.closed} {
   if (schema.time.frame_rate) request_.frames = spec_.frames = FrameTimes(*schema.time.frame_rate);
-  for (auto* const bound : {&request_.from, &request_.to}) {
-    // The printed time of a frame is the frame.
-    const Time nearest = *bound ? nearest_time(**bound) : Time();
-    if (*bound && request_.exact(nearest) != exact_time(nearest)) *bound = request_.exact(nearest);
+  const auto take_frame = [this](Rational& time) {  // whose printed time it is
+    if (const auto frame = request_.frames->exact(nearest_time(time))) time = *frame;
+  };
+  if (request_.frames && !by_length(request_.mode)) {
+    for (auto* const bound : {&request_.from, &request_.to}) {
+      if (*bound) take_frame(**bound);
+    }
+    std::ranges::for_each(request_.places, take_frame);
   }
   const bool is_in_seconds = request_.is_rate && schema.time.unit && *schema.time.unit != TimeUnit::frames;
   if (is_in_seconds) request_.step *= units_per_second(*schema.time.unit);
@@ -88,6 +94,7 @@ PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
   if (golden_) blocks = recorded(std::move(blocks), exact);
   KeyStore keys(blocks);
   const Extent range = extent(keys);
+  if (has_exact_times()) set_key_times(keys, range, *exact);
   return place_stored(keys, range, *exact);
 }
 
@@ -114,6 +121,22 @@ PlacedCurve CurvePipeline::place_as_read(Source<KeyBlock> blocks) {
     return block;
   });
   return place_in_order(std::move(segments), extent, estimate);
+}
+
+/// The exact time of the end of a curve with so many keys. `end`: as it is rounded.
+Rational CurvePipeline::exact_end(const ExactKeys& exact, std::size_t keys, const Time& end) const {
+  if (keys < exact.size()) return exact.times()[keys];  // of the key that repeats the first one
+  if (spec_.period && golden_->decimal) return exact.times()[0] + *spec_.period;
+  return exact_number(end, golden_->decimal, spec_.frames);
+}
+
+/// Requests take the times of keys with all their digits.
+void CurvePipeline::set_key_times(const KeyStore& keys, const Extent& extent, const ExactKeys& exact) {
+  std::map<Time, Rational> times;
+  const Keys rounded = keys.all();
+  for (std::size_t key = 0; key < rounded.size(); ++key) times.emplace(rounded.times[key], exact.times()[key]);
+  if (spec_.closed) times.emplace(*extent.last, exact_end(exact, keys.size(), *extent.last));
+  request_.key_times = std::make_shared<const std::map<Time, Rational>>(std::move(times));
 }
 
 /// The segments of a curve whose keys are all known.
@@ -171,13 +194,15 @@ PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, con
     extent.last = exact.time_back(time_exponent(), spec_.rules.metric);
   }
   PlacedCurve placed;
+  std::vector<Rational> times;
   if (needs_.random_access) {
-    placed = place_anywhere(keys, extent);
+    if (golden_ && golden_->decimal) times = exact_places(extent);
+    placed = place_anywhere(keys, extent, times);
     placed.facts = {extent.first, extent.last, {}, {}};
   } else {
     placed = place_on_grid(keys, extent);
   }
-  if (golden_) placed.evaluate = exact_rows(exact, keys.size(), extent, placed.locator);
+  if (golden_) placed.evaluate = exact_rows(exact, keys.size(), extent, placed.locator, std::move(times));
   return placed;
 }
 
@@ -229,13 +254,44 @@ std::vector<Time> CurvePipeline::places(const ShownCurve& curve, const Extent& e
   const auto bound = [&](const std::optional<Rational>& given, const Time& end) {
     return given ? nearest_time(*given, extent.decimals) : end;
   };
-  return with_keys(places, curve.curve(), bound(request_.from, extent.first), bound(request_.to, *extent.last));
+  return with_keys(places, curve.curve().times(), bound(request_.from, extent.first), bound(request_.to, *extent.last),
+                   Time(1e-9));
 }
 
-/// Rows at places in any order, also outside the curve.
-PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& extent) const {
+/// The exact times of rows in any order; nothing where only the rows decide them, or where they are lengths.
+std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
+  const bool merges_computed_keys = request_.keys && !request_.key_times;
+  if (by_length(request_.mode) || request_.mode == Mode::tolerance || merges_computed_keys) return {};
+  const Rational first = request_.exact(extent.first), last = request_.exact(*extent.last);
+  std::vector<Rational> places = request_.places;
+  if (request_.mode == Mode::at) {
+    const bool is_bounded = spec_.extrapolation == Extrapolation::error && request_.key_times;
+    for (std::size_t i = 0; is_bounded && i < places.size(); ++i) {
+      require_not_before(option::at, places[i], {before_first_key, first});
+      require_not_after(option::at, places[i], {after_last_key, last});
+    }
+    return places;
+  }
+  const Spacing spacing = tcb::spacing(request_, extent);
+  const Rational &from = spacing.grid.start(), &step = spacing.grid.step(), &to = *spacing.end;
+  const bool is_counted = spacing.rows != Spacing::unlimited;
+  const std::uint64_t rows = is_counted ? spacing.rows : whole_number(floor(steps_between(from, to, step))) + 1;
+  for (std::uint64_t row = 0; row < rows; ++row) places.push_back(from + step * row);
+  if (request_.end == EndPolicy::keep && places.back() < to) places.push_back(to);
+  if (!request_.keys) return places;
+  std::vector<Rational> keys;
+  for (const auto& [rounded, exact] : *request_.key_times) keys.push_back(exact);
+  return with_keys<Rational>(places, keys, request_.from.value_or(first), request_.to.value_or(last),
+                             Rational(1, 1'000'000'000));
+}
+
+/// Rows at places in any order, also outside the curve. `exact`: their times, or nothing.
+PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& extent,
+                                          const std::vector<Rational>& exact) const {
   const std::shared_ptr<const ShownCurve> curve = shown(keys, extent);
-  std::vector<Time> places = this->places(*curve, extent);
+  std::vector<Time> places;
+  for (const Rational& place : exact) places.push_back(nearest_time(place, extent.decimals));
+  if (exact.empty()) places = this->places(*curve, extent);
   const std::uint64_t rows = places.size();
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
   const auto expected = [rows] { return static_cast<double>(rows); };
@@ -251,10 +307,9 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
 
 /// The same rows, each number rounded once.
 Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
-                                   const std::shared_ptr<const Locator>& locator) const {
+                                   const std::shared_ptr<const Locator>& locator, std::vector<Rational> times) const {
   std::optional<Rational> end;
-  if (spec_.closed) end = exact_number(*extent.last, golden_->decimal, spec_.frames);
-  if (spec_.period && golden_->decimal) end = exact.first_time() + *spec_.period;
+  if (spec_.closed) end = exact_end(exact, keys, *extent.last);
   ExactCurve curve = exact.curve(keys, spec_.rules, end);
   curve.channels = spec_.channels();
   if (time_exponent() != 0) {
@@ -263,7 +318,8 @@ Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, con
   }
   curve.closed = spec_.closed;
   curve.extrapolation = spec_.extrapolation;
-  const auto rows = std::make_shared<ExactRows>(std::move(curve), request_, extent, golden_->notation);
+  const auto rows =
+      std::make_shared<ExactRows>(std::move(curve), request_, extent, golden_->notation, std::move(times));
   return [rows, locator](const auto& block, const auto& chosen) { return rows->evaluate(block, *locator, chosen); };
 }
 

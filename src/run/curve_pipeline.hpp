@@ -101,16 +101,20 @@ class CurvePipeline {
   Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
   PlacedCurve place_as_read(Source<KeyBlock> blocks);
   void set_origin(const Time& first);
+  bool has_exact_times() const { return golden_ && golden_->decimal && time_exponent() == 0; }
+  Rational exact_end(const ExactKeys& exact, std::size_t keys, const Time& end) const;
+  void set_key_times(const KeyStore& keys, const Extent& extent, const ExactKeys& exact);
+  std::vector<Rational> exact_places(const Extent& extent) const;
   PlacedCurve place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const;
   PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
   PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent,
                              std::shared_ptr<const RowEstimate> estimate) const;
-  PlacedCurve place_anywhere(const KeyStore& keys, const Extent& extent) const;
+  PlacedCurve place_anywhere(const KeyStore& keys, const Extent& extent, const std::vector<Rational>& exact) const;
   std::shared_ptr<const ShownCurve> shown(const KeyStore& keys, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;
   std::vector<Time> places(const ShownCurve& curve, const Extent& extent) const;
   Evaluate exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
-                      const std::shared_ptr<const Locator>& locator) const;
+                      const std::shared_ptr<const Locator>& locator, std::vector<Rational> times) const;
 
   SamplingRequest request_;
   CurveSpec spec_;

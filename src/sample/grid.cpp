@@ -168,6 +168,9 @@ void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) 
 }
 
 Rational SamplingRequest::exact(const Time& time) const {
+  if (key_times) {
+    if (const auto key = key_times->find(time); key != key_times->end()) return key->second;
+  }
   const auto frame = frames ? frames->exact(time) : std::nullopt;
   return frame ? *frame : exact_time(time);
 }
@@ -192,7 +195,10 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
     if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
     const Rational steps = steps_between(from, *to, request.step);
     require_rows(steps, request.max_rows);
-    if (!needs_end(request) || *to <= from) return {Grid(from, request.step), Spacing::unlimited, to};
+    if (!needs_end(request) || *to <= from) {
+      const std::uint64_t most = request.key_times ? whole_number(floor(steps)) + 1 : Spacing::unlimited;
+      return {Grid(from, request.step), Spacing::unlimited, to, most};
+    }
     const Rational fitted = fitted_steps(request.end, steps);
     return {Grid(from, (*to - from) / fitted), whole_number(fitted) + 1, to};
   }

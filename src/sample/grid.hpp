@@ -78,6 +78,7 @@ struct Spacing {
   Grid grid;
   std::uint64_t rows = unlimited;  ///< at most; fewer where the curve ends before
   std::optional<Rational> end;     ///< the last place that a row may have, where it is known
+  std::uint64_t most = unlimited;  ///< rows up to that, where exact times decide it instead of rounded ones
 };
 
 /// Requires: a mode of equal steps. Throws: Error (usage) for more than max_rows rows, if that is known.

@@ -29,21 +29,6 @@ Source<SampleBlock> blocks(std::shared_ptr<const ShownCurve> curve, std::uint64_
 
 }  // namespace
 
-std::vector<Time> with_keys(const std::vector<Time>& times, const spline::Curve<double>& curve, const Time& from,
-                            const Time& to) {
-  const Time near = times.size() > 1 ? (times[1] - times[0]) * Time(1e-9) : Time(0.0);
-  std::vector<Time> merged;
-  std::size_t next = 0;
-  for (const Time& key : curve.times()) {
-    if (key < from - near || key > to + near) continue;
-    for (; next < times.size() && times[next] < key - near; ++next) merged.push_back(times[next]);
-    while (next < times.size() && times[next] <= key + near) ++next;
-    merged.push_back(key);
-  }
-  merged.insert(merged.end(), times.begin() + static_cast<std::ptrdiff_t>(next), times.end());
-  return merged;
-}
-
 Source<SampleBlock> look_up(const std::shared_ptr<const ShownCurve>& curve,
                             const std::shared_ptr<const AnywhereInTime>& rows, spline::Side side) {
   return blocks(curve, rows->size(),

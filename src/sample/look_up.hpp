@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sample/rows.hpp"
@@ -11,9 +12,23 @@
 
 namespace tcb {
 
-/// The times with those of the curve's keys in the range; a time within a billionth of a step of a key is dropped.
-std::vector<Time> with_keys(const std::vector<Time>& times, const spline::Curve<double>& curve, const Time& from,
-                            const Time& to);
+/// The times with those of keys in the range; a time within a billionth of a step of a key is dropped. T: Time or
+/// Rational.
+template <class T>
+std::vector<T> with_keys(const std::vector<T>& times, std::span<const T> keys, const T& from, const T& to,
+                         const T& billionth) {
+  const T near = times.size() > 1 ? (times[1] - times[0]) * billionth : T(0.0);
+  std::vector<T> merged;
+  std::size_t next = 0;
+  for (const T& key : keys) {
+    if (key < from - near || key > to + near) continue;
+    for (; next < times.size() && times[next] < key - near; ++next) merged.push_back(times[next]);
+    while (next < times.size() && times[next] <= key + near) ++next;
+    merged.push_back(key);
+  }
+  merged.insert(merged.end(), times.begin() + static_cast<std::ptrdiff_t>(next), times.end());
+  return merged;
+}
 
 /// The rows of a locator in order, in blocks. `side`: of a key, the segment on which a row there is.
 Source<SampleBlock> look_up(const std::shared_ptr<const ShownCurve>& curve,

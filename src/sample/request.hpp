@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -53,10 +55,13 @@ struct SamplingRequest {
   std::uint64_t max_rows = 1'000'000'000;
   std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 
+  /// The exact times of keys by their rounded times, where keys have more digits than these.
+  std::shared_ptr<const std::map<Time, Rational>> key_times = {};
+
   /// The side of a key on whose segment a row there is.
   spline::Side side() const { return from_left ? spline::Side::left : spline::Side::right; }
 
-  /// The exact time of a key: a decimal, or a frame in seconds.
+  /// The exact time of a key: that in key_times, a decimal, or a frame in seconds.
   Rational exact(const Time& time) const;
 };
 

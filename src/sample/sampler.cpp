@@ -121,7 +121,9 @@ void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const 
   if (segment.number == 0) require_not_before(option::from, from, lower(on));
   if (!segment.last) return;
   require_not_after(option::from, from, upper(on));
-  if (request_.to) require_not_after(option::to, exact(end(decimals(segment))), upper(on));
+  if (!request_.to) return;
+  const Rational to = request_.key_times ? *request_.to : exact(end(decimals(segment)));
+  require_not_after(option::to, to, upper(on));
 }
 
 /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
@@ -144,7 +146,8 @@ std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, c
   } else if (segment.last) {
     require_resolution(grid, stop, digits);
   }
-  return std::min(spacing_.rows, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits));
+  return std::min(
+      {spacing_.rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
 }
 
 /// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near it.

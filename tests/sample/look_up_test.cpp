@@ -39,7 +39,7 @@ TEST(LookUp, a_row_at_a_key_is_on_the_side_that_was_asked_for) {
 }
 
 TEST(LookUp, keys_replace_times_next_to_them) {
-  const auto times = with_keys({0.5, 1.0 + 1e-12, 1.5}, curve()->curve(), 0.5, 2.0);
+  const auto times = with_keys<Time>({0.5, 1.0 + 1e-12, 1.5}, curve()->curve().times(), 0.5, 2.0, 1e-9);
   EXPECT_EQ(times, (std::vector<Time>{0.5, 1.0, 1.5, 2.0}));
 }
 
