@@ -56,8 +56,12 @@ std::string shown(const Rational& rows) {
   return fmt::format("{}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
 }
 
+/// A value that is rounded to the bound is shown as a ratio.
 [[noreturn]] void refuse(std::string_view option, const Rational& value, const Bound& bound) {
-  throw bound.fault(text(value), text(bound.value)).about(option);
+  const std::string limit = text(bound.value);
+  std::string shown = text(value);
+  if (shown == limit) shown = whole_text(numerator(value)) + "/" + whole_text(denominator(value));
+  throw bound.fault(shown, limit).about(option);
 }
 
 }  // namespace

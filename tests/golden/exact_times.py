@@ -54,6 +54,7 @@ def time_text(low, high):
 
 
 def position(curve, t):
+    t = min(max(t, curve.times[0]), curve.times[-1])
     i = max([k for k in range(len(curve.cubics)) if curve.times[k] < t], default=0)
     p, b, c, d = curve.cubics[i][0]
     u = (t - curve.times[i]) / (curve.times[i + 1] - curve.times[i])
@@ -79,13 +80,16 @@ for number in range(curves):
     options += ["--period", period] if closed else ["--ends", "half"]
     first, last = curve.times[0], curve.times[-1]
 
-    mode = rng.choice(["at", "file", "range", "step", "rate", "count", "segments", "per-segment"])
+    mode = rng.choice(["at", "file", "range", "step", "rate", "count", "segments", "per-segment", "pieces"])
     low, high, bounds = first, last, []
-    if mode in ("step", "rate", "count", "segments") and rng.random() < 0.6:
+    if mode in ("step", "rate", "count", "segments", "pieces") and rng.random() < 0.6:
         middle = (first + last) / 2
         texts_of_bounds = time_text(first, middle), time_text(middle, last)
         low, high = (Fraction(t) for t in texts_of_bounds)
         bounds = ["--from", texts_of_bounds[0], "--to", texts_of_bounds[1]]
+    elif mode in ("step", "rate", "count", "segments") and not closed and rng.random() < 0.5:
+        low, high = first - Fraction(1, 30), last + Fraction(1, 7)  # where the curve rests
+        bounds = ["--from", str(low), "--to", str(high), "--extrapolate", "hold"]
     keep = False
     if mode in ("at", "file"):
         wanted = [time_text(first, last) for _ in range(rng.randint(1, 6))] + [rng.choice(texts)]
@@ -118,11 +122,21 @@ for number in range(curves):
         parts = rows if mode == "segments" or (closed and not bounds) else rows - 1
         want = [low + (high - low) * j / parts for j in range(rows + (1 if mode == "segments" else 0))]
         options += ["--" + mode, str(rows)]
+    elif mode == "pieces":
+        want = [max(a, low) for a, b in zip(curve.times, curve.times[1:]) if max(a, low) < min(b, high)]
+        ends = [min(b, high) for a, b in zip(curve.times, curve.times[1:]) if max(a, low) < min(b, high)]
+        options += ["--emit", "hermite"]
     else:
         parts = rng.randint(1, 4)
         want = [a + (b - a) * j / parts for a, b in zip(curve.times, curve.times[1:]) for j in range(parts)] + [last]
         options += ["--per-segment", str(parts)]
     options += bounds
+    if mode in ("step", "rate", "count", "segments"):
+        if rng.random() < 0.3:  # rows that are nearly at keys are left out
+            options += ["--keys"]
+            near = (want[1] - want[0]) / 10 ** 9 if len(want) > 1 else 0
+            at_keys = [t for t in curve.times if low <= t <= high]
+            want = sorted({*at_keys, *(t for t in want if all(abs(t - key) > near for key in at_keys))})
     done = subprocess.run([program, "-q", *options], input=keys, text=True, capture_output=True)
     what = f"seed {seed} curve {number}: {' '.join(options)}\n{keys}"
     if done.returncode != 0:
@@ -130,8 +144,13 @@ for number in range(curves):
         continue
     rows = [line.split(",") for line in done.stdout.splitlines()][1:]
     require(len(rows) == len(want), f"{len(rows)} rows, expected {len(want)}: {what}")
-    for (t, x), time in zip(rows, want):
+    for row, time in zip(rows, want):
+        t, x = row[:2]
         place = position(curve, time)
+        if mode == "pieces":
+            duration = ends[want.index(time)] - time
+            require(decimal.Decimal(x) == rounded(duration), f"duration {x}, expected {rounded(duration)}: {what}")
+            x = row[2]
         require(decimal.Decimal(t) == rounded(time), f"t {t}, expected {rounded(time)}: {what}")
         require(decimal.Decimal(x) == rounded(place), f"x {x}, expected {rounded(place)}: {what}")
 
