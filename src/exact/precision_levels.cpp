@@ -31,6 +31,8 @@ std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Ext
   return arc;
 }
 
+}  // namespace
+
 /// The times of the rows of a request on an exact curve.
 class ExactTimes {
  public:
@@ -92,6 +94,8 @@ class ExactTimes {
   std::vector<Rational> places_;
   std::optional<Grid> grid_;
 };
+
+namespace {
 
 /// A level of floats.
 struct FloatLevel {
