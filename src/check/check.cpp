@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "check/coverage.hpp"
 #include "check/errors.hpp"
 #include "check/problems.hpp"
 #include "error.hpp"
@@ -227,6 +228,25 @@ void require_columns(const Comparison& comparison, const ComparisonInputs& input
   }
 }
 
+/// Compares which rows there are. Rows of provenance that these keys do not make are unknown.
+void check_coverage(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs,
+                    const WholeCurve& curve, const Places& found, const Limits& limits, Check& result) {
+  Coverage& coverage = result.coverage.emplace_back(coverage_of(*pair.curve, inputs, curve, found));
+  std::optional<ExpectedSamples> expected = comparison.expected;
+  if (!expected && inputs.table.provenance) expected = comparison.recorded(*inputs.table.provenance);
+  if (!expected) return;
+  std::vector<Time> places;
+  try {
+    places = expected_places(*expected, comparison, inputs, *pair.curve);
+  } catch (const Error&) {
+    if (comparison.expected) throw;
+    return;
+  }
+  coverage.expected_rows = places.size();
+  const auto problem = rows_differ(places, found, pair.rows, expected->notation, limits);
+  if (problem) result.problems.push_back(of_curve(coverage.curve, *problem));
+}
+
 /// Compares the rows of one curve.
 void check_pair(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs, Checker& checker,
                 Check& result, const std::function<void(const CheckedPair&)>& observe) {
@@ -237,10 +257,12 @@ void check_pair(const Pair& pair, const Comparison& comparison, const Comparison
   CurvePipeline pipeline(request, comparison.keys.rules, columns.fields, std::nullopt, inputs.kept.schema,
                          inputs.kept.traits, *pair.curve->curve_info, inputs.threads);
   const WholeCurve curve = pipeline.whole(pair.curve->keys());
-  const Places places = places_of(pair.rows, inputs.table, columns, curve, limits_of(comparison, inputs.place_name()));
+  const Limits limits = limits_of(comparison, inputs.place_name());
+  const Places places = places_of(pair.rows, inputs.table, columns, curve, limits);
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
   for_each_row(pair.rows, places, columns, curve, request.side(), inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
+  check_coverage(pair, comparison, inputs, curve, places, limits, result);
   if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, request.side()});
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check/comparison.hpp"
@@ -59,9 +60,20 @@ struct ColumnCheck {
   Distance largest;  ///< in each measure, over all rows where neither number is missing
 };
 
+/// The part of a curve that its rows cover.
+struct Coverage {
+  std::vector<std::string> curve;                     ///< NAME=VALUE for each column of its group
+  std::string place;                                  ///< the column of times or arc lengths
+  Time first = {}, last = {};                         ///< of the curve
+  std::optional<std::pair<Time, Time>> covered = {};  ///< the first and the last row on the curve
+  std::uint64_t rows = 0;                             ///< on the curve
+  std::optional<std::uint64_t> expected_rows = {};    ///< if it is known
+};
+
 struct Check : ComparisonSummary {
   std::uint64_t rows = 0, values = 0, mismatches = 0;
   std::vector<ColumnCheck> columns = {};
+  std::vector<Coverage> coverage = {};               ///< of each curve that has rows
   std::optional<Difference> first = {}, worst = {};  ///< the worst: the largest absolute distance
 
   bool passed() const { return mismatches == 0 && problems.empty(); }

@@ -1,6 +1,9 @@
 // Compare job: checks samples, or identifies the rules that made them, from both files to the report.
 #include "check/compare_job.hpp"
 
+#include <string>
+#include <vector>
+
 #include "check/check.hpp"
 #include "check/check_picture.hpp"
 #include "check/ranking.hpp"
@@ -36,7 +39,9 @@ Exit draw(const CompareJob& job, FileProgress* progress) {
 }  // namespace
 
 Exit compare(const CompareJob& job) {
-  require_no_input_replaced(job.output, {job.comparison.keys_file, job.comparison.file});
+  std::vector<std::string> inputs = job.other_inputs;
+  inputs.insert(inputs.end(), {job.comparison.keys_file, job.comparison.file});
+  require_no_input_replaced(job.output, inputs);
   if (job.output != "-") remove_unfinished_when_interrupted();
   const ThreadPool pool(job.comparison.threads.count());
   Report report(job.verbosity);

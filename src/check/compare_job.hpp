@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "check/comparison.hpp"
 #include "error.hpp"
@@ -19,6 +20,7 @@ struct CompareJob {
   FormatId format = FormatId::csv;  ///< JSON or a picture; others: the report is text
   PictureOptions picture;
   Verbosity verbosity;
+  std::vector<std::string> other_inputs = {};  ///< files that were read before; the output replaces none
 };
 
 /// Compares and writes the report. Returns Exit::data if the samples do not agree with the curve.

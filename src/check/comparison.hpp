@@ -2,13 +2,26 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "numbers/print_number.hpp"
+#include "read/earlier_output.hpp"
 #include "run/job.hpp"
+#include "run/sample_options.hpp"
 #include "schema/columns.hpp"
+#include "schema/curve_settings.hpp"
 
 namespace tcb {
+
+/// The samples that a file should have, no fewer and no more.
+struct ExpectedSamples {
+  SampleOptions samples;
+  std::optional<TextSetting> metric = {};  ///< over which they are placed, if the keys have none
+  Notation notation = {};                  ///< of the numbers in the file
+};
 
 /// A request to compare the samples in a file with the curves of keys.
 struct Comparison {
@@ -20,6 +33,9 @@ struct Comparison {
   std::vector<std::size_t> fields;  ///< that are compared, as indices into fields(); none: all that the samples have
   bool from_left = true;            ///< a sample at a key is on the segment before it, not on the one after
   ThreadOptions threads;
+  std::optional<ExpectedSamples> expected = {};  ///< nothing: those of the provenance, if the file has one
+  /// The samples that provenance records; nothing if they cannot be known. Null: provenance is not read.
+  std::function<std::optional<ExpectedSamples>(const EarlierOutput&)> recorded = {};
 };
 
 }  // namespace tcb

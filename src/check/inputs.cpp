@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "check/errors.hpp"
@@ -83,6 +85,13 @@ SampleTable read_samples(const Comparison& comparison, const Schema& keys, std::
                          FileProgress* progress) {
   const std::string& path = comparison.file;
   Source<std::string> bytes = observed(path, progress);
+  EarlierOutputReader provenance;
+  if (comparison.recorded) {
+    bytes = mapped(std::move(bytes), [&provenance](std::string text) {
+      provenance.add(text);
+      return text;
+    });
+  }
   std::string beginning = bytes().value_or("");
   InputOptions options;
   options.columns.samples =
@@ -100,6 +109,7 @@ SampleTable read_samples(const Comparison& comparison, const Schema& keys, std::
     SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
     while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
   }
+  if (comparison.recorded) table.provenance = provenance.end();
   return table;
 }
 
@@ -112,6 +122,14 @@ Names names_of(const Fields& chosen, const Schema& keys) {
   Names names;
   for (const auto& column : output_columns(chosen, keys)) names.push_back(column.name);
   return names;
+}
+
+/// Indices of names.
+using NameIndex = std::unordered_map<std::string_view, std::size_t>;
+
+std::optional<std::size_t> find(const NameIndex& index, std::string_view name) {
+  const auto found = index.find(name);
+  return found == index.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<std::size_t> find(const Names& names, const std::string& name) {
@@ -134,10 +152,11 @@ bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(ch
 class Matcher {
  public:
   Matcher(const SampleTable& table, const Schema& keys, const Fields& given)
-      : table_(table), keys_(keys), given_(given) {}
+      : table_(table), keys_(keys), given_(given), is_compared_(table.columns.size()) {}
 
+  /// Throws: Error (data) for names that repeat, and without places or columns to compare.
   MatchedColumns match() {
-    require_distinct_names();
+    index_columns();
     find_places();
     Fields candidates = given_;
     if (given_.empty()) {
@@ -155,15 +174,18 @@ class Matcher {
   }
 
  private:
-  void require_distinct_names() const {
-    for (const std::string& name : table_.columns) {
-      if (std::ranges::count(table_.columns, name) > 1) throw samples_have_same_column(name);
+  void index_columns() {
+    std::optional<std::size_t> repeated;  // the first column whose name another one has
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      const auto [first, is_new] = columns_.try_emplace(table_.columns[i], i);
+      if (!is_new) repeated = std::min(repeated.value_or(first->second), first->second);
     }
+    if (repeated) throw samples_have_same_column(table_.columns[*repeated]);
   }
 
   /// Times, or arc lengths if there are no times or no time is among the given fields.
   void find_places() {
-    const auto s = find(keys_.channels, "s") ? std::nullopt : find(table_.columns, "s");
+    const auto s = find(keys_.channels, "s") ? std::nullopt : find(columns_, "s");
     const bool wants_s = has(given_, field_of("s")) && !has(given_, field_of("time"));
     result_.by_length = s && (wants_s || !table_.timed);
     if (result_.by_length) result_.place = s;
@@ -171,24 +193,25 @@ class Matcher {
     throw samples_without_places(table_.columns, keys_.time.name);
   }
 
-  bool is_compared(std::size_t column) const {
-    return std::ranges::count(result_.compared, column, &MatchedColumn::given) > 0;
-  }
-
   void match_field(std::size_t field) {
     const Names names = names_of({field}, keys_);
-    const std::size_t first = names_of(result_.fields, keys_).size();
+    const std::size_t first = cells_;
     const std::size_t before = result_.compared.size();
     Names missing;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto given = find(table_.columns, names[i]);
-      if (given && !is_compared(*given))
-        result_.compared.push_back({names[i], *given, first + i});
-      else
+      const auto given = find(columns_, names[i]);
+      if (!given || is_compared_[*given]) {
         missing.push_back(names[i]);
+        continue;
+      }
+      is_compared_[*given] = true;
+      result_.compared.push_back({names[i], *given, first + i});
     }
     const bool found = result_.compared.size() > before;
-    if (found) result_.fields.push_back(field);
+    if (found) {
+      result_.fields.push_back(field);
+      cells_ += names.size();
+    }
     if (missing.empty() || (given_.empty() && !found)) return;
     result_.problems.push_back(columns_missing(missing));
   }
@@ -197,7 +220,7 @@ class Matcher {
   void classify_other_columns() {
     Names unknown;
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-      if (i != result_.place && !is_compared(i)) unknown.push_back(table_.columns[i]);
+      if (i != result_.place && !is_compared_[i]) unknown.push_back(table_.columns[i]);
     }
     result_.ignored = table_.ignored;
     if (!given_.empty())
@@ -209,6 +232,9 @@ class Matcher {
   const SampleTable& table_;
   const Schema& keys_;
   const Fields& given_;
+  NameIndex columns_;  ///< of the table
+  std::vector<bool> is_compared_;
+  std::size_t cells_ = 0;  ///< of the fields in the result
   MatchedColumns result_;
 };
 
@@ -249,17 +275,18 @@ void MatchedColumns::align(std::span<Cell> computed, std::span<const double> giv
 
 MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given) {
   MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
+  NameIndex compared;
+  for (std::size_t i = 0; i < columns.compared.size(); ++i) compared.try_emplace(columns.compared[i].name, i);
   for (const AngleColumn& angle : keys.angles) {
-    const auto found = std::ranges::find(columns.compared, keys.channels[angle.channel], &MatchedColumn::name);
-    if (found == columns.compared.end()) continue;
-    columns.angles.emplace_back(static_cast<std::size_t>(found - columns.compared.begin()), angle.degrees);
+    if (const auto found = find(compared, keys.channels[angle.channel])) {
+      columns.angles.emplace_back(*found, angle.degrees);
+    }
   }
   for (const RotationColumns& rotation : rotation_columns(keys)) {
     if (!rotation.shown.is_quaternion()) continue;
     std::array<std::size_t, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto found = std::ranges::find(columns.compared, keys.channels[rotation.channels[i]], &MatchedColumn::name);
-      numbers[i] = static_cast<std::size_t>(found - columns.compared.begin());
+      numbers[i] = find(compared, keys.channels[rotation.channels[i]]).value_or(columns.compared.size());
     }
     if (std::ranges::max(numbers) < columns.compared.size()) columns.rotations.push_back(numbers);
   }

@@ -13,6 +13,7 @@
 
 #include "check/comparison.hpp"
 #include "error.hpp"
+#include "read/earlier_output.hpp"
 #include "run/progress.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
@@ -61,6 +62,7 @@ struct SampleTable {
   std::vector<std::string> columns;  ///< names of all other columns of numbers
   std::vector<std::string> ignored;  ///< names of the columns of text
   std::vector<SampleRows> curves;
+  std::optional<EarlierOutput> provenance = {};  ///< if it is read
 };
 
 /// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;

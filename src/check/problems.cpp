@@ -44,4 +44,18 @@ std::string rows_off_curve(std::uint64_t rows, std::uint64_t first_line, bool by
                          rows, first_line, place, nearest);
 }
 
+std::string rows_not_as_expected(const RowCounts& counts) {
+  std::string text = fmt::format("rows: {} expected, {} found", counts.expected, counts.found);
+  if (counts.missing > 0) text += fmt::format("; missing: {}, the first at {}", counts.missing, counts.first_missing);
+  if (counts.surplus > 0) {
+    text += fmt::format("; not expected: {}, the first in line {} at {}", counts.surplus, counts.surplus_line,
+                        counts.first_surplus);
+  }
+  return text + (counts.last_found.empty() ? "" : fmt::format("; the last row found is at {}", counts.last_found));
+}
+
+std::string of_curve(const std::vector<std::string>& curve, const std::string& problem) {
+  return curve.empty() ? problem : fmt::format("curve {}: {}", listed(curve), problem);
+}
+
 }  // namespace tcb

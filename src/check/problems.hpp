@@ -20,4 +20,19 @@ std::string rows_without_place(std::uint64_t rows, std::uint64_t first_line);
 std::string rows_off_curve(std::uint64_t rows, std::uint64_t first_line, bool by_length, std::string_view place,
                            std::string_view nearest);
 
+/// How the rows of a curve differ from those that are expected.
+struct RowCounts {
+  std::uint64_t expected = 0, found = 0;
+  std::uint64_t missing = 0;       ///< expected, but not found
+  std::uint64_t surplus = 0;       ///< found, but not expected
+  std::uint64_t surplus_line = 0;  ///< of the first of these
+  // Times or arc lengths:
+  std::string first_missing = {}, first_surplus = {}, last_found = {};
+};
+
+std::string rows_not_as_expected(const RowCounts& counts);
+
+/// A problem, as one of a curve if that has a name.
+std::string of_curve(const std::vector<std::string>& curve, const std::string& problem);
+
 }  // namespace tcb

@@ -73,6 +73,44 @@ std::string json(const std::optional<Difference>& difference) {
                      number_json(difference->computed), json(difference->distance));
 }
 
+/// The number of rows that all curves should have; nothing if it is unknown for one of them.
+std::optional<std::uint64_t> expected_rows(const Check& check) {
+  if (check.coverage.empty()) return std::nullopt;
+  std::uint64_t sum = 0;
+  for (const Coverage& coverage : check.coverage) {
+    if (!coverage.expected_rows) return std::nullopt;
+    sum += *coverage.expected_rows;
+  }
+  return sum;
+}
+
+/// How many rows are expected; for a curve where that is unknown, how much of it the rows cover.
+std::string coverage_text(const Check& check) {
+  if (const auto rows = expected_rows(check)) return fmt::format("expected rows: {}\n", *rows);
+  std::string out;
+  for (const Coverage& coverage : check.coverage) {
+    const std::string curve =
+        coverage.curve.empty() ? "" : fmt::format(" of curve {}", fmt::join(coverage.curve, ", "));
+    const std::string covered = coverage.covered
+                                    ? fmt::format("{} {} to {}", coverage.place, time_text(coverage.covered->first),
+                                                  time_text(coverage.covered->second))
+                                    : "nothing";
+    out += printable(fmt::format("rows{} cover: {} of {} to {}", curve, covered, time_text(coverage.first),
+                                 time_text(coverage.last)));
+    out += '\n';
+  }
+  return out;
+}
+
+std::string json(const Coverage& coverage) {
+  const std::string from = coverage.covered ? time_text(coverage.covered->first) : "null";
+  const std::string to = coverage.covered ? time_text(coverage.covered->second) : "null";
+  const std::string expected = coverage.expected_rows ? fmt::format("{}", *coverage.expected_rows) : "null";
+  return fmt::format("{{\"curve\":{},\"rows\":{},\"expected_rows\":{},\"from\":{},\"to\":{},\"first\":{},\"last\":{}}}",
+                     list_json(coverage.curve), coverage.rows, expected, from, to, time_text(coverage.first),
+                     time_text(coverage.last));
+}
+
 std::string_view samples_at(bool by_length) { return by_length ? "arc lengths" : "times"; }
 
 const TcbOrders& order_of(const Identification& found, const Candidate& candidate) {
@@ -149,7 +187,7 @@ std::string text(const Check& check) {
     out += fmt::format("column {}: mismatches {}, largest {}\n", printable(column.name), column.mismatches,
                        text(column.largest));
   }
-  return out + remarks(check);
+  return out + coverage_text(check) + remarks(check);
 }
 
 std::string json(const Check& check) {
@@ -158,12 +196,14 @@ std::string json(const Check& check) {
     columns += fmt::format("{}\n{{\"name\":{},\"mismatches\":{},{}}}", columns.empty() ? "" : ",",
                            json_text(column.name), column.mismatches, json(column.largest));
   }
+  std::string coverage;
+  for (const Coverage& one : check.coverage) coverage += (coverage.empty() ? "\n" : ",\n") + json(one);
   return fmt::format(
       "{{\"passed\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n\"rows\":{},\"values\":{},\"mismatches\":{},\n"
-      "\"first\":{},\n\"worst\":{},\n\"columns\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
+      "\"first\":{},\n\"worst\":{},\n\"columns\":[{}],\n\"coverage\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       check.passed(), json_text(check.file), json_text(check.keys), samples_at(check.by_length), check.rows,
-      check.values, check.mismatches, json(check.first), json(check.worst), columns, list_json(check.problems),
-      list_json(check.ignored));
+      check.values, check.mismatches, json(check.first), json(check.worst), columns, coverage,
+      list_json(check.problems), list_json(check.ignored));
 }
 
 std::string text(const Identification& found) {

@@ -120,6 +120,10 @@ bool has_frames_of_time(const TypedOptions& typed) {
   return typed.output.time_notation && counts_frames(*typed.output.time_notation);
 }
 
+bool has_no_sampling_option(const TypedOptions& typed) {
+  return std::ranges::none_of(sampling_options, [&](std::string_view option) { return typed.has(option); });
+}
+
 bool has_no_format_of_reports(const TypedOptions& typed) {
   return typed.output.format != FormatId::json && !has_picture(typed);
 }

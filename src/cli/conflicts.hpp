@@ -67,6 +67,7 @@ bool has_rounded_field(const TypedOptions& typed);
 bool has_no_side(const TypedOptions& typed);
 bool has_more_digits_than_doubles(const TypedOptions& typed);
 bool has_frames_of_time(const TypedOptions& typed);
+bool has_no_sampling_option(const TypedOptions& typed);
 /// The format of the output is one that a report does not have.
 bool has_no_format_of_reports(const TypedOptions& typed);
 bool has_picture(const TypedOptions& typed);

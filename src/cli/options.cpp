@@ -48,10 +48,15 @@ void check_mode(const Conflicts& of, Conflicts::Options disabled = {}) {
 }
 
 /// A report has no rows, and takes the samples of a file.
+constexpr std::string_view reason_of_reports = ", which takes the samples of its file and prints a report";
+
+void disable_options_of_samples(const Conflicts& of) {
+  of.disable({option::from, option::to, option::end, option::keys, option::max_rows}, reason_of_reports,
+             has_no_sampling_option);
+}
+
 void disable_options_of_rows(const Conflicts& of) {
-  constexpr std::string_view reason = ", which takes the samples of its file and prints a report";
-  of.disable(sampling_options, reason);
-  of.disable({option::from, option::to, option::end, option::keys, option::max_rows}, reason);
+  constexpr std::string_view reason = reason_of_reports;
   of.disable({option::output_dir, option::files, option::meta, option::explain, option::progress}, reason);
   of.disable({option::digits, option::fixed, option::golden, option::exact_input, option::hex, option::no_output_header,
               option::file_column, option::time_format},
@@ -90,10 +95,14 @@ constexpr OptionRow option_rows[] = {
 
     {option::check, "", "FILE", comparison_group,
      "Compares the samples in FILE, made by any program, with the curve at the same times, or at the same arc lengths "
-     "s, and prints a report; the exit code is 1 if they differ",
+     "s, and prints a report; the exit code is 1 if they differ. With a sampling option, or the provenance of --meta "
+     "in "
+     "FILE, a missing or surplus row is a difference as well",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
      [](const Conflicts& of) {
        of.exclude({option::identify});
+       of.disable({option::emit, option::fit}, reason_of_reports);
+       disable_options_of_samples(of);
        disable_options_of_rows(of);
      }},
     {option::abs, "", "[COL=]D,...", comparison_group,
@@ -117,6 +126,8 @@ constexpr OptionRow option_rows[] = {
      "in FILE, and prints a ranked table; the exit code is 1 if none fits",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
      [](const Conflicts& of) {
+       of.disable(sampling_options, reason_of_reports);
+       disable_options_of_samples(of);
        disable_options_of_rows(of);
        of.disable({option::preset, option::tangents, option::ends, option::equal_speed, option::side},
                   ", which tries all rules on positions");

@@ -55,6 +55,32 @@ Job parse(int argc, const char* const* argv) {
 
 namespace {
 
+/// Throws: Error (data) if an option of an earlier output, which may be a stranger's, names a file to be read.
+void require_no_file(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    const std::size_t end = std::min(word.find('='), word.size());
+    for (const OptionRow& row : option_table()) {
+      const bool is_named = std::ranges::count(row.all_names(), std::string_view(word).substr(0, end)) > 0;
+      const std::string_view value = std::string_view(word).substr(std::min(end + 1, word.size()));
+      const bool reads = row.kind == ValueKind::file || row.kind == ValueKind::folder ||
+                         (row.kind == ValueKind::places && (value.starts_with('@') || value == "-"));
+      if (is_named && row.changes_rows && reads) throw option_of_provenance_reads_file(row.name);
+    }
+  }
+}
+
+/// Throws: Error unless all options of an earlier output are such that provenance has, --meta among them.
+void require_recorded(const std::vector<std::string>& words) {
+  require_no_file(words);
+  const TypedOptions typed = read_options(words);
+  for (const OptionRow& row : option_table()) {
+    if (!typed.has(row.name) || row.changes_rows) continue;
+    throw option_not_of_provenance(row.name);
+  }
+  if (!typed.files.files.empty()) throw file_in_provenance(typed.files.files[0]);
+  if (!typed.has(option::meta)) throw provenance_without_meta();
+}
+
 /// Throws: Error (usage) if standard input would be read twice.
 void require_one_reader(const TypedOptions& typed) {
   const bool keys_from_input = std::ranges::count(typed.files.files, "-") > 0;
@@ -64,22 +90,24 @@ void require_one_reader(const TypedOptions& typed) {
   };
   require(typed.text(option::files) == "-" && keys_from_input, option::files);
   const std::string_view places = typed.has(option::at) ? option::at : option::arc_at;
-  require(typed.places_from_input && (keys_from_input || no_files), places);
+  const bool is_used = keys_from_input || no_files || typed.text(option::check) == "-";
+  require(typed.places_from_input && is_used, places);
   require(typed.text(option::check) == "-" && (keys_from_input || no_files), option::check);
   require(typed.text(option::identify) == "-" && (keys_from_input || no_files), option::identify);
 }
 
-bool has_sampling_option(const TypedOptions& typed) {
-  return std::ranges::any_of(sampling_options, [&](std::string_view option) { return typed.has(option); });
-}
-
-/// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
-void require_samples(const TypedOptions& typed) {
-  if (!has_sampling_option(typed) && !typed.has(option::plot)) throw no_sampling_option(sampling_options);
+/// Throws: Error (usage) for a range of samples that runs backwards.
+void require_forward_range(const TypedOptions& typed) {
   const SamplingRequest& sampling = typed.sampling;
   if (sampling.from && sampling.to && *sampling.to < *sampling.from) {
     throw range_backwards(typed.text(option::from), typed.text(option::to));
   }
+}
+
+/// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
+void require_samples(const TypedOptions& typed) {
+  if (has_no_sampling_option(typed) && !typed.has(option::plot)) throw no_sampling_option(sampling_options);
+  require_forward_range(typed);
 }
 
 // The parts that jobs have in common.
@@ -126,7 +154,7 @@ SampleOptions samples_of(const TypedOptions& typed) {
   SampleOptions samples{typed.sampling, typed.grouped_places};
   samples.request.places = typed.places;
   samples.request.from_left = is_from_left(typed, fields_of(typed));
-  if (!has_sampling_option(typed)) {  // a picture has samples of its own
+  if (has_no_sampling_option(typed)) {  // a picture has samples of its own
     samples.request.mode = Mode::segments;
     samples.request.count = 50;
   }
@@ -160,6 +188,28 @@ Verbosity verbosity_of(const TypedOptions& typed) {
   return {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
 }
 
+/// The samples that the provenance of an output asks for; nothing for an output of several inputs or of other rows
+/// than samples, and for options that are unknown here or name a file.
+std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
+  if (earlier.inputs.size() != 1) return std::nullopt;
+  TypedOptions typed;
+  try {
+    require_recorded(earlier.options);
+    typed = read_options(earlier.options);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  if (has_no_sampling_option(typed) || typed.has(option::emit) || typed.has(option::fit)) return std::nullopt;
+  ExpectedSamples expected{samples_of(typed), typed.keys.rules.metric, typed.output.notation};
+  SamplingRequest& request = expected.samples.request;
+  const std::optional<TimeUnit>& unit = typed.keys.input.units.time;
+  if (request.is_rate && unit && *unit != TimeUnit::frames) {  // which the keys of a check need not have
+    request.step *= units_per_second(*unit);
+    request.is_rate = false;
+  }
+  return expected;
+}
+
 // The jobs.
 
 /// Throws: Error (usage) for several files of keys.
@@ -175,7 +225,14 @@ CompareJob compare_job(const TypedOptions& typed) {
   comparison.fields = typed.output.fields;
   comparison.from_left = is_from_left(typed, comparison.fields);
   comparison.threads = typed.threads;
-  return {comparison, identifies, files.outputs.file, typed.output.format, typed.picture, verbosity_of(typed)};
+  if (!has_no_sampling_option(typed)) {
+    require_forward_range(typed);
+    comparison.expected = ExpectedSamples{samples_of(typed)};
+  } else if (!identifies) {
+    comparison.recorded = recorded_samples;
+  }
+  return {comparison,    identifies,          files.outputs.file, typed.output.format,
+          typed.picture, verbosity_of(typed), files.other_inputs};
 }
 
 ExplainJob explain_job(const TypedOptions& typed) {
@@ -225,32 +282,6 @@ std::string word(const OptionRow& row, const TypedOptions& typed) {
     throw line_end_in_provenance().about(row.name);
   }
   return word;
-}
-
-/// Throws: Error (data) if an option of an earlier output, which may be a stranger's, names a file to be read.
-void require_no_file(const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    const std::size_t end = std::min(word.find('='), word.size());
-    for (const OptionRow& row : option_table()) {
-      const bool is_named = std::ranges::count(row.all_names(), std::string_view(word).substr(0, end)) > 0;
-      const std::string_view value = std::string_view(word).substr(std::min(end + 1, word.size()));
-      const bool reads = row.kind == ValueKind::file || row.kind == ValueKind::folder ||
-                         (row.kind == ValueKind::places && (value.starts_with('@') || value == "-"));
-      if (is_named && row.changes_rows && reads) throw option_of_provenance_reads_file(row.name);
-    }
-  }
-}
-
-/// Throws: Error unless all options of an earlier output are such that provenance has, --meta among them.
-void require_recorded(const std::vector<std::string>& words) {
-  require_no_file(words);
-  const TypedOptions typed = read_options(words);
-  for (const OptionRow& row : option_table()) {
-    if (!typed.has(row.name) || row.changes_rows) continue;
-    throw option_not_of_provenance(row.name);
-  }
-  if (!typed.files.files.empty()) throw file_in_provenance(typed.files.files[0]);
-  if (!typed.has(option::meta)) throw provenance_without_meta();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "read/errors.hpp"
 #include "read/json/provenance.hpp"
@@ -42,23 +43,30 @@ void read_lines(EarlierOutput& output, std::string& text) {
 
 }  // namespace
 
-EarlierOutput read_earlier_output(const Source<std::string>& bytes) {
-  EarlierOutput output;
-  std::string text;  // all of JSON; of lines the last one
-  bool json = false;
-  for (bool first = true; const std::optional<std::string> more = bytes(); first = false) {
-    text += *more;
-    if (first) json = text.starts_with('{') || text.starts_with('[');
-    if (!json) read_lines(output, text);
-  }
-  text += '\n';
-  if (json) {
-    output = json_provenance(text);
+void EarlierOutputReader::add(std::string_view bytes) {
+  text_ += bytes;
+  if (!begun_) json_ = text_.starts_with('{') || text_.starts_with('[');
+  begun_ = true;
+  if (!json_) read_lines(output_, text_);
+}
+
+std::optional<EarlierOutput> EarlierOutputReader::end() {
+  text_ += '\n';
+  if (json_) {
+    output_ = json_provenance(text_);
   } else {
-    read_lines(output, text);
+    read_lines(output_, text_);
   }
-  if (output.program.empty() || output.inputs.empty()) throw no_provenance();
-  return output;
+  if (output_.program.empty() || output_.inputs.empty()) return std::nullopt;
+  return std::move(output_);
+}
+
+EarlierOutput read_earlier_output(const Source<std::string>& bytes) {
+  EarlierOutputReader reader;
+  while (const std::optional<std::string> more = bytes()) reader.add(*more);
+  std::optional<EarlierOutput> output = reader.end();
+  if (!output) throw no_provenance();
+  return std::move(*output);
 }
 
 }  // namespace tcb

@@ -1,7 +1,9 @@
 // Earlier outputs: how an output was made, read from the provenance that it holds.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,8 +18,21 @@ struct EarlierOutput {
   std::vector<std::pair<std::string, std::string>> inputs;  ///< names, and SHA-256 in hexadecimal digits
 };
 
-/// Reads the comment lines of delimited text, or the member "meta" of JSON. Throws: Error (data) if there is no
-/// provenance.
+/// Finds the provenance in the text of an output: in the comment lines of delimited text, or the member "meta" of JSON.
+class EarlierOutputReader {
+ public:
+  /// Reads the next bytes of the text.
+  void add(std::string_view bytes);
+  /// What the whole text holds, or nothing where it has no provenance.
+  std::optional<EarlierOutput> end();
+
+ private:
+  EarlierOutput output_;
+  std::string text_;  ///< all of JSON; of lines the last one
+  bool begun_ = false, json_ = false;
+};
+
+/// Throws: Error (data) if there is no provenance.
 EarlierOutput read_earlier_output(const Source<std::string>& bytes);
 
 }  // namespace tcb

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "option_names.hpp"
@@ -17,12 +19,29 @@
 namespace tcb {
 namespace {
 
+/// For each name of a header its first cell, and whether another cell has the name.
+struct NamedCell {
+  std::size_t cell;
+  bool repeats = false;
+};
+using NamedCells = std::unordered_map<std::string_view, NamedCell>;
+
+NamedCells named_cells(std::span<const std::string> header) {
+  NamedCells named;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const auto [found, is_new] = named.try_emplace(header[cell], NamedCell{cell});
+    found->second.repeats = !is_new;
+  }
+  return named;
+}
+
 /// The cell of a requested column, by name or number.
 std::size_t find_cell(const std::string& wanted, std::string_view option, std::span<const std::string> header,
-                      std::size_t cells) {
-  if (std::ranges::count(header, wanted) > 1) throw same_column_names(wanted);
-  const auto exact = std::ranges::find(header, wanted);
-  if (exact != header.end()) return static_cast<std::size_t>(exact - header.begin());
+                      const NamedCells& named, std::size_t cells) {
+  if (const auto exact = named.find(wanted); exact != named.end()) {
+    if (exact->second.repeats) throw same_column_names(wanted);
+    return exact->second.cell;
+  }
   const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_in_any_case(name, wanted); });
   if (close != header.end()) return static_cast<std::size_t>(close - header.begin());
   std::size_t number = 0;
@@ -148,9 +167,10 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
   Columns columns;
   columns.cells.resize(numeric.size());
   columns.named = !header.empty();
+  const NamedCells named = requests.empty() ? NamedCells{} : named_cells(header);
   for (const RoleRequest& request : requests) {
     for (const std::string& name : request.columns) {
-      const std::size_t cell = find_cell(name, request.option, header, numeric.size());
+      const std::size_t cell = find_cell(name, request.option, header, named, numeric.size());
       if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
       const bool is_text = request.role == Role::group || request.role == Role::carry;
       assign(columns, cell, request.role,

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
+#include <unordered_map>
 
 #include "option_names.hpp"
 #include "schema/errors.hpp"
@@ -17,7 +19,9 @@ namespace {
 class SampleRequests {
  public:
   SampleRequests(std::span<const std::string> header, const std::vector<bool>& numeric, const SampleNames& names)
-      : header_(header), numeric_(numeric), names_(names), cells_(std::ssize(numeric)) {}
+      : header_(header), numeric_(numeric), names_(names), cells_(std::ssize(numeric)), taken_(numeric.size()) {
+    for (const std::string& name : header) ++named_[name];
+  }
 
   /// The groups, if all of them are there.
   void add_groups() {
@@ -54,7 +58,7 @@ class SampleRequests {
     for (std::ptrdiff_t cell = 0; cell < cells_; ++cell) {
       const auto at = static_cast<std::size_t>(cell);
       const bool is_label = std::ranges::count(names_.labels, header_[at]) > 0;
-      if (numeric_[at] && !is_label && std::ranges::count(taken_, cell) == 0) add(Role::position, cell);
+      if (numeric_[at] && !is_label && !taken_[at]) add(Role::position, cell);
     }
   }
 
@@ -68,10 +72,10 @@ class SampleRequests {
   }
 
   void add(Role role, std::ptrdiff_t cell) {
-    taken_.push_back(cell);
     const auto at = static_cast<std::size_t>(cell);
+    taken_[at] = true;
     // By name, as another name may be this one's number.
-    const bool by_name = at < header_.size() && std::ranges::count(header_, header_[at]) == 1;
+    const bool by_name = at < header_.size() && named_[header_[at]] == 1;
     requests_.push_back({role, {by_name ? header_[at] : fmt::format("{}", cell + 1)}});
   }
 
@@ -80,7 +84,8 @@ class SampleRequests {
   const SampleNames& names_;
   std::ptrdiff_t cells_;
   std::vector<RoleRequest> requests_;
-  std::vector<std::ptrdiff_t> taken_;
+  std::unordered_map<std::string_view, std::size_t> named_;  ///< how many columns have a name
+  std::vector<bool> taken_;
 };
 
 }  // namespace

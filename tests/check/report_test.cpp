@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tcb {
 namespace {
@@ -45,6 +46,20 @@ TEST(Report, of_a_check_has_a_line_for_each_fact) {
             "column x: mismatches 2, largest abs 0.5, rel 0.25, ulp 7\n"
             "problem: problem with y, z\n"
             "not compared: note, extra, b\n");
+}
+
+TEST(Report, of_a_check_has_the_expected_rows_or_the_part_that_rows_cover) {
+  Check check;
+  check.coverage = {{{"id=a"}, "t", Time(0.0), Time(4.5), std::pair(Time(0.5), Time(1.75)), 3, 4},
+                    {{"id=b"}, "t", Time(0.0), Time(2.0), {}, 0, 5}};
+  EXPECT_THAT(text(check), HasSubstr("expected rows: 9\n"));
+  EXPECT_THAT(json(check),
+              HasSubstr(R"({"curve":["id=a"],"rows":3,"expected_rows":4,"from":0.5,"to":1.75,"first":0,"last":4.5})"));
+  check.coverage[0].expected_rows.reset();
+  EXPECT_THAT(text(check), HasSubstr("rows of curve id=a cover: t 0.5 to 1.75 of 0 to 4.5\n"
+                                     "rows of curve id=b cover: nothing of 0 to 2\n"));
+  EXPECT_THAT(text(check), Not(HasSubstr("expected rows")));
+  EXPECT_THAT(json(check), HasSubstr(R"("rows":0,"expected_rows":5,"from":null,"to":null,"first":0,"last":2})"));
 }
 
 TEST(Report, of_a_check_in_json_has_lists_and_nulls) {

@@ -64,7 +64,12 @@ TEST(Conflicts, options_without_effect_on_the_samples_are_refused) {
 
 TEST(Conflicts, options_about_rows_have_no_effect_on_a_report) {
   const Words reports{"--check=a", "--identify=a"};
-  expect_no_effect(modes, reports);
+  expect_no_effect(modes, {"--identify=a"});
+  expect_no_effect({"--emit=poly", "--fit=1"}, {"--check=a"});
+  for (const char* place : {"--step=1", "--count=2", "--at=1", "--arc-count=3", "--tolerance=1"}) {
+    EXPECT_EQ(refusal({"--check=a", place}), "") << "the rows that are expected";
+  }
+  EXPECT_EQ(refusal({"--check=a", "--step=1", "--from=1", "--to=2", "--end=keep", "--keys", "--max-rows=9"}), "");
   expect_no_effect({"--from=1", "--to=1", "--end=drop", "--keys", "--max-rows=1", "--meta", "--output-dir=a",
                     "--files=a", "--explain", "--progress", "--digits=3", "--fixed=3", "--golden", "--exact-input",
                     "--hex", "--no-output-header", "--file-column", "--time-format=clock"},
@@ -129,8 +134,8 @@ TEST(Conflicts, have_one_form_of_message) {
   EXPECT_EQ(stepped_refusal({"--exact-input"}), "--exact-input needs --golden; give both, or neither");
   EXPECT_EQ(refusal({"--at=1", "--keys"}), "--keys has no effect with --at; remove --keys");
   EXPECT_EQ(
-      stepped_refusal({"--check=a"}),
-      "--step has no effect with --check, which takes the samples of its file and prints a report; remove --step");
+      stepped_refusal({"--identify=a"}),
+      "--step has no effect with --identify, which takes the samples of its file and prints a report; remove --step");
 }
 
 TEST(Conflicts, that_depend_on_values_show_them) {

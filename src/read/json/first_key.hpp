@@ -18,7 +18,7 @@ struct FoundMember {
   bool text = false;           ///< it is one text, or true or false
   bool nested = false;         ///< it is an object, or an array with arrays or objects,
   bool deep_numbers = false;   ///< with numbers in them
-  bool empty = true;           ///< it has neither a number nor a text
+  bool empty = true;           ///< it is [] or {}
   std::size_t numbers = 0;     ///< the count of its numbers, also missing ones
   std::string value = "";      ///< the text, if it is a time in words
   std::string path = "";       ///< as in "keys[0].x"

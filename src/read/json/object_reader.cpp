@@ -49,6 +49,7 @@ struct JsonObjectReader::Adapter {
       if (reader.part_.kind == JsonPart::Kind::elements) ++reader.keys_;
       return passed(Last::value, true);
     }
+    if (reader.is_deep()) reader.on_deep_value(false);
     return passed(Last::value, reader.value([this] { return reader.on_null(); }));
   }
   bool boolean(bool value) {
@@ -170,6 +171,7 @@ bool JsonObjectReader::value(F event) {
 
 bool JsonObjectReader::open(bool object) {
   bool more = true;
+  if (depth_ > member_depth()) on_deep_value(false);
   if (in_array()) {
     more = on_nested();
     ++element_;

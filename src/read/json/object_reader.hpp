@@ -48,7 +48,7 @@ class JsonObjectReader {
   /// The current member is an object whose members follow as members of the key.
   virtual void on_members() {}
   virtual bool on_array_end() { return true; }
-  /// A number or a text deep in a value.
+  /// A number, a text, null, an array or an object deep in a value.
   virtual void on_deep_value(bool /*is_number*/) {}
   /// null in the place of a key; false: an error.
   virtual bool on_break() { return false; }

@@ -31,6 +31,7 @@ std::string text_of(const Json& object, const char* name) {
 }  // namespace
 
 EarlierOutput json_provenance(std::string_view text) {
+  if (text.find("\"meta\"") == std::string_view::npos) return {};
   Json whole = without_rows(text);
   if (whole.is_discarded()) whole = without_rows(last_line(text));
   if (!whole.is_object() || !whole.contains("meta") || !whole["meta"].is_object()) return {};
