@@ -28,7 +28,8 @@ class FirstKeyReader : public JsonObjectReader {
 
  private:
   bool on_member(const std::string& name) override {
-    members.push_back({.name = name, .position = value_position()});
+    const LinePosition position = member_position();
+    members.push_back({.name = name, .position = {"", position.line, position.column}});
     members.back().path = path();
     if (!names_.insert(name).second) throw at_value(json::member_repeats());
     return true;

@@ -206,9 +206,9 @@ bool JsonObjectReader::close(bool object) {
   return more;
 }
 
-LinePosition JsonObjectReader::key_position() {
-  counted_position_ = position_after({counted_, static_cast<std::size_t>(key_ - counted_)}, counted_position_);
-  counted_ = key_;
+LinePosition JsonObjectReader::count_to(const char* where) {
+  counted_position_ = position_after({counted_, static_cast<std::size_t>(where - counted_)}, counted_position_);
+  counted_ = where;
   return counted_position_;
 }
 

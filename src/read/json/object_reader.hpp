@@ -62,8 +62,10 @@ class JsonObjectReader {
   bool in_array() const { return depth_ == member_depth() + 1 && is_array_; }
   /// The index of the current array element; at the array's end, their number.
   std::size_t element() const { return element_; }
-  /// Where the current key begins. Requires: calls come in the order of the text.
-  LinePosition key_position();
+  /// Where the current key begins, and the name of the current member; each counts from the place of the call before.
+  /// Requires: calls come in the order of the text.
+  LinePosition key_position() { return count_to(key_); }
+  LinePosition member_position() { return count_to(value_begin()); }
   /// The position of the current value, or of the name of the current member; at the end of an array, of its bracket.
   TextPosition value_position() const { return position_of(value_begin()); }
   /// An error about the current value.
@@ -93,6 +95,7 @@ class JsonObjectReader {
   json::Expected expected(bool is_separated) const;
   [[noreturn]] void refuse_for_key(std::string_view what) const;
   const char* value_begin() const;
+  LinePosition count_to(const char* where);
   TextPosition position_of(const char* where) const;
 
   const JsonPart& part_;
