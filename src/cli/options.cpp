@@ -50,9 +50,8 @@ void check_mode(const Conflicts& of, Conflicts::Options disabled = {}) {
 /// A report has no rows, and takes the samples of a file.
 constexpr std::string_view reason_of_reports = ", which takes the samples of its file and prints a report";
 
-void disable_options_of_samples(const Conflicts& of) {
-  of.disable({option::from, option::to, option::end, option::keys, option::max_rows}, reason_of_reports,
-             has_no_sampling_option);
+void disable_options_of_samples(const Conflicts& of, Conflicts::Condition condition = nullptr) {
+  of.disable({option::from, option::to, option::end, option::keys, option::max_rows}, reason_of_reports, condition);
 }
 
 void disable_options_of_rows(const Conflicts& of) {
@@ -102,7 +101,7 @@ constexpr OptionRow option_rows[] = {
      [](const Conflicts& of) {
        of.exclude({option::identify});
        of.disable({option::emit, option::fit}, reason_of_reports);
-       disable_options_of_samples(of);
+       disable_options_of_samples(of, has_no_sampling_option);
        disable_options_of_rows(of);
      }},
     {option::abs, "", "[COL=]D,...", comparison_group,

@@ -70,9 +70,10 @@ TEST(Conflicts, options_about_rows_have_no_effect_on_a_report) {
     EXPECT_EQ(refusal({"--check=a", place}), "") << "the rows that are expected";
   }
   EXPECT_EQ(refusal({"--check=a", "--step=1", "--from=1", "--to=2", "--end=keep", "--keys", "--max-rows=9"}), "");
-  expect_no_effect({"--from=1", "--to=1", "--end=drop", "--keys", "--max-rows=1", "--meta", "--output-dir=a",
-                    "--files=a", "--explain", "--progress", "--digits=3", "--fixed=3", "--golden", "--exact-input",
-                    "--hex", "--no-output-header", "--file-column", "--time-format=clock"},
+  expect_no_effect({"--from=1", "--to=1", "--end=drop", "--keys", "--max-rows=1"}, {"--identify=a"});
+  EXPECT_THAT(refusal({"--check=a", "--to=1"}), StartsWith("--to 1 has no effect with --check a, which takes"));
+  expect_no_effect({"--meta", "--output-dir=a", "--files=a", "--explain", "--progress", "--digits=3", "--fixed=3",
+                    "--golden", "--exact-input", "--hex", "--no-output-header", "--file-column", "--time-format=clock"},
                    reports);
   expect_no_effect({"--preset=vtk", "--tangents=uniform", "--ends=half", "--equal-speed", "--side=left"},
                    {"--identify=a"});

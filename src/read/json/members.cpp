@@ -75,9 +75,10 @@ constexpr std::array velocity_arrays{VelocityArray{"velocity", "_v"}, VelocityAr
 /// The names of the numbers in an array of velocities; empty for others, and without an array of positions.
 std::vector<std::string> velocity_names(const Found& array, const Arrays& arrays, const std::vector<Found>& members) {
   const auto known = std::ranges::find(velocity_arrays, array.name, &VelocityArray::name);
+  if (known == velocity_arrays.end()) return {};
   const auto positions = std::ranges::find_if(
       members, [&](const Found& member) { return arrays.has(member) && !arrays.is_rotation(member); });
-  if (known == velocity_arrays.end() || positions == members.end() || array.nested) return {};
+  if (positions == members.end() || array.nested) return {};
   if (array.numbers != positions->numbers) {
     throw json::velocity_count(array.numbers, positions->numbers).about(array.path).at(array.position);
   }
