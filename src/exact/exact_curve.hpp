@@ -96,14 +96,7 @@ spline::Keys<S> exact_keys(const ExactCurve& exact, std::vector<S> times) {
 template <class S>
 std::unique_ptr<const spline::CurveKeys<S>> curve_at(const ExactCurve& exact) {
   auto [times, end] = exact_times<S>(exact);
-  const auto end_choice = [](const spline::EndChoice<Rational>& from) {
-    spline::EndChoice<S> to{from.rule, {}};
-    for (const Rational& value : from.velocity) to.velocity.push_back(scalar_of<S>(value));
-    return to;
-  };
-  spline::CurveRules<S> rules{
-      exact.rules.tangents, end_choice(exact.rules.start), end_choice(exact.rules.end), exact.rules.equal_speed,
-      exact.rules.metric,   exact.rules.rotations,         exact.rules.rotation_rules,  exact.rules.angles};
+  auto rules = spline::converted<S>(exact.rules, [](const Rational& value) { return scalar_of<S>(value); });
   return std::make_unique<const spline::CurveKeys<S>>(exact_keys<S>(exact, std::move(times)), std::move(rules), end);
 }
 

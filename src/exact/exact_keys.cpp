@@ -79,13 +79,7 @@ Rational cycle(const ExactCurve& exact, std::size_t channel) {
 }  // namespace
 
 spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules, bool decimal) {
-  const auto end = [&](const spline::EndChoice<double>& choice) {
-    spline::EndChoice<Rational> exact{choice.rule, {}};
-    for (const double value : choice.velocity) exact.velocity.push_back(exact_number(value, decimal));
-    return exact;
-  };
-  return {rules.tangents, end(rules.start), end(rules.end),       rules.equal_speed,
-          rules.metric,   rules.rotations,  rules.rotation_rules, rules.angles};
+  return spline::converted<Rational>(rules, [&](double value) { return exact_number(value, decimal); });
 }
 
 Rational exact_number(const Time& time, bool decimal, const std::optional<FrameTimes>& frames) {

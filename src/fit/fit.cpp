@@ -12,7 +12,7 @@
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/rotation.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb {
 namespace {

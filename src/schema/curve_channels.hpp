@@ -8,6 +8,7 @@
 
 #include "numbers/frame_times.hpp"
 #include "tcb/spline/key.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
 

@@ -15,7 +15,7 @@
 
 #include "tcb/spline/arc_inverse.hpp"
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace {
 

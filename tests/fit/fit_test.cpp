@@ -7,7 +7,7 @@
 
 #include "fit/recordings.hpp"
 #include "tcb/spline/curve.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb {
 namespace {

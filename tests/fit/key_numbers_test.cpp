@@ -6,7 +6,7 @@
 #include <random>
 
 #include "fit/recordings.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb {
 namespace {

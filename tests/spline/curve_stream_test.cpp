@@ -56,6 +56,15 @@ TEST(CurveStream, blocks_of_any_size_give_the_segments_of_the_kept_curve) {
   for (std::size_t size = 1; size <= 23; ++size) expect_equal(streamed({}, keys, size, rules), *curve);
 }
 
+TEST(CurveStream, equal_speed_has_the_metric_of_the_kept_curve) {
+  std::mt19937_64 random(9);
+  const auto keys = random_keys(random, 11, 6);
+  CurveRules<double> rules;
+  rules.equal_speed = true;
+  rules.rotations = {{{1, 2, 4, 5}}};
+  expect_equal(streamed({}, keys, 3, rules), *Curve<double>::build(keys, rules));
+}
+
 TEST(CurveStream, a_closed_curve_returns_to_its_first_key) {
   std::mt19937_64 random(7);
   for (const std::size_t count : {2U, 3U, 9U}) {

@@ -103,6 +103,63 @@ TEST(Curve, equal_speed_has_the_tabled_positions) {
   for (const auto& [t, x] : table) EXPECT_NEAR(x_at(*curve, t), x, 5e-12);
 }
 
+/// x, an angle and a rotation, with unequal steps and a corner at the inner keys.
+Keys<double> mixed() {
+  return {6,
+          {0, 1, 3, 4},
+          {0, 350, 0, 0, 0, 1, 1, 20, 0, 0, .6, .8, 3, 90, 0, .6, 0, .8, 2, 10, 0, 0, 0, 1},
+          {{}, {.5, -.5, .25}, {.25, -1, -.5}, {}},
+          {},
+          {}};
+}
+
+TEST(Curve, an_empty_metric_stands_for_the_same_channels_in_speeds_as_in_lengths) {
+  CurveRules<double> named;
+  named.equal_speed = true;
+  named.rotations = {{{2, 3, 4, 5}}};
+  named.angles = {{1, true}};
+  named.metric = {0};
+  CurveRules<double> empty = named, unequal = named;
+  empty.metric.clear();
+  unequal.equal_speed = false;
+  for (const bool closed : {false, true}) {
+    const auto build = [&](const CurveRules<double>& rules) {
+      return closed ? *Curve<double>::build_closed(mixed(), rules, 6.0) : *Curve<double>::build(mixed(), rules);
+    };
+    const Curve<double> one = build(named), other = build(empty), without = build(unequal);
+    EXPECT_EQ(one.length().value, other.length().value);
+    for (const double t : {.5, 1.5, 2.5, 3.5}) {
+      std::array<double, 6> x{}, y{};
+      one.position(t, x);
+      other.position(t, y);
+      EXPECT_EQ(x, y);
+    }
+    EXPECT_NE(x_at(one, 1.5), x_at(without, 1.5));
+  }
+}
+
+TEST(Curve, equal_speed_has_no_channels_of_turns) {  // and then is over all channels
+  Keys<double> keys = mixed();
+  keys.channels = 5;
+  keys.positions = {350, 0, 0, 0, 1, 20, 0, 0, .6, .8, 90, 0, .6, 0, .8, 10, 0, 0, 0, 1};
+  CurveRules<double> rules;
+  rules.equal_speed = true;
+  rules.rotations = {{{1, 2, 3, 4}}};
+  rules.angles = {{0, true}};
+  const auto curve = Curve<double>::build(keys, rules);
+  ASSERT_TRUE(curve) << curve.error().message();
+  for (const double t : {1.0, 3.0}) {  // both tangents of a key have the same speed
+    double in = 0, out = 0;
+    const Segment<double> before = curve->segment(curve->find_time(t, Side::left)),
+                          after = curve->segment(curve->find_time(t));
+    for (std::size_t i = 0; i < 5; ++i) {
+      in += before.cubics[i].in * before.cubics[i].in;
+      out += after.cubics[i].out * after.cubics[i].out;
+    }
+    EXPECT_NEAR(std::sqrt(in) / (before.end - before.start).hi, std::sqrt(out) / (after.end - after.start).hi, 1e-12);
+  }
+}
+
 TEST(Curve, closed_curves_have_the_tabled_positions) {
   struct Row {
     std::string_view tangents;
@@ -336,7 +393,8 @@ TEST(Curve, at_length_and_length_to_are_inverse) {
       for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(at[i], by_time[i], 1e-12);
     }
     EXPECT_EQ(curve->at_length(0), curve->start());
-    EXPECT_EQ(curve->at_length(2 * length), curve->end());
+    EXPECT_EQ(curve->at_length(2 * length), curve->end());  // also if it is closed
+    EXPECT_EQ(curve->at_length(-length), curve->start());
     EXPECT_EQ(curve->length_to(curve->start()).value, 0);
     EXPECT_EQ(curve->length_to(curve->end() + 1).value, length);
   }
@@ -381,6 +439,9 @@ TEST(Curve, rotations_pass_through_their_keys_and_turn_with_an_angular_velocity)
   EXPECT_EQ(x[3], curve->rotation(0.5).z);
   curve->velocity(0.5, v);
   EXPECT_NEAR(v[3], x[4] * std::acos(-1) / 4, 1e-14);
+  curve->derivative(2, 0.5, v);
+  EXPECT_TRUE(std::isfinite(v[0]));
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_TRUE(std::isnan(v[i]));
   EXPECT_EQ(curve->length().value, 2);  // of the first channel alone
 }
 
@@ -403,6 +464,9 @@ TEST(Curve, angles_turn_the_shorter_way_and_stay_within_a_turn) {
   ASSERT_TRUE(curve);
   EXPECT_NEAR(x_at(*curve, 0.5), 0, 1e-12);
   EXPECT_EQ(x_at(*curve, 1), 10);
+  const auto back = Curve<double>::build({1, {0, .01}, {10, 350}, {}, {}, {}}, rules);
+  // The end tangents are half the chord D = -20, so that in the middle dX/du = 1.25 D. It is not wrapped to a turn.
+  EXPECT_NEAR(derivative_at(*back, 1, .005), -2500, 1e-9);
 }
 
 TEST(Curve, channels_run_through_the_keys_that_have_a_position_in_them) {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb::spline {
 

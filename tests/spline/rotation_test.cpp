@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb::spline {
 namespace {
@@ -185,6 +185,23 @@ TEST(Rotation, the_rules_of_a_preset_for_rotations_replace_those_of_positions) {
     const auto q = mirrored.rotations_of(segment)[0].at(place<double>(0.5));
     EXPECT_EQ(p.x, q.x);
     EXPECT_EQ(p.w, q.w);
+  }
+}
+
+TEST(Rotation, takes_the_tension_continuity_and_bias_of_its_first_channel) {
+  const auto rules = rules_with<double>(TangentRule::velocity, RotationCurve::squad, EndRule::half);
+  Window<double> common = example_keys<double>(), of_channels = common;
+  ASSERT_FALSE(common.keys.has_channel_tcbs());
+  of_channels.keys.tcbs.clear();
+  for (std::size_t key = 0; key < common.keys.size(); ++key) {
+    const Tcb<double>& tcb = common.keys.tcb(key);
+    of_channels.keys.tcbs.insert(of_channels.keys.tcbs.end(), {tcb, {1, 1, 1}, {-1, 0, 0}, {0, -1, 0}});
+  }
+  const auto one = segments(common, rules), other = segments(of_channels, rules);
+  for (std::size_t segment = 0; segment < 4; ++segment) {
+    const auto p = one.rotations_of(segment)[0].at(place<double>(0.25));
+    const auto q = other.rotations_of(segment)[0].at(place<double>(0.25));
+    EXPECT_TRUE(p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w);
   }
 }
 

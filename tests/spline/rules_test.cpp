@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tcb/spline/rules.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb::spline {
 namespace {

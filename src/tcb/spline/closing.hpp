@@ -80,8 +80,7 @@ BuildResult<Closing<S>> find_closing(const Keys<S>& first, const Keys<S>& last, 
   return Closing<S>{*end, repeats};
 }
 
-/// Gives the first of some keys what belongs to it of a key that repeats it: the velocities with which the curve
-/// arrives there, and the turns to it.
+/// Copies to the first key what the repeated last key adds: its incoming velocities and turns.
 template <class SomeKeys, class S>
 void join_seam(SomeKeys& keys, const Keys<S>& repeated) {
   for (std::size_t i = 0; i < repeated.velocities.size(); ++i) keys.velocities[i].in = repeated.velocities[i].in;

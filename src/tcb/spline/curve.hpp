@@ -43,19 +43,7 @@ struct Segment {
   S length_error;                                 ///< a bound on the error of length_end
 };
 
-/// The channels of the lengths of a curve: those of its rules, or if these name none, all that are neither angles nor
-/// numbers of rotations, or if there are none, the turns of rotations; without those too, all.
-template <class S>
-std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t channels) {
-  std::vector<std::size_t> metric = rules.metric;
-  for (std::size_t i = 0; i < channels && rules.metric.empty(); ++i) {
-    if (is_plain(rules, i)) metric.push_back(i);
-  }
-  if (metric.empty() && !rules.rotations.empty()) metric = {turn_metric};
-  return metric;
-}
-
-/// The length of each segment over these channels, as Curve::append() takes them. Promises: see ArcLength.
+/// The length of each segment over the channels of metric_of(), as Curve::append() takes them. Promises: see ArcLength.
 template <class S>
 std::vector<Length<S>> lengths_of(const Segments<S>& segments, std::span<const std::size_t> metric) {
   std::vector<Length<S>> lengths;
@@ -69,8 +57,7 @@ std::vector<Length<S>> lengths_of(const Segments<S>& segments, std::span<const s
 }
 
 /// Shapes: `out` takes one number per channel; if it is shorter, only the first channels are computed.
-/// No evaluation throws, or allocates memory, but that of lengths on segments that were appended. A time of NaN gives
-/// NaN.
+/// Evaluations do not throw. They do not allocate, except lengths on appended segments. A time of NaN gives NaN.
 template <class S>
 class Curve {
  public:
@@ -83,7 +70,8 @@ class Curve {
     return of_keys(CurveKeys<S>(std::move(keys), rules), rules);
   }
 
-  /// A closed curve: one more segment joins the last key to the first, which repeats after the period. A last key at
+  /// A closed curve: one more segment joins the last key to the first, which repeats after the period. `period`: the
+  /// duration from the first key to its repetition, not a time; without it, the last key must end it. A last key at
   /// exactly the position of the first only ends the period and needs none; it must have the same tension, continuity
   /// and bias, and the same velocities or none; its incoming velocity counts. A rotation may be repeated with the other
   /// sign. The end rules have no effect. The result may be an error.
@@ -165,18 +153,21 @@ class Curve {
     return turn_rate(spot(t, side), number);
   }
 
-  /// dX/dt, at a key from one side; outside an open curve that of its end. The same as derivative(1, ...).
+  /// dX/dt, at a key from one side; outside an open curve that of its end. The same as derivative(1, ...). That of an
+  /// angle is not wrapped to a turn; those of the channels of a rotation are dq/dt.
   void velocity(const Time<S>& t, std::span<S> out, Side side = Side::right) const { derivative(1, t, out, side); }
 
   /// The derivative of any order by time, at a key from one side (at the ends of an open curve, from inside). Outside
   /// an open curve it is that of the end; a single key has the derivative 0. Order 0 is the position. Infinite or NaN
-  /// where it exceeds the range of the scalar, and beyond order 1 in the channels of a rotation.
+  /// where it exceeds the range of the scalar. Orders 2 and above are NaN in the four channels of a rotation.
   void derivative(std::size_t order, const Time<S>& t, std::span<S> out, Side side = Side::right) const;
 
   /// The length over the metric from the start to the end, with a bound on its error; see metric_of() and lengths_of().
+  /// It is rounded: at_length() of it may lie a rounding before the end.
   Length<S> length() const requires has_roots<S> { return {high_part<S>(lengths_.back()), errors_.back()}; }
 
-  /// The length from the start to a time; a time outside the curve is moved to its start or end.
+  /// The length from the start to a time; a time outside the curve is moved to its start or end, also of a closed
+  /// curve, whose position() is periodic.
   Length<S> length_to(const Time<S>& t) const requires has_roots<S> {
     const Spot at = spot_inside(std::clamp(t, segments_.times.front(), segments_.times.back()), Side::left);
     SegmentLength<S> own;
@@ -184,7 +175,8 @@ class Curve {
   }
 
   /// The first time at which the length from the start is s, rounded; also sets `out` to the position there, which is
-  /// that of the exact length. A length below 0 or above that of the curve gives the start or the end.
+  /// that of the exact length. A length below 0 or above that of the curve gives the start or the end, also of a closed
+  /// curve, whose position() is periodic.
   /// Promises: accurate to a few units in the last place of the length of the segment.
   S at_length(const S& s, std::span<S> out = {}) const requires has_roots<S>;
 

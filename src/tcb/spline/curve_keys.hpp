@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb::spline {
 
@@ -37,7 +37,7 @@ class ChannelKeys {
         rules_(std::move(rules)),
         period_(std::move(period)) {}
 
-  /// The segments between the keys `first` and `to` of these, which are any of a closed curve.
+  /// Segments from key `first` to key `to`, counted among this channel's keys; on a closed curve any range of integers.
   Segments<S> own_segments(std::ptrdiff_t first, std::ptrdiff_t to) const {
     const bool starts = !period_ && first == 0, ends = !period_ && to >= last();
     Window<S> window{{}, starts, ends, true};
@@ -145,7 +145,7 @@ class ChannelKeys {
   std::optional<Period<S>> period_;
 };
 
-/// The rules for one channel that runs through its own keys: with its own speed, and its own velocities at the ends.
+/// The rules for one channel that runs through its own keys, with its own velocities at the ends.
 template <class S>
 CurveRules<S> rules_of_channel(CurveRules<S> rules, std::size_t channel) {
   rules.metric.clear();
@@ -231,7 +231,7 @@ class CurveKeys {
     return numbers;
   }
 
-  /// Sets entries that follow one another segment after segment from those of each source on its own.
+  /// Interleaves the per-source entries so that those of one segment are contiguous.
   template <class T, class AppendOwn>
   static void set_columns(std::vector<T>& entries, const std::vector<ChannelKeys<S>>& sources, std::size_t size,
                           AppendOwn append_own) {

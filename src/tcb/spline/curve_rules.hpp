@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "tcb/spline/angle.hpp"
@@ -23,9 +24,13 @@ template <class S>
 struct CurveRules {
   TangentRule tangents = TangentRule::velocity;
   EndChoice<S> start, end;
-  bool equal_speed = false;                 ///< both tangents of a key get the same speed
-  std::vector<std::size_t> metric;          ///< the channels of speeds and lengths; empty: all; or turn_metric
-  std::vector<KeyRotation> rotations = {};  ///< not in the metric
+  /// Both tangents of a key get the same speed over the metric, or if the metric has no channels, over all channels; a
+  /// rotation has its own speed.
+  bool equal_speed = false;
+  /// The channels whose speeds and lengths count. Empty: all channels that are neither angles nor numbers of a
+  /// rotation; if there are none, the rotations' angles. `{turn_metric}`: the angles that rotations turn through.
+  std::vector<std::size_t> metric;
+  std::vector<KeyRotation> rotations = {};
   RotationRules rotation_rules = {};
   std::vector<AngleChannel> angles = {};
 };
@@ -35,6 +40,21 @@ template <class S>
 bool is_plain(const CurveRules<S>& rules, std::size_t channel) {
   return !is_in_rotation(rules.rotations, channel) &&
          std::ranges::count(rules.angles, channel, &AngleChannel::channel) == 0;
+}
+
+/// The channels whose speeds and lengths count:
+///   those of the rules' metric;
+///   else, if it is empty, all that are neither angles nor numbers of rotations;
+///   else, if there are none of these, turn_metric: the angles that the rotations turn through;
+///   else, if there are no rotations, an empty metric, which stands for all channels.
+template <class S>
+std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t channels) {
+  std::vector<std::size_t> metric = rules.metric;
+  for (std::size_t i = 0; i < channels && rules.metric.empty(); ++i) {
+    if (is_plain(rules, i)) metric.push_back(i);
+  }
+  if (metric.empty() && !rules.rotations.empty()) metric = {turn_metric};
+  return metric;
 }
 
 /// The difference between the positions of a key and the next one in a channel; that of angles is less than half a
@@ -60,11 +80,25 @@ CurveRules<S> rules_of(Preset preset) {
   return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotations};
 }
 
-/// The rules that give the tangents of rotations, over all their numbers.
+/// The rules at another scalar; `number` converts each of their numbers.
+template <class To, class From, class Number>
+CurveRules<To> converted(const CurveRules<From>& rules, Number number) {
+  const auto end = [&](const EndChoice<From>& choice) {
+    EndChoice<To> result{choice.rule, {}};
+    std::ranges::transform(choice.velocity, std::back_inserter(result.velocity), number);
+    return result;
+  };
+  return {rules.tangents, end(rules.start), end(rules.end),       rules.equal_speed,
+          rules.metric,   rules.rotations,  rules.rotation_rules, rules.angles};
+}
+
+/// The rules that give the tangents of one rotation, whose numbers are then all channels.
 template <class S>
 CurveRules<S> rules_of_rotations(CurveRules<S> rules) {
   const RotationRules& own = rules.rotation_rules;
   rules.metric.clear();
+  rules.rotations.clear();
+  rules.angles.clear();
   if (own.tangents) rules.tangents = *own.tangents;
   if (own.ends) rules.start = rules.end = {*own.ends, {}};
   return rules;

@@ -18,8 +18,8 @@
 #include <optional>
 #include <utility>
 
-#include "tcb/spline/tangents.hpp"
 #include "tcb/spline/window.hpp"
+#include "tcb/spline/window_segments.hpp"
 
 namespace tcb::spline {
 

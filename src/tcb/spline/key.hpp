@@ -44,29 +44,6 @@ enum class Side : std::uint8_t { left, right };
 /// The channels that together are a rotation: those of the numbers x, y, z, w of a quaternion.
 using RotationChannels = std::array<std::size_t, 4>;
 
-/// The numbers that give a rotation: x, y, z, w; an axis and the angle around it; angles around three axes in turn; or
-/// the nine of a matrix, row after row.
-enum class RotationForm : std::uint8_t { quaternion, axis_angle, euler, matrix };
-
-/// How a rotation is written.
-struct RotationNotation {
-  RotationForm form = RotationForm::quaternion;
-  std::array<std::uint8_t, 3> axes{};  ///< of Euler angles: 0 to 2, in the order of the turns
-  bool intrinsic = true;               ///< each turn is around an axis of the frame that was turned before
-  bool degrees = false;                ///< angles are in degrees, else in radians
-
-  constexpr std::size_t numbers() const {
-    constexpr std::array<std::size_t, 4> counts{4, 4, 3, 9};
-    return counts[static_cast<std::size_t>(form)];
-  }
-  constexpr bool is_quaternion() const { return form == RotationForm::quaternion; }
-  friend bool operator==(const RotationNotation&, const RotationNotation&) = default;
-};
-
-/// The numbers of a rotation in any notation; zeros follow.
-template <class S>
-using RotationNumbers = std::array<S, 9>;
-
 /// A rotation of keys: the channels of its quaternion, and which of the turns of a key is its own.
 struct KeyRotation {
   RotationChannels channels{};
@@ -96,26 +73,31 @@ using TurnVector = std::array<S, 3>;
 inline constexpr std::size_t turn_metric = std::numeric_limits<std::size_t>::max();
 constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.empty() && metric[0] == turn_metric; }
 
-/// Successive keys, each with the same number of channels.
-/// Shapes: positions holds `channels` numbers per key, key after key; tcbs holds one entry per key, or `channels`
-/// entries per key where each channel has its own, or none where every key has `common_tcb`; eases holds one entry per
-/// key, or none; velocities holds `channels` entries per key, and `given` one per channel, or both hold none. In a
-/// channel that is given, the velocities are those of the curve, and no tangent rule and no end rule applies. turns
-/// holds as many entries per key as rotations have turns: the turn to it from the key before, where that is half a turn
-/// or makes whole turns; zeros: the shorter way.
-/// A position may be missing: it is NaN, or where the scalar has no NaN, `missing` says so, with one entry per
-/// position. A channel then runs through the keys that have a position in it, as if there were no others.
+/// Successive keys, each with the same number of channels. A rotation is always four channels x, y, z, w; for other
+/// notations see rotation_notation.hpp.
 template <class S>
 struct Keys {
   std::size_t channels = 0;
   std::vector<Time<S>> times;
+  /// `channels` numbers per key, key after key. A position may be missing: it is NaN, or where the scalar has no NaN,
+  /// `missing` says so. A channel then runs through the keys that have a position in it, as if there were no others.
   std::vector<S> positions;
+  /// One entry per key; or `channels` entries per key, of which a rotation takes those of its first channel; or none:
+  /// then every key has `common_tcb`.
   std::vector<Tcb<S>> tcbs;
   Tcb<S> common_tcb;
+  /// One entry per key, or none. With missing positions they are an error.
   std::vector<Ease<S>> eases;
+  /// `channels` entries per key, or none. In a channel that is `given`, the velocities are those of the curve, and no
+  /// tangent rule and no end rule applies. They may be NaN before the channel's first key and after its last.
   std::vector<Velocity<S>> velocities = {};
+  /// One entry per channel if there are velocities, else none. Where `given` is false, the channel's velocities are
+  /// ignored.
   std::vector<bool> given = {};
+  /// As many entries per key as rotations have turns: the turn to it from the key before, where that is half a turn or
+  /// makes whole turns; zeros: the shorter way.
   std::vector<TurnVector<S>> turns = {};
+  /// One entry per position, or none.
   std::vector<bool> missing = {};
 
   std::size_t size() const { return times.size(); }
@@ -134,7 +116,7 @@ struct Keys {
     return missing.empty() ? std::ranges::any_of(positions, [](const S& position) { return position != position; })
                            : std::ranges::count(missing, true) > 0;
   }
-  /// Tension, continuity and bias of a key, in a channel where each has its own.
+  /// Tension, continuity and bias of a key in a channel; those of a rotation are those of its first channel.
   const Tcb<S>& tcb(std::size_t key, std::size_t channel = 0) const {
     if (tcbs.empty()) return common_tcb;
     return has_channel_tcbs() ? tcbs[key * channels + channel] : tcbs[key];

@@ -38,7 +38,7 @@ template <class T>
 struct Quaternion {
   T x{}, y{}, z{}, w{};
 
-  /// The same rotation, with other signs but those of zeros.
+  /// Negates all components; zeros stay +0.
   friend Quaternion operator-(const Quaternion& q) { return {T(0) - q.x, T(0) - q.y, T(0) - q.z, T(0) - q.w}; }
   friend Quaternion operator+(const Quaternion& p, const Quaternion& q) {
     return {p.x + q.x, p.y + q.y, p.z + q.z, p.w + q.w};

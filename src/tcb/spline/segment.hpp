@@ -44,7 +44,7 @@ struct Cubic {
 
 /// The cubic from p0 to p1 with the given local tangents. For doubles a coefficient is set to 0 if it is within the
 /// rounding error of its terms, so that a natural end has no acceleration and a straight segment no curvature.
-/// The chord is p1 - p0, or differs from it by whole turns; then the two halves of the cubic do.
+/// If the chord differs from p1 - p0 by whole turns, the expansions about the two ends differ by these turns too.
 template <class S>
 Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& chord, const working_t<S>& out, const working_t<S>& in) {
   using W = working_t<S>;

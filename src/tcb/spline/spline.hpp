@@ -17,7 +17,7 @@
 //     int main() {
 //       Keys<double> keys;
 //       keys.channels = 2;                                       // x and y
-//       keys.times = {0.0, 1.0, 3.0, 4.0};                       // increasing
+//       keys.times = {10.0, 11.0, 13.0, 14.0};                   // increasing
 //       keys.positions = {0, 0, 2, 3, 5, -1, 6, 2};              // x and y of each key
 //       keys.tcbs = {{}, {0.5, 0, 0}, {0, -1, 0}, {0, 0, 0.25}};  // tension, continuity, bias of each key
 //
@@ -31,7 +31,7 @@
 //       }
 //       std::array<double, 2> position{}, velocity{};
 //       for (int row = 0; row <= 8; ++row) {
-//         const double t = row * 0.5;
+//         const double t = 10 + row * 0.5;
 //         curve->position(t, position);
 //         curve->velocity(t, velocity);
 //         std::printf("t %g: position %.4f %.4f, velocity %.4f %.4f\n", t, position[0], position[1], velocity[0],
@@ -45,9 +45,9 @@
 //       const Segment<double> first = curve->segment(0);
 //       std::printf("segment 0 leaves with tangent %.4f %.4f\n", first.cubics[0].out, first.cubics[1].out);
 //
-//       const auto closed = Curve<double>::build_closed(keys, rules, 5.0);  // back at the first key at t = 5
-//       closed->position(4.5, position);
-//       std::printf("closed, t 4.5: position %.4f %.4f\n", position[0], position[1]);
+//       const auto closed = Curve<double>::build_closed(keys, rules, 5.0);  // back at the first key at t = 15
+//       closed->position(14.5, position);
+//       std::printf("closed, t 14.5: position %.4f %.4f\n", position[0], position[1]);
 //
 //       // The curve of a camera that turns: x, and a rotation as the quaternion x, y, z, w.
 //       Keys<double> poses;
@@ -75,11 +75,12 @@
 //         for (std::size_t i = 0; i < known.size(); ++i) std::printf("a segment to x %.4f\n", known[i][0].p1);
 //       }
 //
-//       keys.times[2] = 0.5;
+//       keys.times[2] = 10.5;
 //       std::printf("%s\n", Curve<double>::build(keys).error().message().c_str());
 //     }
 #pragma once
 
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/arc_inverse.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/build_error.hpp"
@@ -89,13 +90,16 @@
 #include "tcb/spline/curve_rules.hpp"
 #include "tcb/spline/curve_stream.hpp"
 #include "tcb/spline/derivatives.hpp"
+#include "tcb/spline/double_pair.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/rules.hpp"
 #include "tcb/spline/scalar.hpp"
 #include "tcb/spline/segment.hpp"
 #include "tcb/spline/segment_length.hpp"
 #include "tcb/spline/segments.hpp"
-#include "tcb/spline/tangents.hpp"
+#include "tcb/spline/turn_length.hpp"
 #include "tcb/spline/window.hpp"
+#include "tcb/spline/window_segments.hpp"

@@ -1,4 +1,4 @@
-// Tangents: those of the keys of a window by the rules, and the segments that they make.
+// Rotation of a window: the curve of one rotation between successive keys, with the tangents that the rules give it.
 #pragma once
 
 #include <array>
@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "tcb/spline/detail/key_tangents.hpp"
-#include "tcb/spline/segments.hpp"
+#include "tcb/spline/detail/tangents.hpp"
+#include "tcb/spline/rotation.hpp"
 #include "tcb/spline/window.hpp"
 
 namespace tcb::spline {
@@ -44,7 +44,7 @@ class RotationOfWindow {
     turns.keys.channels = is_linear_ ? 4 : 3;
     turns.keys.positions.assign(keys_.size() * turns.keys.channels, S(0));
     set_velocities(turns.keys);
-    if (window_.keys.has_channel_tcbs()) {
+    if (window_.keys.has_channel_tcbs()) {  // all numbers take those of the first
       turns.keys.tcbs.clear();
       for (std::size_t key = 0; key < keys_.size(); ++key)
         turns.keys.tcbs.push_back(window_.keys.tcb(key, rotation_.channels[0]));
@@ -96,7 +96,7 @@ class RotationOfWindow {
       for (std::size_t i = 0; i < turns.channels; ++i) turns.velocities.push_back({in[i], out[i]});
     }
   }
-  /// A velocity at a key; as that of a logarithm it is the part that turns, the same from q and -q.
+  /// The velocity as that of a logarithm (only the turning part), equal for q and -q.
   Chord velocity(std::size_t key, S Velocity<S>::*side) const {
     const auto four = [&](auto number) {
       const auto [x, y, z, w] = rotation_.channels;
@@ -149,7 +149,7 @@ class RotationOfWindow {
   std::vector<Chord> chords_;
 };
 
-/// The curves of the rotations of a window, those of a segment after those of the one before.
+/// All rotation curves of a window, segment by segment.
 template <class S>
 std::vector<RotationSegment<S>> rotation_segments(const Window<S>& window, const CurveRules<S>& rules) {
   std::vector<RotationSegment<S>> result;
@@ -158,31 +158,6 @@ std::vector<RotationSegment<S>> rotation_segments(const Window<S>& window, const
     const auto one = RotationOfWindow<S>(window, rules, rules.rotations[i]).segments();
     result.resize(one.size() * count);
     for (std::size_t segment = 0; segment < one.size(); ++segment) result[segment * count + i] = one[segment];
-  }
-  return result;
-}
-
-/// The segments of a window; none where it has none yet. A single key is a constant segment.
-template <class S>
-Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
-  if (window.is_single_key()) return constant_segment(window.keys, rules);
-  if (!window.has_segments()) return {};
-  const Keys<S>& keys = window.keys;
-  const Tangents<S> tangents(window, rules);
-  const PositionChord<S> chord{keys, rules.angles};
-  Segments<S> result{keys.channels, {}, {}, {}};
-  result.cubics.reserve((window.last_key() - window.first_key()) * keys.channels);
-  for (std::size_t key = window.first_key(); key < window.last_key(); ++key) {
-    result.times.push_back(keys.times[key]);
-    for (std::size_t i = 0; i < keys.channels; ++i) {
-      result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], chord(key, i),
-                                       tangents.outgoing(key)[i], tangents.incoming(key + 1)[i]));
-    }
-    if (!keys.eases.empty()) result.warps.emplace_back(keys.eases[key].out, keys.eases[key + 1].in);
-  }
-  result.times.push_back(keys.times[window.last_key()]);
-  if constexpr (has_roots<S>) {
-    result.rotations = rotation_segments(window, rules);
   }
   return result;
 }

@@ -24,7 +24,7 @@ class Tangents {
   Tangents(const Window<S>& window, const CurveRules<S>& rules)
       : Tangents(window, rules, {window.keys, rules.angles}) {}
   Tangents(const Window<S>& window, const CurveRules<S>& rules, Chord chord)
-      : keys_(window.keys), rules_(rules), chord_(std::move(chord)) {
+      : keys_(window.keys), rules_(rules), chord_(std::move(chord)), metric_(speed_metric()) {
     incoming_.assign(keys_.size() * keys_.channels, W(0));
     outgoing_ = incoming_;
     const auto common = factors(keys_.common_tcb);
@@ -113,8 +113,15 @@ class Tangents {
     for (W& value : out) value = value * (speed_in + speed_in) / sum;
   }
 
-  std::size_t metric_size() const { return rules_.metric.empty() ? keys_.channels : rules_.metric.size(); }
-  std::size_t metric(std::size_t i) const { return rules_.metric.empty() ? i : rules_.metric[i]; }
+  /// The channels of equal speed. Empty: all, also where lengths are the angles of turns.
+  std::vector<std::size_t> speed_metric() const {
+    std::vector<std::size_t> metric;
+    if (rules_.equal_speed) metric = metric_of(rules_, keys_.channels);
+    if (is_turn(metric)) metric.clear();
+    return metric;
+  }
+  std::size_t metric_size() const { return metric_.empty() ? keys_.channels : metric_.size(); }
+  std::size_t metric(std::size_t i) const { return metric_.empty() ? i : metric_[i]; }
 
   /// A power of two no smaller than any metric component, so that squares neither overflow nor vanish.
   S power_of_two_above(std::span<const W> in, std::span<const W> out) const {
@@ -142,6 +149,7 @@ class Tangents {
   const Keys<S>& keys_;
   const CurveRules<S>& rules_;
   Chord chord_;
+  std::vector<std::size_t> metric_;  ///< of equal speed; empty: all channels
   std::vector<W> incoming_, outgoing_;
 };
 
