@@ -45,7 +45,7 @@ TEST(BuildError, counts_must_agree) {
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.channels = 0; }).code, no_channels);
   const auto positions = error_with([](auto& keys, auto&) { keys.channels = 2; });
   EXPECT_EQ(positions.code, positions_count);
-  EXPECT_EQ(positions.message(), "positions has 5 numbers; expected 10, one per key and channel");
+  EXPECT_EQ(positions.message(), "the size of positions is 5; expected 10, one per key and channel");
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.channels = std::size_t{1} << 63; }).code, positions_count);
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.tcbs.pop_back(); }).code, tcbs_count);
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.eases.resize(7); }).code, eases_count);
@@ -66,7 +66,7 @@ TEST(BuildError, given_velocities_are_complete_and_finite) {
   EXPECT_EQ(outgoing.code, key_velocity_not_finite);
   EXPECT_EQ(outgoing.message(),
             "a velocity of key 0 in channel 0 is not finite; expected finite numbers, except before the first key and "
-            "after the last");
+            "after the last (keys and channels count from 0)");
   EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities[4].in = infinite; }).key, 4U);
   EXPECT_EQ(with([](auto&, auto& rules) { rules.equal_speed = true; }).code, equal_speed_with_velocities);
 }
@@ -80,7 +80,9 @@ TEST(BuildError, times_must_be_finite_and_increase) {
   for (const double bad : {1.0, 0.5, -7.0}) {
     const auto error = error_with([&](auto& keys, auto&) { keys.times[2] = bad; });
     EXPECT_EQ(error.code, times_not_increasing);
-    EXPECT_EQ(error.message(), "the time of key 2 is not after that of the key before it; expected increasing times");
+    EXPECT_EQ(
+        error.message(),
+        "the time of key 2 is not after that of the key before it; expected increasing times (keys count from 0)");
   }
   const auto error = error_with([](auto& keys, auto&) {
     keys.times[0] = -1e308;
@@ -94,7 +96,8 @@ TEST(BuildError, numbers_must_be_finite_and_ease_within_0_and_1) {
     const auto position = error_with([&](auto& keys, auto&) { keys.positions[3] = bad; });
     EXPECT_EQ(position.code, position_not_finite);
     EXPECT_EQ(position.message(),
-              "the position of key 3 in channel 0 is infinite; expected a finite number, or NaN if it is missing");
+              "the position of key 3 in channel 0 is infinite; expected a finite number, or NaN if it is missing "
+              "(keys and channels count from 0)");
   }
   for (const double bad : {nan, infinite, -infinite}) {
     EXPECT_EQ(error_with([&](auto& keys, auto&) { keys.tcbs[1].bias = bad; }).code, tcb_not_finite);
@@ -115,10 +118,14 @@ TEST(BuildError, rules_must_fit_the_keys) {
   EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end.rule = static_cast<EndRule>(99); }).code, unknown_rule);
   const auto metric = error_with([](auto&, auto& rules) { rules.metric = {0, 1}; });
   EXPECT_EQ(metric.code, metric_channel_missing);
-  EXPECT_EQ(metric.message(), "the metric has channel 1; expected a number below 1, the number of channels");
+  EXPECT_EQ(metric.message(),
+            "the metric has channel 1; expected a number below 1, the number of channels (channels count from 0)");
   EXPECT_EQ(error_with([](auto&, auto& rules) { rules.start.rule = EndRule::velocity; }).code, velocity_count);
   EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end = {EndRule::velocity, {1, 2}}; }).code, velocity_count);
-  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.end.velocity = {1}; }).code, velocity_count);
+  const auto velocity = error_with([](auto&, auto& rules) { rules.end.velocity = {1}; });
+  EXPECT_EQ(velocity.code, velocity_count);
+  EXPECT_EQ(velocity.message(),
+            "the number of velocities of the end rule at key 4 is 1; expected 0 (keys count from 0)");
   EXPECT_EQ(error_with([](auto&, auto& rules) { rules.start = {EndRule::velocity, {nan}}; }).code, velocity_not_finite);
   EXPECT_EQ(error_with([](auto&, auto& rules) {
               rules.end = {EndRule::velocity, {infinite}};
@@ -136,6 +143,29 @@ TEST(BuildError, a_channel_needs_a_position_and_no_ease_where_one_is_missing) {
   EXPECT_EQ(ease.code, ease_with_missing_positions);
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.missing = {true}; }).code, missing_count);
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.turns.resize(3); }).code, turns_count);
+}
+
+TEST(BuildError, equal_speed_needs_every_position) {
+  const auto by_nan = error_with([](auto& keys, auto& rules) {
+    keys.positions[2] = nan;
+    rules.equal_speed = true;
+  });
+  EXPECT_EQ(by_nan.code, equal_speed_with_missing_positions);
+  EXPECT_EQ(by_nan.message(),
+            "some positions are missing, and equal speed needs all of them; expected equal speed only where no "
+            "position is missing");
+  const auto by_mask = error_with([](auto& keys, auto& rules) {
+    keys.missing = {false, false, true, false, false};
+    rules.equal_speed = true;
+  });
+  EXPECT_EQ(by_mask.code, equal_speed_with_missing_positions);
+  Keys<double> keys = keys_of(example);
+  keys.positions[2] = nan;
+  CurveRules<double> rules;
+  rules.equal_speed = true;
+  const auto closed = Curve<double>::build_closed(keys, rules, 9.0);
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(closed.error().code, equal_speed_with_missing_positions);
 }
 
 TEST(BuildError, rotations_and_angles_must_fit_the_keys) {

@@ -43,6 +43,7 @@ enum class BuildErrorCode : std::uint8_t {
   velocity_not_finite,
   scalar_without_roots,
   equal_speed_with_velocities,
+  equal_speed_with_missing_positions,
   rotation_channel_missing,
   rotation_channel_shared,
   rotation_turn_missing,
@@ -73,18 +74,18 @@ struct BuildErrorText {
 inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
     {BuildErrorCode::no_keys, "there are no keys; expected at least one"},
     {BuildErrorCode::no_channels, "the keys have no channels; expected at least one"},
-    {BuildErrorCode::positions_count, "positions has {found} numbers; expected {expected}, one per key and channel"},
+    {BuildErrorCode::positions_count, "the size of positions is {found}; expected {expected}, one per key and channel"},
     {BuildErrorCode::tcbs_count,
-     "tcbs has {found} entries; expected {expected}, one per key, or as many per key as channels, or none"},
-    {BuildErrorCode::eases_count, "eases has {found} entries; expected {expected}, one per key, or none"},
+     "the size of tcbs is {found}; expected {expected}, one per key, or as many per key as channels, or none"},
+    {BuildErrorCode::eases_count, "the size of eases is {found}; expected {expected}, one per key, or none"},
     {BuildErrorCode::velocities_count,
-     "velocities has {found} entries; expected {expected}, one per key and channel, or none"},
+     "the size of velocities is {found}; expected {expected}, one per key and channel, or none"},
     {BuildErrorCode::given_count,
-     "given has {found} entries; expected {expected}, one per channel where there are velocities, or none"},
+     "the size of given is {found}; expected {expected}, one per channel where there are velocities, or none"},
     {BuildErrorCode::turns_count,
-     "turns has {found} entries; expected as many for each of the {expected} keys, or none"},
+     "the size of turns is {found}; expected a multiple of {expected}, the number of keys"},
     {BuildErrorCode::missing_count,
-     "missing has {found} entries; expected {expected}, one per key and channel, or none"},
+     "the size of missing is {found}; expected {expected}, one per key and channel, or none"},
     {BuildErrorCode::time_not_finite, "the time of key {key} is not finite; expected a finite number"},
     {BuildErrorCode::times_not_increasing,
      "the time of key {key} is not after that of the key before it; expected increasing times"},
@@ -106,7 +107,8 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
     {BuildErrorCode::unknown_rule, "a tangent rule or end rule has no row in its table; expected an enumerator"},
     {BuildErrorCode::metric_channel_missing,
      "the metric has channel {channel}; expected a number below {expected}, the number of channels"},
-    {BuildErrorCode::velocity_count, "the end rule at key {key} has {found} velocities; expected {expected}"},
+    {BuildErrorCode::velocity_count,
+     "the number of velocities of the end rule at key {key} is {found}; expected {expected}"},
     {BuildErrorCode::velocity_not_finite,
      "the end velocity at key {key} in channel {channel} is not finite; expected a finite number"},
     {BuildErrorCode::scalar_without_roots,
@@ -114,6 +116,9 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
      "them"},
     {BuildErrorCode::equal_speed_with_velocities,
      "equal speed changes the velocities, which are given; expected no equal speed"},
+    {BuildErrorCode::equal_speed_with_missing_positions,
+     "some positions are missing, and equal speed needs all of them; expected equal speed only where no position is "
+     "missing"},
     {BuildErrorCode::rotation_channel_missing,
      "a rotation or an angle has channel {channel}; expected a number below {expected}, the number of channels"},
     {BuildErrorCode::rotation_channel_shared,
@@ -136,7 +141,7 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
     {BuildErrorCode::equal_speed_of_turns,
      "the metric is the angle of turns, which equal speed cannot use; expected channels, or no equal speed"},
     {BuildErrorCode::closed_too_few_keys,
-     "a closed curve has {found} key besides a repeated first key; expected at least two"},
+     "the number of keys of a closed curve, without a repeated first key, is {found}; expected at least two"},
     {BuildErrorCode::period_missing,
      "the period is missing; expected one, or a last key at the position of the first key"},
     {BuildErrorCode::period_not_finite, "the period or its end is not finite; expected a finite number"},
@@ -168,13 +173,15 @@ struct BuildError {
     std::string text(build_error_texts[static_cast<std::size_t>(code)].text);
     const auto insert = [&](std::string_view name, std::size_t value) {
       const std::size_t at = text.find(name);
-      if (at != std::string::npos) text.replace(at, name.size(), std::to_string(value));
+      if (at == std::string::npos) return false;
+      text.replace(at, name.size(), std::to_string(value));
+      return true;
     };
-    insert("{key}", key);
-    insert("{channel}", channel);
+    const bool has_key = insert("{key}", key), has_channel = insert("{channel}", channel);
     insert("{expected}", expected);
     insert("{found}", found);
-    return text;
+    if (has_key && has_channel) return text + " (keys and channels count from 0)";
+    return text + (has_key ? " (keys count from 0)" : has_channel ? " (channels count from 0)" : "");
   }
 };
 
@@ -404,6 +411,7 @@ std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys
   if (rules.equal_speed && std::ranges::count(keys.given, true) > 0) {
     return BuildError{.code = equal_speed_with_velocities};
   }
+  if (rules.equal_speed && keys.is_sparse()) return BuildError{.code = equal_speed_with_missing_positions};
   if (auto error = find_rotation_error(rules, keys)) return error;
   if (auto error = find_metric_error(rules, keys)) return error;
   if (closed) return std::nullopt;
