@@ -10,6 +10,8 @@ if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
 endif()
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
+set(contact "tcbsample maintainers <${TCBSAMPLE_CONTACT}>")
+
 # Debian's documents of a package: manual and changes compressed, without times, and the licence as "copyright".
 set(documents ${PROJECT_BINARY_DIR}/documents)
 file(WRITE ${documents}/changelog.Debian
@@ -17,30 +19,28 @@ file(WRITE ${documents}/changelog.Debian
 
   * This version; its changes are in changelog.gz.
 
- -- tcbsample maintainers <maintainers@tcbsample.example>  ${date}
+ -- ${contact}  ${date}
 
 tcbsample (0.1.0-1) unstable; urgency=medium
 
   * First version.
 
- -- tcbsample maintainers <maintainers@tcbsample.example>  Sun, 01 Nov 2026 00:00:00 +0000
+ -- ${contact}  Sun, 01 Nov 2026 00:00:00 +0000
 ")
 configure_file(CHANGELOG.md ${documents}/changelog COPYONLY)
-set(pages tcbsample-numerics.7 tcbsample-clusters.7)
-foreach(page ${pages})
-  configure_file(man/${page} ${documents}/${page} COPYONLY)
-endforeach()
-foreach(document changelog changelog.Debian ${pages})
+foreach(document changelog changelog.Debian)
   execute_process(COMMAND gzip -9nkf ${documents}/${document} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-if(manual)
-  add_custom_command(OUTPUT ${documents}/tcbsample.1.gz COMMAND gzip -9nc ${manual} > ${documents}/tcbsample.1.gz
-                     DEPENDS ${manual} VERBATIM)
-  add_custom_target(compressed_manual ALL DEPENDS ${documents}/tcbsample.1.gz)
-  install(FILES ${documents}/tcbsample.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
-endif()
-install(FILES ${documents}/tcbsample-numerics.7.gz ${documents}/tcbsample-clusters.7.gz
-        DESTINATION ${CMAKE_INSTALL_MANDIR}/man7 COMPONENT program)
+foreach(page ${pages})
+  cmake_path(ABSOLUTE_PATH page)
+  cmake_path(GET page FILENAME name)
+  set(compressed ${documents}/${name}.gz)
+  add_custom_command(OUTPUT ${compressed} COMMAND gzip -9nc ${page} > ${compressed} DEPENDS ${page} VERBATIM)
+  list(APPEND compressed_pages ${compressed})
+  string(REGEX MATCH ".$" section ${name})
+  install(FILES ${compressed} DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT program)
+endforeach()
+add_custom_target(compressed_manual ALL DEPENDS ${compressed_pages})
 foreach(component program library)
   set(folder ${CMAKE_INSTALL_DATADIR}/doc/tcbsample)
   if(component STREQUAL library)
@@ -56,12 +56,12 @@ set(archive tcbsample-${PROJECT_VERSION}-${system})
 add_program(tcbsample_static ON)
 set_target_properties(tcbsample_static PROPERTIES OUTPUT_NAME tcbsample RUNTIME_OUTPUT_DIRECTORY static)
 install(TARGETS tcbsample_static DESTINATION ${archive} COMPONENT archive EXCLUDE_FROM_ALL)
-install(FILES ${manual} man/tcbsample-numerics.7 man/tcbsample-clusters.7 LICENSE README.md CHANGELOG.md ${completions} DESTINATION ${archive}
+install(FILES ${pages} LICENSE README.md CHANGELOG.md ${completions} DESTINATION ${archive}
         COMPONENT archive EXCLUDE_FROM_ALL)
 
 set(CPACK_PACKAGE_NAME tcbsample)
 set(CPACK_PACKAGE_VENDOR "tcbsample maintainers")
-set(CPACK_PACKAGE_CONTACT "tcbsample maintainers <maintainers@tcbsample.example>")
+set(CPACK_PACKAGE_CONTACT "${contact}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Kochanek-Bartels (TCB) curves through keyframes")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cli/completion_scripts.hpp"
+#include "cli/help.hpp"
 #include "cli/options.hpp"
 #include "io/input_file.hpp"
 #include "read/reader.hpp"
@@ -19,17 +18,6 @@
 
 namespace tcb {
 namespace {
-
-/// A script with texts in the places marked for them.
-std::string filled(std::string_view script, std::initializer_list<std::pair<std::string_view, std::string>> texts) {
-  std::string out(script);
-  for (const auto& [mark, text] : texts) {
-    for (std::size_t at = 0; (at = out.find(mark, at)) != std::string::npos; at += text.size()) {
-      out.replace(at, mark.size(), text);
-    }
-  }
-  return out;
-}
 
 std::string known_names(const OptionRow& row) { return fmt::format("{}", fmt::join(row.known(), " ")); }
 

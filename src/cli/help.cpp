@@ -146,9 +146,20 @@ std::string presets_text() {
 
 std::string version_text() { return fmt::format("tcbsample {}", TCBSAMPLE_VERSION); }
 
+std::string filled(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts) {
+  std::string out(text);
+  for (const auto& [mark, replacement] : texts) {
+    for (std::size_t at = 0; (at = out.find(mark, at)) != std::string::npos; at += replacement.size()) {
+      out.replace(at, mark.size(), replacement);
+    }
+  }
+  return out;
+}
+
 std::string generated_text(Generated kind, const std::vector<std::string>& files) {
   switch (kind) {
     case Generated::manual: return manual_page();
+    case Generated::curves: return curves_page();
     case Generated::bash: return bash_completion();
     case Generated::zsh: return zsh_completion();
     case Generated::fish: return fish_completion();

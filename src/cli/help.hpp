@@ -1,7 +1,10 @@
 // Help: the texts for terminals, made from the tables of options, presets and rules.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/typed_options.hpp"
@@ -22,7 +25,10 @@ std::string rotation_rules_text(const spline::RotationRules& rules);
 
 std::string version_text();
 
-/// The manual page, a completion script, or the names of the columns of files.
+/// A text with others in the places marked for them.
+std::string filled(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts);
+
+/// A page of the manual, a completion script, or the names of the columns of files.
 std::string generated_text(Generated kind, const std::vector<std::string>& files = {});
 
 }  // namespace tcb

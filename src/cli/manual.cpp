@@ -1,10 +1,13 @@
-// Manual: the page tcbsample(1), made from its prose and the tables of options, presets and rules.
+// Manual: the pages tcbsample(1) and tcbsample-curves(7), made from their texts and the tables of options, presets and
+// rules.
 #include "cli/manual.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/help.hpp"
@@ -75,19 +78,23 @@ std::string manual_ends() {
   return out;
 }
 
+/// A page in the man macros, without the last line end.
+std::string page(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts) {
+  const std::string out = filled(text, texts);
+  return out.substr(0, out.find_last_not_of('\n') + 1);
+}
+
 }  // namespace
 
 std::string manual_page() {
-  std::string page(manual_template);
-  const auto fill = [&](std::string_view mark, const std::string& text) {
-    page.replace(page.find(mark), mark.size(), text);
-  };
-  fill("@VERSION@", TCBSAMPLE_VERSION);
-  fill("@OPTIONS@\n", manual_options());
-  fill("@PRESETS@\n", manual_presets());
-  fill("@TANGENTS@\n", manual_tangents());
-  fill("@ENDS@\n", manual_ends());
-  return page.substr(0, page.find_last_not_of('\n') + 1);
+  return page(
+      manual_template,
+      {{"@VERSION@", TCBSAMPLE_VERSION}, {"@OPTIONS@\n", manual_options()}, {"@CONTACT@", escaped(TCBSAMPLE_CONTACT)}});
+}
+
+std::string curves_page() {
+  return page(curves_template,
+              {{"@PRESETS@\n", manual_presets()}, {"@TANGENTS@\n", manual_tangents()}, {"@ENDS@\n", manual_ends()}});
 }
 
 }  // namespace tcb

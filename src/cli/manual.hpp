@@ -1,14 +1,17 @@
-// Manual: the page tcbsample(1), made from its prose and the tables of options, presets and rules.
+// Manual: the pages tcbsample(1) and tcbsample-curves(7), made from their texts and the tables of options, presets and
+// rules.
 #pragma once
 
 #include <string>
 
 namespace tcb {
 
-/// The prose of the page, man/tcbsample.1.in, put into the program by the build.
+/// The texts of the pages, man/tcbsample.1.in and man/tcbsample-curves.7.in, put into the program by the build.
 extern const char* const manual_template;
+extern const char* const curves_template;
 
-/// The page in the man macros, without the last line end.
+/// The pages in the man macros, without the last line end.
 std::string manual_page();
+std::string curves_page();
 
 }  // namespace tcb

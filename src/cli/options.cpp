@@ -93,10 +93,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text) { to.fail_fast = true; }, need_folder},
 
     {option::check, "", "FILE", comparison_group,
-     "Compares the samples in FILE, made by any program, with the curve at the same times, or at the same arc lengths "
-     "s, and prints a report; the exit code is 1 if they differ. With a sampling option, or the provenance of --meta "
-     "in "
-     "FILE, a missing or surplus row is a difference as well",
+     "Compares the samples in FILE, made by any program, with the curve at the same times or arc lengths, and prints a "
+     "report. With a sampling option, or provenance in FILE, a missing or surplus row is a difference as well",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
      [](const Conflicts& of) {
        of.exclude({option::identify});
@@ -111,9 +109,8 @@ constexpr OptionRow option_rows[] = {
      "With --check: the largest accepted difference as a fraction of the number on the curve", "", other, recorded,
      [](Typed& to, Text text) { to.comparison.rel = tolerances(text); }, need_check},
     {option::ulp, "", "[COL=]N,...", comparison_group,
-     "With --check: the largest accepted difference in units in the last place, which are steps between neighbouring "
-     "doubles; by default 0, so that the numbers must be equal",
-     "", other, recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }, need_check},
+     "With --check: the largest accepted difference in units in the last place, the steps between neighbouring doubles",
+     "0", other, recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }, need_check},
     {option::map, "", "THEIRS=OURS,...", comparison_group,
      "Renames columns of FILE before they are compared, as in frame_time=t,px=x", "", other, recorded,
      [](Typed& to, Text text) { to.comparison.maps = renamings(text); },
@@ -122,7 +119,7 @@ constexpr OptionRow option_rows[] = {
      }},
     {option::identify, "", "FILE", comparison_group,
      "Finds the tangent rule, the end rule, the speeds, and the order and signs of T, C, B that produce the positions "
-     "in FILE, and prints a ranked table; the exit code is 1 if none fits",
+     "in FILE, and prints a ranked table",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
      [](const Conflicts& of) {
        of.disable(sampling_options, reason_of_reports);
@@ -169,8 +166,9 @@ constexpr OptionRow option_rows[] = {
      "",
      "SCALE",
      input_group,
-     "The scale of tension, continuity and bias: 3dsmax converts 0 to 50 into -1 to 1; none takes them as they are. By "
-     "default it is none, but presets of products that show 0 to 50 or percent reject numbers beyond 5",
+     "The scale of tension, continuity and bias: 3dsmax converts 0 to 50 into -1 to 1; none, the default, takes them "
+     "as "
+     "they are",
      "",
      name,
      recorded,
@@ -197,8 +195,8 @@ constexpr OptionRow option_rows[] = {
      },
      names_in<missing_names>},
     {option::na, "", "TEXT,...", input_group,
-     "Further texts that mark a missing number, besides NA, N/A, nan, null, None, missing, - and similar ones", "",
-     other, recorded, [](Typed& to, Text text) { to.keys.input.keys.signs = column_list(text); }},
+     "Further texts that mark a missing number, besides NA, nan, null, - and the like", "", other, recorded,
+     [](Typed& to, Text text) { to.keys.input.keys.signs = column_list(text); }},
     {option::time_unit, "", "UNIT", input_group,
      "The unit of times: s, ms, us, ns, min, h, d or frames; --rate is then per second. By default the name of the "
      "column tells the unit, as in time_ms",
@@ -232,9 +230,8 @@ constexpr OptionRow option_rows[] = {
      "The form of rotations in rows: quaternion, axis-angle, matrix, or euler=XYZ; by default the form in the input",
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.rotation.shown = rotation_form(text); }},
     {option::angle, "", "CHANNEL=UNIT,...", input_group,
-     "Channels that are angles, in degrees or radians: each turns by less than half a turn from key to key. Rows have "
-     "angles from 0 to 360 degrees, or from -180 to 180 degrees if a key is negative",
-     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
+     "Channels that are angles, in degrees or radians, and turn the shorter way from key to key", "", columns, recorded,
+     [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
     {option::normalize, "", "", input_group,
      "Divides quaternions by their norm, which may be any number but 0, and replaces a matrix by the nearest rotation",
      "", flag, recorded, [](Typed& to, Text) { to.keys.input.rotation.normalize = true; }},
@@ -294,10 +291,7 @@ constexpr OptionRow option_rows[] = {
      },
      {},
      names_in<spline::end_rules<double>>},
-    {option::closed, "", "", curve_group,
-     "The curve continues from the last key to the first; if the last key repeats the first position, it only sets "
-     "the time of the return",
-     "", flag, recorded,
+    {option::closed, "", "", curve_group, "The curve continues from the last key to the first", "", flag, recorded,
      [](Typed& to, Text) {
        to.keys.rules.closed = {true, {option::closed}};
      }},
@@ -401,9 +395,8 @@ constexpr OptionRow option_rows[] = {
        check_mode(of, {option::from, option::to, option::end, option::keys});
      }},
     {option::at, "", "T,...", sampling_group,
-     "Samples at these times, in this order. A:B:H means from A to B in steps of H; @FILE means the numbers in a file, "
-     "separated by whitespace, commas or line ends; @FILE:COLUMN means a column of a file of any format, matched by "
-     "groups; - means the numbers in standard input",
+     "Samples at these times, in this order. A:B:H means from A to B in steps of H; @FILE means the numbers in a file; "
+     "@FILE:COLUMN means a column of a recording; - means the numbers in standard input",
      "", places, recorded,
      [](Typed& to, Text text) {
        to.sampling.mode = Mode::at;
@@ -585,9 +578,8 @@ constexpr OptionRow option_rows[] = {
      "With --golden: a decimal in the input means exactly that decimal, not the nearest double", "", flag, recorded,
      [](Typed&, Text) {}, [](const Conflicts& of) { of.need({option::golden}); }},
     {option::meta, "", "", output_group,
-     "Adds provenance to the rows, as comment lines or in JSON as an object: version, rules, options, SHA-256 of the "
-     "input, and counts",
-     "", flag, recorded, [](Typed&, Text) {}},
+     "Adds provenance to the rows: version, rules, options, SHA-256 of the input, and counts", "", flag, recorded,
+     [](Typed&, Text) {}},
     {option::from_meta, "", "FILE", output_group,
      "Reproduces FILE, an output with provenance, with all the options recorded in it", "", file, unrecorded,
      [](Typed&, Text) {}},
@@ -625,8 +617,9 @@ constexpr OptionRow option_rows[] = {
      flag, recorded, [](Typed&, Text) {},
      [](const Conflicts& of) { of.disable({option::meta}, ", which prints no rows"); }},
     {option::progress, "", "", about_group,
-     "Shows the progress on a terminal once the work has taken a second, even if the rows go to the terminal; by "
-     "default it is shown only if they do not",
+     "Shows the progress on a terminal after a second, even if the rows go to the terminal; by default it is shown "
+     "only "
+     "if they do not",
      "", flag, unrecorded, [](Typed&, Text) {},
      [](const Conflicts& of) {
        of.exclude({option::no_progress, option::quiet});
@@ -638,9 +631,8 @@ constexpr OptionRow option_rows[] = {
      "",
      "WHEN",
      about_group,
-     "When errors, warnings and notes are colored: always, never, or auto. auto colors them on a terminal whose TERM "
-     "is "
-     "not dumb, or anywhere if CLICOLOR_FORCE is set, but never if NO_COLOR is set",
+     "When errors, warnings and notes are colored: always, never, or auto, on a terminal unless the environment says "
+     "otherwise",
      "auto",
      name,
      unrecorded,
@@ -651,8 +643,9 @@ constexpr OptionRow option_rows[] = {
      "",
      "KIND",
      about_group,
-     "Prints the manual page (man), the completions for a shell (bash, zsh, fish), or the names of the columns of FILE "
-     "(columns)",
+     "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), or the names of "
+     "the "
+     "columns of FILE (columns)",
      "",
      name,
      unrecorded,

@@ -23,9 +23,9 @@ struct GeneratedName {
   Generated kind;
 };
 inline constexpr std::array generated_names{
-    GeneratedName{"man", Generated::manual}, GeneratedName{"bash", Generated::bash},
-    GeneratedName{"zsh", Generated::zsh}, GeneratedName{"fish", Generated::fish},
-    GeneratedName{"columns", Generated::columns}};
+    GeneratedName{"man", Generated::manual}, GeneratedName{"man-curves", Generated::curves},
+    GeneratedName{"bash", Generated::bash},  GeneratedName{"zsh", Generated::zsh},
+    GeneratedName{"fish", Generated::fish},  GeneratedName{"columns", Generated::columns}};
 
 struct ColorName {
   std::string_view name;
