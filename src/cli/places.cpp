@@ -167,28 +167,28 @@ std::vector<Rational> ratios(const std::string& text) {
 }
 
 void store_places(TypedOptions& typed, std::string_view option, const std::string& text) {
-  typed.place_column = place_column(text, option);
-  typed.places_from_input = text == "-";
-  if (typed.place_column) typed.files.other_inputs.push_back(typed.place_column->path);
-  if (typed.place_column) return;
+  typed.places.column = place_column(text, option);
+  typed.places.from_input = text == "-";
+  if (typed.places.column) typed.files.other_inputs.push_back(typed.places.column->path);
+  if (typed.places.column) return;
   if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
   typed.set_text(option, listed_numbers(text));
-  typed.places = ratios(typed.text(option));
+  typed.places.list = ratios(typed.text(option));
 }
 
 void read_place_column(TypedOptions& typed) {
-  if (!typed.place_column) return;
-  const PlaceColumn& column = *typed.place_column;
+  if (!typed.places.column) return;
+  const PlaceColumn& column = *typed.places.column;
   GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.keys.input); });
   const auto alone = places.find({});
   if (alone == places.end()) {
     if (typed.has(option::meta)) throw groups_of_numbers_in_provenance().about(column.option);
-    typed.grouped_places = std::move(places);
+    typed.places.grouped = std::move(places);
     return;
   }
-  typed.places = std::move(alone->second);
+  typed.places.list = std::move(alone->second);
   std::vector<std::string> texts;
-  for (const Rational& place : typed.places) texts.push_back(text_of(place));
+  for (const Rational& place : typed.places.list) texts.push_back(text_of(place));
   typed.set_text(column.option, fmt::format("{}", fmt::join(texts, ",")));
 }
 

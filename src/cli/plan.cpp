@@ -91,7 +91,7 @@ void require_one_reader(const TypedOptions& typed) {
   require(typed.text(option::files) == "-" && keys_from_input, option::files);
   const std::string_view places = typed.has(option::at) ? option::at : option::arc_at;
   const bool is_used = keys_from_input || no_files || typed.text(option::check) == "-";
-  require(typed.places_from_input && is_used, places);
+  require(typed.places.from_input && is_used, places);
   require(typed.text(option::check) == "-" && (keys_from_input || no_files), option::check);
   require(typed.text(option::identify) == "-" && (keys_from_input || no_files), option::identify);
 }
@@ -151,8 +151,8 @@ std::vector<std::size_t> fields_of(const TypedOptions& typed) {
 }
 
 SampleOptions samples_of(const TypedOptions& typed) {
-  SampleOptions samples{typed.sampling, typed.grouped_places};
-  samples.request.places = typed.places;
+  SampleOptions samples{typed.sampling, typed.places.grouped};
+  samples.request.places = typed.places.list;
   samples.request.from_left = is_from_left(typed, fields_of(typed));
   if (has_no_sampling_option(typed)) {  // a picture has samples of its own
     samples.request.mode = Mode::segments;
@@ -242,8 +242,8 @@ ExplainJob explain_job(const TypedOptions& typed) {
 
 FitJob fit_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   FitOptions options = typed.fit;
-  options.kept_times = typed.places;
-  options.grouped_kept_times = typed.grouped_places;
+  options.kept_times = typed.places.list;
+  options.grouped_kept_times = typed.places.grouped;
   return {files_of(typed), typed.fail_fast, keys_of(typed),     options, rows_of(typed, std::move(provenance)),
           typed.picture,   typed.threads,   verbosity_of(typed)};
 }

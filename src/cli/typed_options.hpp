@@ -28,6 +28,14 @@ struct PlaceColumn {
   std::string path, name;
 };
 
+/// The times or arc lengths of the option that has them.
+struct PlacesOption {
+  std::vector<Rational> list;  ///< or else by group:
+  GroupedPlaces grouped = {};
+  std::optional<PlaceColumn> column = {};  ///< until it is read
+  bool from_input = false;                 ///< they are read from standard input
+};
+
 /// The values of the options, each by itself; make_job decides what they mean together. An option is identified by its
 /// name, a constant of option_names.hpp.
 struct TypedOptions {
@@ -35,8 +43,7 @@ struct TypedOptions {
   bool fail_fast = false;
   KeyOptions keys;
   SamplingRequest sampling;
-  std::vector<Rational> places;  ///< of the option that lists places, or else by group:
-  GroupedPlaces grouped_places;
+  PlacesOption places;
   FitOptions fit;
   Comparison comparison;
   WriterOptions output;
@@ -45,8 +52,6 @@ struct TypedOptions {
   std::optional<Generated> generated;
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
-  bool places_from_input = false;        ///< the times or arc lengths are read from standard input
-  std::optional<PlaceColumn> place_column = {};
 
   bool has(std::string_view option) const { return !text(option).empty(); }
   /// The value of an option as typed, or "" if the option is not given. For a list in a file: its numbers.

@@ -30,7 +30,7 @@ TEST_F(Places, are_listed_or_in_ranges) {
 TEST_F(Places, in_a_file_are_numbers_below_a_header) {
   const TypedOptions options = typed("@" + made("times", "when\n0.1 2\n3,4\n"));
   EXPECT_EQ(options.text(option::at), "0.1,2,3,4");
-  EXPECT_THAT(options.places, ElementsAre(Rational(1, 10), Rational(2), Rational(3), Rational(4)));
+  EXPECT_THAT(options.places.list, ElementsAre(Rational(1, 10), Rational(2), Rational(3), Rational(4)));
 }
 
 TEST_F(Places, in_a_file_are_read_as_keys_are) {
@@ -50,7 +50,7 @@ TEST_F(Places, in_a_file_are_read_as_keys_are) {
 TEST_F(Places, in_a_column_keep_all_their_digits_and_their_order) {
   const std::string file = made("a.csv", "x,time\n7,1403637576.252524268\n7,0.1\n");
   const TypedOptions options = typed("@" + file + ":time");
-  EXPECT_THAT(options.places, ElementsAre(*parse_rational("1403637576.252524268"), Rational(1, 10)));
+  EXPECT_THAT(options.places.list, ElementsAre(*parse_rational("1403637576.252524268"), Rational(1, 10)));
   EXPECT_EQ(options.text(option::at), "350909394063131067/250000000,1/10");
 }
 
@@ -66,7 +66,7 @@ TEST_F(Places, of_groups_are_kept_by_the_contents_of_their_texts) {
   store_places(options, option::at,
                "@" + made("a.json", R"([{"id":"a","t":1},{"id":2,"t":3},{"id":"a","t":0}])") + ":t");
   read_place_column(options);
-  EXPECT_THAT(options.grouped_places,
+  EXPECT_THAT(options.places.grouped,
               ElementsAre(testing::Pair(ElementsAre("2"), ElementsAre(Rational(3))),
                           testing::Pair(ElementsAre("a"), ElementsAre(Rational(1), Rational(0)))));
 }
