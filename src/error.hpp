@@ -28,8 +28,8 @@ struct TextPosition {
 /// files of a batch go on.
 class Error : public std::exception {
  public:
-  /// The message: the fault, what was expected, and the remedy, separated by "; ". Rooms have a function for each fault
-  /// in their errors.hpp, which makes it.
+  /// The message: the fault, what was expected, and the remedy, separated by "; ". The errors.hpp of each folder has a
+  /// function for each fault, which makes it.
   Error(Exit exit, std::string message) : exit_(exit), message_(std::move(message)) {}
 
   Exit exit() const { return exit_; }

@@ -32,7 +32,7 @@ std::string number_text(double value) {
   return text;
 }
 
-/// The same for JSON, with null for both.
+/// A number for JSON; null if it is not finite.
 std::string number_json(double value) { return std::isfinite(value) ? number_text(value) : "null"; }
 
 std::string list_json(const std::vector<std::string>& texts) {
@@ -129,7 +129,7 @@ std::string title(const Identification& found, const Candidate& candidate) {
   return text + (order.is_plain() ? "" : ", T,C,B from " + order.name());
 }
 
-/// The same, with the names of its presets.
+/// The title with the names of the presets of the convention.
 std::string full_title(const Identification& found, const Candidate& candidate) {
   const auto found_presets = presets_of(candidate.convention, found.parts);
   return title(found, candidate) + (found_presets.empty() ? "" : fmt::format(" ({})", fmt::join(found_presets, ", ")));

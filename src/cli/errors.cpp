@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "option_names.hpp"
+#include "schema/formats.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -247,9 +248,9 @@ Error output_of_other_format(std::string_view path, std::string_view named, std:
 
 Error output_not_written(std::string_view path, std::string_view ending) {
   return usage(
-      fmt::format("{} {}: {} is not an output format; expected .csv, .tsv, .ssv, .json, .jsonl, .npy or .svg; "
-                  "choose another ending, and convert the file afterwards",
-                  option::output, path, ending));
+      fmt::format("{} {}: {} is not an output format; expected one of {}; choose another ending, and convert the file "
+                  "afterwards",
+                  option::output, path, ending, listed(output_endings())));
 }
 
 Error binary_to_terminal() {

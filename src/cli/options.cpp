@@ -12,6 +12,7 @@
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
 #include "tcb/spline/rules.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -130,9 +131,8 @@ constexpr OptionRow option_rows[] = {
      }},
 
     {option::input_format, "-i", "FORMAT", input_group,
-     "The format of the input: csv, tsv, ssv (separated by whitespace), json or jsonl. By default it follows from the "
-     "ending of the file; without a known ending, text that begins with [ or { is JSON, and any other text is "
-     "delimited",
+     "The format of the input: @NAMES@ (ssv: separated by whitespace). By default it follows from the ending of the "
+     "file; without a known ending, text that begins with [ or { is JSON, and any other text is delimited",
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); },
      [](const Conflicts& of) {
        of.disable({option::delimiter, option::header, option::no_header, option::comment, option::decimal}, "",
@@ -240,8 +240,7 @@ constexpr OptionRow option_rows[] = {
      "POLICY",
      input_group,
      "What happens to keys with equal times: error rejects them; first or last keeps that one; break begins a new "
-     "curve "
-     "with the second",
+     "curve with the second",
      "error",
      name,
      recorded,
@@ -493,9 +492,8 @@ constexpr OptionRow option_rows[] = {
      "POLICY",
      sampling_group,
      "What happens if the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit "
-     "takes "
-     "the nearest whole number of equal steps, fit-down the largest equal steps of at most H, and fit-up the smallest "
-     "of at least H",
+     "takes the nearest whole number of equal steps, fit-down the largest equal steps of at most H, and fit-up the "
+     "smallest of at least H",
      "drop",
      name,
      recorded,
@@ -513,9 +511,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.files.outputs.file = text; },
      [](const Conflicts& of) { of.exclude({option::output_dir}); }},
     {option::output_format, "-f", "FORMAT", output_group,
-     "The format of the output: csv, tsv, ssv, json, jsonl, npy (an array for NumPy) or svg (a picture); by default "
-     "the "
-     "format of FILE's ending, or else csv",
+     "The format of the output: @NAMES@ (npy: an array for NumPy, svg: a picture); by default the format of FILE's "
+     "ending, or else csv",
      "", name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); },
      [](const Conflicts& of) {
        of.exclude({option::plot});
@@ -530,14 +527,12 @@ constexpr OptionRow option_rows[] = {
      output_format_names},
     {option::plot, "", "", output_group,
      "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally spaced "
-     "in "
-     "time",
+     "in time",
      "", flag, unrecorded, [](Typed& to, Text) { to.output.format = FormatId::svg; }, disable_options_without_picture},
     {option::fields, "", "FIELD,...", output_group,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
      "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "
-     "which "
-     "follow the cubics",
+     "which follow the cubics",
      "time,position", names, recorded, [](Typed& to, Text text) { to.output.fields = field_list(text); },
      [](const Conflicts& of) {
        of.exclude({option::emit}, ", as a piece has the fields s and length only", has_field_of_samples);
@@ -672,7 +667,12 @@ std::vector<std::string_view> OptionRow::all_names() const {
 }
 
 std::string OptionRow::description() const {
-  return std::string(text) + (default_value.empty() ? "" : " (default: " + std::string(default_value) + ")");
+  constexpr std::string_view mark = "@NAMES@";
+  std::string result(text);
+  if (const std::size_t at = result.find(mark); at != std::string::npos) {
+    result.replace(at, mark.size(), listed(known()));
+  }
+  return result + (default_value.empty() ? "" : " (default: " + std::string(default_value) + ")");
 }
 
 }  // namespace tcb

@@ -42,11 +42,11 @@ struct OptionRow {
   std::string_view other_name;  ///< a letter such as "-s", a second long name, or empty
   std::string_view value;       ///< what the help calls its value; empty for a flag
   std::string_view group;
-  std::string_view text;           ///< what it does, without a point at the end
+  std::string_view text;           ///< what it does, without a point at the end; @NAMES@ stands for `known`
   std::string_view default_value;  ///< as it would be typed; empty: none, or described in the text
   ValueKind kind;
   bool changes_rows;  ///< it is part of the provenance of the output
-  /// Reads the value. Throws: Error (usage), which the caller makes an error about this option.
+  /// Reads the value. Throws: Error (usage); the caller adds the name of the option.
   void (*store)(TypedOptions& typed, const std::string& value);
   /// Throws: Error (usage) if the option conflicts with others; called if it is given.
   void (*check)(const Conflicts& conflicts) = nullptr;

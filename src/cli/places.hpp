@@ -9,12 +9,12 @@
 
 namespace tcb {
 
-/// Numbers, and ranges FIRST:LAST:STEP, separated by commas. Throws: Error (usage), which the caller makes an error
-/// about the option.
+/// Numbers, and ranges FIRST:LAST:STEP, separated by commas. Throws: Error (usage); the caller adds the
+/// name of the option.
 std::vector<Rational> ratios(const std::string& text);
 
 /// Stores the places of an option: numbers as above, or for @FILE and "-" those in a file or standard input. A column
-/// of a file is only named. Throws: Error (usage), which the caller makes an error about the option.
+/// of a file is only named. Throws: Error (usage); the caller adds the name of the option.
 void store_places(TypedOptions& typed, std::string_view option, const std::string& text);
 
 /// Reads the column of a file that an option names, if one does. Throws: Error.

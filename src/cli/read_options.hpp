@@ -11,7 +11,7 @@ namespace tcb {
 /// Throws: Error (usage) for unknown options, and for values that are wrong in themselves.
 TypedOptions read_options(const std::vector<std::string>& given);
 
-/// When messages are colored, by words that may be wrong otherwise.
+/// The value of --color, found without reading the rest, so that errors in the command line are colored too.
 ColorWhen color_of(int argc, const char* const* argv);
 
 }  // namespace tcb

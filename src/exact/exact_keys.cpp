@@ -107,7 +107,7 @@ ChannelFacts channel_facts(const ExactCurve& exact) {
   return facts;
 }
 
-/// Those that are missing have no effect.
+/// Adds the velocities of a key. A missing one is 0, and has no effect.
 template <class Numbers>
 void ExactKeys::add_velocities(const Keys& keys, std::size_t key, const Numbers& number) {
   keys_.given = keys.given;

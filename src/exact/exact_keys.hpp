@@ -23,7 +23,7 @@ spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules
 /// A rotation whose quaternions are converted from exact numbers at each scalar.
 struct ExactRotation {
   ConvertedRotation rotation;
-  /// Of each key, also of one that repeats the first one; missing: 0.
+  /// One entry per key, including a last key that repeats the first one; 0 where missing.
   std::vector<spline::RotationNumbers<Rational>> numbers;
 };
 

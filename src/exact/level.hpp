@@ -53,10 +53,10 @@ struct FastRow {
 
 /// The exact times or arc lengths of rows.
 struct ExactPlaces {
-  std::vector<Rational> places;  ///< one a row, or none; then row j is at
-  Rational from, step;           ///< from + j step, or
-  std::uint64_t intervals = 0;   ///< if this is not 0, the step is such a part of the range to the curve's end
-  std::optional<Rational> to;    ///< the end of the range, where it is not the curve's
+  std::vector<Rational> places;  ///< one per row; if there are none, row j is at from + j step
+  Rational from, step;
+  std::uint64_t intervals = 0;  ///< if not 0, the step is the length from `from` to the end, divided by this number
+  std::optional<Rational> to;   ///< the end of the range, where it is not the curve's
 };
 
 /// What the rows of a curve have in common at all levels.
@@ -141,7 +141,8 @@ class Level final : public AnyLevel {
     return *one.arc;
   }
 
-  /// Sets the length at the sample's segment, or at its end where the sample is there, and gives the lengths on it.
+  /// Sets the length at the start of the sample's segment, or at its end if the sample is there, and returns the
+  /// lengths on the segment; null if the sample is at a key.
   const spline::SegmentLength<S>* measured_arc() {
     if constexpr (spline::has_roots<S>) {
       const bool at_end = sample_.at.w == S(0);

@@ -40,8 +40,8 @@ int floor_log10(const Rational& value) {
   return times_ten_to(value, -above) < 1 ? above - 1 : above;
 }
 
-/// Of the second of two values, which was computed with `more` more digits. What is zero in one of them alone may be
-/// noise in the other.
+/// A bound on the error of `fine`, which was computed with `more` more digits than `rough`. If only one of them is
+/// zero, the other may be noise, and no digits are credited.
 Rational error_of(const Value& rough, const Value& fine, int more) {
   constexpr int unused = 20;
   const bool is_noise = rough.number == 0 || fine.number == 0;

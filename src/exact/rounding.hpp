@@ -61,7 +61,7 @@ struct DistancePower<Float<digits>> {
 /// A number to be printed: exact, or of a float that has to be compared with one of more digits.
 struct Value {
   Rational number;
-  bool root = false;      ///< it is the root of that, with its sign
+  bool root = false;      ///< `number` is the square of the value, with the sign of the value
   bool empty = false;     ///< it is not defined
   bool doubtful = false;  ///< it is taken for zero, or for not defined, because it is too small for the float
 };
@@ -87,8 +87,8 @@ class Rounding {
   /// of 10^more, of which 10^20 are not used, for what is not proportional.
   std::optional<Printed> between(const Value& rough, const Value& fine, int more) const;
 
-  /// The same if no more digits are available. What these digits do not distinguish from a number with few is that
-  /// number. Throws: std::range_error where they are not enough for the text.
+  /// As between(), for the last level: a value that its digits do not distinguish from a short number is that number.
+  /// Throws: std::range_error where they are not enough for the text.
   Printed at_last(const Value& rough, const Value& fine, int more) const;
 
  private:

@@ -36,7 +36,7 @@ Recording part_of(const Recording& recording, std::size_t first, std::size_t las
   return part;
 }
 
-/// Those of a list between two samples, both included, counted from the first one.
+/// The listed samples in [first, last], renumbered from `first`.
 std::vector<std::size_t> between(const std::vector<std::size_t>& samples, std::size_t first, std::size_t last) {
   std::vector<std::size_t> result;
   for (const std::size_t sample : samples) {

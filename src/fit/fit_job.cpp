@@ -44,7 +44,7 @@ class FitRun {
     const Input input = open_input(path_, bytes, options);  // split, parse
     for (const Note& note : notes_of_columns(input.schema, job_.options)) notes_.add(note);
     notes_.add_input(input, job_.keys);
-    Curves curves(input.schema, input.keys, job_.keys.curves, live_);  // order, group, split into recordings
+    Curves curves(input.schema, input.keys, job_.keys.curves, live_);  // group, order, split into recordings
     begin(input);
     const FitReport report = write(fitted_rows(samples(input.schema, curves)));
     if (report.keys > 0) {

@@ -31,7 +31,7 @@ struct SlopeColumn {
   double (*number)(const Keys&, std::size_t);  ///< by the number of a key's channel, counted through all keys
 };
 
-/// Those of an output.
+/// The slope columns that the output has.
 std::vector<SlopeColumn> slope_columns(const FittedChannels& fitted, const FitOptions& options) {
   std::vector<SlopeColumn> columns;
   const std::vector<std::string>& names = fitted.names;

@@ -75,7 +75,8 @@ class CubicTest {
     weights_.push_back(weights_.empty() ? 1 : mean / static_cast<double>(weights_.size()));
   }
 
-  /// Fits the chosen samples, with more and more weight on those that are far. Whether that may be possible.
+  /// Fits the chosen samples, with more and more weight on those that are far. Returns false if no cubic can
+  /// stay within the tolerance.
   bool fit_chosen() {
     for (int i = 0; i < most_weightings; ++i) {
       fit_weighted();

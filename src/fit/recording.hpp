@@ -11,9 +11,8 @@
 
 namespace tcb {
 
-/// Channels whose distance from the samples, the root of the sum of squares, is limited. Those of a rotation are the
-/// numbers x, y, z, w of its quaternion: cubics of them stay within the tolerance, so that its curve is within an
-/// angle.
+/// Channels whose distance from the samples, the root of the sum of squares, is limited. For a rotation, the four
+/// channels x, y, z, w; the tolerance on them is chosen so that the angle stays within the one that is requested.
 struct FitGroup {
   std::vector<std::size_t> channels;
   double tolerance = 0;

@@ -193,7 +193,7 @@ class GroupFit {
 
   bool is_window() const { return fixed_.first || fixed_.last; }
 
-  /// Whether the largest error may come near 1 if it decreases as often again as from the one before to now.
+  /// Whether the largest error would come near 1 after `times` more steps, if each reduces it as the last one did.
   static bool may_suffice(double now, double before, int times) {
     constexpr double near = 0.1;
     const double factor = (now - 1) / (before - 1);

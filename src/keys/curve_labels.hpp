@@ -14,8 +14,8 @@ struct CurveLabels {
   std::vector<Mark> marks = {};            ///< of keys
   std::vector<std::string> channels = {};  ///< names of channels, if they have any; only those of whole numbers count
 
-  /// The column for each of whose values the times of a block's keys increase, where they do not as they are; empty:
-  /// there is none. `texts`: only those of texts.
+  /// The name of a column such that times increase within each of its values, if they do not increase overall; empty:
+  /// there is none. `texts`: only columns of text.
   std::string distinguishing(const KeyBlock& block, bool texts) const;
 };
 

@@ -6,8 +6,8 @@
 
 namespace tcb {
 
-/// Keys without faults. After a fault, the rest of the input is read for more, up to ten; a live input, which may not
-/// end soon, is read no further. Throws: Error (data) with all faults that were found.
+/// Passes keys on until one has a fault; then reads on to collect up to ten faults, unless the input is live, and
+/// throws an Error (data) with all of them.
 Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
 
 }  // namespace tcb

@@ -16,7 +16,7 @@ namespace tcb {
 
 enum class TimeUnit { s, ms, us, ns, minutes, hours, days, frames };
 
-/// A second has units / seconds of a unit. A frame has no duration of its own.
+/// One second is units / seconds of this unit. A frame has no duration of its own.
 struct TimeUnitRow {
   std::string_view name;
   TimeUnit unit;
@@ -54,7 +54,7 @@ struct TimeNotationName {
   TimeNotation notation;
 };
 
-/// Those that can be requested; SMPTE timecode drops frames where that of the input does.
+/// The notations that can be requested; SMPTE timecode drops frames if the input does.
 inline constexpr std::array time_notations{
     TimeNotationName{"seconds", TimeNotation::seconds}, TimeNotationName{"frames", TimeNotation::frames},
     TimeNotationName{"clock", TimeNotation::clock}, TimeNotationName{"smpte", TimeNotation::smpte},

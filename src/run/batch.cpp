@@ -40,7 +40,8 @@ FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& c
 Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Report& report, const Convert& convert) {
   Summary summary;
   summary.ignored = inputs.others;
-  // No file from here on is begun. All files before one that failed are, whichever thread is first.
+  // The first file that must not be started. It is never before the first file that failed, so that all files before
+  // that one are processed, whichever thread is first.
   std::atomic<const InputFile*> stop = inputs.files.data() + inputs.files.size();
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
     for (; next != inputs.files.end() && next->is_current; ++next) {

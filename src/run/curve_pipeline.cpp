@@ -21,7 +21,7 @@
 namespace tcb {
 namespace {
 
-/// Settings of the input that those of the command line replace are checked as well.
+/// Also checks the settings of the input, even those that the command line replaces.
 CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, const Schema& schema) {
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
   (void)make_spec(of_input, schema.channels, rotations, schema.angles);
@@ -305,7 +305,7 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
   return {look_up(curve, locator, request_.side()), locator, nullptr, {}, fast_rows(locator), expected};
 }
 
-/// The same rows, each number rounded once.
+/// Evaluates rows exactly, and rounds each number once.
 Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
                                    const std::shared_ptr<const Locator>& locator, std::vector<Rational> times) const {
   std::optional<Rational> end;

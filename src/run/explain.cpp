@@ -240,7 +240,7 @@ std::string as_object(const Facts& lines) {
   return out + "}\n";
 }
 
-bool is_json(FormatId format) { return format == FormatId::json || format == FormatId::jsonl; }
+bool is_json(FormatId format) { return format_of(format).family == FormatFamily::json; }
 
 }  // namespace
 

@@ -36,7 +36,7 @@ struct ThreadOptions {
   std::optional<unsigned> requested;  ///< nothing: all cores, and one to read a live pipe
 
   unsigned count() const { return requested.value_or(available_threads()); }
-  /// Of the `available` threads, those that read an input: with several, a row would wait for later keys.
+  /// The number of threads for one input: one if it is live, as more would delay rows until later keys arrive.
   unsigned for_reading(unsigned available, bool live) const { return live && !requested ? 1 : available; }
 };
 

@@ -22,7 +22,7 @@ Note likely_quaternion();
 Note likely_matrix();
 /// A rate is given, and the times in the column `time` count frames.
 Note rate_of_frames(std::string_view time);
-/// The end of the range, which is that of the curve if `at_key`, is not a row.
+/// The range ends between rows; `at_key`: at the last key.
 Note remainder_note(double distance, bool at_key);
 Note more_remainders(std::uint64_t curves);
 Note step_is(std::string_view step);

@@ -95,7 +95,7 @@ class FileProgress {
   FileProgress& operator=(const FileProgress&) = delete;
   ~FileProgress();
 
-  /// The same bytes, or samples, counted as done. `expected`: about the number of rows of this curve by the bytes read
+  /// Passes bytes, or samples, on and counts them. `expected`: about the number of rows of this curve by the bytes read
   /// so far; may be null. `rows` is increased by the number of samples. Requires: this outlives the sources.
   Source<std::string> observe_bytes(Source<std::string> bytes);
   Source<SampleBlock> observe_rows(Source<SampleBlock> samples, std::function<double()> expected, std::uint64_t& rows);

@@ -23,7 +23,7 @@ struct SegmentBlock {
   spline::Segments<double> segments;
   std::vector<spline::Length<double>> lengths;  ///< one per segment, or none if the curve is not measured
   bool last = false;                            ///< the curve ends here
-  bool closes = false;                          ///< and has returned to its first key
+  bool closes = false;                          ///< the last segment ends at the first key of a closed curve
 };
 
 /// How segments are made.

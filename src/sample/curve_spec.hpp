@@ -23,8 +23,8 @@ struct CurveSpec {
   std::optional<Rational> period;                  ///< of a closed curve, if given
   std::optional<double> parameter;                 ///< exponent of the distances that make times
   std::optional<std::string> parameter_name = {};  ///< as given
-  std::vector<RotationColumns> rotations = {};     ///< those of the rules, and how rows show them
-  std::vector<AngleColumn> angles = {};            ///< likewise
+  std::vector<RotationColumns> rotations = {};     ///< the rotations of the rules, and how rows show them
+  std::vector<AngleColumn> angles = {};            ///< the angle channels of the rules, and how rows show them
   std::optional<FrameTimes> frames = {};           ///< where the times of the keys are frames in seconds
   Extrapolation extrapolation = Extrapolation::error;
   bool ease = true;  ///< ease columns are used, if there are any

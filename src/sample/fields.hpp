@@ -236,7 +236,7 @@ constexpr auto with_polynomials(std::index_sequence<i...>) {
 template <class S>
 inline constexpr std::array field_table = with_polynomials<S>(std::make_index_sequence<polynomial_names.size()>());
 
-/// Their functions alone, so that the names of the fields are in the program once, not for each scalar.
+/// The functions of all fields, so that the names of the fields are in the program once, not for each scalar.
 template <class S>
 inline constexpr auto field_writers = [] {
   std::array<decltype(FieldOf<S>::write), field_table<S>.size()> all{};

@@ -30,7 +30,7 @@ std::uint64_t rows_within_doubles(const Rational& first, const Rational& increme
   return increment == 0 ? all_rows : whole_number(floor(room / increment));
 }
 
-/// Of two whole numbers above 0: a times b without the factors that they share.
+/// The least common multiple of two positive whole numbers.
 Rational least_common_multiple(const Rational& a, const Rational& b) { return a * numerator(b / a); }
 
 /// A rational as a double-double.

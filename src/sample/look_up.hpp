@@ -12,8 +12,8 @@
 
 namespace tcb {
 
-/// The times with those of keys in the range; a time within a billionth of a step of a key is dropped. T: Time or
-/// Rational.
+/// Adds the times of keys in [from, to], and drops a time that is closer to a key than a billionth of the first step.
+/// T: Time or Rational.
 template <class T>
 std::vector<T> with_keys(const std::vector<T>& times, std::span<const T> keys, const T& from, const T& to,
                          const T& billionth) {

@@ -70,7 +70,7 @@ constexpr bool by_length(Mode mode) {
   return mode == Mode::arc_step || mode == Mode::arc_count || mode == Mode::arc_at;
 }
 
-/// A segment has its rows whatever the others are.
+/// The rows of a segment do not depend on the other segments.
 constexpr bool by_segment(Mode mode) { return mode == Mode::per_segment || mode == Mode::emit; }
 
 /// The curve's last key, or its length, must be known before the first row.

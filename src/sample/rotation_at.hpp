@@ -17,8 +17,8 @@ class RotationAt {
              const OutsideOf<S>* outside)
       : segment_(segment), index_(index), sample_(sample), u_(u), outside_(outside) {}
 
-  /// Beyond an end that is extended, it goes on turning as there. `offset` turns it by what the whole curve does, and
-  /// `repeat` negates it where that keeps its sign from jumping.
+  /// The quaternion. Outside the curve, `linear` keeps turning at the rate of the end, `offset` adds the turn of the
+  /// whole curve once per period, and `repeat` negates the quaternion in odd periods where its sign would jump.
   spline::Quaternion<S> value() const {
     const spline::Quaternion<S> q = segment_.rotations[index_].at(sample_.at);
     if (outside_ == nullptr) return q;

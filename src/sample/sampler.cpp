@@ -165,7 +165,7 @@ void OnGrid::add_keys(Run& run, const CurveSegment& segment, const Range& on, co
   if ((request_.from_left || final) && is_in_range(on.end)) run.end = true;
 }
 
-/// Notes the remainder of the steps, and keeps the end if requested.
+/// Sets how far the end of the range is from the last row.
 void OnGrid::finish(const Run& run, const Time& stop, int decimals) {
   if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
   const Time last = spacing_.grid.time(next_ - 1, decimals);

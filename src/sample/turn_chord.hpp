@@ -45,7 +45,7 @@ class TurnChord {
   }
 
  private:
-  static constexpr int places = 16;  // between which the angle is larger by about a hundredth at most
+  static constexpr int places = 16;  // per part; between two of them the angle exceeds theirs by about 1 % at most
   static constexpr double most_angle = 3.1;
   static double square(double number) { return number * number; }
 

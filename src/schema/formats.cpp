@@ -15,13 +15,22 @@ std::optional<FormatId> find_input_format(std::string_view path) {
   return std::nullopt;
 }
 
-std::vector<std::string_view> input_endings() {
-  std::vector<std::string_view> endings;
+namespace {
+
+/// The endings of formats with a capability.
+std::vector<std::string_view> endings(bool Format::*can) {
+  std::vector<std::string_view> found;
   for (const Format& format : formats) {
-    if (format.can_read) endings.push_back(format.ending);
+    if (format.*can) found.push_back(format.ending);
   }
-  return endings;
+  return found;
 }
+
+}  // namespace
+
+std::vector<std::string_view> input_endings() { return endings(&Format::can_read); }
+
+std::vector<std::string_view> output_endings() { return endings(&Format::can_write); }
 
 std::optional<FormatId> find_output_format(std::string_view path) {
   path = without_compression(path);

@@ -55,11 +55,12 @@ constexpr std::optional<FormatId> find_format(std::string_view name) {
   return std::nullopt;
 }
 
-/// The format that can be read and whose ending the path has, before that of compressed files if it has one.
+/// The input format that the ending of the path names, before an ending of compressed files such as .gz.
 std::optional<FormatId> find_input_format(std::string_view path);
 
-/// The endings of the formats that can be read.
+/// The endings of the formats that can be read, and of those that can be written.
 std::vector<std::string_view> input_endings();
+std::vector<std::string_view> output_endings();
 
 /// Endings of what is no output of ours, so that none gets such a name: compressed files, tables, scenes, pictures.
 inline constexpr std::array<std::string_view, 55> other_endings{
@@ -74,7 +75,7 @@ inline constexpr std::array<std::string_view, 55> other_endings{
 /// files.
 std::optional<FormatId> find_output_format(std::string_view path);
 
-/// The ending of a path that is that of other files than ours; empty: it is not.
+/// The ending of the path if it belongs to a known format that is not ours; otherwise empty.
 std::string_view other_ending(std::string_view path);
 
 }  // namespace tcb

@@ -24,7 +24,7 @@ enum class Role {
   ease_out,
   group,
   carry,
-  unused,  ///< ignored because it is requested
+  unused,  ///< ignored on request
   // Of one channel:
   channel_tension,
   channel_continuity,

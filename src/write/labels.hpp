@@ -31,7 +31,7 @@ class Labels {
   /// Makes the text after a row from its labels.
   using RowEnd = std::function<std::string(std::span<const std::string_view> labels)>;
 
-  /// Of each key's texts those from number `first` on are labels.
+  /// `first`: index of the first label among the texts of a key.
   explicit Labels(std::size_t first) : first_(first) {}
 
   /// Passes keys on, and stores their labels.

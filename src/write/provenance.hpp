@@ -31,8 +31,8 @@ struct Provenance {
   std::vector<Facts> results = {};  ///< of each input, in words; or none
 };
 
-/// The text of an output before its rows, and the one after them. In formats whose outputs nest, the text after the
-/// rows is a member of the object that has them.
+/// The provenance as text before and after the rows. In nested formats, the text after them is a member of the outer
+/// object.
 std::string text_before_rows(const Provenance& provenance, FormatId format);
 std::string text_after_rows(const Provenance& provenance, FormatId format);
 

@@ -68,7 +68,7 @@ class Writer {
   /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
   void set_times(const Schema& schema);
 
-  /// The cells of times as they are printed, where they are no seconds; the texts of other cells as they are.
+  /// The texts that replace cells: times in the notation of the output; other entries are those of the table.
   /// Throws: Error (data) for a time that the notation does not have.
   std::vector<std::string> texts(const Table& table) const;
 

@@ -13,7 +13,7 @@
 
 namespace tcb {
 
-/// In a column of text a number is a fault up to this line; in those after it, it is a text.
+/// Up to this line, a number in a column of text is a fault; after it, it is taken as text.
 inline constexpr std::uint64_t last_line_of_roles = 1000;
 
 /// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; at most ten.
