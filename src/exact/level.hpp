@@ -186,7 +186,7 @@ class Level final : public AnyLevel {
 
   S arc_length(std::uint64_t row) {
     const ExactPlaces& arc = *rows_.arc;
-    if (row == Row::at_end) return arc.to ? scalar_of<S>(*arc.to) : length_to(segment_.number + 1);
+    if (row == SpecialRow::at_end) return arc.to ? scalar_of<S>(*arc.to) : length_to(segment_.number + 1);
     if (!arc.places.empty()) return scalar_of<S>(arc.places[row]);
     if (arc.intervals == 0) return scalar_of<S>(arc.from + arc.step * row);
     const S from = scalar_of<S>(arc.from);
@@ -204,8 +204,8 @@ class Level final : public AnyLevel {
     const auto printed = [](const S& length) { return nearest_double(rational_of(length)); };
     segment_ = segment(row.segment.number);
     segment_.s_start = length_to(segment_.number);
-    if (row.number == Row::at_key) return place_at_key(false, segment_.s_start);
-    if (row.number == Row::at_end && row.sample.at.w == 0) {
+    if (row.number == SpecialRow::at_key) return place_at_key(false, segment_.s_start);
+    if (row.number == SpecialRow::at_end && row.sample.at.w == 0) {
       segment_.s_end = length_to(segment_.number + 1);
       return place_at_key(true, segment_.s_end);
     }

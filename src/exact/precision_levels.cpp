@@ -58,8 +58,8 @@ class ExactTimes {
   std::optional<Rational> time(const FastRow& row) const {
     const std::uint64_t segment = row.segment.number;
     if (!places_.empty()) return places_[row.number];
-    if (row.number == Row::at_key) return key(segment);
-    if (row.number == Row::at_end) return end(key(segment + 1));
+    if (row.number == SpecialRow::at_key) return key(segment);
+    if (row.number == SpecialRow::at_end) return end(key(segment + 1));
     if (grid_) return grid_->start() + grid_->step() * row.number;
     if (request_.mode == Mode::per_segment && has_keys()) {
       return *key(segment) + (*key(segment + 1) - *key(segment)) * row.number / request_.count;

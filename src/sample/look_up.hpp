@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "sample/anywhere.hpp"
 #include "sample/rows.hpp"
-#include "sample/sampler.hpp"
 #include "sample/shown_curve.hpp"
 #include "stream/source.hpp"
 

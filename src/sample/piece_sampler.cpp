@@ -15,7 +15,7 @@ class PieceSampler : public Sampler {
  public:
   explicit PieceSampler(const SamplingRequest& request) : request_(request) {}
 
-  Run place(const CurveSegment& segment) override;
+  SegmentRows place(const CurveSegment& segment) override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
   bool done() const override { return done_; }
 
@@ -52,7 +52,7 @@ void PieceSampler::require_bounds(const CurveSegment& segment) const {
   require(option::to, request_.to);
 }
 
-Run PieceSampler::place(const CurveSegment& segment) {
+SegmentRows PieceSampler::place(const CurveSegment& segment) {
   if (segment.number == 0 || segment.last) require_bounds(segment);
   const auto [start, end] = range(segment);
   done_ = request_.to && nearest_time(*request_.to, segment.decimals) <= segment.end;

@@ -76,10 +76,10 @@ class Placer {
     if (last && block_->closes) segment.end_key = 0;
     decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
     segment.decimals = decimals_;
-    const Run run = sampler_->place(segment);
-    if (run.key) placed_.push_back({segment, Row::at_key, Row::at_key + 1});
+    const SegmentRows run = sampler_->place(segment);
+    if (run.key) placed_.push_back({segment, SpecialRow::at_key, SpecialRow::at_key + 1});
     if (run.first < run.last) placed_.push_back({segment, run.first, run.last});
-    if (run.end) placed_.push_back({segment, Row::at_end, Row::at_end + 1});
+    if (run.end) placed_.push_back({segment, SpecialRow::at_end, SpecialRow::at_end + 1});
   }
 
   Source<SegmentBlock> blocks_;

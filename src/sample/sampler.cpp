@@ -1,4 +1,4 @@
-// Samplers: on a grid of times or of arc lengths, at equal intervals within every segment, and at places in any order.
+// Samplers: on a grid of times or of arc lengths, and at equal intervals within every segment.
 #include "sample/sampler.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class OnGrid : public Sampler {
  public:
   OnGrid(const SamplingRequest& request, Spacing spacing);
 
-  Run place(const CurveSegment& segment) override;
+  SegmentRows place(const CurveSegment& segment) override;
   bool done() const override { return done_; }
   std::optional<Rational> remainder() const override { return remainder_; }
 
@@ -51,8 +51,8 @@ class OnGrid : public Sampler {
 
   void require_bounds(const CurveSegment& segment, const Range& on) const;
   std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
-  void add_keys(Run& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
-  void finish(const Run& run, const Time& stop, int decimals);
+  void add_keys(SegmentRows& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
+  void finish(const SegmentRows& run, const Time& stop, int decimals);
 
   SamplingRequest request_;
   Spacing spacing_;
@@ -95,7 +95,7 @@ class PerSegment : public Sampler {
  public:
   explicit PerSegment(const SamplingRequest& request) : request_(request) {}
 
-  Run place(const CurveSegment& segment) override;
+  SegmentRows place(const CurveSegment& segment) override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
   bool done() const override { return false; }
 
@@ -151,7 +151,8 @@ std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, c
 }
 
 /// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near it.
-void OnGrid::add_keys(Run& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
+void OnGrid::add_keys(SegmentRows& run, const CurveSegment& segment, const Range& on, const Time& stop,
+                      bool final) const {
   const Grid& grid = spacing_.grid;
   const int decimals = this->decimals(segment);
   const auto is_near = [&](std::uint64_t row, const Time& key) {
@@ -166,20 +167,20 @@ void OnGrid::add_keys(Run& run, const CurveSegment& segment, const Range& on, co
 }
 
 /// Sets how far the end of the range is from the last row.
-void OnGrid::finish(const Run& run, const Time& stop, int decimals) {
+void OnGrid::finish(const SegmentRows& run, const Time& stop, int decimals) {
   if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
   const Time last = spacing_.grid.time(next_ - 1, decimals);
   if (last < stop) remainder_ = exact(stop) - exact_time(last);
 }
 
-Run OnGrid::place(const CurveSegment& segment) {
+SegmentRows OnGrid::place(const CurveSegment& segment) {
   const Range on = range(segment);
   require_bounds(segment, on);
   const int digits = decimals(segment);
   const bool ends_here = request_.to && end(digits) <= on.end;
   const Time stop = ends_here ? end(digits) : on.end;
   const bool final = segment.last || ends_here;
-  Run run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
+  SegmentRows run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
   next_ = run.last;
   if (request_.keys) add_keys(run, segment, on, stop, final);
   if (final) {
@@ -194,10 +195,10 @@ Run OnGrid::place(const CurveSegment& segment) {
 void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                              std::vector<Time>& coordinates) const {
   const int digits = decimals(segment);
-  if (first < Row::at_key) return spacing_.grid.set_times(first, last, digits, coordinates);
+  if (first < SpecialRow::at_key) return spacing_.grid.set_times(first, last, digits, coordinates);
   const Range on = range(segment);
   const Time end = request_.to ? std::min(this->end(digits), on.end) : on.end;
-  coordinates.assign(1, first == Row::at_key ? on.start : end);
+  coordinates.assign(1, first == SpecialRow::at_key ? on.start : end);
 }
 
 void ByTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
@@ -224,11 +225,11 @@ void ByLength::locate(const CurveSegment& segment, std::uint64_t first, std::uin
   set_coordinates(segment, first, last, located.coordinates);
   locate_lengths(segment, located);
   // A row that is there for a key is at its time, also at the end of a hold.
-  const bool is_key = first == Row::at_end && keys() && located.coordinates[0] >= Time(segment.s_end.hi);
+  const bool is_key = first == SpecialRow::at_end && keys() && located.coordinates[0] >= Time(segment.s_end.hi);
   if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
 }
 
-Run PerSegment::place(const CurveSegment& segment) {
+SegmentRows PerSegment::place(const CurveSegment& segment) {
   require_rows(Rational(segment.number + 1) * request_.count, request_.max_rows, !segment.last);
   if (segment.start < segment.end) require_resolution(grid(segment), segment.end, segment.decimals);
   const bool left = request_.from_left;
@@ -239,8 +240,8 @@ void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::u
   const spline::TimeMap<double> locate = segment.time_map();
   const Grid grid = this->grid(segment);
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
-    if (row == Row::at_key) return {segment.start, {0, -1}};
-    if (row == Row::at_end) return {segment.end, {1, 0}};
+    if (row == SpecialRow::at_key) return {segment.start, {0, -1}};
+    if (row == SpecialRow::at_end) return {segment.end, {1, 0}};
     const Time t = nearest_time(grid.start() + grid.step() * row, segment.decimals);
     return {t, locate(segment.precise(t))};
   });
@@ -257,48 +258,6 @@ void locate_lengths(const CurveSegment& segment, Located& located) {
   for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
     located.samples.push_back(sample_at_length(segment, duration, located.coordinates[i], located.places[i]));
   }
-}
-
-Time AnywhereInTime::on_curve(std::uint64_t row) const {
-  const Time t = place(row);
-  if (kind_ == Extrapolation::error) {
-    if (t < first_) require_not_before(option::at, exact_time(t), first_key(first_));
-    if (t > last_) require_not_after(option::at, exact_time(t), last_key(last_));
-  }
-  return outside(t).t;
-}
-
-/// Where times are frames, the time on the curve is a double, as all are.
-Outside AnywhereInTime::outside(const Time& t) const {
-  if (!frames_) return map_to_curve<double>(kind_, first_, last_, t);
-  Outside outside = map_to_curve<double>(kind_, frames_->elapsed(first_), frames_->elapsed(last_), frames_->elapsed(t));
-  outside.t = frames_->time(outside.t);
-  return outside;
-}
-
-void AnywhereInTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                            Located& located) const {
-  const spline::TimeMap<double> locate = segment.time_map();
-  located.outside.clear();
-  fill(located, first, last, [&](std::uint64_t row) -> Sample {
-    const Time t = place(row);
-    located.outside.push_back(outside(t));
-    return {t, locate(segment.precise(located.outside.back().t))};
-  });
-}
-
-Time AnywhereInLength::on_curve(std::uint64_t row) const {
-  const Time s = place(row);
-  if (s < Time(0.0)) require_not_before(option::arc_at, exact_time(s), curve_start());
-  if (s > Time(length_)) require_not_after(option::arc_at, exact_time(s), curve_length(length_));
-  return s;
-}
-
-void AnywhereInLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                              Located& located) const {
-  located.coordinates.clear();
-  for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place(row));
-  locate_lengths(segment, located);
 }
 
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {

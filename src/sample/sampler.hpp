@@ -2,11 +2,9 @@
 //
 // A sampler gets the segments once, in order. Locating a sample on its segment is then a pure function, so samples can
 // be evaluated in any order, on any thread.
-// To add a sampler: a class in sampler.cpp, and a line in make_sampler.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -22,13 +20,13 @@ namespace tcb {
 
 /// The numbers of two rows that are not on the grid, for locate(): at the segment's first key, and at the end of the
 /// range.
-struct Row {
+struct SpecialRow {
   static constexpr std::uint64_t at_key = std::numeric_limits<std::uint64_t>::max() - 1;
   static constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// The rows on a segment in order: its key if requested, those from first to before last, the end if requested.
-struct Run {
+struct SegmentRows {
   std::uint64_t first = 0;
   std::uint64_t last = 0;
   bool key = false;
@@ -70,7 +68,7 @@ class Locator {
 class Sampler : public Locator {
  public:
   /// The rows on the next segment. Throws: Error if the request leaves the curve or has too many rows.
-  virtual Run place(const CurveSegment& segment) = 0;
+  virtual SegmentRows place(const CurveSegment& segment) = 0;
 
   /// No later segment can have a sample: reading may stop.
   virtual bool done() const = 0;
@@ -85,56 +83,5 @@ std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Exte
 /// Locates the samples at the arc lengths in located.coordinates, which lie on the segment. Promises: their times are
 /// rounded once; a length that is printed as that of a key is the key's.
 void locate_lengths(const CurveSegment& segment, Located& located);
-
-/// Samples at places in any order: rows 0 to size - 1, each at the place that a function gives. A curve with random
-/// access is needed to find their segments.
-class AnywhereLocator : public Locator {
- public:
-  using Coordinate = std::function<Time(std::uint64_t)>;
-
-  AnywhereLocator(Coordinate place, std::uint64_t size) : place_(std::move(place)), size_(size) {}
-
-  std::uint64_t size() const { return size_; }
-  Time place(std::uint64_t row) const { return place_(row); }
-
-  /// The time on the curve, or the arc length, of a row. Throws: Error (usage) outside the curve.
-  virtual Time on_curve(std::uint64_t row) const = 0;
-
- private:
-  Coordinate place_;
-  std::uint64_t size_;
-};
-
-/// Places are times, which may be outside the curve.
-class AnywhereInTime : public AnywhereLocator {
- public:
-  /// `frames`: where times are frames in seconds.
-  AnywhereInTime(Coordinate place, std::uint64_t size, Extrapolation kind, const Time& first, const Time& last,
-                 const std::optional<FrameTimes>& frames = {})
-      : AnywhereLocator(std::move(place), size), kind_(kind), first_(first), last_(last), frames_(frames) {}
-
-  Time on_curve(std::uint64_t row) const override;
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
-
- private:
-  Outside outside(const Time& t) const;
-
-  Extrapolation kind_;
-  Time first_, last_;
-  std::optional<FrameTimes> frames_;
-};
-
-/// Places are arc lengths.
-class AnywhereInLength : public AnywhereLocator {
- public:
-  AnywhereInLength(Coordinate place, std::uint64_t size, double length)
-      : AnywhereLocator(std::move(place), size), length_(length) {}
-
-  Time on_curve(std::uint64_t row) const override;
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
-
- private:
-  double length_;
-};
 
 }  // namespace tcb

@@ -39,7 +39,7 @@ Pieces pieces_of(const SamplingRequest& asked, const std::vector<double>& keys,
     const CurveSegment segment{
         keys[i], keys[i + 1], 0.0, 0.0, cubics, {}, last, last ? last_warp : spline::Warp<double>(), {}, i};
     ++result.segments_read;
-    const Run run = sampler->place(segment);
+    const SegmentRows run = sampler->place(segment);
     EXPECT_FALSE(run.key || run.end);
     Located located;
     sampler->locate(segment, run.first, run.last, located);

@@ -36,10 +36,10 @@ Sampled sample(const SamplingRequest& request, const std::vector<double>& keys, 
       result.times.push_back(at.t.hi);
       result.positions.push_back(spline::position(cubics[0], at.at));
     };
-    const Run run = sampler->place(segment);
-    if (run.key) add(Row::at_key);
+    const SegmentRows run = sampler->place(segment);
+    if (run.key) add(SpecialRow::at_key);
     for (std::uint64_t j = run.first; j < run.last; ++j) add(j);
-    if (run.end) add(Row::at_end);
+    if (run.end) add(SpecialRow::at_end);
   }
   if (sampler->remainder()) result.remainder = nearest_time(*sampler->remainder()).hi;
   return result;
