@@ -1,5 +1,9 @@
 // Fuzzer of the whole program: for any options and any input it prints valid rows or an error, and the same with one
 // thread and with four.
+//
+// Most inputs are new command lines with new keys, in which options agree with each other and with the keys, so that
+// more than half of the runs succeed; the others are mutations. At its end the fuzzer reports the runs of each mode and
+// format, and how many succeeded. Everything follows from libFuzzer's seed.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -7,9 +11,12 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <random>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -66,7 +73,11 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// Slashes are allowed in ratios only: the fuzzer uses no file but standard input.
+/// The samples of a comparison, which are made from its keys.
+constexpr int samples_descriptor = 100;
+constexpr const char* samples_path = "/proc/self/fd/100";
+
+/// Slashes are allowed in ratios only: the fuzzer uses no files but standard input and the samples of comparisons.
 bool names_a_file(std::string_view options) {
   for (std::size_t i = 0; i < options.size(); ++i) {
     const bool ratio = i > 0 && std::isdigit(static_cast<unsigned char>(options[i - 1])) != 0;
@@ -81,7 +92,8 @@ concept ReadsFiles = requires(Product job) {
   job.files;
 };
 
-/// The job of a line of options, from standard input to standard output with few rows; nothing for other jobs.
+/// The job of a line of options, from standard input to standard output with few rows; nothing for other jobs, and for
+/// options that are refused.
 std::optional<Job> job_of(std::string_view line) {
   if (names_a_file(line) || find_invalid_utf8(line) != std::string_view::npos) return std::nullopt;
   std::vector<std::string> words{"tcbsample"};
@@ -101,8 +113,13 @@ std::optional<Job> job_of(std::string_view line) {
           std::uint64_t& most = one.samples.request.max_rows;
           most = std::min(most, most_rows);
         }
+      } else if constexpr (std::is_same_v<Product, CompareJob>) {
+        one.comparison.keys_file = "-";
+        one.comparison.file = samples_path;
+        one.output = "-";
+        one.verbosity = {.quiet = true};
       }
-      return ReadsFiles<Product>;
+      return !std::is_same_v<Product, PrintText>;
     };
     return std::visit(limit, job) ? std::optional(job) : std::nullopt;
   } catch (const Error& error) {
@@ -132,6 +149,9 @@ struct Entry {
   Exit operator()(const ExplainJob& job) const { return explain(job); }
   Exit operator()(const PlotJob& job) const { return plot(job); }
   Exit operator()(const FitJob& job) const { return fit(job); }
+  Exit operator()(const CompareJob& job) const {
+    return compare(job) == Exit::interrupted ? Exit::interrupted : Exit::done;
+  }
   Exit operator()(const auto&) const { return Exit::usage; }
 };
 
@@ -141,6 +161,7 @@ Outcome run(Job job, unsigned threads, std::string_view input) {
   out.set("");
   const auto set_threads = [threads](auto& one) {
     if constexpr (requires { one.threads; }) one.threads.requested = threads;
+    if constexpr (requires { one.comparison; }) one.comparison.threads.requested = threads;
   };
   std::visit(set_threads, job);
   try {
@@ -148,10 +169,96 @@ Outcome run(Job job, unsigned threads, std::string_view input) {
     return {out.text(), {}};
   } catch (const Error& error) {
     require(error.exit() == Exit::data || error.exit() == Exit::usage, "no exit code", error_text(error));
-    require_refusal(error_text(error), "standard input");
+    const std::string text = error_text(error);
+    require_refusal(text, text.starts_with(samples_path) ? samples_path : "standard input");
     return {{}, error_text(error)};
   }
 }
+
+/// Makes the samples of a comparison: rows of the keys, or the keys if there are none.
+void make_samples(std::string_view input) {
+  static const MemoryFile samples(samples_descriptor);
+  const Outcome rows = run(*parsed("--count=5"), 1, input);
+  samples.set(rows.refusal.empty() ? std::string_view(rows.out) : input);
+}
+
+/// The name of a job's mode.
+struct ModeName {
+  std::string_view operator()(const ResampleJob& job) const {
+    constexpr auto names = std::to_array<std::string_view>(
+        {"step", "count", "segments", "per-segment", "at", "arc-step", "arc-count", "arc-at", "tolerance", "emit"});
+    const SamplingRequest& request = job.samples.request;
+    return request.is_rate ? "rate" : names[static_cast<std::size_t>(request.mode)];
+  }
+  std::string_view operator()(const ExplainJob&) const { return "explain"; }
+  std::string_view operator()(const PlotJob&) const { return "plot"; }
+  std::string_view operator()(const FitJob&) const { return "fit"; }
+  std::string_view operator()(const CompareJob& job) const { return job.identify ? "identify" : "check"; }
+  std::string_view operator()(const PrintText&) const { return "text"; }
+};
+
+std::string_view output_format(const Job& job) {
+  const auto name = [](const auto& one) -> std::string_view {
+    if constexpr (requires { one.rows.format; }) return format_of(one.rows.format).name;
+    if constexpr (requires { one.format; }) return format_of(one.format).name;
+    return "svg";
+  };
+  return std::visit(name, job);
+}
+
+/// The format of keys as it looks from their first bytes.
+std::string_view input_format(std::string_view keys) {
+  const std::string_view line = keys.substr(0, keys.find('\n'));
+  if (line.starts_with('[') || line.starts_with("{\"keys\"")) return "json";
+  if (line.starts_with('{')) return line.ends_with('}') && line.size() < keys.size() ? "jsonl" : "json";
+  if (line.find('\t') != std::string_view::npos) return "tsv";
+  return line.find(',') != std::string_view::npos ? "csv" : "ssv";
+}
+
+/// Counts runs by their modes and formats, and prints the counts at the end.
+class Counts {
+ public:
+  Counts() {
+    (void)std::atexit([] { known().print(); });
+  }
+  static Counts& known() {
+    static Counts& counts = *new Counts;  // never destroyed, because it is printed at the end
+    return counts;
+  }
+
+  void add_refused_options() { add("refused options", false); }
+  void add_run(const Job& job, std::string_view input, bool succeeded) {
+    add("runs", succeeded);
+    add(fmt::format("mode {}", std::visit(ModeName(), job)), succeeded);
+    const bool golden = std::visit([](const auto& one) { return is_golden(one); }, job);
+    if (golden) add("mode golden", succeeded);
+    add(fmt::format("input {}", input_format(input)), succeeded);
+    add(fmt::format("output {}", output_format(job)), succeeded);
+  }
+
+ private:
+  struct Count {
+    std::uint64_t all = 0, succeeded = 0;
+  };
+
+  template <class Product>
+  static bool is_golden(const Product& job) {
+    if constexpr (requires { job.golden; }) return job.golden.has_value();
+    return false;
+  }
+  void add(const std::string& what, bool succeeded) {
+    Count& count = counts_[what];
+    ++count.all;
+    count.succeeded += succeeded ? 1 : 0;
+  }
+  void print() const {
+    for (const auto& [what, count] : counts_) {
+      (void)std::fputs(fmt::format("count: {}: {}, succeeded: {}\n", what, count.all, count.succeeded).c_str(), stderr);
+    }
+  }
+
+  std::map<std::string, Count> counts_;
+};
 
 /// Every cell of delimited rows is a finite number or empty, and time does not go back.
 void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
@@ -206,6 +313,158 @@ void require_sound(const Product& job, std::string_view text, std::string_view r
 }  // namespace tcb::fuzz
 
 namespace {
+
+/// A kind of options of which a command line has one at most.
+using Choices = std::vector<std::string_view>;
+
+const Choices of_rules{"--preset=vtk",      "--preset=3dsmax", "--tangents=interval-c",
+                       "--tangents=kb1984", "--ends=natural",  "--ends=zero,half",
+                       "--closed",          "--period=99",     "--equal-speed",
+                       "--no-ease",         "--tcb=0.5,0,-1",  "--tangents=uniform"};
+const Choices of_numbers{"--digits=3", "--fixed=2", "--hex", "--meta", "--no-output-header"};
+const Choices of_formats{"-f tsv", "-f ssv", "-f json", "-f jsonl", "-f npy"};
+const Choices of_fields{"--fields=time,position,s",       "--fields=time,s,speed,curvature",
+                        "--fields=velocity,acceleration", "--fields=time,position,key,u",
+                        "--fields=jerk,segment",          "--fields=tangent,torsion"};
+const Choices of_range{"--from=1", "--to=2", "--from=1/3 --to=1.5", "--keys"};
+const Choices of_step{"--end=keep", "--end=fit", "--end=fit-up", "--end=fit-down"};
+const Choices of_places{"--extrapolate=hold", "--extrapolate=linear", "--extrapolate=repeat", "--extrapolate=offset"};
+const Choices of_fit{"--fit-keys=hermite", "--corner=30"};
+const Choices of_check{"--abs=0.1", "--rel=1e-6", "--fields=time,position"};
+const Choices of_reading{"--sort",          "--duplicates=last", "--missing=skip-cell",
+                         "--missing=break", "--scale=x=1/3",     "--rename=x=px"};
+const Choices of_reports{"-f json", "-f svg"};
+const Choices of_explained{"-f json"};
+const Choices of_exact{"--exact-input", "--digits=40", "--exact-input --digits=20"};
+
+struct ModeOptions {
+  Choices modes;
+  std::vector<const Choices*> others;  ///< that have an effect in these modes
+};
+
+/// Every mode; each is drawn as often as the others.
+const std::vector<ModeOptions> all_modes{
+    {{"--count=1", "--count=4", "--count=9"},
+     {&of_rules, &of_numbers, &of_formats, &of_fields, &of_range, &of_reading}},
+    {{"--step=0.25", "--step=1/3"},
+     {&of_rules, &of_numbers, &of_formats, &of_fields, &of_range, &of_step, &of_reading}},
+    {{"--rate=7", "--fps=30000/1001"},
+     {&of_rules, &of_numbers, &of_formats, &of_fields, &of_range, &of_step, &of_reading}},
+    {{"--segments=3", "--segments=8"}, {&of_rules, &of_numbers, &of_formats, &of_fields, &of_range, &of_reading}},
+    {{"--per-segment=3", "--per-segment=1"}, {&of_rules, &of_numbers, &of_formats, &of_fields, &of_reading}},
+    {{"--at=0.5,2,1", "--at=0:2:0.5"}, {&of_rules, &of_numbers, &of_formats, &of_fields, &of_places, &of_reading}},
+    {{"--arc-step=0.5", "--arc-step=2"}, {&of_rules, &of_numbers, &of_formats, &of_fields, &of_step, &of_reading}},
+    {{"--arc-count=1", "--arc-count=4"}, {&of_rules, &of_numbers, &of_formats, &of_fields, &of_reading}},
+    {{"--arc-at=0,0.25", "--arc-at=0:0.5:0.125"}, {&of_rules, &of_numbers, &of_formats, &of_fields, &of_reading}},
+    {{"--tolerance=0.5", "--tolerance=0.01"}, {&of_rules, &of_numbers, &of_formats, &of_fields, &of_reading}},
+    {{"--emit=hermite --no-ease", "--emit=bezier --no-ease", "--emit=poly8 --no-ease"},
+     {&of_numbers, &of_formats, &of_reading}},
+    {{"--fit=0.5", "--fit=0.01", "--fit=0.01 -f svg"}, {&of_fit, &of_reading}},
+    {{"--plot", "--count=7 -f svg", "--plot --size=400x900"}, {&of_rules, &of_reading}},
+    {{"--explain --count=4", "--explain --step=0.5", "--explain --arc-count=3"},
+     {&of_rules, &of_explained, &of_reading}},
+    {{"--golden --count=4", "--golden --at=0.5,2", "--golden --step=1/2"},  // lengths take seconds with sanitizers
+     {&of_rules, &of_exact, &of_formats}},
+    {{"--check=samples"}, {&of_rules, &of_check, &of_reports}},
+    {{"--identify=samples"}, {&of_reports}},
+};
+
+/// Draws choices, the same on all machines.
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : random_(seed) {}
+
+  std::size_t below(std::size_t end) { return (random_() >> 8) % end; }
+  bool one_in(std::size_t count) { return below(count) == 0; }
+  template <class Range>
+  const auto& of(const Range& range) {
+    return range[below(std::size(range))];
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// New keys in one of the formats of input; `recorded`: without what only keys have.
+std::string new_keys(Draw& draw, bool recorded) {
+  constexpr auto numbers = std::to_array<std::string_view>(
+      {"0", "1", "-1", "2.5", "7", "0.1", "1e-3", "-3.25", "100", "0.333333333333333333333"});
+  constexpr auto quaternions = std::to_array<std::array<std::string_view, 4>>(
+      {{"0", "0", "0", "1"}, {"0.6", "0", "0", "0.8"}, {"0.8", "0", "0", "0.6"}, {"0.5", "0.5", "-0.5", "0.5"}});
+  constexpr auto parameters = std::to_array<std::string_view>({"0", "0.5", "-1", "1"});
+  std::vector<std::string> names{"t", "x"};
+  if (draw.below(3) > 0) names.emplace_back("y");
+  if (draw.one_in(3)) names.emplace_back("z");
+  const std::size_t channels = names.size() - 1;
+  const bool has_rotation = draw.one_in(6), has_tcb = !recorded && draw.one_in(3),
+             has_ease = !recorded && draw.one_in(8);
+  if (has_rotation) names.insert(names.end(), {"qx", "qy", "qz", "qw"});
+  if (has_tcb) names.insert(names.end(), {"tension", "continuity", "bias"});
+  if (has_ease) names.insert(names.end(), {"ease_in", "ease_out"});
+  std::vector<std::vector<std::string>> rows;
+  const std::size_t keys = 3 + draw.below(4), first = draw.one_in(8) ? 1 : 0;
+  for (std::size_t time = first * 1000; rows.size() < keys; time += 1 + draw.below(2)) {
+    std::vector<std::string>& row = rows.emplace_back();
+    row.push_back(std::to_string(time) + (draw.one_in(4) && first == 0 ? ".25" : ""));
+    for (std::size_t i = 0; i < channels; ++i) row.emplace_back(draw.of(numbers));
+    if (has_rotation) {
+      for (const std::string_view number : draw.of(quaternions)) row.emplace_back(number);
+    }
+    for (std::size_t i = 0; has_tcb && i < 3; ++i) row.emplace_back(draw.of(parameters));
+    for (std::size_t i = 0; has_ease && i < 2; ++i) row.emplace_back(draw.one_in(2) ? "0.25" : "0");
+  }
+  std::string text;
+  const auto append_row = [&](const std::vector<std::string>& cells, char delimiter) {
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : std::string(1, delimiter)) + cells[i];
+    text += '\n';
+  };
+  const auto append_object = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      text += (i == 0 ? "{\"" : ",\"") + names[i] + "\":" + cells[i];
+    }
+    text += '}';
+  };
+  const std::size_t format = draw.below(6);
+  if (format < 4) {
+    const char delimiter = ",,\t "[format];
+    append_row(names, delimiter);
+    for (const auto& row : rows) append_row(row, delimiter);
+  } else if (format == 4) {
+    for (const auto& row : rows) {
+      append_object(row);
+      text += '\n';
+    }
+  } else {
+    text = draw.one_in(2) ? "[" : "{\"keys\":[";
+    const bool is_array = text.size() == 1;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i > 0) text += ",\n";
+      append_object(rows[i]);
+    }
+    text += is_array ? "]\n" : "]}\n";
+  }
+  return text;
+}
+
+/// A new command line whose options agree with each other: a mode, and up to three others that have an effect in it.
+std::string new_options(Draw& draw) {
+  const ModeOptions& mode = draw.of(all_modes);
+  std::string line(draw.of(mode.modes));
+  std::vector<const Choices*> others = mode.others;
+  for (std::size_t count = draw.below(4); count > 0 && !others.empty(); --count) {
+    const std::size_t kind = draw.below(others.size());
+    (line += ' ') += draw.of(*others[kind]);
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(kind));
+  }
+  return line;
+}
+
+/// Any option, from those of all modes.
+std::string_view any_option(Draw& draw) {
+  const ModeOptions& mode = draw.of(all_modes);
+  const std::size_t kind = draw.below(mode.others.size() + 1);
+  return kind == mode.others.size() ? draw.of(mode.modes) : draw.of(*mode.others[kind]);
+}
 
 /// Whole options: bytes that are changed one by one hardly ever make several valid ones.
 constexpr auto whole_options = std::to_array<std::string_view>({"--step=0.25",
@@ -316,7 +575,8 @@ std::string with_other_option(std::string_view line, unsigned seed) {
   for (const std::string_view word : tcb::fuzz::split(line, ' ')) {
     if (!word.empty()) words.push_back(word);
   }
-  const std::string_view option = whole_options[seed / 64 % whole_options.size()];
+  Draw draw(seed);
+  const std::string_view option = draw.one_in(3) ? any_option(draw) : draw.of(whole_options);
   const bool removes = seed / 8 % 4 == 0, replaces = seed / 8 % 4 == 1;
   if ((removes || replaces) && !words.empty()) words.erase(words.begin() + (seed / 32) % words.size());
   if (!removes) words.push_back(option);
@@ -327,9 +587,17 @@ std::string with_other_option(std::string_view line, unsigned seed) {
 
 }  // namespace
 
-/// libFuzzer's mutations, mostly of the input alone, because new options take longer to parse than an input to
-/// resample; and other whole options.
+/// In three of four cases a new command line with new keys. In the others libFuzzer's mutations, mostly of the input
+/// alone, because new options take longer to parse than an input to resample; and other whole options.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  if (Draw draw(seed); draw.below(4) > 0) {
+    static const unsigned first_seed = seed;  // others for each seed of the fuzzer
+    constexpr unsigned most_lines = 3000;     // parsed() keeps them
+    Draw line(first_seed + static_cast<unsigned>(draw.below(most_lines)));
+    const std::string options = new_options(line);
+    const std::string fresh = options + '\n' + new_keys(draw, options.starts_with("--fit"));
+    if (fresh.size() <= most) return static_cast<std::size_t>(std::ranges::copy(fresh, data).out - data);
+  }
   const std::string_view all(reinterpret_cast<const char*>(data), size);
   const std::size_t input = std::min(all.find('\n'), all.size()) + 1;
   if (seed % 8 == 4 && input <= size) {
@@ -348,8 +616,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view line = all.substr(0, all.find('\n'));
   const std::string_view input = all.substr(std::min(all.size(), line.size() + 1));
   const auto& plan = parsed(line);
-  if (!plan) return 0;
+  if (!plan) {
+    Counts::known().add_refused_options();
+    return 0;
+  }
+  if (std::holds_alternative<tcb::CompareJob>(*plan)) make_samples(input);
   const Outcome outcome = run(*plan, 1, input);
+  Counts::known().add_run(*plan, input, outcome.refusal.empty());
   const auto check_rows = [&](const auto& job) {
     if constexpr (requires { job.rows; }) require_sound(job, input, outcome.out);
   };
