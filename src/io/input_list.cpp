@@ -88,21 +88,41 @@ void append_folder(Inputs& inputs, const std::string& folder, const InputListOpt
             [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
 }
 
+/// Where outputs lead through links in the output folder.
+class RealPaths {
+ public:
+  std::string of(const std::string& path) {
+    std::error_code none;
+    std::string folder = fs::path(path).parent_path();
+    if (folder != folder_ || real_folder_.empty()) {
+      real_folder_ = fs::weakly_canonical(folder.empty() ? "." : folder, none);
+      if (none) real_folder_ = folder;
+      folder_ = std::move(folder);
+    }
+    const fs::path target = fs::is_symlink(path, none) ? fs::canonical(path, none) : fs::path();
+    return target.empty() ? real_folder_ / fs::path(path).filename() : target;  // a link without a target is replaced
+  }
+
+ private:
+  std::string folder_;  ///< the last one, whose files mostly follow one another
+  fs::path real_folder_;
+};
+
 /// Throws: Error (usage) if two files have the same output.
 void require_distinct_outputs(const std::vector<InputFile>& files, const OutputPaths& outputs) {
   std::vector<std::pair<std::size_t, std::size_t>> by_hash;  // so that not all paths are kept
   by_hash.reserve(files.size());
+  RealPaths real;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    by_hash.emplace_back(std::hash<std::string>()(output_path(files[i], outputs)), i);
+    by_hash.emplace_back(std::hash<std::string>()(real.of(output_path(files[i], outputs))), i);
   }
   std::ranges::sort(by_hash);
   for (std::size_t i = 0; i < by_hash.size(); ++i) {
     const InputFile& file = files[by_hash[i].second];
     for (std::size_t j = i; j-- > 0 && by_hash[j].first == by_hash[i].first;) {
       const InputFile& other = files[by_hash[j].second];
-      if (const std::string path = output_path(file, outputs); path == output_path(other, outputs)) {
-        throw same_output(path, other.path).in(file.path);
-      }
+      const std::string path = output_path(file, outputs);
+      if (real.of(path) == real.of(output_path(other, outputs))) throw same_output(path, other.path).in(file.path);
     }
   }
 }
