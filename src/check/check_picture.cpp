@@ -63,6 +63,7 @@ void CheckPicture::begin(const ComparisonInputs& inputs) {
   if (channels_.empty()) throw no_position_column(channels);
   scene_.path = path_axes(scene_.channels, options_.axes);
   for (std::size_t i = 0; i < channels_.size(); ++i) scene_.channels.push_back(scene_.channels[i] + ", difference");
+  scene_.require_few_strips();
   scene_.time = inputs.kept.schema.time.name;
   scene_.names = {file_name(inputs.keys), file_name(inputs.file)};
 }

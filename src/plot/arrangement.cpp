@@ -16,10 +16,8 @@ constexpr double path_width = 470, strip_width = 520, narrow_strip = 230;
 constexpr double least_width = 40, least_height = 28;
 constexpr std::size_t strips_in_column = 10, most_columns = 6;
 
-std::size_t strips_of(const Scene& scene) { return scene.strips.empty() ? scene.channels.size() : scene.strips.size(); }
-
 std::size_t columns_of(const Scene& scene) {
-  return std::clamp<std::size_t>((strips_of(scene) + strips_in_column - 1) / strips_in_column, 1, most_columns);
+  return std::clamp<std::size_t>((scene.strip_count() + strips_in_column - 1) / strips_in_column, 1, most_columns);
 }
 
 /// The title of an axis; a name that is too long is cut, the base is not.
@@ -30,7 +28,7 @@ std::string title_within(const Axis& axis, const std::string& name, double width
 class Arranger {
  public:
   Arranger(const Scene& scene, const SceneExtent& extent, const PictureSize& size, double legend_height)
-      : scene_(scene), extent_(extent), strips_(strips_of(scene)), columns_(columns_of(scene)) {
+      : scene_(scene), extent_(extent), strips_(scene.strip_count()), columns_(columns_of(scene)) {
     result_.width = picture_width(scene, size);
     const double around = top + below_axis + legend_height;
     if (size.height > 0) {

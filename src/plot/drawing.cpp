@@ -115,7 +115,7 @@ void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
     scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
   }
   channels_ = spec.channels();
-  if (channels_.rotations.empty()) return;
+  if (channels_.rotations.empty()) return scene_.require_few_strips();
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
     if (!spline::is_in_rotation(channels_.rotations, i)) scene_.strips.push_back(i);
   }
@@ -133,6 +133,7 @@ void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
     scene_.channels.push_back(
         fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.given.columns, ", ")));
   }
+  scene_.require_few_strips();
 }
 
 std::size_t Drawing::name_of(const std::vector<std::string>& group) {

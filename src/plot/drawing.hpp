@@ -23,8 +23,8 @@ class Drawing {
   Drawing(const PictureOptions& options, const SamplingRequest& samples, std::string path)
       : options_(options), samples_(samples), output_(std::move(path)) {}
 
-  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error (data) if they have other
-  /// columns than the previous curves, or lack the requested axes.
+  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error if they have other columns
+  /// than the previous curves, lack the requested axes, or are too many.
   void begin(const std::string& path, const Schema& schema, const RuleFacts& rules);
 
   /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.

@@ -25,6 +25,12 @@ Error axes_are_same(std::string_view name) {
           fmt::format("both axes are the channel {}; expected two different channels; replace one", in_quotes(name))};
 }
 
+Error too_many_strips(std::size_t strips, std::size_t most) {
+  return {Exit::usage, fmt::format("the picture would have {} strips over time; expected at most {}; choose channels "
+                                   "with {} position=NAME:NAME",
+                                   strips, most, option::columns)};
+}
+
 Error picture_beyond_doubles() {
   return {Exit::data,
           "the numbers of a channel are too far apart to be drawn; expected differences below 1.8e308; scale the keys "

@@ -19,6 +19,9 @@ Error no_channel_for_axis(std::string_view name, const std::vector<std::string>&
 /// Both axes are the same channel; about the option of the axes.
 Error axes_are_same(std::string_view name);
 
+/// The picture would have more strips than can be read.
+Error too_many_strips(std::size_t strips, std::size_t most);
+
 /// The extent of a channel overflows.
 Error picture_beyond_doubles();
 

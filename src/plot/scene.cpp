@@ -163,6 +163,10 @@ bool Scene::has_samples() const {
   return std::ranges::all_of(curves, [](const SceneCurve& curve) { return curve.samples.size() == curve.rows; });
 }
 
+void Scene::require_few_strips() const {
+  if (strip_count() > most_strips) throw too_many_strips(strip_count(), most_strips);
+}
+
 std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
                                                     const std::vector<std::string>& requested,
                                                     const std::vector<std::size_t>& metric) {

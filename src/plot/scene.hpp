@@ -66,6 +66,13 @@ struct Scene {
   std::uint64_t keys() const;  ///< without those of polylines
   std::uint64_t dots() const;  ///< of polylines
   std::uint64_t rows() const;
+  /// Nobody can read a picture of more strips, and its size would grow with them.
+  static constexpr std::size_t most_strips = 1000;
+
+  /// The number of strips.
+  std::size_t strip_count() const { return strips.empty() ? channels.size() : strips.size(); }
+  /// Throws: Error (usage) if there are more than most_strips.
+  void require_few_strips() const;
   /// Whether every curve has its samples.
   bool has_samples() const;
 };

@@ -42,6 +42,14 @@ TEST(Arrangement, views_are_within_the_picture_and_do_not_overlap) {
   }
 }
 
+TEST(Arrangement, more_strips_than_can_be_read_are_refused) {
+  EXPECT_NO_THROW(scene_of_channels(1000).require_few_strips());
+  EXPECT_THROW(scene_of_channels(1001).require_few_strips(), Error);
+  Scene chosen = scene_of_channels(1001);
+  chosen.strips = {0, 7};
+  EXPECT_NO_THROW(chosen.require_few_strips());
+}
+
 TEST(Arrangement, the_path_has_equal_scales) {
   for (const PictureSize& size : {PictureSize{}, PictureSize{600, 300}, PictureSize{500, 900}}) {
     const View path = arrangement_of(scene_of_channels(3), size).views[0];
