@@ -79,6 +79,7 @@ spline::Keys<S> exact_keys(const ExactCurve& exact, std::vector<S> times) {
   keys.missing = exact.keys.missing;
   keys.times = std::move(times);
   const auto number = [](const Rational& value) { return scalar_of<S>(value); };
+  keys.positions.reserve(exact.keys.positions.size());
   std::ranges::transform(exact.keys.positions, std::back_inserter(keys.positions), number);
   for (const auto& [tension, continuity, bias] : exact.keys.tcbs) {
     keys.tcbs.push_back({number(tension), number(continuity), number(bias)});

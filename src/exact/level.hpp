@@ -129,9 +129,9 @@ class Level final : public AnyLevel {
   };
 
   Known& known(std::size_t number) {
-    constexpr std::size_t most_kept = 64;
+    constexpr std::size_t most_kept = 64, most_cubics = 4096;  // a cubic may take a kilobyte
     if (const auto found = known_.find(number); found != known_.end()) return found->second;
-    if (known_.size() == most_kept) known_.clear();
+    if (known_.size() == most_kept || known_.size() * rows_.exact.keys.channels >= most_cubics) known_.clear();
     return known_.emplace(number, Known{curve_->segments(number, number + 1), {}}).first->second;
   }
 
