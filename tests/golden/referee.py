@@ -285,9 +285,12 @@ for number in range(curves):
     curve = Curve(made(keys[:-1] if closed else keys, number, number_of), rule, ends, period, equal,
                   list(map(number_of, velocity)), exponent)
     fields = ["time", "position", "s", "segment"] if number % 8 == 7 else local
-    rows = run(write(keys, style, timed), [*options, "--count", "7" if "s" in fields else "101", "--fields", ",".join(fields)])
+    count = 7 if "s" in fields else 101
+    rows = run(write(keys, style, timed), [*options, "--count", str(count), "--fields", ",".join(fields)])
     for j, row in enumerate(rows):
-        t = number_of(row[0])
+        # With exact input, times are exact until they are printed; else rows are at the printed times.
+        exact_time = curve.times[0] + (curve.times[-1] - curve.times[0]) * j / (count - 1)
+        t = exact_time if decimal else number_of(row[0])
         i = min(int(row[-1]), len(curve.cubics) - 1)
         if exponent is not None and j + 1 == len(rows):
             t = curve.times[-1]  # the last row is the last key
