@@ -251,19 +251,20 @@ void check_coverage(const Pair& pair, const Comparison& comparison, const Compar
 void check_pair(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs, Checker& checker,
                 Check& result, const std::function<void(const CheckedPair&)>& observe) {
   const MatchedColumns& columns = inputs.columns;
-  SamplingRequest request;
-  request.from_left = comparison.from_left;
-  request.mode = columns.by_length ? Mode::arc_at : Mode::at;
-  CurvePipeline pipeline(request, comparison.keys.rules, columns.fields, std::nullopt, inputs.kept.schema,
-                         inputs.kept.traits, *pair.curve->curve_info, inputs.threads);
+  CurveRequest request{
+      .samples = {}, .rules = comparison.keys.rules, .fields = columns.fields, .threads = inputs.threads};
+  request.samples.from_left = comparison.from_left;
+  request.samples.mode = columns.by_length ? Mode::arc_at : Mode::at;
+  const spline::Side side = request.samples.side();
+  CurvePipeline pipeline(request, inputs.kept.schema, inputs.kept.traits, *pair.curve->curve_info);
   const WholeCurve curve = pipeline.whole(pair.curve->keys());
   const Limits limits = limits_of(comparison, inputs.place_name());
   const Places places = places_of(pair.rows, inputs.table, columns, curve, limits);
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
-  for_each_row(pair.rows, places, columns, curve, request.side(), inputs.threads,
+  for_each_row(pair.rows, places, columns, curve, side, inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
   check_coverage(pair, comparison, inputs, curve, places, limits, result);
-  if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, request.side()});
+  if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, side});
 }
 
 }  // namespace

@@ -69,9 +69,11 @@ std::vector<Time> expected_places(const ExpectedSamples& expected, const Compari
   const Schema& schema = inputs.kept.schema;
   CurveSettings rules = comparison.keys.rules;
   if (!rules.metric) rules.metric = expected.metric;
-  const SamplingRequest request = expected.samples.of({curve.group, curve.curve_info, {}}, schema);
-  CurvePipeline pipeline(request, rules, fields, std::nullopt, schema, inputs.kept.traits, *curve.curve_info,
-                         inputs.threads);
+  const CurveRequest request{.samples = expected.samples.of({curve.group, curve.curve_info, {}}, schema),
+                             .rules = rules,
+                             .fields = fields,
+                             .threads = inputs.threads};
+  CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info);
   const PlacedCurve placed = pipeline.place(curve.keys());
   std::vector<Time> places;
   while (const std::optional<SampleBlock> block = placed.blocks()) {

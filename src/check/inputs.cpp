@@ -1,50 +1,15 @@
-// Inputs of a comparison: keys read into memory, the file of samples, and which of its columns are compared.
+// Inputs of a comparison: curves with their keys in memory, samples, and their columns that are compared.
 #include "check/inputs.hpp"
 
-#include <algorithm>
-#include <numeric>
-#include <string_view>
-#include <unordered_map>
+#include <optional>
 #include <utility>
 
-#include "check/errors.hpp"
-#include "check/problems.hpp"
 #include "error.hpp"
-#include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
-#include "option_names.hpp"
 #include "read/reader.hpp"
-#include "sample/fields.hpp"
-#include "stream/source.hpp"
 
 namespace tcb {
-
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Whether the mark occurs between two digits.
-bool has_between_digits(std::string_view text, char mark) {
-  for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark, at + 1)) {
-    if (at > 0 && at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1])) return true;
-  }
-  return false;
-}
-
-char decimal_mark_of(std::string_view beginning) {
-  const bool delimited = beginning.find_first_of(";\t") != std::string_view::npos;
-  const bool commas = delimited && !has_between_digits(beginning, '.') && has_between_digits(beginning, ',');
-  return commas ? ',' : '.';
-}
-
-void append(SampleRows& rows, const KeyBlock& block) {
-  rows.times.insert(rows.times.end(), block.keys.times.begin(), block.keys.times.end());
-  rows.numbers.insert(rows.numbers.end(), block.keys.positions.begin(), block.keys.positions.end());
-  rows.lines.insert(rows.lines.end(), block.text_positions.lines.begin(), block.text_positions.lines.end());
-}
-
-}  // namespace
 
 Source<KeyBlock> KeptCurve::keys() const {
   return [this, next = std::size_t{0}]() mutable {
@@ -58,20 +23,10 @@ std::size_t KeptCurve::key_count() const {
   return count;
 }
 
-namespace {
-
-/// The bytes of a file, counted as read, and decompressed.
-Source<std::string> observed(const std::string& path, FileProgress* progress) {
-  return decompressed(progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path)));
-}
-
-}  // namespace
-
-KeptCurves keep(const Comparison& comparison, FileProgress* progress) {
-  const std::string& path = comparison.keys_file;
+KeptCurves keep_curves(const Comparison& comparison, Source<std::string> bytes) {
   InputOptions options = comparison.keys.input;
   options.threads = comparison.threads.count();
-  const Input input = open_input(path, observed(path, progress), options);
+  const Input input = open_input(comparison.keys_file, std::move(bytes), options);
   KeptCurves kept{input.schema, input.keys.traits, {}};
   Curves curves(input.schema, input.keys, comparison.keys.curves, false);
   while (const std::optional<CurveKeys> curve = curves.next()) {
@@ -81,218 +36,6 @@ KeptCurves keep(const Comparison& comparison, FileProgress* progress) {
   return kept;
 }
 
-SampleTable read_samples(const Comparison& comparison, const Schema& keys, std::optional<std::size_t> time_place,
-                         FileProgress* progress) {
-  const std::string& path = comparison.file;
-  Source<std::string> bytes = observed(path, progress);
-  EarlierOutputReader provenance;
-  if (comparison.recorded) {
-    bytes = mapped(std::move(bytes), [&provenance](std::string text) {
-      provenance.add(text);
-      return text;
-    });
-  }
-  std::string beginning = bytes().value_or("");
-  InputOptions options;
-  options.columns.samples =
-      SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), comparison.maps};
-  options.keys.missing = Missing::skip_cell;
-  options.columns.timeless = !time_place;
-  options.threads = comparison.threads.count();
-  options.units = {.frame_rate = comparison.keys.input.units.frame_rate, .only_named_frames = true};
-  options.delimited.decimal = decimal_mark_of(beginning);
-  const Input input = open_input(path, preceded_by(std::move(beginning), std::move(bytes)), options);
-  const Schema& schema = input.schema;
-  SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};
-  Curves curves(schema, input.keys, {.any_order = true}, false);
-  while (const std::optional<CurveKeys> curve = curves.next()) {
-    SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
-    while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
-  }
-  if (comparison.recorded) table.provenance = provenance.end();
-  return table;
-}
-
-namespace {
-
-using Names = std::vector<std::string>;
-using Fields = std::vector<std::size_t>;
-
-Names names_of(const Fields& chosen, const Schema& keys) {
-  Names names;
-  for (const auto& column : output_columns(chosen, keys)) names.push_back(column.name);
-  return names;
-}
-
-/// Indices of names.
-using NameIndex = std::unordered_map<std::string_view, std::size_t>;
-
-std::optional<std::size_t> find(const NameIndex& index, std::string_view name) {
-  const auto found = index.find(name);
-  return found == index.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::optional<std::size_t> find(const Names& names, const std::string& name) {
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - names.begin());
-}
-
-/// How many columns the fields have before the time; nothing: the time is not among them.
-std::optional<std::size_t> place_of_time(const Fields& chosen, const Schema& keys) {
-  const auto time = std::ranges::find(chosen, field_of("time"));
-  if (chosen.empty()) return 0;
-  if (time == chosen.end()) return std::nullopt;
-  return names_of({chosen.begin(), time}, keys).size();
-}
-
-bool has(const Fields& chosen, std::size_t field) { return std::ranges::count(chosen, field) > 0; }
-
-/// Matches columns by name.
-class Matcher {
- public:
-  Matcher(const SampleTable& table, const Schema& keys, const Fields& given)
-      : table_(table), keys_(keys), given_(given), is_compared_(table.columns.size()) {}
-
-  /// Throws: Error (data) for names that repeat, and without places or columns to compare.
-  MatchedColumns match() {
-    index_columns();
-    find_places();
-    Fields candidates = given_;
-    if (given_.empty()) {
-      candidates.resize(sample_fields<double>.size());
-      std::iota(candidates.begin(), candidates.end(), std::size_t{0});
-    }
-    for (const std::size_t field : candidates) {
-      if (field != field_of("time") && !(result_.by_length && field == field_of("s"))) match_field(field);
-    }
-    if (result_.compared.empty()) {
-      throw nothing_to_compare(table_.columns, names_of(candidates, keys_));
-    }
-    classify_other_columns();
-    return std::move(result_);
-  }
-
- private:
-  void index_columns() {
-    std::optional<std::size_t> repeated;  // the first column whose name another one has
-    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-      const auto [first, is_new] = columns_.try_emplace(table_.columns[i], i);
-      if (!is_new) repeated = std::min(repeated.value_or(first->second), first->second);
-    }
-    if (repeated) throw samples_have_same_column(table_.columns[*repeated]);
-  }
-
-  /// Times, or arc lengths if there are no times or no time is among the given fields.
-  void find_places() {
-    const auto s = find(keys_.channels, "s") ? std::nullopt : find(columns_, "s");
-    const bool wants_s = has(given_, field_of("s")) && !has(given_, field_of("time"));
-    result_.by_length = s && (wants_s || !table_.timed);
-    if (result_.by_length) result_.place = s;
-    if (table_.timed || result_.by_length) return;
-    throw samples_without_places(table_.columns, keys_.time.name);
-  }
-
-  void match_field(std::size_t field) {
-    const Names names = names_of({field}, keys_);
-    const std::size_t first = cells_;
-    const std::size_t before = result_.compared.size();
-    Names missing;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto given = find(columns_, names[i]);
-      if (!given || is_compared_[*given]) {
-        missing.push_back(names[i]);
-        continue;
-      }
-      is_compared_[*given] = true;
-      result_.compared.push_back({names[i], *given, first + i});
-    }
-    const bool found = result_.compared.size() > before;
-    if (found) {
-      result_.fields.push_back(field);
-      cells_ += names.size();
-    }
-    if (missing.empty() || (given_.empty() && !found)) return;
-    result_.problems.push_back(columns_missing(missing));
-  }
-
-  /// The columns of the samples that match none of the curve are ignored if fields are given.
-  void classify_other_columns() {
-    Names unknown;
-    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-      if (i != result_.place && !is_compared_[i]) unknown.push_back(table_.columns[i]);
-    }
-    result_.ignored = table_.ignored;
-    if (!given_.empty())
-      result_.ignored.insert(result_.ignored.end(), unknown.begin(), unknown.end());
-    else if (!unknown.empty())
-      result_.problems.push_back(columns_of_no_field(unknown));
-  }
-
-  const SampleTable& table_;
-  const Schema& keys_;
-  const Fields& given_;
-  NameIndex columns_;  ///< of the table
-  std::vector<bool> is_compared_;
-  std::size_t cells_ = 0;  ///< of the fields in the result
-  MatchedColumns result_;
-};
-
-/// Matches columns by their order.
-MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, const Fields& given) {
-  const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
-  const Names names = names_of(chosen, keys);
-  MatchedColumns result;
-  result.fields = chosen;
-  const std::size_t columns = table.columns.size() + (table.timed ? 1 : 0);
-  if (names.size() != columns) throw unnamed_sample_columns(columns, names);
-  const auto time = place_of_time(chosen, keys);
-  const auto length = time ? std::nullopt : find(names, "s");
-  if (!time && !length) throw fields_without_places().about(option::fields);
-  result.place = length;
-  result.by_length = length.has_value();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i != (time ? time : length)) result.compared.push_back({names[i], i - (time && i > *time ? 1 : 0), i});
-  }
-  return result;
-}
-
-}  // namespace
-
-void MatchedColumns::align(std::span<Cell> computed, std::span<const double> given_row) const {
-  for (const auto& [i, degrees] : angles) {
-    double& angle = computed[compared[i].computed].hi;
-    const spline::DoubleDouble excess = spline::exact_difference(angle, given_row[compared[i].given]);
-    angle -= spline::nearest_turns<double>(excess, degrees).hi;
-  }
-  for (const auto& numbers : rotations) {
-    double cosine = 0;
-    for (const std::size_t i : numbers) cosine += computed[compared[i].computed].hi * given_row[compared[i].given];
-    if (!(cosine < 0)) continue;
-    for (const std::size_t i : numbers) computed[compared[i].computed].hi *= -1;
-  }
-}
-
-MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given) {
-  MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
-  NameIndex compared;
-  for (std::size_t i = 0; i < columns.compared.size(); ++i) compared.try_emplace(columns.compared[i].name, i);
-  for (const AngleColumn& angle : keys.angles) {
-    if (const auto found = find(compared, keys.channels[angle.channel])) {
-      columns.angles.emplace_back(*found, angle.degrees);
-    }
-  }
-  for (const RotationColumns& rotation : rotation_columns(keys)) {
-    if (!rotation.shown.is_quaternion()) continue;
-    std::array<std::size_t, 4> numbers{};
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      numbers[i] = find(compared, keys.channels[rotation.channels[i]]).value_or(columns.compared.size());
-    }
-    if (std::ranges::max(numbers) < columns.compared.size()) columns.rotations.push_back(numbers);
-  }
-  return columns;
-}
-
 ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
                              FileProgress* progress) {
   ComparisonInputs inputs;
@@ -300,10 +43,13 @@ ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std
   inputs.keys = shown_name(comparison.keys_file);
   inputs.file = shown_name(comparison.file);
   inputs.threads = comparison.threads.count();
-  inputs.kept = in_file(inputs.keys, [&] { return keep(comparison, progress); });
+  const auto bytes_of = [progress](const std::string& path) {
+    return progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path));
+  };
+  inputs.kept = in_file(inputs.keys, [&] { return keep_curves(comparison, bytes_of(comparison.keys_file)); });
   in_file(inputs.file, [&] {
-    const auto time_place = place_of_time(chosen, inputs.kept.schema);
-    inputs.table = read_samples(comparison, inputs.kept.schema, time_place, progress);
+    const auto before_time = columns_before_time(chosen, inputs.kept.schema);
+    inputs.table = read_samples(comparison, bytes_of(comparison.file), inputs.kept.schema, before_time);
     inputs.columns = match_columns(inputs.table, inputs.kept.schema, chosen);
   });
   return inputs;

@@ -1,22 +1,18 @@
-// Inputs of a comparison: curves with their keys in memory, given samples, and the columns that match fields.
+// Inputs of a comparison: curves with their keys in memory, samples, and their columns that are compared.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "check/comparison.hpp"
-#include "error.hpp"
-#include "read/earlier_output.hpp"
+#include "check/matched_columns.hpp"
+#include "check/sample_table.hpp"
 #include "run/progress.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 
@@ -31,73 +27,15 @@ struct KeptCurve {
   std::size_t key_count() const;
 };
 
+/// All curves of an input.
 struct KeptCurves {
   Schema schema;
   KeyTraits traits;
   std::vector<KeptCurve> curves;
 };
 
-/// The curves of the keys. Here and below, `progress` may be null. Throws: Error.
-KeptCurves keep(const Comparison& comparison, FileProgress* progress = nullptr);
-
-/// Given rows of one curve. Shapes: numbers has a number per column, row after row; a missing one is NaN.
-struct SampleRows {
-  std::vector<std::string> group;  ///< texts as in schema/texts.hpp
-  std::vector<spline::Time<double>> times;
-  std::vector<double> numbers;
-  std::vector<std::uint64_t> lines;
-
-  std::size_t size() const { return lines.size(); }
-  std::span<const double> row(std::size_t i) const {
-    const std::size_t width = numbers.size() / size();
-    return std::span(numbers).subspan(i * width, width);
-  }
-};
-
-/// A file of samples.
-struct SampleTable {
-  bool named = false;                ///< its columns have names
-  bool timed = false;                ///< it has times
-  std::string time;                  ///< name of their column
-  std::vector<std::string> columns;  ///< names of all other columns of numbers
-  std::vector<std::string> ignored;  ///< names of the columns of text
-  std::vector<SampleRows> curves;
-  std::optional<EarlierOutput> provenance = {};  ///< if it is read
-};
-
-/// Reads samples of the curves of `keys` to the end of the file. Format, header and delimiter are detected as in keys;
-/// the decimal mark is a comma if cells are separated by semicolons or tabs and no number has a point. `time_place`: in
-/// a file without names, how many columns are before the time, without groups; nothing: none is the time. Throws:
-/// Error.
-SampleTable read_samples(const Comparison& comparison, const Schema& keys, std::optional<std::size_t> time_place,
-                         FileProgress* progress = nullptr);
-
-/// A column of the samples that is also one of the curve's rows.
-struct MatchedColumn {
-  std::string name;
-  std::size_t given;     ///< index into SampleTable::columns
-  std::size_t computed;  ///< index into the cells of a row with the chosen fields
-};
-
-struct MatchedColumns {
-  std::vector<std::size_t> fields;  ///< indices into fields(), whose cells make a row of the curve
-  std::vector<MatchedColumn> compared;
-  std::vector<std::array<std::size_t, 4>> rotations = {};  ///< indices into compared, of the numbers of each
-  std::vector<std::pair<std::size_t, bool>> angles = {};   ///< index into compared, and whether it is in degrees
-  std::optional<std::size_t> place;   ///< index into SampleTable::columns: the places of the samples, if not the times
-  bool by_length = false;             ///< the places are arc lengths
-  std::vector<std::string> ignored;   ///< names of columns that are intentionally not compared
-  std::vector<std::string> problems;  ///< of columns that are missing or unknown
-
-  /// Negates computed quaternions and turns computed angles by whole turns where that is nearer to the given row, as
-  /// these are the same.
-  void align(std::span<Cell> computed, std::span<const double> given_row) const;
-};
-
-/// Matches columns with the given fields, or if none are given, with all fields whose columns the table names. A
-/// table without names has the columns of the given fields, or else the time and the positions.
-/// Throws: Error (data) if nothing can be compared.
-MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given);
+/// Reads the curves from the bytes of `comparison.keys_file`. Throws: Error.
+KeptCurves keep_curves(const Comparison& comparison, Source<std::string> bytes);
 
 /// Both files of a comparison.
 struct ComparisonInputs {
@@ -112,7 +50,8 @@ struct ComparisonInputs {
   std::string place_name() const { return columns.by_length ? "s" : kept.schema.time.name; }
 };
 
-/// Reads both files and matches the columns; `chosen` as for match_columns. Throws: Error, naming the file.
+/// Reads both files and matches the columns; `chosen` as for match_columns. `progress` counts the bytes, unless it is
+/// null. Throws: Error, naming the file.
 ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
                              FileProgress* progress = nullptr);
 

@@ -44,9 +44,11 @@ class Comparer {
   }
 
   WholeCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
-    const CurveSettings settings = settings_of(convention, rules_, parts_);
-    CurvePipeline pipeline(request_, settings, inputs_.columns.fields, std::nullopt, inputs_.kept.schema,
-                           inputs_.kept.traits, *curve.curve_info, inputs_.threads);
+    const CurveRequest request{.samples = request_,
+                               .rules = settings_of(convention, rules_, parts_),
+                               .fields = inputs_.columns.fields,
+                               .threads = inputs_.threads};
+    CurvePipeline pipeline(request, inputs_.kept.schema, inputs_.kept.traits, *curve.curve_info);
     const TcbOrder& order = orders_[convention.order].order;
     if (order.is_plain()) return pipeline.whole(curve.keys());
     return pipeline.whole(mapped(curve.keys(), [&order](KeyBlock block) {

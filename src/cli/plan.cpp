@@ -1,8 +1,6 @@
-// Plan: from arguments to typed options, from these to the job, and the options that provenance records.
+// Plan: from arguments to typed options, and from these to the job of a product.
 #include "cli/plan.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,11 +10,9 @@
 #include "cli/options.hpp"
 #include "cli/output_ending.hpp"
 #include "cli/places.hpp"
+#include "cli/provenance_options.hpp"
 #include "cli/read_options.hpp"
 #include "cli/values.hpp"
-#include "io/compression.hpp"
-#include "io/input_file.hpp"
-#include "read/earlier_output.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 
@@ -54,32 +50,6 @@ Job parse(int argc, const char* const* argv) {
 }
 
 namespace {
-
-/// Throws: Error (data) if an option of an earlier output, which may be a stranger's, names a file to be read.
-void require_no_file(const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    const std::size_t end = std::min(word.find('='), word.size());
-    for (const OptionRow& row : option_table()) {
-      const bool is_named = std::ranges::count(row.all_names(), std::string_view(word).substr(0, end)) > 0;
-      const std::string_view value = std::string_view(word).substr(std::min(end + 1, word.size()));
-      const bool reads = row.kind == ValueKind::file || row.kind == ValueKind::folder ||
-                         (row.kind == ValueKind::places && (value.starts_with('@') || value == "-"));
-      if (is_named && row.changes_rows && reads) throw option_of_provenance_reads_file(row.name);
-    }
-  }
-}
-
-/// Throws: Error unless all options of an earlier output are such that provenance has, --meta among them.
-void require_recorded(const std::vector<std::string>& words) {
-  require_no_file(words);
-  const TypedOptions typed = read_options(words);
-  for (const OptionRow& row : option_table()) {
-    if (!typed.has(row.name) || row.changes_rows) continue;
-    throw option_not_of_provenance(row.name);
-  }
-  if (!typed.files.files.empty()) throw file_in_provenance(typed.files.files[0]);
-  if (!typed.has(option::meta)) throw provenance_without_meta();
-}
 
 /// Throws: Error (usage) if standard input would be read twice.
 void require_one_reader(const TypedOptions& typed) {
@@ -270,50 +240,6 @@ Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provena
   if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
   if (format_of(typed.output.format).family == FormatFamily::picture) return plot_job(typed);
   return resample_job(typed, std::move(provenance));
-}
-
-namespace {
-
-/// An option as one word; numbers are listed in it, wherever they came from.
-std::string word(const OptionRow& row, const TypedOptions& typed) {
-  std::string word(row.name);
-  if (row.kind != ValueKind::flag) word += "=" + typed.text(row.name);
-  if (word.find_first_of("\r\n") != std::string::npos) {
-    throw line_end_in_provenance().about(row.name);
-  }
-  return word;
-}
-
-}  // namespace
-
-Provenance new_provenance(const TypedOptions& typed) {
-  Provenance provenance;
-  provenance.program = version_text();
-  for (const OptionRow& row : option_table()) {
-    if (row.changes_rows && typed.has(row.name)) provenance.options.push_back(word(row, typed));
-  }
-  return provenance;
-}
-
-ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
-  const std::string& from = typed.text(option::from_meta);
-  for (const OptionRow& row : option_table()) {
-    if (!row.changes_rows || !typed.has(row.name)) continue;
-    throw option_besides_provenance(row.name, from);
-  }
-  ProvenanceRequest request;
-  request.from = from;
-  in_file(shown_name(from), [&] {
-    EarlierOutput earlier = read_earlier_output(decompressed(read_file(from)));
-    request.earlier.program = std::move(earlier.program);
-    request.earlier.options = std::move(earlier.options);
-    request.earlier.inputs = std::move(earlier.inputs);
-    require_recorded(request.earlier.options);
-  });
-  const std::size_t files = std::max<std::size_t>(typed.files.files.size(), 1), before = request.earlier.inputs.size();
-  const bool counted = typed.files.list.empty() && !typed.files.recursive;
-  if (counted && files != before) throw other_number_of_files(from, before, files);
-  return request;
 }
 
 }  // namespace tcb

@@ -1,4 +1,4 @@
-// Plan: from arguments to typed options, from these to the job of a product, and the options that provenance records.
+// Plan: from arguments to typed options, and from these to the job of a product.
 #pragma once
 
 #include <optional>
@@ -31,13 +31,5 @@ Job parse(int argc, const char* const* argv);
 /// The job of these options. `provenance`: that of its output, if it has one. Requires: no conflict.
 /// Throws: Error (usage) if they do not fit each other.
 Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance = std::nullopt);
-
-/// The provenance of an output that is made with these options: its program, and all options that change a byte.
-/// Throws: Error (usage) for a value that no line can hold.
-Provenance new_provenance(const TypedOptions& typed);
-
-/// The provenance of the output to reproduce. Throws: Error (usage) if options are given that it has,
-/// or another number of files than it was made from; Error where it cannot be read.
-ProvenanceRequest earlier_provenance(const TypedOptions& typed);
 
 }  // namespace tcb

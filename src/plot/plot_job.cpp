@@ -54,15 +54,11 @@ class Picture final : public BatchOutput {
 
  private:
   CurvePipeline pipeline_of(const Input& input, const CurveKeys& curve, unsigned threads) const {
-    const std::vector<std::size_t> fields{field_of("time"), field_of("position")};
-    return {job_.samples.of(curve, input.schema),
-            job_.keys.rules,
-            fields,
-            std::nullopt,
-            input.schema,
-            input.keys.traits,
-            *curve.curve_info,
-            threads};
+    const CurveRequest request{.samples = job_.samples.of(curve, input.schema),
+                               .rules = job_.keys.rules,
+                               .fields = {field_of("time"), field_of("position")},
+                               .threads = threads};
+    return {request, input.schema, input.keys.traits, *curve.curve_info};
   }
 
   const PlotJob& job_;

@@ -2,6 +2,7 @@
 #include "run/curve_pipeline.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -30,18 +31,16 @@ CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, 
 
 }  // namespace
 
-CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings& settings,
-                             const std::vector<std::size_t>& fields, const std::optional<GoldenOptions>& golden,
-                             const Schema& schema, const KeyTraits& traits, const CurveInfo& curve_info,
-                             unsigned threads)
-    : request_(request),
-      spec_(spec_of(settings, curve_info.settings, schema)),
-      golden_(golden),
+CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits,
+                             const CurveInfo& curve_info)
+    : request_(request.samples),
+      spec_(spec_of(request.rules, curve_info.settings, schema)),
+      golden_(request.golden),
       timed_(schema.time.is_given),
       may_be_timed_(schema.time.may_be_first_channel),
       has_tcb_scale_(traits.has_tcb_scale),
-      needs_(curve_needs(request, fields, spec_, {timed_, traits.may_miss}, golden.has_value())),
-      threads_(threads),
+      needs_(curve_needs(request_, request.fields, spec_, {timed_, traits.may_miss}, golden_.has_value())),
+      threads_(request.threads),
       channels_(schema.channels),
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                  spec_.preset == spline::Preset::nel, spec_.closed} {
@@ -60,7 +59,7 @@ CurvePipeline::CurvePipeline(const SamplingRequest& request, const CurveSettings
   if (timed_ && spec_.parameter) {
     throw parameter_with_times(schema.time.name).about(option::parameter);
   }
-  require_rotations(spec_, fields, request_);
+  require_rotations(spec_, request.fields, request_);
   require_fitting_rotations(spec_, needs_.metric, request_.mode == Mode::emit);
 }
 
@@ -290,7 +289,8 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
                                           const std::vector<Rational>& exact) const {
   const std::shared_ptr<const ShownCurve> curve = shown(keys, extent);
   std::vector<Time> places;
-  for (const Rational& place : exact) places.push_back(nearest_time(place, extent.decimals));
+  std::ranges::transform(exact, std::back_inserter(places),
+                         [&](const Rational& place) { return nearest_time(place, extent.decimals); });
   if (exact.empty()) places = this->places(*curve, extent);
   const std::uint64_t rows = places.size();
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };

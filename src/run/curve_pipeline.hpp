@@ -27,6 +27,15 @@ namespace tcb {
 
 class ExactKeys;
 
+/// The rows that are requested of a curve, and the settings that make it.
+struct CurveRequest {
+  SamplingRequest samples;
+  CurveSettings rules = {};                  ///< of the job; those of the curve's input complete them
+  std::vector<std::size_t> fields = {};      ///< of the rows, as indices into fields()
+  std::optional<GoldenOptions> golden = {};  ///< rows are exact, and rounded once
+  unsigned threads = 1;
+};
+
 /// How a curve is built.
 struct RuleFacts {
   CurveSpec spec;
@@ -70,11 +79,9 @@ struct WholeCurve {
 
 class CurvePipeline {
  public:
-  /// Throws: Error if the settings of the job and of the input contradict each other,
-  /// or do not fit the input.
-  CurvePipeline(const SamplingRequest& request, const CurveSettings& settings, const std::vector<std::size_t>& fields,
-                const std::optional<GoldenOptions>& golden, const Schema& schema, const KeyTraits& traits,
-                const CurveInfo& curve_info, unsigned threads = 1);
+  /// Throws: Error if the settings of the job and of the input contradict each other, or do not fit the input.
+  CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits,
+                const CurveInfo& curve_info);
 
   // From the keys of a curve. Throws: Error (data) for keys that make no curve.
 

@@ -187,8 +187,8 @@ class Explainer {
   Explainer(const Input& input, const ExplainJob& job) : input_(input), job_(job) {}
 
   void add(const CurveKeys& curve) {
-    CurvePipeline pipeline(job_.samples.of(curve, input_.schema), job_.keys.rules, job_.fields, job_.golden,
-                           input_.schema, input_.keys.traits, *curve.curve_info);
+    const CurveRequest request{job_.samples.of(curve, input_.schema), job_.keys.rules, job_.fields, job_.golden};
+    CurvePipeline pipeline(request, input_.schema, input_.keys.traits, *curve.curve_info);
     if (count_ == 0) {
       needs_ = in_words(pipeline.needs());
       append(intended_, rules_in_words(pipeline.facts()));

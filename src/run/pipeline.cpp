@@ -63,8 +63,9 @@ class FileRun {
   /// Begins the rows of the next curve. Curves with the same information share their rules.
   void begin(const Input& input, const CurveKeys& curve) {
     if (curve.curve_info != curve_info_ || !job_.samples.grouped_places.empty()) {
-      pipeline_.emplace(job_.samples.of(curve, input.schema), job_.keys.rules, job_.rows.fields, job_.golden,
-                        input.schema, input.keys.traits, *curve.curve_info, threads_);
+      const CurveRequest request{job_.samples.of(curve, input.schema), job_.keys.rules, job_.rows.fields, job_.golden,
+                                 threads_};
+      pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info);
     }
     if (curve_info_ == nullptr) {
       writer_.begin(input.schema, live_, preset_in_words(pipeline_->facts()), shown_name(path_));

@@ -42,10 +42,10 @@ Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::
 /// The segments of an open curve, each as soon as the key after its end is read. Requires: no position is missing.
 Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const SegmentOptions& options);
 
-/// The segments of a curve whose keys are all known. `end`: when a closed curve is back at its first key. Where keys
+/// The segments of a curve whose keys are all known. `last`: when a closed curve is back at its first key. Where keys
 /// lack positions, each channel runs through the keys that have a position in it. Requires: a position in every
 /// channel.
-Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& end, const Rules& rules,
+Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& last, const Rules& rules,
                                     const SegmentOptions& options);
 
 /// The curve of these segments. `count`: the number of segments.

@@ -80,7 +80,7 @@ class Line {
     inputs = read_inputs(comparison, {});
     request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
     const KeptCurve& curve = inputs.kept.curves.at(0);
-    CurvePipeline pipeline(request_, comparison.keys.rules, inputs.columns.fields, std::nullopt, inputs.kept.schema,
+    CurvePipeline pipeline({request_, comparison.keys.rules, inputs.columns.fields}, inputs.kept.schema,
                            inputs.kept.traits, *curve.curve_info);
     indexed = pipeline.whole(curve.keys());
   }

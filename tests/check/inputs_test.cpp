@@ -1,29 +1,21 @@
-// Inputs: keys that can be read again, and tables of samples in the notations that programs write.
+// Inputs of a comparison: keys that can be read again, and errors that name the file.
 #include "check/inputs.hpp"
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
-#include "check/errors.hpp"
 #include "comparing.hpp"
+#include "io/input_file.hpp"
 
 namespace tcb {
-
 namespace {
 
 using testing::ElementsAre;
-
-SampleTable table_of(const std::string& rows) {
-  const Comparing files("t,x\n0,0\n1,1\n", rows);
-  return read_samples(files.comparison, keep(files.comparison).schema, 0);
-}
 
 TEST(KeptCurves, can_be_read_more_than_once) {
   const Comparing files("id,t,x\na,0,1\nb,0,2\na,1,3\n", "");
   Comparison comparison = files.comparison;
   comparison.keys.input.columns.roles = {{Role::group, {"id"}}};
-  const KeptCurves kept = keep(comparison);
+  const KeptCurves kept = keep_curves(comparison, read_file(comparison.keys_file));
   ASSERT_EQ(kept.curves.size(), 2U);
   EXPECT_EQ(kept.curves[0].key_count(), 2U);
   EXPECT_EQ(kept.curves[1].key_count(), 1U);
@@ -35,27 +27,6 @@ TEST(KeptCurves, can_be_read_more_than_once) {
     }
     EXPECT_THAT(positions, ElementsAre(1, 3));
   }
-}
-
-TEST(SampleTable, has_the_decimal_mark_of_its_cells) {
-  EXPECT_THAT(table_of("t;x\n0;1,5\n").curves.at(0).numbers, ElementsAre(1.5));
-  EXPECT_THAT(table_of("t;x\n0;1.5\n").curves.at(0).numbers, ElementsAre(1.5));
-  EXPECT_THAT(table_of("t\tx\n0\t1,5\n").curves.at(0).numbers, ElementsAre(1.5));
-  EXPECT_THAT(table_of("t,x,y\n0,1,5\n").curves.at(0).numbers, ElementsAre(1, 5));
-}
-
-TEST(SampleTable, has_rows_in_any_order_with_missing_numbers) {
-  const SampleTable table = table_of("t,x,y\n3,1,\n2,,4\n");
-  EXPECT_THAT(table.columns, ElementsAre("x", "y"));
-  const SampleRows& rows = table.curves.at(0);
-  EXPECT_THAT(rows.lines, ElementsAre(2, 3));
-  EXPECT_EQ(rows.times[0].hi, 3);
-  EXPECT_EQ(rows.times[1].hi, 2);
-  EXPECT_THAT(rows.numbers, ElementsAre(1, testing::IsNan(), testing::IsNan(), 4));
-}
-
-TEST(SampleTable, ignores_columns_of_text_by_their_whole_names) {
-  EXPECT_THAT(table_of("t,x,\"note, extra\"\n0,1,b\n").ignored, ElementsAre("note, extra"));
 }
 
 TEST(ComparisonInputs, errors_name_the_file) {
@@ -75,92 +46,5 @@ TEST(ComparisonInputs, have_places_in_time_or_in_arc_length) {
   EXPECT_EQ(read_inputs(in_length.comparison, {}).place_name(), "s");
 }
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-
-Schema keys_with(std::vector<std::string> channels) {
-  Schema schema;
-  schema.time.is_given = true;
-  schema.channels = std::move(channels);
-  return schema;
-}
-
-SampleTable named(bool timed, std::vector<std::string> columns) {
-  return {true, timed, timed ? "t" : "", std::move(columns), {}, {}};
-}
-
-SampleTable nameless(bool timed, std::size_t columns) {
-  return {false, timed, "", std::vector<std::string>(columns), {}, {}};
-}
-
-TEST(MatchedColumns, are_found_by_name) {
-  const MatchedColumns match = match_columns(named(true, {"y_v", "x"}), keys_with({"x", "y"}), {});
-  EXPECT_THAT(match.fields, ElementsAre(field_of("position"), field_of("velocity")));
-  ASSERT_EQ(match.compared.size(), 2U);
-  EXPECT_EQ(match.compared[0].name, "x");
-  EXPECT_EQ(match.compared[0].given, 1U);
-  EXPECT_EQ(match.compared[0].computed, 0U);
-  EXPECT_EQ(match.compared[1].name, "y_v");
-  EXPECT_EQ(match.compared[1].given, 0U);
-  EXPECT_EQ(match.compared[1].computed, 3U) << "a row of the curve is x, y, x_v, y_v";
-  EXPECT_THAT(match.problems, ElementsAre("columns missing: y", "columns missing: x_v"));
-}
-
-TEST(MatchedColumns, others_are_a_problem_unless_fields_are_given) {
-  SampleTable table = named(true, {"x", "a, b", "speed"});
-  table.ignored = {"note, extra"};
-  const MatchedColumns all = match_columns(table, keys_with({"x"}), {});
-  EXPECT_THAT(all.problems, ElementsAre("columns of no field: a, b; give the fields to compare with --fields"));
-  EXPECT_THAT(all.ignored, ElementsAre("note, extra"));
-  const MatchedColumns one = match_columns(table, keys_with({"x"}), {field_of("position")});
-  EXPECT_THAT(one.problems, IsEmpty());
-  EXPECT_THAT(one.ignored, ElementsAre("note, extra", "a, b", "speed"));
-}
-
-TEST(MatchedColumns, s_is_the_place_without_times_or_if_no_time_is_requested) {
-  const MatchedColumns alone = match_columns(named(false, {"x", "s"}), keys_with({"x"}), {});
-  EXPECT_TRUE(alone.by_length);
-  EXPECT_EQ(alone.place, 1U);
-  EXPECT_EQ(alone.compared.size(), 1U);
-  const auto both = named(true, {"x", "s"});
-  EXPECT_FALSE(match_columns(both, keys_with({"x"}), {}).by_length);
-  EXPECT_TRUE(match_columns(both, keys_with({"x"}), {field_of("position"), field_of("s")}).by_length);
-}
-
-TEST(MatchedColumns, a_channel_called_s_is_no_place) {
-  const Error error = error_of([] { match_columns(named(false, {"s"}), keys_with({"s"}), {}); });
-  EXPECT_EQ(error.message(), samples_without_places({"s"}, "t").message());
-}
-
-TEST(MatchedColumns, names_are_distinct_and_some_are_known) {
-  const Error repeated = error_of([] { match_columns(named(true, {"x", "x"}), keys_with({"x"}), {}); });
-  EXPECT_EQ(repeated.message(), samples_have_same_column("x").message());
-  const Error unknown = error_of([] {
-    match_columns(named(true, {"q"}), keys_with({"x"}), {field_of("time"), field_of("position")});
-  });
-  EXPECT_EQ(unknown.message(), nothing_to_compare({"q"}, {"t", "x"}).message());
-}
-
-TEST(MatchedColumns, without_names_are_found_by_order) {
-  const MatchedColumns usual = match_columns(nameless(true, 2), keys_with({"x", "y"}), {});
-  ASSERT_EQ(usual.compared.size(), 2U);
-  EXPECT_EQ(usual.compared[1].name, "y");
-  EXPECT_EQ(usual.compared[1].given, 1U);
-  EXPECT_EQ(usual.compared[1].computed, 2U) << "a row of the curve is t, x, y";
-  const MatchedColumns by_length =
-      match_columns(nameless(false, 3), keys_with({"x", "y"}), {field_of("position"), field_of("s")});
-  EXPECT_TRUE(by_length.by_length);
-  EXPECT_EQ(by_length.place, 2U);
-  EXPECT_EQ(by_length.compared.size(), 2U);
-}
-
-TEST(MatchedColumns, without_names_are_as_many_as_the_fields_have_and_one_is_the_place) {
-  const Error few = error_of([] { match_columns(nameless(true, 1), keys_with({"x", "y"}), {}); });
-  EXPECT_EQ(few.message(), unnamed_sample_columns(2, {"t", "x", "y"}).message());
-  const Error nowhere = error_of([] { match_columns(nameless(false, 1), keys_with({"x"}), {field_of("position")}); });
-  EXPECT_EQ(nowhere.message(), "--fields: " + fields_without_places().message());
-}
-
 }  // namespace
-
 }  // namespace tcb

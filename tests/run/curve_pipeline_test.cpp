@@ -41,14 +41,14 @@ SamplingRequest request_of(Mode mode, std::uint64_t count) {
 
 std::vector<double> rows(const SamplingRequest& request, const CurveSettings& settings = {},
                          const std::optional<GoldenOptions>& golden = {}) {
-  CurvePipeline pipeline(request, settings, {0, 1}, golden, schema_of_x(), {}, {});
+  CurvePipeline pipeline({request, settings, {0, 1}, golden}, schema_of_x(), {}, {});
   return cells_of(pipeline.place(keys_of(line, 2)));
 }
 
 TEST(CurvePipeline, rows_in_order_need_no_end_and_have_no_facts) {
   SamplingRequest request;
   request.step = 1;
-  CurvePipeline pipeline(request, {}, {0, 1}, {}, schema_of_x(), {}, {});
+  CurvePipeline pipeline({request, {}, {0, 1}}, schema_of_x(), {}, {});
   const PlacedCurve placed = pipeline.place(keys_of(line, 2));
   EXPECT_FALSE(placed.facts.last);
   EXPECT_EQ(cells_of(placed), (std::vector<double>{0, 0, 1, 2, 2, 4, 3, 6}));
@@ -56,7 +56,7 @@ TEST(CurvePipeline, rows_in_order_need_no_end_and_have_no_facts) {
 
 TEST(CurvePipeline, a_grid_over_the_whole_curve_has_its_extent_and_step) {
   const SamplingRequest request = request_of(Mode::arc_count, 3);
-  CurvePipeline pipeline(request, {}, {0, 1}, {}, schema_of_x(), {}, {});
+  CurvePipeline pipeline({request, {}, {0, 1}}, schema_of_x(), {}, {});
   const PlacedCurve placed = pipeline.place(keys_of(line, 2));
   EXPECT_EQ(placed.facts.length, 6.0);
   EXPECT_EQ(placed.facts.step, Time(3.0));
@@ -81,7 +81,7 @@ TEST(CurvePipeline, keys_without_times_get_times) {
   settings.parameter = TextSetting{"uniform"};
   const Schema schema = schema_of_x(false);
   const SamplingRequest request = request_of(Mode::count, 2);
-  CurvePipeline pipeline(request, settings, {0, 1}, {}, schema, {}, {});
+  CurvePipeline pipeline({request, settings, {0, 1}}, schema, {}, {});
   EXPECT_FALSE(pipeline.facts().timed);
   const Source<KeyBlock> untimed = mapped(keys_of("0 5\n0 7\n", 2), [](KeyBlock block) {
     block.keys.times.clear();
@@ -93,7 +93,7 @@ TEST(CurvePipeline, keys_without_times_get_times) {
 /// The message of the error that making the pipeline ends with, and the line of its position.
 std::pair<std::string, std::uint64_t> refusal(const CurveSettings& settings, const CurveInfo& info = {}) {
   try {
-    CurvePipeline pipeline(request_of(Mode::count, 2), settings, {0, 1}, {}, schema_of_x(), {}, info);
+    CurvePipeline pipeline({request_of(Mode::count, 2), settings, {0, 1}}, schema_of_x(), {}, info);
   } catch (const Error& error) {
     return {error.message(), error.position().line};
   }
