@@ -190,11 +190,14 @@ std::vector<Convention> mixed(const Ranking& ranking) {
   return all;
 }
 
-/// Whether keys have given velocities, which equal speed would change.
-bool has_velocities(const KeptCurves& kept) {
-  return std::ranges::any_of(kept.curves, [](const KeptCurve& curve) {
-    return std::ranges::any_of(curve.blocks, [](const KeyBlock& block) { return !block.keys.velocities.empty(); });
-  });
+/// Whether keys can be resampled with equal speed: not where they have velocities, or lack positions.
+bool allows_equal_speed(const KeptCurves& kept) {
+  const auto refuses = [](const KeyBlock& block) {
+    const auto is_missing = [](double position) { return std::isnan(position); };
+    return !block.keys.velocities.empty() || std::ranges::any_of(block.keys.positions, is_missing);
+  };
+  return std::ranges::none_of(kept.curves,
+                              [&](const KeptCurve& curve) { return std::ranges::any_of(curve.blocks, refuses); });
 }
 
 /// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
@@ -212,7 +215,7 @@ void rank(Identification& result, const CurveSettings& rules, const ComparisonIn
     return subset.all ? ranking : rank_by(samples, selected(ranking));
   };
   std::vector<Convention> all = conventions(result.orders.size(), result.parts);
-  if (has_velocities(inputs.kept)) std::erase_if(all, [](const Convention& one) { return one.equal_speed; });
+  if (!allows_equal_speed(inputs.kept)) std::erase_if(all, [](const Convention& one) { return one.equal_speed; });
   result.conventions = all.size();
   result.ranking = rank_some(all);
   if (!result.ranking.candidates.front().worst) {

@@ -59,6 +59,12 @@ Error nul_in_list() {
                                    option::null)};
 }
 
+Error empty_name_in_list() {
+  return {Exit::usage,
+          "the list of files has an empty name; expected a name before each NUL byte, as find -print0 "
+          "prints them"};
+}
+
 Error long_name_in_list(std::size_t most) {
   return {Exit::usage,
           fmt::format("the list of files has a name of more than {} bytes; expected one name per line; give "

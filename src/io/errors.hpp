@@ -28,6 +28,7 @@ Error cannot_read_temporary(std::string_view reason);
 
 // Lists of inputs, and their outputs.
 Error nul_in_list();
+Error empty_name_in_list();
 Error long_name_in_list(std::size_t most);
 Error empty_list();
 Error cannot_read_folder(std::string_view reason);

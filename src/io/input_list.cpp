@@ -28,7 +28,8 @@ std::optional<struct stat> status_of(const std::string& path) {
 /// In bytes; systems allow less.
 constexpr std::size_t longest_name = 65536;
 
-/// The names in a list, without blank lines and carriage returns at the ends of lines.
+/// The names in a list, without blank lines and carriage returns at the ends of lines. Names that end in NUL may not be
+/// empty.
 void append_listed(std::vector<std::string>& names, const InputListOptions& options) {
   const char end = options.nul ? '\0' : '\n';
   const Source<std::string> bytes = read_file(options.list);
@@ -44,6 +45,7 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
   while (const std::optional<std::string> text = bytes()) {
     for (const char c : *text) {
       if (c == end) {
+        if (options.nul && name.empty()) throw empty_name_in_list().in(shown_name(options.list));
         take();
       } else {
         if (c == '\0') throw nul_in_list().in(shown_name(options.list));

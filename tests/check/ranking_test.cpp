@@ -64,6 +64,18 @@ bool fits(const Identification& identification, TangentRule tangents, EndRule en
 // Keys of x = t at uneven times; velocities are 1 everywhere, but the tangent (D0 + D1)/2 of the uniform rule is 3/2.
 constexpr auto uneven_keys = "t,x\n0,0\n1,1\n3,3\n4,4\n";
 
+TEST(Identification, tries_no_equal_speed_where_keys_lack_positions) {
+  const auto tried = [](const std::string& keys) {
+    Comparing files(keys, "t,x,y\n0.5,0.5,1\n");
+    files.comparison.keys.input.keys.missing = Missing::skip_cell;
+    const Identification result = identify(files.comparison);
+    EXPECT_TRUE(result.fits());
+    return result.conventions;
+  };
+  const std::uint64_t of_sparse_keys = tried("t,x,y\n0,0,1\n1,1,\n3,3,1\n");
+  EXPECT_EQ(tried("t,x,y\n0,0,1\n1,1,1\n3,3,1\n"), 2 * of_sparse_keys) << "with equal speeds also";
+}
+
 TEST(Identification, of_a_straight_line_at_uneven_times) {
   Comparing files(uneven_keys, "t,x\n0.5,0.5\n1.5,1.5\n2.5,2.5\n");
   const Identification result = identify(files.comparison);
