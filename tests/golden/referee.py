@@ -289,7 +289,8 @@ for number in range(curves):
     rows = run(write(keys, style, timed), [*options, "--count", str(count), "--fields", ",".join(fields)])
     for j, row in enumerate(rows):
         # With exact input, times are exact until they are printed; else rows are at the printed times.
-        exact_time = curve.times[0] + (curve.times[-1] - curve.times[0]) * j / (count - 1)
+        intervals = count if closed else count - 1
+        exact_time = curve.times[0] + (curve.times[-1] - curve.times[0]) * j / intervals
         t = exact_time if decimal else number_of(row[0])
         i = min(int(row[-1]), len(curve.cubics) - 1)
         if exponent is not None and j + 1 == len(rows):
