@@ -21,6 +21,7 @@ inline constexpr std::string_view missing = "--missing";
 inline constexpr std::string_view na = "--na";
 inline constexpr std::string_view time_unit = "--time-unit";
 inline constexpr std::string_view input_fps = "--input-fps";
+inline constexpr std::string_view date_order = "--date-order";
 inline constexpr std::string_view scale = "--scale";
 inline constexpr std::string_view rotation = "--rotation";
 inline constexpr std::string_view angles = "--angles";

@@ -53,7 +53,8 @@ SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes
   options.keys.missing = Missing::skip_cell;
   options.columns.timeless = !time_place;
   options.threads = comparison.threads.count();
-  options.units = {.frame_rate = comparison.keys.input.units.frame_rate, .only_named_frames = true};
+  const UnitOptions& units = comparison.keys.input.units;
+  options.units = {.frame_rate = units.frame_rate, .date_order = units.date_order, .are_optional = true};
   options.delimited.decimal = decimal_mark_of(beginning);
   const Input input = open_input(comparison.file, preceded_by(std::move(beginning), std::move(bytes)), options);
   const Schema& schema = input.schema;

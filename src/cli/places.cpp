@@ -136,7 +136,8 @@ GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys
   InputOptions options;
   options.columns.samples = SampleNames{column.name, group_names(of_keys)};
   options.columns.samples->times_only = column.option;
-  options.units = {.frame_rate = of_keys.units.frame_rate, .only_named_frames = true};
+  options.units = {
+      .frame_rate = of_keys.units.frame_rate, .date_order = of_keys.units.date_order, .are_optional = true};
   const Input input = open_input(column.path, read_file(column.path), options);
   const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
   SamplingRequest request;

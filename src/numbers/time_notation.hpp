@@ -1,7 +1,4 @@
-// Units and notations of times: seconds, frames, hours:minutes:seconds, SMPTE timecode, and dates of ISO 8601.
-//
-// Dates are in the Gregorian calendar, in UTC or with an offset from it; their seconds count from 1970. There are no
-// other time zones and no leap seconds.
+// Units and notations of times: seconds, frames, hours:minutes:seconds, SMPTE timecode, and dates.
 #pragma once
 
 #include <array>
@@ -10,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "numbers/dates.hpp"
 #include "numbers/rational.hpp"
 
 namespace tcb {
@@ -46,7 +44,8 @@ enum class TimeNotation {
   clock,       ///< hh:mm:ss.fff
   smpte,       ///< hh:mm:ss:ff
   drop_frame,  ///< hh:mm:ss;ff, without the first frame numbers of most minutes
-  iso,         ///< YYYY-MM-DDThh:mm:ss.fffZ
+  date,        ///< YYYY-MM-DD hh:mm:ss.fff, and the other formats of dates.hpp, without a zone: in UTC
+  zoned_date,  ///< YYYY-MM-DDThh:mm:ss.fffZ, and others with a zone
 };
 
 struct TimeNotationName {
@@ -58,7 +57,7 @@ struct TimeNotationName {
 inline constexpr std::array time_notations{
     TimeNotationName{"seconds", TimeNotation::seconds}, TimeNotationName{"frames", TimeNotation::frames},
     TimeNotationName{"clock", TimeNotation::clock}, TimeNotationName{"smpte", TimeNotation::smpte},
-    TimeNotationName{"iso", TimeNotation::iso}};
+    TimeNotationName{"iso", TimeNotation::zoned_date}};
 
 /// Whether a notation counts frames, and so needs their rate.
 constexpr bool counts_frames(TimeNotation notation) {
@@ -68,9 +67,14 @@ constexpr bool counts_frames(TimeNotation notation) {
 /// The notation of a text that is not a number, by its form; nothing if it has none of these forms.
 std::optional<TimeNotation> find_notation(std::string_view text);
 
+constexpr bool is_date(TimeNotation notation) {
+  return notation == TimeNotation::date || notation == TimeNotation::zoned_date;
+}
+
 /// The seconds of a time in words, which may be no time, such as a minute 60, or a frame number that is dropped or not
-/// below the rate. `rate`: frames per second. Source of dropped numbers: SMPTE ST 12-1.
-std::optional<Rational> read_time(std::string_view text, TimeNotation notation, const Rational& rate);
+/// below the rate. `rate`: frames per second. `order`: of dates. Source of dropped numbers: SMPTE ST 12-1.
+std::optional<Rational> read_time(std::string_view text, TimeNotation notation, const Rational& rate,
+                                  DateOrder order = DateOrder::ymd);
 
 /// The frame at a time in seconds that was rounded once, as times in an input or on a grid are; nothing between frames.
 std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rate);
@@ -78,6 +82,6 @@ std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rat
 /// The text of a time in seconds, with `decimals` decimals or as many as it has; nothing where it has none: between two
 /// frames, before 0 in timecode, or beyond the years 0 to 9999.
 std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation notation, const Rational& rate,
-                                         std::optional<int> decimals);
+                                         std::optional<int> decimals, const DateFormat& dates = {});
 
 }  // namespace tcb

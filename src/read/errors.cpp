@@ -47,8 +47,9 @@ Error nul_in_text() {
 }
 
 Error no_such_time(std::string_view column, std::string_view time) {
-  return {Exit::data, fmt::format("{}: the time {} does not exist; expected a time of day without leap seconds, and a "
-                                  "frame number that is below the frame rate and is not dropped; correct it",
+  return {Exit::data, fmt::format("{}: the time {} does not exist; expected a date of the calendar, a time of day "
+                                  "without leap seconds, and a frame number that is below the frame rate and is not "
+                                  "dropped; correct it",
                                   column, in_quotes(time))};
 }
 

@@ -32,6 +32,7 @@ struct InputFacts {
 struct Records {
   Columns columns;
   TimeNotation time_notation = TimeNotation::seconds;
+  DateFormat dates = {};  ///< of times that are dates
   InputFacts facts = {};
   InputKeys keys = {};
 };

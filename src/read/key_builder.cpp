@@ -136,7 +136,7 @@ bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) 
 }
 
 bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_view text) {
-  const auto seconds = read_time(text, units_.notation, units_.frame_rate.value_or(1));
+  const auto seconds = read_time(text, units_.notation, units_.frame_rate.value_or(1), units_.dates.order);
   if (!seconds) return false;
   constexpr int as_many_as_it_has = 1;
   time_ = counts_frames(units_.notation) ? nearest_time(*seconds) : nearest_time(*seconds, as_many_as_it_has);

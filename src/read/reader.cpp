@@ -138,7 +138,8 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   const FormatId format = options.format ? *options.format : detect(path, beginning);
   Records records = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
   const Columns& columns = records.columns;
-  Input input{schema_of(columns, records.time_notation), std::move(records.facts), std::move(records.keys)};
+  Input input{schema_of(columns, records.time_notation, records.dates), std::move(records.facts),
+              std::move(records.keys)};
   if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, options.rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   input.facts.format = format;

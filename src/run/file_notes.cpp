@@ -19,6 +19,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, bool is
     add(is_matrix ? likely_matrix() : likely_quaternion());
   }
   if (!input.schema.time.is_given && !options.rules.parameter) add(no_time_column());
+  if (input.schema.time.notation == TimeNotation::date) add(dates_in_utc(input.schema.time.name));
   if (is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
   if (input.facts.ignored.empty()) return;

@@ -36,6 +36,10 @@ Note likely_matrix() {
           true};
 }
 
+Note dates_in_utc(std::string_view time) {
+  return {fmt::format("the dates in column \"{}\" have no zone; they are taken as UTC", time), true};
+}
+
 Note rate_of_frames(std::string_view time) {
   return {fmt::format("the times in column \"{}\" count frames, so {} is per frame; {} HZ converts them to seconds",
                       time, option::rate, option::input_fps),

@@ -20,6 +20,8 @@ Note ignored_columns(const std::vector<std::string>& names);
 Note unchosen_columns(const std::vector<std::string>& names);
 Note likely_quaternion();
 Note likely_matrix();
+/// The times in this column are dates without a zone.
+Note dates_in_utc(std::string_view time);
 /// A rate is given, and the times in the column `time` count frames.
 Note rate_of_frames(std::string_view time);
 /// The range ends between rows; `at_key`: at the last key.

@@ -161,6 +161,26 @@ Error times_without_rate(std::string_view column) {
                                   in_quotes(column), option::input_fps, option::input_fps, option::input_fps)};
 }
 
+Error date_order_unknown(std::string_view column, std::string_view date) {
+  return {Exit::data, fmt::format("the dates in column {}, such as {}, do not tell which number is the day; expected "
+                                  "dates with the year first, or their order; give {} dmy if the day is first, or {} "
+                                  "mdy if the month is",
+                                  in_quotes(column), in_quotes(date), option::date_order, option::date_order)};
+}
+
+Error dates_have_year_first(std::string_view column, std::string_view date) {
+  return {Exit::data,
+          fmt::format("the dates in column {}, such as {}, have the year first; expected dates with the year "
+                      "last; remove the option",
+                      in_quotes(column), in_quotes(date))};
+}
+
+Error times_are_no_dates(std::string_view column) {
+  return {Exit::data, fmt::format("the times in column {} are not dates; expected dates with the year last; remove the "
+                                  "option",
+                                  in_quotes(column))};
+}
+
 Error same_output_names(std::string_view name) {
   return {Exit::data, fmt::format("two columns of the output would be called {}; expected different names; choose "
                                   "another name, or rename the column in the input",

@@ -48,6 +48,10 @@ Error times_unclear(std::string_view column);
 Error times_without_column();
 Error time_units_differ(std::string_view column, std::string_view unit_of_column, std::string_view unit_of_option);
 Error times_without_rate(std::string_view column);
+/// `date`: the first one, with the year last.
+Error date_order_unknown(std::string_view column, std::string_view date);
+Error dates_have_year_first(std::string_view column, std::string_view date);
+Error times_are_no_dates(std::string_view column);
 
 // Names in the output.
 Error same_output_names(std::string_view name);

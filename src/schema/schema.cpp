@@ -39,10 +39,14 @@ std::vector<RotationColumns> rotation_columns(const Schema& schema) {
   return columns;
 }
 
-Schema schema_of(const Columns& columns, TimeNotation notation) {
+Schema schema_of(const Columns& columns, TimeNotation notation, const DateFormat& dates) {
   Schema schema;
   schema.named = columns.named;
-  schema.time = {columns.has(Role::time), columns.time, notation, {}, {}, columns.may_be_timed};
+  schema.time = {.is_given = columns.has(Role::time),
+                 .name = columns.time,
+                 .notation = notation,
+                 .dates = dates,
+                 .may_be_first_channel = columns.may_be_timed};
   schema.channels = columns.channels;
   schema.groups = columns.groups;
   schema.labels = columns.labels;

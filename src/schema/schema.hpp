@@ -21,6 +21,7 @@ struct TimeSchema {
   bool is_given = false;  ///< records have a time; otherwise the positions of keys make them
   std::string name = "t";
   TimeNotation notation = TimeNotation::seconds;  ///< as the input has it
+  DateFormat dates = {};                          ///< where the times are dates
   std::optional<TimeUnit> unit = {};              ///< nothing: unknown
   std::optional<Rational> frame_rate = {};        ///< the times were frames, and are seconds
   bool may_be_first_channel = false;              ///< by its place and its name
@@ -48,8 +49,9 @@ struct Schema {
 /// The columns of each rotation.
 std::vector<RotationColumns> rotation_columns(const Schema& schema);
 
-/// The meaning of records with these columns, whose times have this notation; all channels are plain.
-Schema schema_of(const Columns& columns, TimeNotation notation);
+/// The meaning of records with these columns, whose times have this notation and, if they are dates, this format; all
+/// channels are plain.
+Schema schema_of(const Columns& columns, TimeNotation notation, const DateFormat& dates = {});
 
 /// A schema with the times and groups of another one, and with these names of plain channels; it has no labels.
 Schema with_channels(const Schema& schema, std::vector<std::string> channels);

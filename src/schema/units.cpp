@@ -17,18 +17,32 @@ namespace {
 /// Whether the times of these columns are frames that a rate turns into seconds.
 bool is_converted(const UnitOptions& options, const std::string& time) {
   if (!options.frame_rate) return false;
-  return !options.only_named_frames || unit_of_time(time) == TimeUnit::frames;
+  return !options.are_optional || unit_of_time(time) == TimeUnit::frames;
 }
 
 /// Throws: Error (data) where the column's name has another unit than the options.
 void require_unit(const UnitOptions& options, const std::string& time) {
   const auto named = unit_of_time(time);
-  if (!named || options.only_named_frames) return;
+  if (!named || options.are_optional) return;
   const auto refuse = [&](std::string_view option, TimeUnit unit) {
     throw time_units_differ(time, row_of(*named).name, row_of(unit).name).about(option);
   };
   if (options.frame_rate && *named != TimeUnit::frames) refuse(option::input_fps, TimeUnit::frames);
   if (options.time && *options.time != *named) refuse(option::time_unit, *options.time);
+}
+
+/// The format of dates like this one; that of others if it is none. Throws: Error (data) if only an option can tell the
+/// order of its numbers.
+DateFormat date_format_of(const UnitOptions& options, std::string_view date, const std::string& column) {
+  DateFormat format = find_date_format(date).value_or(DateFormat{});
+  if (format.order == DateOrder::ymd) {
+    if (options.date_order && !options.are_optional)
+      throw dates_have_year_first(column, date).about(option::date_order);
+    return format;
+  }
+  if (!options.date_order) throw date_order_unknown(column, date);
+  format.order = *options.date_order;
+  return format;
 }
 
 }  // namespace
@@ -37,6 +51,11 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   KeyUnits units;
   const bool is_timed = columns.has(Role::time);
   if (is_timed) units.notation = find_notation(first_time).value_or(TimeNotation::seconds);
+  if (is_date(units.notation)) {
+    units.dates = date_format_of(options, first_time, columns.time);
+  } else if (options.date_order && !options.are_optional) {
+    throw times_are_no_dates(columns.time).about(option::date_order);
+  }
   units.frame_rate = options.frame_rate;
   if (counts_frames(units.notation) && !options.frame_rate) throw times_without_rate(columns.time);
   const bool is_number = units.notation == TimeNotation::seconds;
@@ -78,7 +97,7 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
   } else if (is_converted(options, time.name)) {
     time.unit = TimeUnit::s;
     time.frame_rate = options.frame_rate;
-    if (unit_of_time(time.name) == TimeUnit::frames && !options.only_named_frames) time.name = "time";
+    if (unit_of_time(time.name) == TimeUnit::frames && !options.are_optional) time.name = "time";
   }
   return schema;
 }

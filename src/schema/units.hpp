@@ -21,21 +21,23 @@ struct ChannelScale {
 
 /// What is requested of units.
 struct UnitOptions {
-  std::optional<TimeUnit> time = {};        ///< nothing: that of the column's name, if it has one
-  std::optional<Rational> frame_rate = {};  ///< the times are frames, so many of them a second
-  std::vector<ChannelScale> scales = {};    ///< factors of channels
-  bool only_named_frames = false;           ///< the times are frames only where the column's name says so
+  std::optional<TimeUnit> time = {};         ///< nothing: that of the column's name, if it has one
+  std::optional<Rational> frame_rate = {};   ///< the times are frames, so many of them a second
+  std::vector<ChannelScale> scales = {};     ///< factors of channels
+  std::optional<DateOrder> date_order = {};  ///< of dates with the year last
+  bool are_optional = false;  ///< a file may have other units and notations of time: frames only by the column's name
 };
 
 /// The units of the numbers of keys.
 struct KeyUnits {
   TimeNotation notation = TimeNotation::seconds;  ///< of the times
+  DateFormat dates = {};                          ///< of times that are dates
   std::optional<Rational> frame_rate = {};        ///< of timecode
   std::vector<Rational> factors = {};             ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
 };
 
 /// The units of keys, whose notation of times is that of the first of them. Throws: Error (data) for timecode without a
-/// rate, units of time that contradict each other, and a channel that no column is.
+/// rate, dates without their order, units of time that contradict each other, and a channel that no column is.
 KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::string_view first_time);
 
 /// The meaning of records once their times have the unit to which the factors of units_of_keys() convert them. Throws:

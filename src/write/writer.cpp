@@ -56,6 +56,7 @@ void Writer::set_times(const Schema& schema) {
   const auto given = options_.time_notation;
   if (!given) {
     if (format_of(options_.format).family != FormatFamily::array) notation_ = schema.time.notation;
+    dates_ = schema.time.dates;
     return;
   }
   if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
@@ -81,10 +82,10 @@ std::vector<std::string> Writer::texts(const Table& table) const {
       texts[i] = time_text(nearest_time(counts ? whole_frame(seconds, rate).value_or(frames) : seconds));
       continue;
     }
-    const auto text = time_in_words(seconds, notation_, rate, decimals);
+    const auto text = time_in_words(seconds, notation_, rate, decimals, dates_);
     if (!text) {
-      const auto name = std::ranges::find(time_notations, notation_, &TimeNotationName::notation);
-      throw time_not_in_notation(time_text(table.cells[i]), name == time_notations.end() ? "smpte" : name->name);
+      const char* const name = notation_ == TimeNotation::clock ? "clock" : is_date(notation_) ? "a date" : "timecode";
+      throw time_not_in_notation(time_text(table.cells[i]), name);
     }
     texts[i] = in_quotes ? json_text(*text) : *text;
   }

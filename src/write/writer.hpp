@@ -76,6 +76,7 @@ class Writer {
   Output output_;
   OutputColumns columns_;
   TimeNotation notation_ = TimeNotation::seconds;
+  DateFormat dates_;
   Rational unit_ = 1;  ///< of the times, in seconds, where they are printed in another one
   Frame frame_;
   ProvenanceRecorder recorder_;

@@ -212,8 +212,8 @@ Error also_in_tcb() {
 
 Error no_such_time(std::string_view time) {
   return refused(
-      "{} does not exist; expected a time of day without leap seconds, and an undropped frame below the rate; "
-      "correct it",
+      "{} does not exist; expected a date of the calendar, a time of day without leap seconds, and an undropped frame "
+      "below the rate; correct it",
       in_quotes(time));
 }
 

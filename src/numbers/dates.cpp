@@ -1,0 +1,180 @@
+// Dates and times of day: their forms in ISO 8601, in databases and in spreadsheets, to and from exact seconds.
+#include "numbers/dates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <utility>
+
+namespace tcb {
+namespace {
+
+constexpr std::int64_t seconds_of_day = 86'400;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes the digits off the beginning of a text.
+std::string_view take_digits(std::string_view& text) {
+  const auto size = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+  const std::string_view digits = text.substr(0, size);
+  text.remove_prefix(size);
+  return digits;
+}
+
+/// A whole number; -1 if it is too large.
+std::int64_t number_of(std::string_view digits) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return error == std::errc() ? value : -1;
+}
+
+/// The parts of a date as they are written.
+struct DateParts {
+  std::array<std::string_view, 3> numbers;  ///< of the year, month and day, in the order of the text
+  char mark;
+  char before_clock;  ///< 0: the time of day is missing
+  std::string_view clock, zone;
+
+  bool is_year_first() const { return numbers[0].size() == 4; }
+};
+
+bool is_zone(std::string_view text) {
+  if (text.starts_with(' ')) text.remove_prefix(1);
+  constexpr std::array forms{"Z", "UTC", "+00:00", "-00:00", "+0000", "-0000", "+00", "-00"};
+  return std::ranges::any_of(forms, [text](std::string_view form) { return has_form(text, form); });
+}
+
+std::optional<DateParts> parts_of(std::string_view text) {
+  DateParts parts{};
+  parts.numbers[0] = take_digits(text);
+  if (text.empty() || std::string_view("-/.").find(text[0]) == std::string_view::npos) return std::nullopt;
+  parts.mark = text[0];
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (!text.starts_with(parts.mark)) return std::nullopt;
+    text.remove_prefix(1);
+    parts.numbers[i] = take_digits(text);
+  }
+  const auto is_short = [](std::string_view digits) { return digits.size() == 1 || digits.size() == 2; };
+  const std::string_view year = parts.numbers[parts.is_year_first() ? 0 : 2];
+  const std::string_view other = parts.numbers[parts.is_year_first() ? 2 : 0];
+  if (year.size() != 4 || !is_short(other) || !is_short(parts.numbers[1])) return std::nullopt;
+  if (text.empty()) return parts;
+  parts.before_clock = text[0];
+  text.remove_prefix(1);
+  const auto end = std::ranges::find_if_not(text, [](char c) { return is_digit(c) || c == ':' || c == '.'; });
+  parts.clock = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  parts.zone = text.substr(parts.clock.size());
+  constexpr std::array forms{"00:00:00", "00:00:00.9", "00:00", "0:00:00", "0:00:00.9", "0:00"};
+  const bool has_clock = std::ranges::any_of(forms, [&](std::string_view form) { return has_form(parts.clock, form); });
+  const bool is_separated = parts.before_clock == 'T' || parts.before_clock == ' ';
+  return has_clock && is_separated && (parts.zone.empty() || is_zone(parts.zone)) ? std::optional(parts) : std::nullopt;
+}
+
+/// The seconds by which the clocks of a zone are ahead of UTC; nothing for one that does not exist.
+std::optional<std::int64_t> offset_of(std::string_view zone) {
+  const std::size_t sign = zone.find_first_of("+-");
+  if (sign == std::string_view::npos) return 0;
+  std::string_view digits = zone.substr(sign + 1);
+  const std::int64_t hours = number_of(digits.substr(0, 2));
+  const std::int64_t minutes = digits.size() > 2 ? number_of(digits.substr(digits.size() - 2)) : 0;
+  if (hours > 23 || minutes > 59) return std::nullopt;
+  return (hours * 60 + minutes) * 60 * (zone[sign] == '-' ? -1 : 1);
+}
+
+/// The digits after the point of a number below 1, with a point; empty for 0.
+std::string fraction_text(Rational rest, std::optional<int> decimals) {
+  std::string text;
+  for (int i = 0; decimals ? i < *decimals : rest != 0; ++i) {
+    rest *= 10;
+    const Rational digit = floor(rest);
+    text += static_cast<char>('0' + whole_number(digit));
+    rest -= digit;
+  }
+  return text.empty() ? text : "." + text;
+}
+
+}  // namespace
+
+bool has_form(std::string_view text, std::string_view pattern) {
+  for (const char c : pattern) {
+    if (text.empty() || (c == '0' || c == '9' ? !is_digit(text[0]) : text[0] != c)) return false;
+    text.remove_prefix(1);
+    while (c == '9' && !text.empty() && is_digit(text[0])) text.remove_prefix(1);
+  }
+  return text.empty();
+}
+
+std::optional<Rational> read_clock(std::string_view text) {
+  const std::size_t point = std::min(text.find('.'), text.size());
+  std::string_view whole = text.substr(0, point);
+  std::array<std::int64_t, 3> numbers{};  // hours, minutes, seconds
+  for (std::int64_t& number : numbers) {
+    number = number_of(take_digits(whole));
+    if (whole.empty()) break;
+    whole.remove_prefix(1);
+  }
+  constexpr std::int64_t most_hours = 1'000'000'000;
+  const auto [hours, minutes, seconds] = numbers;
+  if (hours < 0 || hours > most_hours || minutes > 59 || seconds > 59) return std::nullopt;
+  const auto fraction = point + 1 < text.size() ? parse_rational("0" + std::string(text.substr(point))) : Rational(0);
+  if (!fraction) return std::nullopt;
+  return Rational((hours * 60 + minutes) * 60 + seconds) + *fraction;
+}
+
+std::string clock_text(const Rational& seconds, std::optional<int> decimals) {
+  const Rational whole = floor(seconds);
+  const std::uint64_t all = whole_number(whole);
+  return fmt::format("{:02}:{:02}:{:02}{}", all / 3600, all / 60 % 60, all % 60,
+                     fraction_text(seconds - whole, decimals));
+}
+
+std::optional<DateFormat> find_date_format(std::string_view text) {
+  const std::optional<DateParts> parts = parts_of(text);
+  if (!parts) return std::nullopt;
+  const bool has_short_number = std::ranges::any_of(parts->numbers, [](auto digits) { return digits.size() == 1; });
+  const bool is_padded = !has_short_number && (parts->clock.empty() || parts->clock[1] != ':');
+  return DateFormat{parts->is_year_first() ? DateOrder::ymd : DateOrder::dmy, parts->mark, is_padded,
+                    parts->before_clock, std::string(parts->zone)};
+}
+
+std::optional<Rational> read_date(std::string_view text, DateOrder order) {
+  const std::optional<DateParts> parts = parts_of(text);
+  if (!parts || parts->is_year_first() != (order == DateOrder::ymd)) return std::nullopt;
+  auto [year, month, day] = parts->numbers;
+  if (order != DateOrder::ymd) std::swap(year, day);  // d.m.y to y.m.d
+  if (order == DateOrder::mdy) std::swap(month, day);
+  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(number_of(year))),
+                                         std::chrono::month(static_cast<unsigned>(number_of(month))),
+                                         std::chrono::day(static_cast<unsigned>(number_of(day)))};
+  const auto clock = parts->clock.empty() ? Rational(0) : read_clock(parts->clock);
+  const auto offset = offset_of(parts->zone);
+  if (!date.ok() || !clock || *clock >= seconds_of_day || !offset) return std::nullopt;
+  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
+  return Rational(days * seconds_of_day - *offset) + *clock;
+}
+
+std::optional<std::string> date_text(const Rational& seconds, const DateFormat& format, std::optional<int> decimals) {
+  const Rational local = seconds + offset_of(format.zone).value_or(0);
+  const Rational day = floor(local / seconds_of_day);
+  if (abs(day) > 10'000'000) return std::nullopt;
+  const auto size = static_cast<int>(whole_number(abs(day)));
+  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day < 0 ? -size : size))};
+  const int year = static_cast<int>(date.year());
+  if (year < 0 || year > 9999) return std::nullopt;
+  const auto padded = [&](unsigned number) { return fmt::format("{:0{}}", number, format.is_padded ? 2 : 1); };
+  std::array numbers{fmt::format("{:04}", year), padded(static_cast<unsigned>(date.month())),
+                     padded(static_cast<unsigned>(date.day()))};
+  if (format.order == DateOrder::mdy) std::swap(numbers[1], numbers[2]);
+  if (format.order != DateOrder::ymd) std::swap(numbers[0], numbers[2]);
+  std::string text = fmt::format("{}{}{}{}{}", numbers[0], format.mark, numbers[1], format.mark, numbers[2]);
+  const Rational time_of_day = local - day * seconds_of_day;
+  if (format.before_clock == 0 && time_of_day == 0) return text;
+  std::string clock = clock_text(time_of_day, decimals);
+  if (!format.is_padded && clock.starts_with('0')) clock.erase(0, 1);
+  return text + (format.before_clock == 0 ? ' ' : format.before_clock) + clock + format.zone;
+}
+
+}  // namespace tcb

@@ -1,0 +1,55 @@
+// Dates and times of day: their forms in ISO 8601, in databases and in spreadsheets, to and from exact seconds.
+//
+// Dates are in the Gregorian calendar, in UTC or with an offset from it; their seconds count from 1970. There are no
+// other time zones and no leap seconds.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "numbers/rational.hpp"
+
+namespace tcb {
+
+/// Whether a text has the form of a pattern: 0 is a digit, 9 one digit or more, all else is itself.
+bool has_form(std::string_view text, std::string_view pattern);
+
+/// hh:mm:ss.fff in seconds; nothing for a minute or second that does not exist. Requires: the form of a time of day.
+std::optional<Rational> read_clock(std::string_view text);
+
+/// hh:mm:ss.fff, with `decimals` decimals or as many as the time has. Requires: seconds >= 0.
+std::string clock_text(const Rational& seconds, std::optional<int> decimals);
+
+/// The order of the year, the month and the day.
+enum class DateOrder { ymd, dmy, mdy };
+
+struct DateOrderName {
+  std::string_view name;
+  DateOrder order;
+};
+
+/// The orders that have to be requested, as a date with the year last does not tell which number is the day.
+inline constexpr std::array date_orders{DateOrderName{"dmy", DateOrder::dmy}, DateOrderName{"mdy", DateOrder::mdy}};
+
+/// How dates are written.
+struct DateFormat {
+  DateOrder order = DateOrder::ymd;
+  char mark = '-';          ///< between year, month and day: - / or .
+  bool is_padded = true;    ///< months, days and hours have two digits
+  char before_clock = 'T';  ///< between the date and the time of day: T or a blank; 0: midnight is not written
+  std::string zone = "Z";   ///< as written, with the blank before it; empty: none, and the time is in UTC
+};
+
+/// The format of a date by its form; its order is dmy if the year is last. Nothing if the text is no date.
+std::optional<DateFormat> find_date_format(std::string_view text);
+
+/// The seconds of a date that has a form of find_date_format(), with its numbers in this order; nothing if that date
+/// does not exist.
+std::optional<Rational> read_date(std::string_view text, DateOrder order);
+
+/// The date at a time; nothing beyond the years 0 to 9999.
+std::optional<std::string> date_text(const Rational& seconds, const DateFormat& format, std::optional<int> decimals);
+
+}  // namespace tcb
