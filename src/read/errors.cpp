@@ -53,6 +53,13 @@ Error no_such_time(std::string_view column, std::string_view time) {
                                   column, in_quotes(time))};
 }
 
+Error time_parts_not_whole(std::string_view time) {
+  return {Exit::data,
+          fmt::format("{}: the two columns of the time are not whole seconds and nanoseconds; expected whole "
+                      "numbers, of nanoseconds from 0 to 999999999; correct the cells, or give {} time=NAME",
+                      time, option::columns)};
+}
+
 Error time_in_other_notation(std::string_view column, std::string_view time) {
   return {Exit::data,
           fmt::format("{}: {} is not in the notation of the first time; expected all times in one notation; "

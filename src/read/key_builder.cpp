@@ -19,7 +19,8 @@ std::size_t number_of_key(const Columns::Column& column, std::size_t channels) {
     return NumberOfKey::of_channel(kind, column.channel, channels);
   };
   switch (column.role) {
-    case Role::time: return NumberOfKey::time;
+    case Role::time:
+    case Role::nanoseconds: return NumberOfKey::time;
     case Role::tension: return NumberOfKey::tension;
     case Role::continuity: return NumberOfKey::continuity;
     case Role::bias: return NumberOfKey::bias;
@@ -74,6 +75,7 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyU
     : rules_(rules),
       units_(units),
       is_timed_(columns.has(Role::time)),
+      has_nanoseconds_(columns.has(Role::nanoseconds)),
       has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
       has_channel_roles_(has_channel_roles(columns)),
@@ -100,6 +102,7 @@ void KeyBuilder::begin_key() {
   block_.keys.positions.resize(position_);
   block_.keys.positions.resize(position_ + block_.keys.channels, nan);
   time_ = Time(nan);
+  nanoseconds_ = nan;
   tcb_ = rules_.tcb;
   ease_ = {};
   if (has_channel_roles_) {
@@ -144,12 +147,28 @@ bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_vi
   return true;
 }
 
+bool KeyBuilder::complete_time() {
+  if (!has_nanoseconds_ || std::isnan(time_.hi) || std::isnan(nanoseconds_)) return true;  // one is missing
+  constexpr std::int64_t nanoseconds_of_second = 1'000'000'000;
+  const bool is_part =
+      nanoseconds_ >= 0 && nanoseconds_ < nanoseconds_of_second && std::trunc(nanoseconds_) == nanoseconds_;
+  const Rational seconds = exact_time(time_);
+  if (!is_part || floor(seconds) != seconds) return false;
+  const Rational time = seconds + Rational(static_cast<std::int64_t>(nanoseconds_)) / nanoseconds_of_second;
+  constexpr int decimals = 9;
+  time_ = nearest_time(time, decimals);
+  if (keeps_decimals())
+    decimals_[NumberOfKey::time] = whole_text(numerator(time)) + "/" + whole_text(denominator(time));
+  return true;
+}
+
 bool KeyBuilder::miss(const Columns::Column& column) {
   if (column.role == Role::ignored || column.role == Role::carry) return true;
   if (!ends_.empty()) return false;           // segments are whole
   if (is_velocity(column.role)) return true;  // whether it is needed depends on the keys around
+  const bool is_time = column.role == Role::time || column.role == Role::nanoseconds;
   const bool skips_cell = rules_.missing == Missing::skip_cell;
-  if (rules_.missing == Missing::error || (skips_cell && column.role == Role::time)) return false;
+  if (rules_.missing == Missing::error || (skips_cell && is_time)) return false;
   if (column.role == Role::group && rules_.missing != Missing::skip_row) return false;
   is_missing_ = is_missing_ || !skips_cell;
   return true;

@@ -37,6 +37,7 @@ class KeyBuilder {
       case Role::bias: return tcb_.bias;
       case Role::ease_in: return ease_.in;
       case Role::ease_out: return ease_.out;
+      case Role::nanoseconds: return nanoseconds_;
       default:
         if (column.role != Role::position) return number_of_channel(column);
         return block_.keys.positions[position_ + column.channel];
@@ -77,6 +78,10 @@ class KeyBuilder {
   /// Nothing after the last fault can be read.
   void set_unreadable() { block_.faults.unreadable = true; }
 
+  /// Adds the nanoseconds of the time, if it has any, to its seconds, which are its other part. False where they are
+  /// not from 0 to below 10^9, or where either is not a whole number.
+  bool complete_time();
+
   /// Ends the key; a record that is a segment has two keys, its ends. Returns whether it is kept; if so, set_position()
   /// must follow.
   bool end_key();
@@ -113,7 +118,7 @@ class KeyBuilder {
 
   const KeyRules rules_;
   const KeyUnits units_;
-  const bool is_timed_, has_tcb_, has_ease_, has_channel_roles_;
+  const bool is_timed_, has_nanoseconds_, has_tcb_, has_ease_, has_channel_roles_;
   const std::vector<std::size_t> both_sides_;  ///< channels with one velocity for both sides
   KeyBlock block_;
   bool breaks_ = false;  ///< there is a break before the next key
@@ -122,6 +127,7 @@ class KeyBuilder {
   std::size_t position_ = 0;  ///< the index of its first position
   std::size_t faults_ = 0;    ///< the number of faults before it
   Time time_;
+  double nanoseconds_ = 0;  ///< of the time, besides its seconds
   spline::Tcb<double> tcb_;
   spline::Ease<double> ease_;
   std::vector<spline::Tcb<double>> channel_tcbs_;     ///< NaN where a channel has none; empty where no channel has any

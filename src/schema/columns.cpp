@@ -74,6 +74,64 @@ void number_texts(Columns& columns) {
   }
 }
 
+/// The cells of a time in two columns.
+struct SplitTime {
+  std::size_t seconds, nanoseconds;
+  std::string stem;  ///< of their names
+};
+
+/// The times whose whole seconds and nanoseconds are columns of numbers, as in header.stamp.sec and
+/// header.stamp.nanosec.
+std::vector<SplitTime> split_times(std::span<const std::string> header, const std::vector<bool>& numeric) {
+  std::vector<SplitTime> times;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const auto part = time_part_of(header[cell]);
+    if (!part || part->part != TimePart::nanoseconds || !numeric[cell]) continue;
+    const auto seconds = std::ranges::find_if(header, [&](const std::string& name) {
+      const auto other = time_part_of(name);
+      return other && other->part == TimePart::seconds && other->stem == part->stem;
+    });
+    const auto other = static_cast<std::size_t>(seconds - header.begin());
+    if (other < header.size() && numeric[other]) times.push_back({other, cell, std::string(part->stem)});
+  }
+  return times;
+}
+
+/// Takes the time that is in two columns. Throws: Error (data) if another column may be the time as well. If a time is
+/// requested, these columns are ignored, unless they have roles.
+void assign_split_time(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
+                       bool timeless) {
+  const std::vector<SplitTime> times = split_times(header, numeric);
+  if (times.empty()) return;
+  const auto is_part = [&](std::size_t cell) {
+    return std::ranges::any_of(times, [&](const auto& t) { return t.seconds == cell || t.nanoseconds == cell; });
+  };
+  if (columns.has(Role::time) || timeless) {
+    for (const auto& [seconds, nanoseconds, stem] : times) {
+      for (const std::size_t cell : {seconds, nanoseconds}) {
+        if (columns.cells[cell].role == Role::ignored) columns.cells[cell].role = Role::unused;
+      }
+    }
+    return;
+  }
+  const auto request_of = [&](const SplitTime& time) {
+    return fmt::format("time={},nanoseconds={}", header[time.seconds], header[time.nanoseconds]);
+  };
+  if (times.size() > 1) {
+    throw two_times(header[times[0].seconds], header[times[1].seconds], request_of(times[0]), request_of(times[1]));
+  }
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const std::string& name = header[cell];
+    const bool is_usual = numeric[cell] && is_usual_time(name) && !is_usual_counter(name);
+    const bool may_be_time =
+        columns.cells[cell].role == Role::ignored && (is_usual || role_of_name(name) == Role::time);
+    if (!may_be_time || is_part(cell)) continue;
+    throw two_times(name, header[times[0].seconds], "time=" + name, request_of(times[0]));
+  }
+  assign(columns, times[0].seconds, Role::time, times[0].stem.empty() ? "time" : times[0].stem);
+  assign(columns, times[0].nanoseconds, Role::nanoseconds, header[times[0].nanoseconds]);
+}
+
 /// For each column, whether it is the time by one of the usual names, among which those of columns of numbers come
 /// first. None is where a time is requested, or a column has a name such as "time".
 std::vector<bool> usual_times(const Columns& columns, std::span<const std::string> header,
@@ -120,6 +178,10 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     const bool has_request = is_requested[static_cast<std::size_t>(role)];
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
     if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
+    if (role == Role::position && !header.empty() && is_usual_counter(header[cell])) continue;
+    if (role == Role::time && columns.has(Role::time)) {
+      throw two_times(columns.time, header[cell], "time=" + columns.time, "time=" + header[cell]);
+    }
     if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
       throw same_column_names(header[cell]);
     }
@@ -187,6 +249,7 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   std::vector<ColumnOfChannel> of_channels;
   Columns columns = requested_columns(header, numeric, requests, of_channels);
   if (!assign_segments(columns, header)) {
+    assign_split_time(columns, header, numeric, timeless);
     const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
     for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual)) {
       columns.cells[column.cell].role = column.role.role;

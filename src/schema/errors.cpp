@@ -10,12 +10,12 @@
 namespace tcb {
 
 Error not_a_role_with_columns(std::string_view text) {
-  return {
-      Exit::usage,
-      fmt::format("{} is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
-                  "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, "
-                  "ease_in=, ease_out=, group=, carry= or ignore=; for example {} time=frame,position=px:py",
-                  in_quotes(text), option::columns)};
+  return {Exit::usage,
+          fmt::format(
+              "{} is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
+              "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, "
+              "ease_in=, ease_out=, group=, carry=, ignore= or nanoseconds=; for example {} time=frame,position=px:py",
+              in_quotes(text), option::columns)};
 }
 
 Error same_column_names(std::string_view name) {
@@ -44,6 +44,13 @@ Error column_without_channel(std::string_view number, std::span<const std::strin
 Error column_with_two_roles(std::string_view column) {
   return {Exit::data,
           fmt::format("column {} has two roles; expected one; correct {}", in_quotes(column), option::columns)};
+}
+
+Error two_times(std::string_view column, std::string_view other_column, std::string_view request,
+                std::string_view other_request) {
+  return {Exit::data, fmt::format("both {} and {} may be the time; expected one column of times; give {} {} or {} {}",
+                                  in_quotes(column), in_quotes(other_column), option::columns, in_shell(request),
+                                  option::columns, in_shell(other_request))};
 }
 
 Error two_columns_for_role(std::string_view role, std::string_view second_column) {

@@ -21,6 +21,9 @@ Error column_without_channel(std::string_view number, std::span<const std::strin
 
 // Roles of columns.
 Error column_with_two_roles(std::string_view column);
+/// `request`, `other_request`: what makes each of them the time.
+Error two_times(std::string_view column, std::string_view other_column, std::string_view request,
+                std::string_view other_request);
 Error two_columns_for_role(std::string_view role, std::string_view second_column);
 Error no_channel_column();
 Error column_nearly_role(std::string_view column, std::string_view role);

@@ -24,7 +24,8 @@ enum class Role {
   ease_out,
   group,
   carry,
-  unused,  ///< ignored on request
+  unused,       ///< ignored on request
+  nanoseconds,  ///< of the time, besides its whole seconds
   // Of one channel:
   channel_tension,
   channel_continuity,
@@ -38,7 +39,7 @@ enum class Role {
   duration,
 };
 
-inline constexpr std::size_t role_count = 20;
+inline constexpr std::size_t role_count = 21;
 inline constexpr auto first_channel_role = Role::channel_tension;
 
 /// The role is one in a channel.
@@ -90,6 +91,7 @@ inline constexpr std::array role_names{
     RoleName{"group", Role::group, true, false},
     RoleName{"carry", Role::carry, true, false},
     RoleName{"ignore", Role::unused, true, false},
+    RoleName{"nanoseconds", Role::nanoseconds, true, false},
     RoleName{"t", Role::time, false},
     RoleName{"frame", Role::time, true},
     RoleName{"timestamp", Role::time, true},

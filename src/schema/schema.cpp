@@ -46,6 +46,7 @@ Schema schema_of(const Columns& columns, TimeNotation notation, const DateFormat
                  .name = columns.time,
                  .notation = notation,
                  .dates = dates,
+                 .unit = columns.has(Role::nanoseconds) ? std::optional(TimeUnit::s) : std::nullopt,
                  .may_be_first_channel = columns.may_be_timed};
   schema.channels = columns.channels;
   schema.groups = columns.groups;

@@ -21,8 +21,9 @@ bool is_converted(const UnitOptions& options, const std::string& time) {
 }
 
 /// Throws: Error (data) where the column's name has another unit than the options.
-void require_unit(const UnitOptions& options, const std::string& time) {
-  const auto named = unit_of_time(time);
+void require_unit(const UnitOptions& options, const Columns& columns) {
+  const std::string& time = columns.time;
+  const auto named = columns.has(Role::nanoseconds) ? TimeUnit::s : unit_of_time(time);
   if (!named || options.are_optional) return;
   const auto refuse = [&](std::string_view option, TimeUnit unit) {
     throw time_units_differ(time, row_of(*named).name, row_of(unit).name).about(option);
@@ -59,7 +60,7 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   units.frame_rate = options.frame_rate;
   if (counts_frames(units.notation) && !options.frame_rate) throw times_without_rate(columns.time);
   const bool is_number = units.notation == TimeNotation::seconds;
-  if (is_timed && is_number) require_unit(options, columns.time);
+  if (is_timed && is_number) require_unit(options, columns);
   const bool is_time_converted = is_timed && is_number && is_converted(options, columns.time);
   if (!is_time_converted && options.scales.empty()) return units;
   const std::size_t channels = columns.channels.size();
@@ -90,7 +91,7 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
     if (!options.frame_rate && !options.time) return schema;
     throw times_without_column().about(options.frame_rate ? option::input_fps : option::time_unit);
   }
-  time.unit = options.time ? options.time : unit_of_time(time.name);
+  if (!time.unit) time.unit = options.time ? options.time : unit_of_time(time.name);
   if (time.notation != TimeNotation::seconds) {
     time.unit = TimeUnit::s;
     if (counts_frames(time.notation)) time.frame_rate = options.frame_rate;

@@ -173,6 +173,22 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   return found == nullptr ? std::nullopt : found->unit;
 }
 
+std::optional<TimePartName> time_part_of(std::string_view name) {
+  constexpr std::array seconds{"sec", "secs", "seconds"};
+  constexpr std::array nanoseconds{"nanosec", "nanosecs", "nsec", "nsecs", "nanos", "nanoseconds"};
+  const std::size_t separator = name.find_last_of("./_ ");
+  const std::string last = compact(separator == std::string_view::npos ? name : name.substr(separator + 1));
+  const std::string_view stem = separator == std::string_view::npos ? "" : name.substr(0, separator);
+  if (has(seconds, last)) return TimePartName{TimePart::seconds, stem};
+  if (has(nanoseconds, last)) return TimePartName{TimePart::nanoseconds, stem};
+  return std::nullopt;
+}
+
+bool is_usual_counter(std::string_view name) {
+  const std::string last = compact(name.substr(name.find_last_of("./") + 1));
+  return last == "seq" || last == "frameid";
+}
+
 bool is_usual_position(std::string_view name) { return has(names_of_positions, compact(name)); }
 
 bool is_usual_label(std::string_view name) {

@@ -17,6 +17,20 @@ bool is_usual_time(std::string_view name);
 /// The unit of times in a column of this name, such as "timestamp [ns]", "time_ms" or "frame"; nothing if it has none.
 std::optional<TimeUnit> unit_of_time(std::string_view name);
 
+/// The names of a time in two columns, of its whole seconds and of its nanoseconds, as in header.stamp.sec and
+/// header.stamp.nanosec, have the same stem: "header.stamp".
+enum class TimePart { seconds, nanoseconds };
+struct TimePartName {
+  TimePart part;
+  std::string_view stem;  ///< of the name, which outlives it; empty for a name such as "sec"
+};
+
+/// The part of a time that a name is by its last word; nothing for other names.
+std::optional<TimePartName> time_part_of(std::string_view name);
+
+/// Whether a name is a usual one of what numbers or labels records without being a position, such as "header.seq".
+bool is_usual_counter(std::string_view name);
+
 /// Whether a name is a usual one of positions with several coordinates, such as "pos" or "translation".
 bool is_usual_position(std::string_view name);
 

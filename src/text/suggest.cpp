@@ -79,6 +79,17 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
   return did_you_mean(name, std::vector<std::string_view>(known.begin(), known.end()));
 }
 
+std::string in_shell(std::string_view word) {
+  const auto is_plain = [](char c) {
+    return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) > 127 ||
+           std::string_view("_-./:=,+%@").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
 std::string listed(std::span<const std::string> names) { return joined(names); }
 std::string listed(std::span<const std::string_view> names) { return joined(names); }
 

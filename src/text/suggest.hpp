@@ -24,6 +24,9 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
 std::string listed(std::span<const std::string> names);
 std::string listed(std::span<const std::string_view> names);
 
+/// A word of a command as a shell takes it: with quotes unless it needs none.
+std::string in_shell(std::string_view word);
+
 /// A letter of ASCII in lower case; any other character as it is.
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 

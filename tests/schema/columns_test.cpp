@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "read/reading.hpp"
+#include "schema/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -26,6 +27,23 @@ Columns find(const Names& header, std::string_view asked = "") {
 Columns find_without_header(std::size_t cells, std::string_view asked = "") {
   return find_columns({}, std::vector<bool>(cells, true),
                       asked.empty() ? std::vector<RoleRequest>{} : parse_roles(asked));
+}
+
+TEST(Columns, seconds_and_nanoseconds_of_one_stem_are_the_time) {
+  const Columns columns = find({"a.seq", "a.stamp.secs", "b", "a.stamp.nsecs", "x"});
+  EXPECT_THAT(roles(columns),
+              ElementsAre(Role::ignored, Role::time, Role::position, Role::nanoseconds, Role::position));
+  EXPECT_EQ(columns.time, "a.stamp");
+  EXPECT_EQ(find({"sec", "nanosec", "x"}).time, "time");
+  const Columns requested = find({"clock", "sec", "nanosec", "x"}, "time=clock");
+  EXPECT_THAT(roles(requested), ElementsAre(Role::time, Role::ignored, Role::ignored, Role::position));
+}
+
+TEST(Columns, two_that_may_be_the_time_are_an_error_with_both_names) {
+  const auto error = [](const Names& header) { return error_of([&] { find(header); }); };
+  EXPECT_EQ(error({"t", "frame", "x"}), error_of([] { throw two_times("t", "frame", "time=t", "time=frame"); }));
+  EXPECT_EQ(error({"clock", "sec", "nsec", "x"}),
+            error_of([] { throw two_times("clock", "sec", "time=clock", "time=sec,nanoseconds=nsec"); }));
 }
 
 TEST(Columns, a_header_gives_roles_in_any_order) {
@@ -95,11 +113,12 @@ TEST(Columns, missing_and_repeated_columns_are_errors_with_a_remedy) {
       }),
       "f: error: there is no position column; expected at least one column of numbers besides the time; name it with "
       "--columns position=NAME");
-  EXPECT_EQ(error_of([] {
-              find({"t", "x", "frame"});
-            }),
-            "f: error: a second column, \"frame\", has the role time; expected one column with it; choose one with "
-            "--columns time=NAME");
+  EXPECT_EQ(
+      error_of([] {
+        find({"t", "x", "frame"});
+      }),
+      "f: error: both \"t\" and \"frame\" may be the time; expected one column of times; give --columns time=t or "
+      "--columns time=frame");
   EXPECT_EQ(error_of([] {
               find({"t", "x", "y"}, "tension=x:y");
             }),

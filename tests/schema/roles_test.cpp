@@ -61,11 +61,12 @@ TEST(RoleRequests, are_parsed) {
 
 TEST(RoleRequests, without_a_role_or_columns_are_errors) {
   for (const std::string part : {"time", "time=", "=x", "place=x", ""}) {
-    EXPECT_EQ(error_of([&] { parse_roles("bias=b," + part); }),
-              "usage: f: error: \"" + part +
-                  "\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
-                  "bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
-                  "ease_out=, group=, carry= or ignore=; for example --columns time=frame,position=px:py");
+    EXPECT_EQ(
+        error_of([&] { parse_roles("bias=b," + part); }),
+        "usage: f: error: \"" + part +
+            "\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
+            "bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
+            "ease_out=, group=, carry=, ignore= or nanoseconds=; for example --columns time=frame,position=px:py");
   }
 }
 

@@ -19,6 +19,23 @@ TEST(UsualTime, names_of_times_have_any_case_and_a_unit) {
   }
 }
 
+TEST(TimePart, is_told_by_the_last_word) {
+  const auto part = time_part_of("header.stamp.nanosec");
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->part, TimePart::nanoseconds);
+  EXPECT_EQ(part->stem, "header.stamp");
+  EXPECT_EQ(time_part_of("secs")->stem, "");
+  EXPECT_EQ(time_part_of("stamp_Secs")->part, TimePart::seconds);
+  EXPECT_FALSE(time_part_of("stamp.ns"));
+  EXPECT_FALSE(time_part_of("second"));
+}
+
+TEST(UsualCounter, is_a_sequence_or_frame_id) {
+  EXPECT_TRUE(is_usual_counter("field.header.seq"));
+  EXPECT_TRUE(is_usual_counter("frame_id"));
+  EXPECT_FALSE(is_usual_counter("sequence.x"));
+}
+
 TEST(UsualTime, other_names_are_not_of_times) {
   for (const char* name : {"",         "T",       "x",          "s",        "S",           "min",   "m",  "h",
                            "second",   "tension", "tide",       "temp",     "temperature", "T [K]", "tx", "timer",

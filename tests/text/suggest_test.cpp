@@ -56,5 +56,12 @@ TEST(Nearest, of_no_names_none_is_near) {
   EXPECT_EQ(nearest("", "step"), "");
 }
 
+TEST(InShell, words_with_other_characters_are_quoted) {
+  EXPECT_EQ(in_shell("time=header.stamp"), "time=header.stamp");
+  EXPECT_EQ(in_shell("time=timestamp [ns]"), "'time=timestamp [ns]'");
+  EXPECT_EQ(in_shell("it's"), "'it'\\''s'");
+  EXPECT_EQ(in_shell(""), "''");
+}
+
 }  // namespace
 }  // namespace tcb

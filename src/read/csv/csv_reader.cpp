@@ -73,6 +73,7 @@ class RecordReader {
     }
     keys_.begin_key();
     for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], head_.columns.cells[i]);
+    if (!keys_.complete_time()) add_fault(cells_[time_cell_], time_parts_not_whole(head_.columns.time));
     if (!keys_.end_key()) return;
     const bool timed = time_cell_ < expected;
     keys_.set_position(tokenizer_.line(), timed ? tokenizer_.position(cells_[time_cell_]).column : 1);
@@ -132,7 +133,8 @@ class RecordReader {
     const std::string name = head_.columns.name_of(column);
     const bool is_time = column.role == Role::time;
     if (is_missing_sign(text, head_.rules.signs)) {
-      add_fault(cell, is_time ? time_is_missing(name, text) : number_is_missing(name, text));
+      add_fault(cell, is_time || column.role == Role::nanoseconds ? time_is_missing(name, text)
+                                                                  : number_is_missing(name, text));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       const bool has_notation = head_.units.notation == find_notation(text);
       add_fault(cell, has_notation ? no_such_time(name, text) : time_in_other_notation(name, text));

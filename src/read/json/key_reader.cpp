@@ -6,6 +6,7 @@
 
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
+#include "read/errors.hpp"
 #include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
 #include "read/key_builder.hpp"
@@ -141,6 +142,7 @@ class KeyReader : public JsonObjectReader {
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       if (columns_.members[i].required && !seen_[i]) miss_member(columns_.members[i]);
     }
+    if (!keys_.complete_time()) add_fault(at_key(time_parts_not_whole(columns_.columns.time)));
     if (!keys_.end_key()) return !keys_.is_full();
     keys_.set_number(number_);
     keys_.set_position(position_.line, position_.column);
