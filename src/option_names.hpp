@@ -43,6 +43,7 @@ inline constexpr std::string_view no_ease = "--no-ease";
 inline constexpr std::string_view extrapolate = "--extrapolate";
 inline constexpr std::string_view step = "--step";
 inline constexpr std::string_view rate = "--rate";
+inline constexpr std::string_view fps = "--fps";
 inline constexpr std::string_view count = "--count";
 inline constexpr std::string_view segments = "--segments";
 inline constexpr std::string_view per_segment = "--per-segment";

@@ -11,8 +11,9 @@ namespace tcb {
 
 /// The options that place the samples.
 inline constexpr std::initializer_list<std::string_view> sampling_options{
-    option::step,     option::rate,      option::count,  option::segments,  option::per_segment, option::at,
-    option::arc_step, option::arc_count, option::arc_at, option::tolerance, option::emit,        option::fit};
+    option::step,        option::rate, option::fps,      option::count,     option::segments,
+    option::per_segment, option::at,   option::arc_step, option::arc_count, option::arc_at,
+    option::tolerance,   option::emit, option::fit};
 
 /// The conflicts of an option that is given. Each function throws Error (usage) about the first option of a list that
 /// is in conflict with it, unless the values do not meet the condition. `reason` goes on after the last option in the

@@ -41,6 +41,13 @@ void need_folder(const Conflicts& of) { of.need({option::output_dir}, ", an outp
 void need_check(const Conflicts& of) { of.need({option::check}); }
 void need_fit(const Conflicts& of) { of.need({option::fit}); }
 
+/// Sets the rate of the samples, which the text gives.
+void set_rate(SamplingRequest& sampling, const Rational& rate, Text text) {
+  sampling.mode = Mode::step;
+  sampling.is_rate = true;
+  sampling.step = step_of_rate(rate, text);
+}
+
 /// A sampling option; `disabled` have no effect with it.
 void check_mode(const Conflicts& of, Conflicts::Options disabled = {}) {
   of.exclude(sampling_options);
@@ -203,8 +210,13 @@ constexpr OptionRow option_rows[] = {
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.units.time = named_row(time_units, text).unit; },
      [](const Conflicts& of) { of.exclude({option::input_fps}); }, names_in<time_units>},
     {option::input_fps, "", "HZ", input_group,
-     "Converts times from frame numbers at HZ frames per second, such as 24 or 30000/1001, to seconds", "", other,
-     recorded, [](Typed& to, Text text) { to.keys.input.units.frame_rate = positive_ratio(text); }},
+     "Converts times from frame numbers at HZ frames per second, such as 24 or 30000/1001, to seconds; HZ as for --fps",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       UnitOptions& units = to.keys.input.units;
+       units.frame_rate = frame_rate(text);
+       if (broadcast_rate(text)) units.rate_as_decimal = text;
+     }},
     {option::date_order, "", "ORDER", input_group,
      "The order of dates such as 01.02.2024 or 1/2/2024 8:05, which have the year last: dmy or mdy", "", name, recorded,
      [](Typed& to, Text text) { to.keys.input.units.date_order = named_row(date_orders, text).order; }, nullptr,
@@ -365,13 +377,17 @@ constexpr OptionRow option_rows[] = {
        to.sampling.step = positive_ratio(text);
      },
      [](const Conflicts& of) { check_mode(of); }},
-    {option::rate, "--fps", "HZ", sampling_group,
+    {option::rate, "", "HZ", sampling_group,
      "Samples HZ times per second, or per unit of time if the unit is unknown; the step is exactly 1/HZ", "", other,
-     recorded,
+     recorded, [](Typed& to, Text text) { set_rate(to.sampling, positive_ratio(text), text); },
+     [](const Conflicts& of) { check_mode(of); }},
+    {option::fps, "", "HZ", sampling_group,
+     "Samples as --rate does; the frame rates 23.976, 29.97, 59.94 and the like are 24000/1001, 30000/1001 and "
+     "60000/1001",
+     "", other, recorded,
      [](Typed& to, Text text) {
-       to.sampling.mode = Mode::step;
-       to.sampling.is_rate = true;
-       to.sampling.step = step_of_rate(text);
+       set_rate(to.sampling, frame_rate(text), text);
+       if (broadcast_rate(text)) to.sampling.rate_as_decimal = text;
      },
      [](const Conflicts& of) { check_mode(of); }},
     {option::count, "-n", "N", sampling_group,

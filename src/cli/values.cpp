@@ -75,8 +75,18 @@ Rational positive_ratio(const std::string& text) {
   return value;
 }
 
-Rational step_of_rate(const std::string& text) {
-  Rational step = 1 / positive_ratio(text);
+std::optional<Rational> broadcast_rate(std::string_view text) {
+  const auto known = std::ranges::find(broadcast_rates, text, &BroadcastRate::decimal);
+  return known == broadcast_rates.end() ? std::nullopt : std::optional(Rational(known->frames * 1000, 1001));
+}
+
+Rational frame_rate(const std::string& text) {
+  const auto known = broadcast_rate(text);
+  return known ? *known : positive_ratio(text);
+}
+
+Rational step_of_rate(const Rational& rate, std::string_view text) {
+  Rational step = 1 / rate;
   if (!within_doubles(step)) throw step_of_rate_beyond_doubles(text);
   return step;
 }

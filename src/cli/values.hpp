@@ -53,7 +53,15 @@ inline constexpr std::array form_table{FormName{"hermite"}, FormName{"bezier"}, 
 /// Above 0: a decimal or a ratio of two.
 Rational positive_ratio(const std::string& text);
 /// The step of a rate.
-Rational step_of_rate(const std::string& text);
+/// A frame rate: that of broadcast_rates for its decimal, else a ratio above 0. Throws: Error (usage).
+Rational frame_rate(const std::string& text);
+
+/// The rate of NTSC video for which a decimal such as "29.97" stands; nothing for others.
+std::optional<Rational> broadcast_rate(std::string_view text);
+
+/// The step of a rate, which the text gives.
+Rational step_of_rate(const Rational& rate, std::string_view text);
+
 /// Makes the error of a wrong value.
 using Fault = Error (*)(std::string_view text);
 /// A decimal or a ratio of two within the doubles. Throws: the fault for any other text.

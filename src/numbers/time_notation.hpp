@@ -38,6 +38,15 @@ inline const TimeUnitRow& row_of(TimeUnit unit) { return time_units[static_cast<
 /// How many units a second has. Requires: not frames.
 inline Rational units_per_second(TimeUnit unit) { return Rational(row_of(unit).units) / row_of(unit).seconds; }
 
+/// The decimals by which the frame rates of NTSC video go. Source: SMPTE ST 12-1 (30000/1001 and its multiples).
+struct BroadcastRate {
+  std::string_view decimal;
+  int frames;  ///< in 1001 / 1000 seconds
+};
+inline constexpr std::array broadcast_rates{BroadcastRate{"23.976", 24}, BroadcastRate{"23.98", 24},
+                                            BroadcastRate{"29.97", 30},  BroadcastRate{"47.952", 48},
+                                            BroadcastRate{"59.94", 60},  BroadcastRate{"119.88", 120}};
+
 enum class TimeNotation {
   seconds,     ///< a number
   frames,      ///< a number of frames

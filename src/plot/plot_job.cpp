@@ -33,7 +33,7 @@ class Picture final : public BatchOutput {
     InputOptions options = job_.keys.input;
     options.threads = job_.threads.for_reading(threads, live);
     const Input input = open_input(file.path, bytes, options);  // split, parse
-    notes.add_input(input, job_.keys, job_.samples.request.is_rate);
+    notes.add_input(input, job_.keys, job_.samples.request);
     Curves curves(input.schema, input.keys, job_.keys.curves, live);  // group, order, split into curves
     std::uint64_t rows = 0;
     for (bool is_first = true; const std::optional<CurveKeys> curve = curves.next(); is_first = false) {

@@ -7,12 +7,22 @@
 #include "numbers/decimal_time.hpp"
 
 namespace tcb {
+namespace {
+
+Note broadcast_note(const std::string& decimal, const Rational& rate) {
+  const auto ratio = [](const Rational& value) {
+    return whole_text(numerator(value)) + "/" + whole_text(denominator(value));
+  };
+  return rate_of_broadcast(decimal, ratio(rate), ratio(parse_rational(decimal).value_or(rate)));
+}
+
+}  // namespace
 
 FileNotes::FileNotes(Report& report, const std::string& path) : report_(report), path_(path) {
   if (is_terminal(path)) add(reads_terminal());
 }
 
-void FileNotes::add_input(const Input& input, const KeyOptions& options, bool is_rate) {
+void FileNotes::add_input(const Input& input, const KeyOptions& options, const SamplingRequest& request) {
   const bool takes_likely = !options.input.rotation.none && options.input.rotation.requests.empty();
   if (takes_likely && input.facts.likely_rotation) {
     const bool is_matrix = input.facts.likely_rotation == spline::RotationForm::matrix;
@@ -20,7 +30,12 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, bool is
   }
   if (!input.schema.time.is_given && !options.rules.parameter) add(no_time_column());
   if (input.schema.time.notation == TimeNotation::date) add(dates_in_utc(input.schema.time.name));
-  if (is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
+  const UnitOptions& units = options.input.units;
+  if (!units.rate_as_decimal.empty()) add(broadcast_note(units.rate_as_decimal, *units.frame_rate));
+  if (!request.rate_as_decimal.empty() && request.rate_as_decimal != units.rate_as_decimal) {
+    add(broadcast_note(request.rate_as_decimal, Rational(1) / request.step));
+  }
+  if (request.is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
   if (input.facts.ignored.empty()) return;
   add(chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));

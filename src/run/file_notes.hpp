@@ -24,8 +24,8 @@ class FileNotes {
 
   void add(const Note& note) { report_.note(path_, note); }
 
-  /// Notes what was detected in the input. `is_rate`: samples are requested per second.
-  void add_input(const Input& input, const KeyOptions& options, bool is_rate = false);
+  /// Notes what was detected in the input, and how the samples that are requested of it are understood.
+  void add_input(const Input& input, const KeyOptions& options, const SamplingRequest& request = {});
 
   /// Notes where the samples of a curve end. Requires: they were all taken.
   void add_samples(const PlacedCurve& placed, const SamplingRequest& request, bool is_closed);

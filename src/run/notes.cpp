@@ -36,6 +36,10 @@ Note likely_matrix() {
           true};
 }
 
+Note rate_of_broadcast(std::string_view decimal, std::string_view rate, std::string_view exact) {
+  return {fmt::format("the frame rate {} is taken as {}; give {} for exactly {}", decimal, rate, exact, decimal), true};
+}
+
 Note dates_in_utc(std::string_view time) {
   return {fmt::format("the dates in column \"{}\" have no zone; they are taken as UTC", time), true};
 }

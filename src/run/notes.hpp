@@ -20,6 +20,8 @@ Note ignored_columns(const std::vector<std::string>& names);
 Note unchosen_columns(const std::vector<std::string>& names);
 Note likely_quaternion();
 Note likely_matrix();
+/// A frame rate was given as a decimal such as 29.97, which stands for `rate`.
+Note rate_of_broadcast(std::string_view decimal, std::string_view rate, std::string_view exact);
 /// The times in this column are dates without a zone.
 Note dates_in_utc(std::string_view time);
 /// A rate is given, and the times in the column `time` count frames.

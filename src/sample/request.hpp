@@ -45,6 +45,7 @@ struct SamplingRequest {
   Mode mode = Mode::step;
   Rational step;                     ///< time or arc length between rows: step, arc_step
   bool is_rate = false;              ///< the step is in seconds, where the unit of the times is known: step
+  std::string rate_as_decimal;       ///< such as "29.97", where the rate is 30000/1001; else empty
   std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
   std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
   CurveTolerance tolerance;          ///< tolerance

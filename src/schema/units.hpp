@@ -23,6 +23,7 @@ struct ChannelScale {
 struct UnitOptions {
   std::optional<TimeUnit> time = {};         ///< nothing: that of the column's name, if it has one
   std::optional<Rational> frame_rate = {};   ///< the times are frames, so many of them a second
+  std::string rate_as_decimal = {};          ///< such as "29.97", where that rate is 30000/1001; else empty
   std::vector<ChannelScale> scales = {};     ///< factors of channels
   std::optional<DateOrder> date_order = {};  ///< of dates with the year last
   bool are_optional = false;  ///< a file may have other units and notations of time: frames only by the column's name

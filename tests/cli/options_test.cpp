@@ -14,7 +14,7 @@ namespace {
 
 TEST(Options, each_is_found_by_its_name) {
   for (const OptionRow& row : option_table()) EXPECT_EQ(&row_of(row.name), &row) << row.name;
-  EXPECT_EQ(row_of(option::rate).other_name, "--fps");
+  EXPECT_EQ(row_of(option::step).other_name, "-s");
 }
 
 TEST(Options, names_are_unique_and_each_option_has_a_long_one) {
