@@ -10,6 +10,7 @@
 #include "cli/completions.hpp"
 #include "cli/manual.hpp"
 #include "cli/options.hpp"
+#include "cli/tables.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {
@@ -164,6 +165,7 @@ std::string generated_text(Generated kind, const std::vector<std::string>& files
     case Generated::zsh: return zsh_completion();
     case Generated::fish: return fish_completion();
     case Generated::columns: return columns_text(files);
+    case Generated::tables: return tables_text();
   }
   return "";
 }

@@ -28,7 +28,7 @@ std::string version_text();
 /// A text with others in the places marked for them.
 std::string filled(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts);
 
-/// A page of the manual, a completion script, or the names of the columns of files.
+/// A page of the manual, a completion script, the names of the columns of files, or the tables.
 std::string generated_text(Generated kind, const std::vector<std::string>& files = {});
 
 }  // namespace tcb

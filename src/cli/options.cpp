@@ -658,9 +658,8 @@ constexpr OptionRow option_rows[] = {
      "",
      "KIND",
      about_group,
-     "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), or the names of "
-     "the "
-     "columns of FILE (columns)",
+     "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), the names of the "
+     "columns of FILE (columns), or all options and presets as JSON (tables)",
      "",
      name,
      unrecorded,

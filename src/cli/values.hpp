@@ -23,9 +23,10 @@ struct GeneratedName {
   Generated kind;
 };
 inline constexpr std::array generated_names{
-    GeneratedName{"man", Generated::manual}, GeneratedName{"man-curves", Generated::curves},
-    GeneratedName{"bash", Generated::bash},  GeneratedName{"zsh", Generated::zsh},
-    GeneratedName{"fish", Generated::fish},  GeneratedName{"columns", Generated::columns}};
+    GeneratedName{"man", Generated::manual},   GeneratedName{"man-curves", Generated::curves},
+    GeneratedName{"bash", Generated::bash},    GeneratedName{"zsh", Generated::zsh},
+    GeneratedName{"fish", Generated::fish},    GeneratedName{"columns", Generated::columns},
+    GeneratedName{"tables", Generated::tables}};
 
 struct ColorName {
   std::string_view name;

@@ -8,7 +8,7 @@
 namespace tcb {
 namespace {
 
-constexpr double symbol_width = 28, between = 16, line_height = 20, longest_name = 200;
+constexpr double symbol_width = 28, between = 16, line_height = 20, widest_name = 200;
 constexpr std::size_t most_names = 24;
 
 double width_of(std::string_view text, bool has_symbol) {
@@ -59,7 +59,7 @@ std::vector<Legend::Entry> Legend::entries(const Marks& marks, const HiddenMarks
 void Legend::add_names(std::vector<Entry>& entries) const {
   const std::size_t shown = std::min(scene_.names.size(), most_names);
   for (std::size_t i = 0; i < shown; ++i) {
-    entries.push_back({Symbol::curve, fitted(scene_.names[i], longest_name, text_size), colour_of(i)});
+    entries.push_back({Symbol::curve, fitted(scene_.names[i], widest_name, text_size), colour_of(i)});
   }
   const std::size_t more = scene_.names.size() - shown;
   if (more > 0) entries.push_back({Symbol::none, fmt::format("and {} more", more), "c5"});

@@ -1,0 +1,34 @@
+"""Options of the command line that functions of this module do not take, and what there is instead."""
+
+_RETURNED = "results are returned, not written"
+_ONE_INPUT = "call the function for each file, or run the command tcbsample"
+_OTHER_FUNCTION = "call the function of this name"
+_NO_TERMINAL = "nothing is printed"
+
+COMMAND_ONLY = {
+    "output": _RETURNED,
+    "output_format": _RETURNED,
+    "no_output_header": _RETURNED,
+    "hex": _RETURNED,
+    "meta": _RETURNED,
+    "from_meta": "run the command tcbsample, which reproduces files",
+    "output_dir": _ONE_INPUT,
+    "files": _ONE_INPUT,
+    "null": _ONE_INPUT,
+    "recursive": _ONE_INPUT,
+    "suffix": _ONE_INPUT,
+    "update": _ONE_INPUT,
+    "fail_fast": _ONE_INPUT,
+    "progress": _NO_TERMINAL,
+    "no_progress": _NO_TERMINAL,
+    "color": _NO_TERMINAL,
+    "check": _OTHER_FUNCTION,
+    "identify": _OTHER_FUNCTION,
+    "fit": _OTHER_FUNCTION,
+    "plot": _OTHER_FUNCTION,
+    "explain": _OTHER_FUNCTION,
+    "list_presets": "call presets()",
+    "version": "see tcbsample.__version__",
+    "help": "see help(tcbsample.Options)",
+    "generate": "run the command tcbsample",
+}

@@ -1,0 +1,313 @@
+"""The Python module with NumPy: its examples, inputs, outputs, options and errors. numpy_test.py FOLDER"""
+
+import doctest
+import fractions
+import os
+import pathlib
+import re
+import runpy
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+sys.path.insert(0, sys.argv.pop())
+sys.dont_write_bytecode = True
+import numpy as np
+
+import tcbsample
+
+KEYS = np.array([[0, 0.1, -3.25], [1, 2 / 3, 1e-5], [2.5, -7.7, 3], [4, 0.5, 123456.789]])
+
+
+def load_tests(_loader, tests, _pattern):
+    tests.addTests(doctest.DocTestSuite(tcbsample))
+    return tests
+
+
+def command(*words, data=b""):
+    return subprocess.run([tcbsample.program(), *words], input=data, capture_output=True, check=True).stdout
+
+
+def command_rows(*words, data):
+    """What the command line prints, with the bits of each number."""
+    lines = command(*words, "--hex", data=data).decode().split()
+    return [tuple(float.fromhex(cell) for cell in line.split(",")) for line in lines if not line.startswith("t")]
+
+
+
+class Inputs(unittest.TestCase):
+    """Each kind of input gives the same bits as the command line."""
+
+    def setUp(self):
+        # Reading is tested with hexadecimal numbers elsewhere; here, decimals with all digits.
+        self.data = "".join(",".join(map(repr, row)) + "\n" for row in KEYS.tolist()).encode()
+        self.expected = command_rows("--step", "0.01", data=self.data)
+
+    def same(self, rows):
+        self.assertEqual(rows.dtype.names, ("t", "x", "y"))
+        self.assertEqual(rows.tolist(), self.expected)
+
+    def test_arrays(self):
+        self.same(tcbsample.resample(KEYS, step=0.01))
+        self.same(tcbsample.resample(KEYS.tolist(), step=0.01))
+        self.same(tcbsample.resample(np.asfortranarray(KEYS)[:, ::1], step="0.01"))
+        fields = np.rec.fromarrays(KEYS.T, names="t,x,y")
+        self.same(tcbsample.resample(fields, step=fractions.Fraction(1, 100)))
+        self.same(tcbsample.resample({"t": KEYS[:, 0], "x": KEYS[:, 1], "y": list(KEYS[:, 2])}, step=0.01))
+
+    def test_texts(self):
+        self.same(tcbsample.resample(self.data, step=0.01))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "-keys.csv")
+            path.write_bytes(self.data)
+            self.same(tcbsample.resample(path, step=0.01))
+            self.same(tcbsample.resample(str(path), step=0.01))
+
+    def test_single_precision_and_whole_numbers(self):
+        single = KEYS.astype(np.float32)
+        double = single.astype(float)
+        np.testing.assert_array_equal(tcbsample.resample(single, count=9), tcbsample.resample(double, count=9))
+        np.testing.assert_array_equal(
+            tcbsample.resample(np.array([[0, 1], [1, 3], [2, 2]]), count=9),
+            tcbsample.resample(np.array([[0, 1], [1, 3], [2, 2.0]]), count=9),
+        )
+
+    def test_names_of_columns(self):
+        names = ["t", "a,b", 'c"d', "#e", " f", "7", "ü", "g\nh"]
+        rows = tcbsample.resample({name: [i, i + 1] for i, name in enumerate(names)}, at=[names.index("t")])
+        self.assertEqual(list(rows.dtype.names), names)
+        self.assertEqual(list(rows[0]), list(range(len(names))))
+
+    def test_parameters_of_keys(self):
+        rows = tcbsample.resample({"t": [0, 1, 2], "x": [0, 2, 0], "tension": [1, 1, 1]}, at=[0.5])
+        self.assertEqual(rows.tolist(), [(0.5, 1.0)])  # without tangents, half way
+        same = tcbsample.resample([[0, 0, 1], [1, 2, 1], [2, 0, 1]], columns={"tension": 3}, at=0.5)
+        self.assertEqual(same.tolist(), rows.tolist())
+
+    def test_what_is_no_table(self):
+        for keys in ([0, 1, 2], np.zeros((2, 2, 2)), {"t": [0, 1], "x": [1]}, {"t": [0, 1], "xy": [[1, 2], [3, 4]]}, 7):
+            with self.assertRaises((TypeError, ValueError)):
+                tcbsample.resample(keys, count=3)
+        with self.assertRaisesRegex(TypeError, "timedelta64"):
+            tcbsample.resample({"t": np.array([0, 1], "m8[s]"), "x": [1, 2]}, count=3)
+        with self.assertRaisesRegex(TypeError, "delimiter: describes text"):
+            tcbsample.resample(KEYS, count=3, delimiter=";")
+
+
+class Outputs(unittest.TestCase):
+    def test_few_and_many_rows_have_the_same_bits(self):
+        many = tcbsample.resample(KEYS, step="1/20000")
+        few = tcbsample.resample(KEYS, step="1/1000")
+        self.assertEqual(len(many), 80001)
+        self.assertEqual(many[::20].tolist(), few.tolist())
+        self.assertEqual(many.dtype, few.dtype)
+
+    def test_undefined_values_are_nan(self):
+        for count in (3, 30000):
+            rows = tcbsample.resample([[0, 0], [1, 1]], count=count, tangents="uniform", fields="time,key,torsion")
+            self.assertEqual(rows["key"][[0, -1]].tolist(), [0, 1])
+            self.assertTrue(np.isnan(rows["key"][1:-1]).all())
+            self.assertEqual(rows.dtype["torsion"], np.float64)
+
+    def test_groups_and_labels(self):
+        keys = {"id": [7, 7, 8, 8], "t": [0, 1, 0, 1], "x": [0, 1, 2, 3], "name": ["a", "b", "c", 'd,"']}
+        for count, columns in ((3, {"carry": "name"}), (3000, "carry=name")):
+            rows = tcbsample.resample(keys, count=count, group="id", columns=columns)
+            self.assertEqual(rows.dtype.names, ("id", "t", "x", "name"))
+            self.assertEqual((rows["id"].dtype, rows["x"].dtype), (np.int64, np.float64))
+            self.assertEqual(rows[-1].item(), (8, 1.0, 3.0, 'd,"'))
+            self.assertEqual(len(rows), 2 * count)
+
+    def test_curves_after_breaks_are_counted(self):
+        keys = [[0, 0], [1, 1], [2, np.nan], [3, 3], [4, 4]]
+        rows = tcbsample.resample(keys, per_segment=1, missing="break")
+        self.assertEqual(rows.tolist(), [(0, 0, 0), (0, 1, 1), (1, 3, 3), (1, 4, 4)])
+        self.assertEqual(rows.dtype.names[0], "curve")
+        self.assertEqual(tcbsample.resample(keys[:2], count=2, missing="break")["curve"].tolist(), [0, 0])
+
+    def test_whole_times_beyond_doubles(self):
+        begin = 1_700_000_000_000_000_001
+        for step in (10**5, 10**2):
+            rows = tcbsample.resample({"t": [begin, begin + 10**6], "x": [0, 1]}, step=step)
+            self.assertEqual(rows["t"].tolist(), list(range(begin, begin + 10**6 + 1, step)))
+
+    def test_large_positions(self):
+        for count in (3, 30000):
+            rows = tcbsample.resample([[0, 1e19], [1, -1e300]], count=count)
+            self.assertEqual(rows["x"][[0, -1]].tolist(), [1e19, -1e300])
+            self.assertEqual(rows.dtype["x"], np.float64)
+
+    def test_dates(self):
+        times = np.array(["2024-02-28T23:00", "2024-02-29T01:00"], "M8[m]")
+        rows = tcbsample.resample({"time": times, "x": [0, 1]}, count=3)
+        self.assertEqual(rows["time"].dtype, np.dtype("M8[ns]"))
+        self.assertEqual(rows["time"][1], np.datetime64("2024-02-29T00:00"))
+        self.assertEqual(tcbsample.resample({"time": times, "x": [0, 1]}, at=times[:1])["x"].tolist(), [0])
+
+    def test_pictures(self):
+        picture = tcbsample.plot(KEYS, check=tcbsample.resample(KEYS, count=7))
+        self.assertIn("check passed", picture._repr_svg_())
+        self.assertTrue(picture._repr_html_().startswith('<img src="data:image/svg+xml;base64,'))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "a.svg")
+            picture.save(path)
+            self.assertEqual(path.read_bytes().decode(), picture.svg)
+
+    def test_comparisons(self):
+        samples = tcbsample.resample(KEYS, step="1/8", preset="vtk")
+        self.assertFalse(tcbsample.check(KEYS, samples))
+        report = tcbsample.check(KEYS, samples, preset="vtk", step="1/8")
+        self.assertTrue(report)
+        self.assertEqual((report["file"], report["keys"], report["rows"]), ("samples", "keys", len(samples)))
+        self.assertFalse(tcbsample.check(KEYS, samples[1:], preset="vtk", step="1/8"))
+        self.assertTrue(tcbsample.check(KEYS, samples, abs={"x": 1e9, "y": 1e9}, rel=None))
+        self.assertTrue(tcbsample.identify(KEYS, samples))
+
+    def test_nothing_is_left_behind(self):
+        before = set(os.listdir(tempfile.gettempdir()))
+        tcbsample.check(KEYS, KEYS)
+        tcbsample.resample(KEYS, at=np.linspace(0, 4, 1000))
+        with self.assertRaises(tcbsample.Error):
+            tcbsample.check(KEYS, {"x": [9]})
+        left = [name for name in set(os.listdir(tempfile.gettempdir())) - before if name.startswith("tcbsample")]
+        self.assertEqual(left, [])
+
+
+class OptionsTest(unittest.TestCase):
+    def test_every_option_of_the_command_line_is_known(self):
+        help_text = command("--help").decode()
+        names = re.findall(r"--[a-z-]+", "\n".join(re.findall(r"^  (-.*)$", help_text, re.MULTILINE)))
+        self.assertGreater(len(names), 90)
+        self.assertEqual(sorted(names), sorted(option.name for option in tcbsample.OPTIONS.values()))
+        taken = {name.rstrip("_") for name in tcbsample.PlotOptions.__annotations__} - {"check", "identify", "fit"}
+        self.assertEqual(taken | set(tcbsample.COMMAND_ONLY), set(tcbsample.OPTIONS))
+        self.assertFalse(taken & set(tcbsample.COMMAND_ONLY))
+        for name in taken:
+            self.assertRegex(tcbsample.Options.__doc__, rf"\n      (\w+, )?{name}_?[ ,\n]")
+
+    def test_options_reach_the_program(self):
+        with tcbsample._Run(b"") as run:
+            flags = ("flag", "attached")
+            values = {name: True if option.kind in flags else "1" for name, option in tcbsample.OPTIONS.items()}
+            run.add(values, tcbsample.COMMAND_ONLY)
+            expected = [o.name if o.kind in flags else o.name + "=1" for o in tcbsample.OPTIONS.values()]
+            self.assertEqual(run.words, expected)
+
+    def test_values(self):
+        for value, text in [
+            (0.1, "0.1"), (np.float64(1e-7), "1e-07"), (np.float32(0.5), "0.5"), (fractions.Fraction(1, 24), "1/24"),
+            ([1, 2.5], "1,2.5"), (np.arange(3), "0,1,2"), ({"a": "b", "c": ["d", "e"]}, "a=b,c=d:e"),
+            (np.array(2.5), "2.5"),
+            ("1:2:0.5", "1:2:0.5"),
+            (np.datetime64("1970-01-02T00:00:00.000000001"), "86400.000000001"),
+        ]:  # fmt: skip
+            self.assertEqual(tcbsample._text(value), text)
+        with self.assertRaisesRegex(TypeError, "object"):
+            tcbsample.resample(KEYS, step=object())
+
+    def test_what_is_no_option(self):
+        with self.assertRaisesRegex(TypeError, "unknown option 'tensoin'"):
+            tcbsample.resample(KEYS, count=3, tensoin=1)
+        with self.assertRaisesRegex(TypeError, "did you mean preset"):
+            tcbsample.resample(KEYS, count=3, presett="vtk")
+        with self.assertRaisesRegex(TypeError, "output: .*returned"):
+            tcbsample.resample(KEYS, count=3, output="a.csv")
+        with self.assertRaisesRegex(TypeError, "closed: 7; expected True or False"):
+            tcbsample.resample(KEYS, count=3, closed=7)
+        self.assertEqual(len(tcbsample.resample(KEYS, count=3, closed=np.bool_(False), sort=None, keys=False)), 3)
+
+    def test_options_with_names_of_python(self):
+        self.assertEqual(tcbsample.resample(KEYS, step=3, keys=True)["t"].tolist(), [0, 1, 2.5, 3, 4])
+
+    def test_part_of_the_curve(self):
+        self.assertEqual(tcbsample.resample(KEYS, step=1, from_=1, to=3)["t"].tolist(), [1, 2, 3])
+
+    def test_many_times(self):
+        times = np.random.default_rng(1).uniform(0, 4, 5000)
+        self.assertEqual(tcbsample.resample(KEYS, at=times)["t"].tolist(), times.tolist())
+
+    def test_presets(self):
+        for name in tcbsample.presets():
+            tcbsample.resample(KEYS, count=3, preset=name)
+
+
+class Errors(unittest.TestCase):
+    def error(self, *arguments, function=tcbsample.resample, **options):
+        with self.assertRaises(tcbsample.Error) as caught:
+            function(*arguments, **options)
+        return caught.exception
+
+    def test_places_in_text(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a: b.csv")
+            pathlib.Path(path).write_text("t,x\n0,1\n1,o.5\n2,y\n")
+            error = self.error(path, count=3)
+            self.assertEqual((error.file, error.line, error.column, error.row, error.exit_code), (path, 3, 3, None, 1))
+            self.assertEqual(error.remedy, "correct the cell")
+            self.assertIn('"o.5" is not a number', error.message)
+            self.assertEqual([other.line for other in error.others], [4])
+            self.assertEqual(str(error), f"{path}:3:3: {error.message}")
+        error = self.error(b"t,x\n0,1\n1,o.5\n", count=3)
+        self.assertEqual((error.file, error.line, error.column), ("keys", 3, 3))
+
+    def test_places_in_arrays(self):
+        error = self.error([[0, 1], [1, np.nan], [2, 3]], count=3)
+        self.assertEqual((error.file, error.line, error.row), ("keys", None, 1))
+        error = self.error({"t": [0, 1, 2], "x": [0, 1, np.inf]}, count=3)
+        self.assertEqual((error.file, error.row), ("keys", 2))
+        samples = {"t": [0.5, 0.25, np.inf], "x": [1, 2, 3], "y": [1, 2, 3]}
+        error = self.error(KEYS, samples, function=tcbsample.check)
+        self.assertEqual((error.file, error.row), ("samples", 2))
+
+    def test_options(self):
+        error = self.error(KEYS, count=0)
+        self.assertEqual((error.file, error.line, error.exit_code), (None, None, 2))
+        self.assertTrue(error.message.startswith("--count: "))
+        self.error(KEYS)
+        self.assertEqual(self.error("/does/not/exist.csv", count=3).exit_code, 2)
+
+    def test_late_errors_of_many_rows(self):
+        keys = np.array([[i, i] for i in range(100000)], float)
+        keys[-1, 1] = np.nan
+        self.assertEqual(self.error(keys, per_segment=1).row, 99999)
+
+    def test_notes_are_warnings(self):
+        with self.assertWarnsRegex(tcbsample.Note, "^keys: note: ignored: n") as caught:
+            tcbsample.resample({"t": [0, 1], "x": [1, 2], "n": ["a", "b"]}, count=3)
+        self.assertEqual(caught.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            tcbsample.resample({"t": [0, 1], "x": [1, 2], "n": ["a", "b"]}, count=3, quiet=True)
+
+
+class Wheels(unittest.TestCase):
+    """The names of wheels: on which systems a program runs."""
+
+    def tags(self, data):
+        script = pathlib.Path(__file__).parents[2] / "src/python/make_wheel.py"
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "program")
+            path.write_bytes(data)
+            return runpy.run_path(str(script))["platforms"](path)
+
+    def elf(self, machine, *segments):
+        numbers = 3, machine, 1, 0, 64, 0, 0, 64, 56, len(segments), 0, 0, 0
+        head = b"\x7fELF\x02\x01\x01".ljust(16, b"\0") + struct.pack("<HHIQQQIHHHHHH", *numbers)
+        return head + b"".join(struct.pack("<I", kind).ljust(56, b"\0") for kind in segments)
+
+    def test_tags(self):
+        load, dynamic, interpreter = 1, 2, 3
+        self.assertEqual(self.tags(self.elf(0x3E, load, dynamic)), ["manylinux_2_17_x86_64", "musllinux_1_1_x86_64"])
+        self.assertEqual(self.tags(self.elf(0xB7, load)), ["manylinux_2_17_aarch64", "musllinux_1_1_aarch64"])
+        self.assertEqual(self.tags(self.elf(0xB7, interpreter, load)), ["linux_aarch64"])
+        windows = b"MZ".ljust(60, b"\0") + struct.pack("<I", 64) + b"PE\0\0" + struct.pack("<H", 0x8664)
+        self.assertEqual(self.tags(windows.ljust(200, b"\0")), ["win_amd64"])
+        for data in (self.elf(0x28, load), b"#!/bin/sh\n".ljust(100)):
+            with self.assertRaisesRegex(SystemExit, "unknown kind of program"):
+                self.tags(data)
+
+
+unittest.main()
