@@ -1,8 +1,8 @@
 """Makes the Python wheel: make_wheel.py --program P --tables T --folder F (--license L [--strip S] | --module)
 
-The folder F, which is made anew, gets the wheel, whose name tells on which systems the program runs, and its contents in
-a folder: the program P without symbols, which becomes the command tcbsample, and the module of the folder beside this
-script, with the options and presets of T, which `tcbsample --generate tables` prints.
+The folder F, which is made anew, gets the wheel, whose name tells on which systems the program runs, and its contents
+in a folder: the program P without symbols, which becomes the command tcbsample, and the module of the folder beside
+this script, with the options and presets of T, which `tcbsample --generate tables` prints.
 
 With --module, F gets only the module, and the program in it, for tests.
 """

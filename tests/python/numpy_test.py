@@ -121,6 +121,25 @@ class Outputs(unittest.TestCase):
             self.assertEqual(rows[-1].item(), (8, 1.0, 3.0, 'd,"'))
             self.assertEqual(len(rows), 2 * count)
 
+    def test_groups_and_labels_keep_their_type(self):
+        for values in (np.array([3, 4], np.uint8), np.array([0.5, 1e300]), np.array(["1", "007"]),
+                       np.array([True, False]), np.array(["2024-01-01T00:00:00.5", "2024-01-02"], "M8[ns]"),
+                       np.array(["a\nb", 'c,"']), np.array(["x", "1"], object)):  # fmt: skip
+            keys = {"id": values.repeat(2), "t": [0, 1, 0, 1], "x": [0, 1, 2, 3]}
+            rows = tcbsample.resample(keys, count=3, group="id")
+            self.assertEqual(rows["id"].dtype, values.dtype)
+            self.assertEqual(rows["id"].tolist(), values.repeat(3).tolist())
+            rows = tcbsample.resample(dict(keys, t=range(4)), count=4, columns={"carry": ["id"]})
+            self.assertEqual(rows["id"].dtype, values.dtype)
+            self.assertEqual(rows["id"].tolist(), values.repeat(2).tolist())
+
+    def test_missing_labels(self):
+        keys = {"t": [0, 1, 2], "x": [0, 1, 2], "n": [1.5, np.nan, 2]}
+        rows = tcbsample.resample(keys, count=3, columns={"carry": "n"})
+        self.assertEqual((rows["n"][[0, 2]].tolist(), np.isnan(rows["n"][1])), ([1.5, 2], True))
+        rows = tcbsample.resample(dict(keys, n=["a", "", "b"]), count=3, columns={"carry": "n"})
+        self.assertEqual(rows["n"].tolist(), ["a", "", "b"])
+
     def test_curves_after_breaks_are_counted(self):
         keys = [[0, 0], [1, 1], [2, np.nan], [3, 3], [4, 4]]
         rows = tcbsample.resample(keys, per_segment=1, missing="break")
@@ -185,6 +204,7 @@ class OptionsTest(unittest.TestCase):
         taken = {name.rstrip("_") for name in tcbsample.PlotOptions.__annotations__} - {"check", "identify", "fit"}
         self.assertEqual(taken | set(tcbsample.COMMAND_ONLY), set(tcbsample.OPTIONS))
         self.assertFalse(taken & set(tcbsample.COMMAND_ONLY))
+        self.assertLessEqual(set(tcbsample._TEXT_OPTIONS), taken)
         for name in taken:
             self.assertRegex(tcbsample.Options.__doc__, rf"\n      (\w+, )?{name}_?[ ,\n]")
 
@@ -258,6 +278,8 @@ class Errors(unittest.TestCase):
         self.assertEqual((error.file, error.line, error.row), ("keys", None, 1))
         error = self.error({"t": [0, 1, 2], "x": [0, 1, np.inf]}, count=3)
         self.assertEqual((error.file, error.row), ("keys", 2))
+        keys = {"n\nm": ["a\nb\nc", "d", "e\r\nf"], "t": [0, 1, 2], "x": [0, 1, np.inf]}
+        self.assertEqual(self.error(keys, count=3, columns={"carry": "n\nm"}).row, 2)
         samples = {"t": [0.5, 0.25, np.inf], "x": [1, 2, 3], "y": [1, 2, 3]}
         error = self.error(KEYS, samples, function=tcbsample.check)
         self.assertEqual((error.file, error.row), ("samples", 2))
@@ -270,9 +292,9 @@ class Errors(unittest.TestCase):
         self.assertEqual(self.error("/does/not/exist.csv", count=3).exit_code, 2)
 
     def test_late_errors_of_many_rows(self):
-        keys = np.array([[i, i] for i in range(100000)], float)
+        keys = np.array([[i, i] for i in range(20000)], float)
         keys[-1, 1] = np.nan
-        self.assertEqual(self.error(keys, per_segment=1).row, 99999)
+        self.assertEqual(self.error(keys, per_segment=1).row, 19999)
 
     def test_notes_are_warnings(self):
         with self.assertWarnsRegex(tcbsample.Note, "^keys: note: ignored: n") as caught:

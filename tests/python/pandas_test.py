@@ -38,7 +38,7 @@ class Frames(unittest.TestCase):
         frame = pd.concat([FRAME.assign(id="a", name=pd.Series(["u", None, "w"])), FRAME.assign(id="b", name="v")])
         rows = tcbsample.resample(frame, per_segment=2, group="id", columns={"carry": "name"})
         self.assertEqual(rows["id"].tolist(), ["a"] * 5 + ["b"] * 5)
-        self.assertEqual(rows["name"].tolist(), ["u", "u", "", "", "w"] + ["v"] * 5)
+        self.assertEqual(rows["name"].tolist(), ["u", "u", None, None, "w"] + ["v"] * 5)
         grouped = rows.groupby("id")["x"].last()
         self.assertEqual(grouped.tolist(), [-1, -1])
 

@@ -20,6 +20,10 @@ Keys and samples may be
     a path                a str or os.PathLike: a file in any format that the program reads
     bytes                 the contents of such a file
 
+For example, this is a frame of the positions and speeds at 24 frames per second, for each value of the column id:
+
+    resample(frame, fps=24, group="id", fields=["time", "position", "speed"])
+
 Names of columns have a meaning: t, time, frame and the like are times; tension, continuity, bias, ease_in and ease_out
 are parameters of keys; every other column of numbers is a channel. columns= gives other columns these roles. NaN and
 None are missing cells, for which missing= says what happens. Columns of datetime64 are times in UTC.
@@ -35,11 +39,13 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import csv
 import datetime
 import decimal
 import difflib
 import fractions
 import importlib.metadata
+import io
 import json
 import logging
 import os
@@ -257,7 +263,7 @@ def _encode(table: _Table) -> tuple[list[str], bytes, int]:
     return [*words, "--header"], f"{head}\n{lines}".encode(), 1
 
 
-_TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", "decimal"]
+_TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", "decimal", "date_order"]
 
 
 # The options.
@@ -302,10 +308,18 @@ def _is_long(value: Any) -> bool:
 
 
 class _Source(NamedTuple):
-    """How errors call an input that was not a file, and the lines before its first row, None for bytes."""
+    """An input that was not a file: its name in errors, and for a table the CSV of its rows after `head` records."""
 
     name: str
-    head: Optional[int]
+    table: Optional[bytes] = None
+    head: int = 0
+
+    def row(self, line: Optional[int]) -> Optional[int]:
+        """The row of a line of the CSV, where texts in quotes may have several lines."""
+        if line is None or self.table is None:
+            return None
+        records = csv.reader(io.StringIO(self.table.decode(), newline=""))
+        return next((i - self.head for i, _ in enumerate(records) if records.line_num >= line), None)
 
 
 @contextlib.contextmanager
@@ -334,21 +348,21 @@ class _Run:
     def __init__(self, keys: Any, name: str = "keys", notes: Callable[[str], None] = _warn) -> None:
         self.notes = notes
         self.table = _table(keys) if _is_table(keys) else None
-        words, data, head = ([], b"", None) if self.table is None else _encode(self.table)
+        words, data, head = ([], b"", 0) if self.table is None else _encode(self.table)
         self.resources = contextlib.ExitStack()
-        self.folder = self.resources.enter_context(tempfile.TemporaryDirectory(prefix="tcbsample"))
+        self.folder: Optional[str] = None  # of files made for options
         self.input = self._temporary()
         self.sources: dict[str, _Source] = {}
         self.words = words
         self.files: list[str] = []
         if isinstance(keys, bytes):
             self.input.write(keys)
-            self.sources["standard input"] = _Source(name, None)
+            self.sources["standard input"] = _Source(name)
         elif self.table is None:
             self.files = ["--", os.fspath(keys)]
         else:
             self.input.write(data)
-            self.sources["standard input"] = _Source(name, head)
+            self.sources["standard input"] = _Source(name, data, head)
 
     def __enter__(self) -> _Run:
         return self
@@ -397,6 +411,8 @@ class _Run:
         return self
 
     def _write(self, name: str, data: bytes) -> str:
+        if self.folder is None:
+            self.folder = self.resources.enter_context(tempfile.TemporaryDirectory(prefix="tcbsample"))
         path = pathlib.Path(self.folder, f"{name}{len(os.listdir(self.folder))}")
         path.write_bytes(data)
         return str(path)
@@ -404,17 +420,19 @@ class _Run:
     def _file(self, samples: Any) -> str:
         """A file with samples that were not a file."""
         if isinstance(samples, bytes):
-            head, data = None, samples
+            source, data = _Source("samples"), samples
         else:
             _, data, head = _encode(_table(samples))
+            source = _Source("samples", data, head)
         path = self._write("samples", data)
-        self.sources[path] = _Source("samples", head)
+        self.sources[path] = source
         return path
 
     def _start(self, words: Iterable[str], **streams: Any) -> subprocess.Popen:
         self.input.seek(0)
         command = [program(), *self.words, *words, *self.files]
-        return subprocess.Popen(command, stdin=self.input, **streams)
+        flags = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # on Windows
+        return subprocess.Popen(command, stdin=self.input, creationflags=flags, **streams)
 
     def result(self, words: Iterable[str], accepts_difference: bool = False) -> IO[bytes]:
         """The output as a file. Raises Error."""
@@ -466,9 +484,9 @@ class _Run:
         source = self.sources.get(file)
         if source is None:
             return Error(message, exit_code, None if file == "tcbsample" else file, line, column)
-        if source.head is None:
+        if source.table is None:
             return Error(message, exit_code, source.name, line, column)
-        return Error(message, exit_code, source.name, row=None if line is None else line - 1 - source.head)
+        return Error(message, exit_code, source.name, row=source.row(line))
 
 
 def program() -> str:
@@ -509,18 +527,41 @@ def _kept_names(options: Mapping[str, Any]) -> set[str]:
     return set(re.split("[,:]", ":".join([_text(options.get("group") or ""), *names])))
 
 
+def _as_text(value: Any) -> str:
+    return "" if value is None else str(value)
+
+
+def _kept_column(values: list, original: np.ndarray) -> Optional[np.ndarray]:
+    """A repeated column with the type of the keys; None for objects of several types."""
+    kind = original.dtype.kind
+    if kind in "iu":
+        return np.array(values, dtype=original.dtype)
+    if kind == "f":
+        return np.array([float(value or "nan") for value in map(_as_text, values)], original.dtype)
+    if kind == "b":
+        return np.array([value == "True" for value in values])
+    if kind in "US":
+        return np.array([_as_text(value) for value in values])
+    if kind == "O" and all(isinstance(value, str) or _cell(value) == "" for value in original):
+        empty = "" if any(isinstance(value, str) and not value for value in original) else None
+        return np.array([_as_text(value) or empty for value in values], dtype=object)
+    return None
+
+
 def _column(values: list, original: Optional[np.ndarray], is_kept: bool) -> np.ndarray:
     """A column of JSON: doubles, unless it is kept, has texts, or has times beyond 2^53."""
     kinds = {type(value) for value in values if value is not None}
     if original is not None and kinds == {str} and original.dtype.kind == "M":
         return np.array([value and value.rstrip("Z") for value in values], dtype="datetime64[ns]")
+    if original is not None and is_kept and (column := _kept_column(values, original)) is not None:
+        return column
     if kinds == {int} and None not in values:
-        largest = max(map(abs, values))
+        largest = max(abs(value) for value in values)
         if is_kept or _LARGEST_WHOLE < largest < 2**63:
             return np.array(values, dtype=np.int64)
     if kinds <= {int, float}:
         return np.array(values, dtype=np.float64)  # None is NaN
-    return np.array(["" if value is None else str(value) for value in values])
+    return np.array([_as_text(value) for value in values])
 
 
 def _returned(names: list[str], columns: list[np.ndarray], table: Optional[_Table]) -> Any:
@@ -602,7 +643,8 @@ def resample(keys: Keys, /, *, step: Value = None, count: Optional[int] = None, 
 
     Returns a structured array of shape (m,), or a DataFrame of m rows if keys are one. Its fields are the groups, the
     time, the channels, and labels, or what fields= chooses: float64, where undefined values are NaN; whole times from
-    2^53 up are int64; times of a datetime64 column are datetime64[ns]; groups and labels are int64, float64 or texts.
+    2^53 up are int64; times of a datetime64 column are datetime64[ns]; groups and labels have the type that they have
+    in keys.
     With missing="break" or duplicates="break", a first field "curve" counts curves from 0.
 
     Raises Error if keys or options are rejected, and TypeError for what is no option or no table.
