@@ -600,7 +600,8 @@ def _array_to_rows(table: np.ndarray, names: list[str], run: _Run) -> Any:
 
 
 def _parsed(text: bytes) -> list[Optional[dict]]:
-    return json.loads(b"[" + b",".join(text.splitlines()) + b"]")
+    """Rows of JSON Lines, whose texts have no line ends."""
+    return json.loads(b"[" + text.rstrip().replace(b"\n", b",") + b"]")
 
 
 def _rows(run: _Run, options: Mapping[str, Any]) -> Any:
