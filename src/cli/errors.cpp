@@ -184,6 +184,17 @@ Error not_a_list_of_numbers(std::string_view text) {
                      "0,0.5,7/24");
 }
 
+Error units_of_some_numbers(std::string_view number) {
+  return about_value(number,
+                     "and the numbers before it do not both have a unit of time; expected a unit for each number, "
+                     "or for none");
+}
+
+Error duration_is_no_length() {
+  return {Exit::usage,
+          "a unit of time is given, but samples are placed by arc length; expected a length without a unit"};
+}
+
 Error not_a_range(std::string_view text) {
   return about_value(text, "is not a range; expected FIRST:LAST:STEP, such as 0:10:0.5");
 }

@@ -53,6 +53,9 @@ Error not_a_size(std::string_view text);
 // Times and arc lengths of an option:
 Error not_a_list_of_numbers(std::string_view text);
 Error not_a_range(std::string_view text);
+/// Some numbers of the list have a unit of time, and this one has none, or the other way round.
+Error units_of_some_numbers(std::string_view number);
+Error duration_is_no_length();
 Error range_without_end(std::string_view text);
 Error range_of_too_many_numbers(std::string_view text, std::uint64_t most);
 /// In the file of the list.

@@ -41,10 +41,18 @@ void need_folder(const Conflicts& of) { of.need({option::output_dir}, ", an outp
 void need_check(const Conflicts& of) { of.need({option::check}); }
 void need_fit(const Conflicts& of) { of.need({option::fit}); }
 
+/// The value of a time or a step, whose unit is noted.
+Rational stored_time(SamplingRequest& sampling, Fault fault, Text text, bool InSeconds::*member) {
+  TimeValue time = time_value(fault, text);
+  sampling.in_seconds.*member = time.in_seconds;
+  sampling.in_seconds.has_duration |= time.in_seconds;
+  return std::move(time.value);
+}
+
 /// Sets the rate of the samples, which the text gives.
 void set_rate(SamplingRequest& sampling, const Rational& rate, Text text) {
   sampling.mode = Mode::step;
-  sampling.is_rate = true;
+  sampling.is_rate = sampling.in_seconds.step = true;
   sampling.step = step_of_rate(rate, text);
 }
 
@@ -371,10 +379,13 @@ constexpr OptionRow option_rows[] = {
      names_in<extrapolations>},
 
     {option::step, "-s", "H", sampling_group,
-     "Samples every H of time from the first key; H is a decimal or a ratio such as 1/24", "", other, recorded,
+     "Samples every H of time from the first key; H is a decimal, a ratio such as 1/24, or a duration such as 20ms or "
+     "30min",
+     "", other, recorded,
      [](Typed& to, Text text) {
        to.sampling.mode = Mode::step;
-       to.sampling.step = positive_ratio(text);
+       to.sampling.step = stored_time(to.sampling, not_a_positive_ratio, text, &InSeconds::step);
+       if (to.sampling.step <= 0) throw not_a_positive_ratio(text);
      },
      [](const Conflicts& of) { check_mode(of); }},
     {option::rate, "", "HZ", sampling_group,
@@ -503,10 +514,13 @@ constexpr OptionRow option_rows[] = {
      "Allows a key of --fit to be a corner where the samples turn by more than DEGREES", "", other, recorded,
      [](Typed& to, Text text) { to.fit.corner = corner_angle(text); }, need_fit},
     {option::from, "", "T", sampling_group,
-     "Where sampling begins: a time, or an arc length for the arc modes; by default the first key", "", other, recorded,
-     [](Typed& to, Text text) { to.sampling.from = ratio(text); }},
+     "Where sampling begins: a time, which may have a unit as for --step, or an arc length for the arc modes; by "
+     "default "
+     "the first key",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.sampling.from = stored_time(to.sampling, not_a_ratio, text, &InSeconds::from); }},
     {option::to, "", "T", sampling_group, "Where sampling ends; by default the last key", "", other, recorded,
-     [](Typed& to, Text text) { to.sampling.to = ratio(text); }},
+     [](Typed& to, Text text) { to.sampling.to = stored_time(to.sampling, not_a_ratio, text, &InSeconds::to); }},
     {option::end,
      "",
      "POLICY",

@@ -28,17 +28,43 @@ namespace {
 /// So many numbers of an option are kept at most.
 constexpr std::uint64_t most_places = 10'000'000;
 
-/// Appends A, A + H, ... up to B for "A:B:H". The places of a range are kept, so there is a limit to their number.
-void append_range(std::string_view text, std::vector<Rational>& values) {
-  const std::vector<std::string_view> parts = split(text, ':');
-  if (parts.size() != 3) throw not_a_range(text);
-  const auto part = [&](std::size_t i) { return ratio_or(not_a_range, parts[i]); };
-  const Rational first = part(0), last = part(1), step = part(2);
-  if (step == 0 || (last - first) / step < 0) throw range_without_end(text);
-  const Rational steps = floor((last - first) / step);
-  if (steps >= most_places) throw range_of_too_many_numbers(text, most_places);
-  for (std::uint64_t i = 0; i <= whole_number(steps); ++i) values.push_back(first + step * i);
-}
+/// The numbers of a list, all with units of time or none.
+class PlaceNumbers {
+ public:
+  /// Appends a number, or A, A + H, ... up to B for "A:B:H". Throws: Error (usage).
+  void add(std::string_view item) {
+    if (item.find(':') == std::string_view::npos) {
+      places_.list.push_back(number(not_a_list_of_numbers, item));
+    } else {
+      add_range(item);
+    }
+  }
+
+  NumberedPlaces take() { return std::move(places_); }
+
+ private:
+  /// The places of a range are kept, so there is a limit to their number.
+  void add_range(std::string_view text) {
+    const std::vector<std::string_view> parts = split(text, ':');
+    if (parts.size() != 3) throw not_a_range(text);
+    const auto part = [&](std::size_t i) { return number(not_a_range, parts[i]); };
+    const Rational first = part(0), last = part(1), step = part(2);
+    if (step == 0 || (last - first) / step < 0) throw range_without_end(text);
+    const Rational steps = floor((last - first) / step);
+    if (steps >= most_places) throw range_of_too_many_numbers(text, most_places);
+    for (std::uint64_t i = 0; i <= whole_number(steps); ++i) places_.list.push_back(first + step * i);
+  }
+
+  Rational number(Fault fault, std::string_view text) {
+    TimeValue value = time_value(fault, text);
+    if (std::exchange(any_, true) && value.in_seconds != places_.in_seconds) throw units_of_some_numbers(text);
+    places_.in_seconds = value.in_seconds;
+    return std::move(value.value);
+  }
+
+  NumberedPlaces places_;
+  bool any_ = false;
+};
 
 /// Whether no cell has a digit, so that the cells are names of columns and not misspelt numbers.
 bool is_header(const std::vector<std::string_view>& cells) {
@@ -155,16 +181,10 @@ GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys
 
 }  // namespace
 
-std::vector<Rational> ratios(const std::string& text) {
-  std::vector<Rational> values;
-  for (const std::string_view item : split(text, ',')) {
-    if (item.find(':') == std::string_view::npos) {
-      values.push_back(ratio_or(not_a_list_of_numbers, item));
-    } else {
-      append_range(item, values);
-    }
-  }
-  return values;
+NumberedPlaces numbered_places(const std::string& text) {
+  PlaceNumbers numbers;
+  for (const std::string_view item : split(text, ',')) numbers.add(item);
+  return numbers.take();
 }
 
 void store_places(TypedOptions& typed, std::string_view option, const std::string& text) {
@@ -174,7 +194,10 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   if (typed.places.column) return;
   if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
   typed.set_text(option, listed_numbers(text));
-  typed.places.list = ratios(typed.text(option));
+  NumberedPlaces places = numbered_places(typed.text(option));
+  if (places.in_seconds && option == option::arc_at) throw duration_is_no_length();
+  typed.places.list = std::move(places.list);
+  typed.places.in_seconds = places.in_seconds;
 }
 
 void read_place_column(TypedOptions& typed) {

@@ -9,9 +9,14 @@
 
 namespace tcb {
 
-/// Numbers, and ranges FIRST:LAST:STEP, separated by commas. Throws: Error (usage); the caller adds the
-/// name of the option.
-std::vector<Rational> ratios(const std::string& text);
+/// Numbers, and ranges FIRST:LAST:STEP, separated by commas.
+struct NumberedPlaces {
+  std::vector<Rational> list;
+  bool in_seconds = false;  ///< they have units of time, as in 30min
+};
+
+/// Throws: Error (usage); the caller adds the name of the option.
+NumberedPlaces numbered_places(const std::string& text);
 
 /// Stores the places of an option: numbers as above, or for @FILE and "-" those in a file or standard input. A column
 /// of a file is only named. Throws: Error (usage); the caller adds the name of the option.

@@ -69,7 +69,11 @@ void require_one_reader(const TypedOptions& typed) {
 /// Throws: Error (usage) for a range of samples that runs backwards.
 void require_forward_range(const TypedOptions& typed) {
   const SamplingRequest& sampling = typed.sampling;
-  if (sampling.from && sampling.to && *sampling.to < *sampling.from) {
+  const InSeconds& seconds = sampling.in_seconds;
+  if (by_length(sampling.mode) && (seconds.from || seconds.to)) {
+    throw duration_is_no_length().about(seconds.from ? option::from : option::to);
+  }
+  if (sampling.from && sampling.to && seconds.from == seconds.to && *sampling.to < *sampling.from) {
     throw range_backwards(typed.text(option::from), typed.text(option::to));
   }
 }
@@ -123,6 +127,8 @@ std::vector<std::size_t> fields_of(const TypedOptions& typed) {
 SampleOptions samples_of(const TypedOptions& typed) {
   SampleOptions samples{typed.sampling, typed.places.grouped};
   samples.request.places = typed.places.list;
+  samples.request.in_seconds.places = typed.places.in_seconds;
+  samples.request.in_seconds.has_duration |= typed.places.in_seconds;
   samples.request.from_left = is_from_left(typed, fields_of(typed));
   if (has_no_sampling_option(typed)) {  // a picture has samples of its own
     samples.request.mode = Mode::segments;
@@ -173,10 +179,7 @@ std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
   ExpectedSamples expected{samples_of(typed), typed.keys.rules.metric, typed.output.notation};
   SamplingRequest& request = expected.samples.request;
   const std::optional<TimeUnit>& unit = typed.keys.input.units.time;
-  if (request.is_rate && unit && *unit != TimeUnit::frames) {  // which the keys of a check need not have
-    request.step *= units_per_second(*unit);
-    request.is_rate = false;
-  }
+  if (unit && *unit != TimeUnit::frames) request.convert_seconds(units_per_second(*unit));  // keys of a check have none
   return expected;
 }
 

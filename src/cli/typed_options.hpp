@@ -31,6 +31,7 @@ struct PlaceColumn {
 /// The times or arc lengths of the option that has them.
 struct PlacesOption {
   std::vector<Rational> list;  ///< or else by group:
+  bool in_seconds = false;     ///< the list has durations, as in 30min
   GroupedPlaces grouped = {};
   std::optional<PlaceColumn> column = {};  ///< until it is read
   bool from_input = false;                 ///< they are read from standard input

@@ -53,6 +53,18 @@ inline constexpr std::array form_table{FormName{"hermite"}, FormName{"bezier"}, 
 
 /// Above 0: a decimal or a ratio of two.
 Rational positive_ratio(const std::string& text);
+/// Makes the error of a wrong value.
+using Fault = Error (*)(std::string_view text);
+
+/// A time or a step of time: a number in the unit of the times, or a duration such as 30min, in seconds.
+struct TimeValue {
+  Rational value;
+  bool in_seconds = false;
+};
+
+/// A ratio, or one with a unit of time other than frames. Throws: the fault for any other text.
+TimeValue time_value(Fault fault, std::string_view text);
+
 /// The step of a rate.
 /// A frame rate: that of broadcast_rates for its decimal, else a ratio above 0. Throws: Error (usage).
 Rational frame_rate(const std::string& text);
@@ -63,11 +75,8 @@ std::optional<Rational> broadcast_rate(std::string_view text);
 /// The step of a rate, which the text gives.
 Rational step_of_rate(const Rational& rate, std::string_view text);
 
-/// Makes the error of a wrong value.
-using Fault = Error (*)(std::string_view text);
 /// A decimal or a ratio of two within the doubles. Throws: the fault for any other text.
 Rational ratio_or(Fault fault, std::string_view text);
-Rational ratio(const std::string& text);
 /// In digits, from 1 to 2^63 - 1.
 std::uint64_t positive_count(const std::string& text);
 /// A whole number from `least` to `most`, also as 1e9.

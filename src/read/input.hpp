@@ -32,7 +32,8 @@ struct InputFacts {
 struct Records {
   Columns columns;
   TimeNotation time_notation = TimeNotation::seconds;
-  DateFormat dates = {};  ///< of times that are dates
+  DateFormat dates = {};                    ///< of times that are dates
+  std::optional<TimeUnit> epoch_unit = {};  ///< of times that seem to count from 1970
   InputFacts facts = {};
   InputKeys keys = {};
 };

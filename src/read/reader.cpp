@@ -142,6 +142,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
               std::move(records.keys)};
   if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, options.rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
+  if (!input.schema.time.unit) input.schema.time.epoch_unit = records.epoch_unit;
   input.facts.format = format;
   input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;

@@ -44,6 +44,10 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
       channels_(schema.channels),
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                  spec_.preset == spline::Preset::nel, spec_.closed} {
+  const auto unit = schema.time.unit;
+  if (request_.in_seconds.has_duration && unit == TimeUnit::frames) throw duration_of_frames(schema.time.name);
+  if (unit && unit != TimeUnit::frames) request_.convert_seconds(units_per_second(*unit));
+  if (!unit) request_.likely_unit = schema.time.epoch_unit;
   if (schema.time.frame_rate) request_.frames = spec_.frames = FrameTimes(*schema.time.frame_rate);
   const auto take_frame = [this](Rational& time) {  // whose printed time it is
     if (const auto frame = request_.frames->exact(nearest_time(time))) time = *frame;
@@ -54,8 +58,6 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     }
     std::ranges::for_each(request_.places, take_frame);
   }
-  const bool is_in_seconds = request_.is_rate && schema.time.unit && *schema.time.unit != TimeUnit::frames;
-  if (is_in_seconds) request_.step *= units_per_second(*schema.time.unit);
   if (timed_ && spec_.parameter) {
     throw parameter_with_times(schema.time.name).about(option::parameter);
   }

@@ -6,6 +6,7 @@
 
 #include "option_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 
@@ -23,5 +24,12 @@ Error group_without_places(const std::vector<std::string>& curve) {
 Error out_of_memory() { return {Exit::usage, "out of memory"}; }
 
 Error unexpected_failure(const char* what) { return {Exit::usage, what}; }
+
+Error duration_of_frames(std::string_view time) {
+  return {Exit::usage,
+          fmt::format("the times in column {} are frames, which have no duration; expected their rate; give "
+                      "it with {}, as in {} 24, or give frames without a unit",
+                      in_quotes(time), option::input_fps, option::input_fps)};
+}
 
 }  // namespace tcb

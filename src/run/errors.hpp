@@ -18,5 +18,7 @@ Error group_without_places(const std::vector<std::string>& curve);
 // What else ends the work on a file of a batch:
 Error out_of_memory();
 Error unexpected_failure(const char* what);
+/// A duration such as 30min is given, and the times in this column are frames.
+Error duration_of_frames(std::string_view time);
 
 }  // namespace tcb

@@ -35,6 +35,12 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (!request.rate_as_decimal.empty() && request.rate_as_decimal != units.rate_as_decimal) {
     add(broadcast_note(request.rate_as_decimal, Rational(1) / request.step));
   }
+  const TimeSchema& time = input.schema.time;
+  if (time.epoch_unit) {
+    add(times_since_1970(time.name, row_of(*time.epoch_unit).name));
+  } else if (request.in_seconds.has_duration && !time.unit) {
+    add(times_as_seconds(time.name));
+  }
   if (request.is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
   if (input.facts.ignored.empty()) return;

@@ -40,6 +40,21 @@ Note rate_of_broadcast(std::string_view decimal, std::string_view rate, std::str
   return {fmt::format("the frame rate {} is taken as {}; give {} for exactly {}", decimal, rate, exact, decimal), true};
 }
 
+Note times_since_1970(std::string_view time, std::string_view unit) {
+  return {fmt::format(
+              "the times in column \"{0}\" may be {1} since 1970; {2} {1} says so, and rates and durations are then "
+              "in seconds",
+              time, unit, option::time_unit),
+          true};
+}
+
+Note times_as_seconds(std::string_view time) {
+  return {
+      fmt::format("the unit of the times in column \"{}\" is unknown; they are taken as seconds; {} gives another one",
+                  time, option::time_unit),
+      true};
+}
+
 Note dates_in_utc(std::string_view time) {
   return {fmt::format("the dates in column \"{}\" have no zone; they are taken as UTC", time), true};
 }

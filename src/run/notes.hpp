@@ -22,6 +22,10 @@ Note likely_quaternion();
 Note likely_matrix();
 /// A frame rate was given as a decimal such as 29.97, which stands for `rate`.
 Note rate_of_broadcast(std::string_view decimal, std::string_view rate, std::string_view exact);
+/// The unit of the times is unknown, and they seem to count from 1970.
+Note times_since_1970(std::string_view time, std::string_view unit);
+/// The unit of the times is unknown, and a duration such as 30min takes them as seconds.
+Note times_as_seconds(std::string_view time);
 /// The times in this column are dates without a zone.
 Note dates_in_utc(std::string_view time);
 /// A rate is given, and the times in the column `time` count frames.

@@ -282,6 +282,14 @@ Error too_many_rows(std::string_view rows, std::uint64_t most, bool at_least) {
                                    at_least ? "at least " : "", rows, most, option::max_rows)};
 }
 
+Error too_many_rows_of_unit(std::string_view rows, std::uint64_t most, std::string_view unit) {
+  return {Exit::usage,
+          fmt::format("{} rows are requested, as the unit of the times is unknown, but they seem to be {} since "
+                      "1970; expected at most {}; give {} {}, with which rates and durations such as 0.1s are "
+                      "in seconds",
+                      rows, unit, most, option::time_unit, unit)};
+}
+
 Error no_piece_in_range() {
   return {Exit::usage, fmt::format("no part of the curve lies between {0} and {1}; expected a longer range; "
                                    "correct {0} or {1}",

@@ -81,6 +81,8 @@ Error step_too_small(std::string_view step, std::string_view place);
 Error tolerance_too_small();
 /// `at_least`: and more may come.
 Error too_many_rows(std::string_view rows, std::uint64_t most, bool at_least);
+/// `unit`: the times seem to count in it since 1970.
+Error too_many_rows_of_unit(std::string_view rows, std::uint64_t most, std::string_view unit);
 Error no_piece_in_range();
 /// `number`: of the segment between two keys, with the times `from` and `to`.
 Error piece_with_ease(std::uint64_t number, std::string_view from, std::string_view to);

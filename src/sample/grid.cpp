@@ -165,10 +165,19 @@ bool Grid::resolves(const Time& t, int decimals) const {
 
 Rational steps_between(const Rational& from, const Rational& to, const Rational& step) { return (to - from) / step; }
 
-void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
+void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least, std::optional<TimeUnit> likely_unit) {
   const Rational rows = floor(steps) + 1;
   if (rows <= max_rows) return;
+  if (likely_unit) throw too_many_rows_of_unit(shown(rows), max_rows, row_of(*likely_unit).name);
   throw too_many_rows(shown(rows), max_rows, at_least);
+}
+
+void SamplingRequest::convert_seconds(const Rational& units) {
+  if (in_seconds.step) step *= units;
+  if (in_seconds.from) *from *= units;
+  if (in_seconds.to) *to *= units;
+  for (std::size_t i = 0; in_seconds.places && i < places.size(); ++i) places[i] *= units;
+  in_seconds = {};
 }
 
 Rational SamplingRequest::exact(const Time& time) const {
@@ -198,7 +207,7 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   if (request.mode == Mode::step || request.mode == Mode::arc_step) {
     if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
     const Rational steps = steps_between(from, *to, request.step);
-    require_rows(steps, request.max_rows);
+    require_rows(steps, request.max_rows, false, request.likely_unit);
     if (!needs_end(request) || *to <= from) {
       const std::uint64_t most = request.key_times ? whole_number(floor(steps)) + 1 : Spacing::unlimited;
       return {Grid(from, request.step), Spacing::unlimited, to, most};

@@ -88,7 +88,8 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent);
 Rational steps_between(const Rational& from, const Rational& to, const Rational& step);
 
 /// Throws: Error (usage) with the number of rows, if there are more than allowed; `at_least`: and more may come.
-void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least = false);
+void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least = false,
+                  std::optional<TimeUnit> likely_unit = {});
 
 /// A rational for people: a decimal of 31 digits at most in full, otherwise the nearest double, shortest.
 std::string text(const Rational& value);

@@ -12,6 +12,7 @@
 
 #include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"
+#include "numbers/time_notation.hpp"
 #include "tcb/spline/key.hpp"
 
 namespace tcb {
@@ -41,18 +42,27 @@ struct CurveTolerance {
   bool limits_angle() const { return angle < std::numeric_limits<double>::infinity(); }
 };
 
+/// Which numbers of a request are seconds; the others are in the unit of the times.
+struct InSeconds {
+  bool step = false, from = false, to = false, places = false;
+  bool has_duration = false;  ///< one has a unit of its own, as in 30min, and is not that of a rate
+  bool any() const { return step || from || to || places; }
+};
+
 struct SamplingRequest {
   Mode mode = Mode::step;
-  Rational step;                     ///< time or arc length between rows: step, arc_step
-  bool is_rate = false;              ///< the step is in seconds, where the unit of the times is known: step
-  std::string rate_as_decimal;       ///< such as "29.97", where the rate is 30000/1001; else empty
-  std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
-  std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
-  CurveTolerance tolerance;          ///< tolerance
-  std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
-  EndPolicy end = EndPolicy::drop;   ///< step, arc_step
-  bool keys = false;                 ///< every key is a row too
-  bool from_left = true;             ///< a row at a key is on the segment before it, not on the one after
+  Rational step;                             ///< time or arc length between rows: step, arc_step
+  bool is_rate = false;                      ///< the step is that of a rate: step
+  InSeconds in_seconds;                      ///< the numbers that are seconds, where the unit of the times is known
+  std::optional<TimeUnit> likely_unit = {};  ///< of times that seem to count from 1970, where none is known
+  std::string rate_as_decimal;               ///< such as "29.97", where the rate is 30000/1001; else empty
+  std::uint64_t count = 0;                   ///< rows, or for the segments modes the intervals between them
+  std::vector<Rational> places;              ///< times or arc lengths: at, arc_at
+  CurveTolerance tolerance;                  ///< tolerance
+  std::optional<Rational> from, to;          ///< where to begin and end, in time, or in arc length for the arc modes
+  EndPolicy end = EndPolicy::drop;           ///< step, arc_step
+  bool keys = false;                         ///< every key is a row too
+  bool from_left = true;                     ///< a row at a key is on the segment before it, not on the one after
   std::uint64_t max_rows = 1'000'000'000;
   std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 
@@ -61,6 +71,9 @@ struct SamplingRequest {
 
   /// The side of a key on whose segment a row there is.
   spline::Side side() const { return from_left ? spline::Side::left : spline::Side::right; }
+
+  /// Converts the numbers that are seconds, if a second has so many units of the times.
+  void convert_seconds(const Rational& units);
 
   /// The exact time of a key: that in key_times, a decimal, or a frame in seconds.
   Rational exact(const Time& time) const;

@@ -23,6 +23,7 @@ struct TimeSchema {
   TimeNotation notation = TimeNotation::seconds;  ///< as the input has it
   DateFormat dates = {};                          ///< where the times are dates
   std::optional<TimeUnit> unit = {};              ///< nothing: unknown
+  std::optional<TimeUnit> epoch_unit = {};        ///< in which they seem to count from 1970, if the unit is unknown
   std::optional<Rational> frame_rate = {};        ///< the times were frames, and are seconds
   bool may_be_first_channel = false;              ///< by its place and its name
 };

@@ -46,6 +46,19 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   return format;
 }
 
+/// The unit other than seconds in which a whole number counts the time since 1970, by its size: from 2000 to 2100. The
+/// ranges of units do not overlap.
+std::optional<TimeUnit> epoch_unit_of(std::string_view time) {
+  const auto number = parse_rational(time);
+  if (!number || floor(*number) != *number) return std::nullopt;
+  constexpr std::int64_t in_2000 = 946'684'800, in_2100 = 4'102'444'800;
+  for (const TimeUnit unit : {TimeUnit::ms, TimeUnit::us, TimeUnit::ns}) {
+    const Rational seconds = *number / units_per_second(unit);
+    if (seconds >= in_2000 && seconds < in_2100) return unit;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::string_view first_time) {
@@ -61,6 +74,8 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   if (counts_frames(units.notation) && !options.frame_rate) throw times_without_rate(columns.time);
   const bool is_number = units.notation == TimeNotation::seconds;
   if (is_timed && is_number) require_unit(options, columns);
+  const bool has_unit = options.time || options.frame_rate || unit_of_time(columns.time);
+  if (is_timed && is_number && !has_unit) units.epoch_unit = epoch_unit_of(first_time);
   const bool is_time_converted = is_timed && is_number && is_converted(options, columns.time);
   if (!is_time_converted && options.scales.empty()) return units;
   const std::size_t channels = columns.channels.size();

@@ -33,6 +33,7 @@ struct UnitOptions {
 struct KeyUnits {
   TimeNotation notation = TimeNotation::seconds;  ///< of the times
   DateFormat dates = {};                          ///< of times that are dates
+  std::optional<TimeUnit> epoch_unit = {};        ///< in which times without a unit seem to count from 1970
   std::optional<Rational> frame_rate = {};        ///< of timecode
   std::vector<Rational> factors = {};             ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
 };

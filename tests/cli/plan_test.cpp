@@ -66,7 +66,7 @@ TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
 TEST(Plan, a_sampling_option_is_needed) {
   EXPECT_EQ(
       refusal({"a.csv"}),
-      "there is no sampling option; expected one of --step, --rate, --count, --segments, --per-segment, --at, "
+      "there is no sampling option; expected one of --step, --rate, --fps, --count, --segments, --per-segment, --at, "
       "--arc-step, --arc-count, --arc-at, --tolerance, --emit, --fit; give one, as in tcbsample --step 0.1 keys.csv");
 }
 

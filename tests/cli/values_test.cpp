@@ -32,10 +32,28 @@ TEST(Values, counts_are_in_digits_from_1_up) {
 }
 
 TEST(Values, a_range_is_of_decimals_or_ratios) {
-  EXPECT_EQ(ratio("-7/24"), Rational(-7, 24));
+  EXPECT_EQ(time_value(not_a_ratio, "-7/24").value, Rational(-7, 24));
   for (const std::string option : {"--from", "--to"}) {
     EXPECT_EQ(stepped_refusal({option, "now"}), message(option, not_a_ratio("now")));
   }
+}
+
+TEST(Values, times_may_have_a_unit) {
+  const auto value = [](std::string_view text) { return time_value(not_a_ratio, text); };
+  EXPECT_EQ(value("1/24").value, Rational(1, 24));
+  EXPECT_FALSE(value("1e3").in_seconds);
+  EXPECT_EQ(value("20ms").value, Rational(1, 50));
+  EXPECT_EQ(value("-1.5h").value, Rational(-5400));
+  EXPECT_EQ(value("1/2min").value, Rational(30));
+  EXPECT_TRUE(value("1d").in_seconds);
+  for (const char* text : {"5frames", "s", "1 s", "1sec", "1S"}) EXPECT_THROW(value(text), Error) << text;
+}
+
+TEST(Values, frame_rates_of_video_have_usual_decimals) {
+  EXPECT_EQ(frame_rate("29.97"), Rational(30000, 1001));
+  EXPECT_EQ(frame_rate("23.98"), Rational(24000, 1001));
+  EXPECT_EQ(frame_rate("2997/100"), Rational(2997, 100));
+  EXPECT_EQ(frame_rate("29.970"), Rational(2997, 100));
 }
 
 TEST(Values, lists_are_separated_by_commas) {

@@ -23,6 +23,17 @@ TEST(Units, frames_become_seconds_rounded_once) {
   EXPECT_THAT(block->keys.times, ElementsAre(Time(0.0), Time(1001.0 / 30000), Time(107892.0 * 1001 / 30000)));
 }
 
+TEST(Units, of_whole_numbers_since_1970_are_told_by_their_size) {
+  const auto unit = [](const std::string& time) { return opened("t,x\n" + time + ",1\n", {}).schema.time.epoch_unit; };
+  EXPECT_EQ(unit("946684800000"), TimeUnit::ms);
+  EXPECT_EQ(unit("1700000000000000"), TimeUnit::us);
+  EXPECT_EQ(unit("1700000000000000001"), TimeUnit::ns);
+  for (const char* time : {"0", "1700000000", "946684799999", "4102444800000", "1700000000000.5"}) {
+    EXPECT_EQ(unit(time), std::nullopt) << time;
+  }
+  EXPECT_EQ(opened("time_ms,x\n1700000000000,1\n", {}).schema.time.epoch_unit, std::nullopt) << "its unit is known";
+}
+
 TEST(Units, channels_are_scaled_from_their_decimals) {
   InputOptions options;
   options.units.scales = {{"x", Rational(1, 10)}};

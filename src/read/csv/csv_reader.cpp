@@ -182,7 +182,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
-  Records records{head->columns, head->units.notation, head->units.dates};
+  Records records{head->columns, head->units.notation, head->units.dates, head->units.epoch_unit};
   records.facts.delimiter = dialect.delimiter;
   records.facts.comment = dialect.comment;
   records.facts.decimal = options.delimited.decimal;

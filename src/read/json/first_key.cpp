@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
+#include "numbers/print_number.hpp"
 #include "read/json/errors.hpp"
 #include "read/json/object_reader.hpp"
 #include "schema/missing.hpp"
@@ -35,7 +36,10 @@ class FirstKeyReader : public JsonObjectReader {
     return true;
   }
   std::string_view member() const override { return members.back().name; }
-  bool on_number(const spline::Time<double>&) override { return count(); }
+  bool on_number(const spline::Time<double>& number) override {
+    if (!in_array()) members.back().value = time_text(number);
+    return count();
+  }
   bool on_null() override { return count(); }  // refused later, as a number that is missing
   void on_deep_value(bool is_number) override {
     members.back().empty = false;

@@ -20,7 +20,7 @@ struct FoundMember {
   bool deep_numbers = false;   ///< with numbers in them
   bool empty = true;           ///< it is [] or {}
   std::size_t numbers = 0;     ///< the count of its numbers, also missing ones
-  std::string value = "";      ///< the text, if it is a time in words
+  std::string value = "";      ///< the text, if it is a number or a time in words
   std::string path = "";       ///< as in "keys[0].x"
   TextPosition position = {};  ///< of its name
 };

@@ -147,7 +147,7 @@ Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
 }
 
 Records records_of(const JsonColumns& meaning, JsonShape shape) {
-  Records records{meaning.columns, meaning.units.notation, meaning.units.dates};
+  Records records{meaning.columns, meaning.units.notation, meaning.units.dates, meaning.units.epoch_unit};
   records.columns.cells.resize(meaning.found);
   records.columns.named = true;
   records.facts.shape = shape;
