@@ -75,6 +75,15 @@ class Inputs(unittest.TestCase):
             tcbsample.resample(np.array([[0, 1], [1, 3], [2, 2.0]]), count=9),
         )
 
+    def test_every_bit_of_random_numbers_comes_back(self):
+        rng = np.random.default_rng(5)
+        for count in (20, 5000):  # as lines and as an array
+            numbers = rng.uniform(-1, 1, (count, 3)) * 2.0 ** rng.integers(-1074, 400, (count, 3))
+            numbers[::4, 1] = -0.0
+            numbers[:, 0] = np.cumsum(rng.uniform(0, 1, count)) / 3
+            rows = tcbsample.resample(numbers, per_segment=1)  # a row at each key is the key
+            np.testing.assert_array_equal(rows.view(np.uint64).reshape(count, 3), numbers.view(np.uint64))
+
     def test_names_of_columns(self):
         names = ["t", "a,b", 'c"d', "#e", " f", "7", "ü", "g\nh"]
         rows = tcbsample.resample({name: [i, i + 1] for i, name in enumerate(names)}, at=[names.index("t")])
@@ -124,12 +133,13 @@ class Outputs(unittest.TestCase):
     def test_groups_and_labels_keep_their_type(self):
         for values in (np.array([3, 4], np.uint8), np.array([0.5, 1e300]), np.array(["1", "007"]),
                        np.array([True, False]), np.array(["2024-01-01T00:00:00.5", "2024-01-02"], "M8[ns]"),
-                       np.array(["a\nb", 'c,"']), np.array(["x", "1"], object)):  # fmt: skip
-            keys = {"id": values.repeat(2), "t": [0, 1, 0, 1], "x": [0, 1, 2, 3]}
+                       np.array(["a\nb", 'c,"']), np.array(["x", "1", "-0"], object)):  # fmt: skip
+            size = 2 * len(values)
+            keys = {"id": values.repeat(2), "t": np.arange(size) % 2, "x": range(size)}
             rows = tcbsample.resample(keys, count=3, group="id")
             self.assertEqual(rows["id"].dtype, values.dtype)
             self.assertEqual(rows["id"].tolist(), values.repeat(3).tolist())
-            rows = tcbsample.resample(dict(keys, t=range(4)), count=4, columns={"carry": ["id"]})
+            rows = tcbsample.resample(dict(keys, t=range(size)), count=size, columns={"carry": ["id"]})
             self.assertEqual(rows["id"].dtype, values.dtype)
             self.assertEqual(rows["id"].tolist(), values.repeat(2).tolist())
 
@@ -155,9 +165,10 @@ class Outputs(unittest.TestCase):
 
     def test_large_positions(self):
         for count in (3, 30000):
-            rows = tcbsample.resample([[0, 1e19], [1, -1e300]], count=count)
-            self.assertEqual(rows["x"][[0, -1]].tolist(), [1e19, -1e300])
-            self.assertEqual(rows.dtype["x"], np.float64)
+            for numbers in ([1e19, -1e300], [2.0**60, 2.0**60]):
+                rows = tcbsample.resample(np.column_stack([[0, 1], numbers]), count=count)
+                self.assertEqual(rows["x"][[0, -1]].tolist(), numbers)
+                self.assertEqual(rows.dtype["x"], np.float64)
 
     def test_dates(self):
         times = np.array(["2024-02-28T23:00", "2024-02-29T01:00"], "M8[m]")

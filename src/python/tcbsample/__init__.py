@@ -514,10 +514,14 @@ _program: Optional[str] = None
 # The rows.
 
 
-def _are_doubles(rows: list[Optional[dict]]) -> bool:
+def _are_doubles(rows: list[Optional[dict]], table: Optional[_Table]) -> bool:
     """Whether an array of doubles can hold the rows."""
-    values = (value for row in rows if row is not None for value in row.values() if value is not None)
-    return all(not isinstance(value, str) and abs(value) < _LARGEST_WHOLE for value in values) and None not in rows
+    from_doubles = table is not None and all(_are_floats(column) for column in table.columns)
+
+    def is_double(value: Any) -> bool:
+        return isinstance(value, float) or (isinstance(value, int) and (from_doubles or abs(value) <= _LARGEST_WHOLE))
+
+    return all(row is not None and all(v is None or is_double(v) for v in row.values()) for row in rows)
 
 
 def _kept_names(options: Mapping[str, Any]) -> set[str]:
@@ -528,7 +532,7 @@ def _kept_names(options: Mapping[str, Any]) -> set[str]:
 
 
 def _as_text(value: Any) -> str:
-    return "" if value is None else str(value)
+    return "" if value is None else "-0" if value == 0 and isinstance(value, float) else str(value)
 
 
 def _kept_column(values: list, original: np.ndarray) -> Optional[np.ndarray]:
@@ -557,7 +561,8 @@ def _column(values: list, original: Optional[np.ndarray], is_kept: bool) -> np.n
         return column
     if kinds == {int} and None not in values:
         largest = max(abs(value) for value in values)
-        if is_kept or _LARGEST_WHOLE < largest < 2**63:
+        may_be_whole = original is None or original.dtype.kind != "f"
+        if is_kept or (may_be_whole and _LARGEST_WHOLE < largest < 2**63):
             return np.array(values, dtype=np.int64)
     if kinds <= {int, float}:
         return np.array(values, dtype=np.float64)  # None is NaN
@@ -581,7 +586,7 @@ def _lines_to_rows(rows: list[Optional[dict]], run: _Run, options: Mapping[str, 
     breaks = "break" in (options.get("missing"), options.get("duplicates")) or None in rows
     dicts = [row for row in rows if row is not None]
     names = list(dicts[0]) if dicts else []
-    sent = {} if run.table is None else dict(zip(run.table.names or (), run.table.columns))
+    sent = {} if run.table is None else dict(zip(run.table.names or names, run.table.columns))
     kept = _kept_names(options)
     columns = [_column([row[name] for row in dicts], sent.get(name), name in kept) for name in names]
     if breaks:
@@ -601,7 +606,10 @@ def _array_to_rows(table: np.ndarray, names: list[str], run: _Run) -> Any:
 
 def _parsed(text: bytes) -> list[Optional[dict]]:
     """Rows of JSON Lines, whose texts have no line ends."""
-    return json.loads(b"[" + text.rstrip().replace(b"\n", b",") + b"]")
+    rows = b"[" + text.rstrip().replace(b"\n", b",") + b"]"
+    if not re.search(rb":-0[,}]", rows):
+        return json.loads(rows)
+    return json.loads(rows, parse_int=lambda digits: -0.0 if digits == "-0" else int(digits))
 
 
 def _rows(run: _Run, options: Mapping[str, Any]) -> Any:
@@ -609,7 +617,7 @@ def _rows(run: _Run, options: Mapping[str, Any]) -> Any:
     text, complete = run.beginning(["--output-format=jsonl"], _ROOM_OF_LINES)
     if not complete:
         lines = _parsed(text[: text.rfind(b"\n")])
-        if _are_doubles(lines) and "break" not in (options.get("missing"), options.get("duplicates")):
+        if _are_doubles(lines, run.table) and "break" not in (options.get("missing"), options.get("duplicates")):
             try:
                 table = np.load(run.result(["--output-format=npy"]), allow_pickle=False)
                 return _array_to_rows(table, list(lines[0] or ()), run)
