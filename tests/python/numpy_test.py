@@ -1,5 +1,6 @@
 """The Python module with NumPy: its examples, inputs, outputs, options and errors. numpy_test.py FOLDER"""
 
+import datetime
 import doctest
 import fractions
 import os
@@ -160,7 +161,7 @@ class Outputs(unittest.TestCase):
     def test_whole_times_beyond_doubles(self):
         begin = 1_700_000_000_000_000_001
         for step in (10**5, 10**2):
-            rows = tcbsample.resample({"t": [begin, begin + 10**6], "x": [0, 1]}, step=step)
+            rows = tcbsample.resample({"t": [begin, begin + 10**6], "x": [0, 1]}, step=step, quiet=True)
             self.assertEqual(rows["t"].tolist(), list(range(begin, begin + 10**6 + 1, step)))
 
     def test_large_positions(self):
@@ -231,7 +232,8 @@ class OptionsTest(unittest.TestCase):
         for value, text in [
             (0.1, "0.1"), (np.float64(1e-7), "1e-07"), (np.float32(0.5), "0.5"), (fractions.Fraction(1, 24), "1/24"),
             ([1, 2.5], "1,2.5"), (np.arange(3), "0,1,2"), ({"a": "b", "c": ["d", "e"]}, "a=b,c=d:e"),
-            (np.array(2.5), "2.5"),
+            (np.array(2.5), "2.5"), (np.timedelta64(1500, "us"), "0.001500000s"),
+            (datetime.timedelta(days=1), "86400.000000000s"), (datetime.datetime(1970, 1, 1, 0, 1), "60.000000000"),
             ("1:2:0.5", "1:2:0.5"),
             (np.datetime64("1970-01-02T00:00:00.000000001"), "86400.000000001"),
         ]:  # fmt: skip

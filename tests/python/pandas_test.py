@@ -55,6 +55,8 @@ class Frames(unittest.TestCase):
         rows = tcbsample.resample(FRAME.assign(t=times), step=1800, at=None)
         self.assertEqual(rows["t"].dtype, np.dtype("M8[ns]"))
         self.assertEqual(rows["t"].tolist(), pd.date_range("2024-03-30T23:30", periods=5, freq="30min").tolist())
+        same = tcbsample.resample(FRAME.assign(t=times), step=pd.Timedelta("30min"), from_=times[0], to=times[2])
+        pd.testing.assert_frame_equal(same, rows)
         at = tcbsample.resample(FRAME.assign(t=times), at=times)
         self.assertEqual(at["x"].tolist(), FRAME["x"].tolist())
 

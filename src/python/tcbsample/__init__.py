@@ -29,7 +29,8 @@ are parameters of keys; every other column of numbers is a channel. columns= giv
 None are missing cells, for which missing= says what happens. Columns of datetime64 are times in UTC.
 
 Options are those of the command line, with _ for -, as Options lists them; --from is from_. Values are numbers, texts,
-True for a flag, lists for values with commas, and dicts for values such as A=B:C. None and False leave an option out.
+dates, timedeltas, True for a flag, lists for values with commas, and dicts for values such as A=B:C. None and False
+leave an option out.
 
 A rejected input or a wrong option raises Error, whose members say where and what to do. Notes of the program are
 warnings of the class Note.
@@ -269,12 +270,18 @@ _TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", 
 # The options.
 
 
+def _decimal_seconds(nanoseconds: Any) -> str:
+    return f"{decimal.Decimal(int(nanoseconds.astype(np.int64))).scaleb(-9):f}"
+
+
 def _word(value: Any) -> str:
     """The text of a single value."""
     if isinstance(value, (str, os.PathLike)):
         return os.fspath(value)
     if isinstance(value, bytes):
         return value.decode()
+    if isinstance(value, (datetime.timedelta, np.timedelta64)):
+        return _decimal_seconds(np.timedelta64(value, "ns")) + "s"
     if isinstance(value, np.generic) and value.dtype.kind != "M":
         value = value.item()
     if isinstance(value, float):
@@ -282,7 +289,7 @@ def _word(value: Any) -> str:
     if isinstance(value, datetime.datetime) and value.tzinfo is not None:
         value = value.astimezone(datetime.timezone.utc).replace(tzinfo=None)
     if isinstance(value, (datetime.date, np.datetime64)):  # seconds since 1970, as the program counts dates
-        return str(decimal.Decimal(int(np.datetime64(value, "ns").astype(np.int64))).scaleb(-9))
+        return _decimal_seconds(np.datetime64(value, "ns"))
     if isinstance(value, (int, decimal.Decimal, fractions.Fraction)):
         return str(value)
     raise TypeError(f"{value!r} is a {type(value).__name__}; expected a number, a text, a list or a dict")
