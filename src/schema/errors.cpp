@@ -131,6 +131,16 @@ Error rotation_column_missing(std::string_view missing_column, std::span<const s
                       listed(columns), in_quotes(missing_column), option::rotation)};
 }
 
+Error quaternion_without_letters(std::span<const std::string> columns, std::string_view with_first_as_w,
+                                 std::string_view with_last_as_w) {
+  return {
+      Exit::data,
+      fmt::format("columns {} may be a quaternion, but their names do not tell which of them is w; expected names with "
+                  "x, y, z and w; give {} {} if it is {}, {} {} if it is {}, or {} none for plain channels",
+                  listed(columns), option::rotation, in_shell(with_first_as_w), in_quotes(columns.front()),
+                  option::rotation, in_shell(with_last_as_w), in_quotes(columns.back()), option::rotation)};
+}
+
 Error column_in_two_rotations(std::string_view column) {
   return {Exit::data, fmt::format("column {} is used twice; expected different columns for each rotation and angle; "
                                   "name another column",

@@ -43,6 +43,10 @@ Error segment_without_duration(double duration);
 
 // Rotations and angles.
 Error rotation_column_missing(std::string_view missing_column, std::span<const std::string> columns);
+/// `columns`: with the numbers 0 to 3, or 1 to 4, in their names. The others: what requests the quaternion if the first
+/// or the last of them is w.
+Error quaternion_without_letters(std::span<const std::string> columns, std::string_view with_first_as_w,
+                                 std::string_view with_last_as_w);
 Error column_in_two_rotations(std::string_view column);
 Error no_rotation_to_show(std::string_view form);
 

@@ -99,6 +99,16 @@ inline constexpr std::array role_names{
     RoleName{"T", Role::tension, false},
     RoleName{"C", Role::continuity, false},
     RoleName{"B", Role::bias, false},
+    RoleName{"ease in", Role::ease_in, true},
+    RoleName{"easein", Role::ease_in, true},
+    RoleName{"ease to", Role::ease_in, true},
+    RoleName{"ease_to", Role::ease_in, true},
+    RoleName{"easeto", Role::ease_in, true},
+    RoleName{"ease out", Role::ease_out, true},
+    RoleName{"easeout", Role::ease_out, true},
+    RoleName{"ease from", Role::ease_out, true},
+    RoleName{"ease_from", Role::ease_out, true},
+    RoleName{"easefrom", Role::ease_out, true},
 };
 
 /// A requested role: its columns by name or by number from 1, and the option that requests it.

@@ -11,6 +11,7 @@
 
 #include "option_names.hpp"
 #include "schema/errors.hpp"
+#include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -56,21 +57,43 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
   throw no_such_column(name, channels).about(option);
 }
 
-/// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, after a "q".
+/// Throws: Error (data) for four channels whose names have a number instead of x, y, z or w, as q0 to q3.
+void require_letters(const std::vector<std::string>& channels) {
+  std::map<std::string, std::map<char, std::string>> found;  // by stem and number
+  for (const std::string& channel : channels) {
+    char last = 0;
+    const auto stem = rotation_stem_of(channel, last);
+    if (stem && last >= '0' && last <= '4') found[*stem][last] = channel;
+  }
+  for (const auto& [stem, numbered] : found) {
+    if (numbered.size() != 4 || numbered.rbegin()->first - numbered.begin()->first != 3) continue;
+    std::vector<std::string> names;
+    for (const auto& [number, name] : numbered) names.push_back(name);
+    const auto request = [&](std::size_t x, std::size_t y, std::size_t z, std::size_t w) {
+      return "quaternion=" + names[x] + ":" + names[y] + ":" + names[z] + ":" + names[w];
+    };
+    throw quaternion_without_letters(names, request(1, 2, 3, 0), request(0, 1, 2, 3));
+  }
+}
+
+/// The quaternions among channels by their names: those that differ in one letter alone, x, y, z or w, which is after a
+/// "q" or after a usual name of rotations.
 std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::string>& channels) {
   constexpr std::string_view letters = "xyzw";
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::map<std::string, spline::RotationChannels> found;  // by the names without that letter
+  const auto add = [&](std::string name, std::size_t at, std::size_t channel) {
+    const std::size_t letter = letters.find(name[at]);
+    if (letter == std::string_view::npos) return;
+    name[at] = '*';
+    auto& rotation = found.try_emplace(name, spline::RotationChannels{none, none, none, none}).first->second;
+    rotation[letter] = channel;
+  };
   for (std::size_t channel = 0; channel < channels.size(); ++channel) {
     const std::string name = in_lower_case(channels[channel]);
-    for (std::size_t at = name.find('q'); at != std::string::npos && ++at < name.size();) {
-      const std::size_t letter = letters.find(name[at]);
-      if (letter == std::string_view::npos) continue;
-      std::string others = name;
-      others[at] = '*';
-      auto& rotation = found.try_emplace(others, spline::RotationChannels{none, none, none, none}).first->second;
-      rotation[letter] = channel;
-    }
+    for (std::size_t at = name.find('q'); at != std::string::npos && ++at < name.size();) add(name, at, channel);
+    char last = 0;
+    if (rotation_stem_of(name, last)) add(name, without_unit(name).size() - 1, channel);
   }
   std::vector<spline::RotationChannels> rotations;
   for (const auto& [name, rotation] : found) {
@@ -233,6 +256,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
     schema.angles.push_back({{requested_channel(angle.channel, columns, option::angle), angle.degrees}, false});
   }
   if (options.requests.empty() && !options.none) {
+    require_letters(columns.channels);
     for (const spline::RotationChannels& channels : rotations_by_name(columns.channels)) {
       add_rotation(schema, {{}, false, {}, {channels.begin(), channels.end()}, options.normalize}, columns);
     }

@@ -31,6 +31,10 @@ std::optional<TimePartName> time_part_of(std::string_view name);
 /// Whether a name is a usual one of what numbers or labels records without being a position, such as "header.seq".
 bool is_usual_counter(std::string_view name);
 
+/// The stem of the name of a number of a rotation, whose last letter or digit is `last`, such as "pose.orientation" of
+/// "pose.orientation.x" and "rot" of "rotX"; nothing if the stem does not end with a usual name of rotations.
+std::optional<std::string> rotation_stem_of(std::string_view name, char& last);
+
 /// Whether a name is a usual one of positions with several coordinates, such as "pos" or "translation".
 bool is_usual_position(std::string_view name);
 

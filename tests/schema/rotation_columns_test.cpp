@@ -33,6 +33,17 @@ TEST(RotationsByName, four_names_that_differ_in_a_letter_after_a_q) {
   EXPECT_THAT(rotations("t,a,b,c,QW,QX,QY,QZ,d"), ElementsAre(Four{4, 5, 6, 3}));
   EXPECT_THAT(rotations("t,q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z [],quat.x,quat.y,quat.z,quat.w"),
               ElementsAre(Four{1, 2, 3, 0}, Four{4, 5, 6, 7}));
+  EXPECT_THAT(rotations("t,orientation_x,orientation_y,orientation_z,orientation_w,rot.x,rot.y,rot.z,rot.w"),
+              ElementsAre(Four{0, 1, 2, 3}, Four{4, 5, 6, 7}));
+  EXPECT_THAT(rotations("t,a.pose.orientation.w,a.pose.orientation.x,a.pose.orientation.y,a.pose.orientation.z,"
+                        "RotationX,RotationY,RotationZ,RotationW"),
+              ElementsAre(Four{1, 2, 3, 0}, Four{4, 5, 6, 7}));
+  EXPECT_THAT(rotations("t,rot_x,rot_y,rot_z,carrot_x,carrot_y,carrot_z,carrot_w,s"), ElementsAre());
+  EXPECT_THAT(rotations("t,position.x,position.y,position.z,position.w,a,b,c,d"), ElementsAre());
+  EXPECT_THAT(
+      error_of([&] { rotations("t,x,y,z,u,q0,q1,q2,q3"); }),
+      HasSubstr("give --rotation quaternion=q1:q2:q3:q0 if it is \"q0\", --rotation quaternion=q0:q1:q2:q3 if"));
+  EXPECT_THAT(rotations("t,x,y,z,u,q0,q1,q2,q3", {.none = true}), ElementsAre());
   EXPECT_THAT(rotations("t,rx,ry,rz,rw,seq_x,seq_y,seq_z,s"), ElementsAre());
   EXPECT_THAT(error_of([&] { rotations("t,x,y,z,qx,qy,qz,u,v"); }), HasSubstr("\"qw\""));
   EXPECT_THAT(rotations("t,x,y,z,qx,qy,qz,u,v", {.none = true}), ElementsAre());
