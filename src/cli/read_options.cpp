@@ -114,6 +114,19 @@ std::string meant_option(const std::string& unknown) {
   throw command_line_not_understood(error.what());
 }
 
+/// Throws: Error (usage) for a long name after a single dash, as in -fps, which would be a short option with a value.
+void require_two_dashes(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (word == "--") return;
+    if (!word.starts_with('-') || word.starts_with("--")) continue;
+    const std::string name = word.substr(0, word.find('='));
+    for (const OptionRow& row : option_table()) {
+      const auto names = row.all_names();
+      if (std::ranges::count(names, "-" + name) > 0) throw unknown_option(name, "-" + name);
+    }
+  }
+}
+
 /// The option whose value may be left out has it in the same word, so that it does not take the name of a file.
 /// Throws: Error (usage) for one without the value that its = announces, and for an empty value.
 std::vector<std::string> with_values(std::vector<std::string> words) {
@@ -133,6 +146,7 @@ TypedOptions read_options(const std::vector<std::string>& given) {
   const std::vector<std::string> words = with_values(given);
   TypedOptions typed;
   CLI::App app;
+  require_two_dashes(words);
   declare(app, typed, words);
   try {
     app.parse(std::vector(words.rbegin(), words.rend()));  // CLI11 takes them from the back

@@ -17,7 +17,7 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
 enum class ShownTcbScale { unknown, from_0_to_50, percent };
 
 /// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
-/// scale on which the product shows them.
+/// scale on which the product shows them. If that is unknown, numbers with more than one decimal are passed on.
 Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
 
 /// The keys without their ease.

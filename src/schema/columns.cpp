@@ -179,6 +179,9 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
     if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
     if (role == Role::position && !header.empty() && is_usual_counter(header[cell])) continue;
+    if (role == Role::position && !header.empty() && tells_curves_apart(header[cell])) {
+      throw column_may_be_group(header[cell]);
+    }
     if (role == Role::time && columns.has(Role::time)) {
       throw two_times(columns.time, header[cell], "time=" + columns.time, "time=" + header[cell]);
     }
@@ -248,6 +251,8 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
                      std::span<const RoleRequest> requests, bool timeless) {
   std::vector<ColumnOfChannel> of_channels;
   Columns columns = requested_columns(header, numeric, requests, of_channels);
+  std::vector<bool> is_unused;  // on request
+  for (const Columns::Column& column : columns.cells) is_unused.push_back(column.role == Role::unused);
   if (!assign_segments(columns, header)) {
     assign_split_time(columns, header, numeric, timeless);
     const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
@@ -270,7 +275,8 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   assign_channels(columns, of_channels);
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (columns.cells[cell].role != Role::ignored) continue;
-    columns.cells[cell].channel = columns.ignored.size();
+    columns.cells[cell].channel = is_unused[cell] ? most_marks : columns.ignored.size();
+    if (is_unused[cell]) continue;
     columns.ignored.push_back(header.empty() ? fmt::format("column {}", cell + 1) : header[cell]);
     if (columns.marks.size() == most_marks) continue;
     columns.marks.push_back({header.empty() ? fmt::format("{}", cell + 1) : header[cell], !numeric[cell]});

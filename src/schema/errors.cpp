@@ -9,6 +9,11 @@
 
 namespace tcb {
 
+Error role_without_column(std::string_view request) {
+  return {Exit::usage, fmt::format("{} has no column; expected its name or number; give it, as in {}NAME",
+                                   in_quotes(request), request)};
+}
+
 Error not_a_role_with_columns(std::string_view text) {
   return {Exit::usage,
           fmt::format(
@@ -57,6 +62,15 @@ Error two_columns_for_role(std::string_view role, std::string_view second_column
   return {Exit::data, fmt::format("a second column, {}, has the role {}; expected one column with it; choose one with "
                                   "{} {}=NAME",
                                   in_quotes(second_column), role, option::columns, role)};
+}
+
+Error column_may_be_group(std::string_view column) {
+  return {Exit::data,
+          fmt::format(
+              "column {} may tell curves apart, and is no position by its name; expected its role; give {} {} for "
+              "one curve per value, {} {} to keep it in the rows, or {} {} to leave it out",
+              in_quotes(column), option::group, in_shell(column), option::columns,
+              in_shell(fmt::format("carry={}", column)), option::columns, in_shell(fmt::format("ignore={}", column)))};
 }
 
 Error no_channel_column() {

@@ -11,6 +11,8 @@
 namespace tcb {
 
 // The value of --columns.
+/// `request`: such as "time=".
+Error role_without_column(std::string_view request);
 Error not_a_role_with_columns(std::string_view text);
 
 // Requested columns. `columns` and `channels` are the names that exist.
@@ -25,6 +27,8 @@ Error column_with_two_roles(std::string_view column);
 Error two_times(std::string_view column, std::string_view other_column, std::string_view request,
                 std::string_view other_request);
 Error two_columns_for_role(std::string_view role, std::string_view second_column);
+/// A column of numbers, by its name.
+Error column_may_be_group(std::string_view column);
 Error no_channel_column();
 Error column_nearly_role(std::string_view column, std::string_view role);
 

@@ -72,7 +72,8 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
     const std::string_view name = part.substr(0, equals);
     const std::optional<Role> known = find_role(name);
     const std::optional<ChannelRole> of_channel = known ? std::nullopt : channel_role_of(name);
-    if (equals == std::string::npos || equals + 1 == part.size() || !(known || of_channel)) {
+    if ((known || of_channel) && equals + 1 == part.size()) throw role_without_column(part);
+    if (equals == std::string::npos || !(known || of_channel)) {
       throw not_a_role_with_columns(part);
     }
     const auto columns = split(part.substr(equals + 1), ':');

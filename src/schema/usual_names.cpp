@@ -212,6 +212,12 @@ bool is_usual_label(std::string_view name) {
   return has(label_names, text) || text.ends_with("id");
 }
 
+bool tells_curves_apart(std::string_view name) {
+  constexpr std::array names{"id",   "track", "trackid", "object", "objectid",
+                             "name", "curve", "curveid", "series", "uuid"};
+  return has(names, compact(name));
+}
+
 bool is_coordinate(std::string_view name) {
   const std::string whole = compact(without_unit(name));
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };

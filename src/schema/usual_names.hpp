@@ -41,6 +41,9 @@ bool is_usual_position(std::string_view name);
 /// Whether a name is a usual one of what distinguishes curves, such as "id" or "track_id".
 bool is_usual_label(std::string_view name);
 
+/// Whether a name is one of those that tell curves apart and are never positions, such as "id" or "track".
+bool tells_curves_apart(std::string_view name);
+
 /// Whether a name is that of a coordinate, such as "x", "pos_y" or "p3".
 bool is_coordinate(std::string_view name);
 

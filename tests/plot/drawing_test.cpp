@@ -39,8 +39,8 @@ std::string drawn(const PlotJob& job, const std::vector<std::string>& texts) {
     while (const auto curve = curves.next()) {
       const bool first = !pipeline;
       if (first) {
-        pipeline.emplace(job.samples.request, job.keys.rules, std::vector<std::size_t>{}, std::nullopt, input.schema,
-                         input.keys.traits, *curve->curve_info);
+        pipeline.emplace(CurveRequest{job.samples.request, job.keys.rules}, input.schema, input.keys.traits,
+                         *curve->curve_info);
         drawing.begin(file, input.schema, pipeline->facts());
       }
       drawing.add(curve->group, pipeline->stored(curve->keys), short_rules(pipeline->facts()));

@@ -60,7 +60,9 @@ TEST(RoleRequests, are_parsed) {
 }
 
 TEST(RoleRequests, without_a_role_or_columns_are_errors) {
-  for (const std::string part : {"time", "time=", "=x", "place=x", ""}) {
+  EXPECT_EQ(error_of([] { parse_roles("bias=b,time="); }),
+            "usage: f: error: \"time=\" has no column; expected its name or number; give it, as in time=NAME");
+  for (const std::string part : {"time", "=x", "place=x", ""}) {
     EXPECT_EQ(
         error_of([&] { parse_roles("bias=b," + part); }),
         "usage: f: error: \"" + part +

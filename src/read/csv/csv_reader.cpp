@@ -14,6 +14,7 @@
 #include "read/csv/tokenizer.hpp"
 #include "read/errors.hpp"
 #include "read/key_builder.hpp"
+#include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/utf8.hpp"
 
@@ -122,9 +123,7 @@ class RecordReader {
   /// A number in a column of text is a fault: that is a column of numbers with other texts in it.
   void require_text(std::string_view cell) {
     if (!decimals_.number(bare(cell))) return;
-    const auto i =
-        static_cast<std::size_t>(std::ranges::find(cells_, cell.data(), &std::string_view::data) - cells_.begin());
-    add_fault(cell, number_in_text_column(fmt::format("column {}", i + 1), unquoted(cell)));
+    add_fault(cell, number_in_text_column(fmt::format("column {}", index_of(cell) + 1), unquoted(cell)));
   }
 
   void read_no_number(std::string_view cell, const Columns::Column& column) {
@@ -138,9 +137,22 @@ class RecordReader {
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       const bool has_notation = head_.units.notation == find_notation(text);
       add_fault(cell, has_notation ? no_such_time(name, text) : time_in_other_notation(name, text));
+    } else if (is_word(text, column)) {
+      add_fault(cell, word_in_column_of_numbers(name, text));
     } else {
       add_fault(cell, why_not_number(name, text, head_.decimal));
     }
+  }
+
+  /// Whether a cell without digits is in a column that may hold words by its name.
+  bool is_word(std::string_view text, const Columns::Column& column) const {
+    const bool may_hold_words = column.role == Role::position && head_.columns.named;
+    return may_hold_words && !is_coordinate(head_.columns.name_of(column)) && !looks_numeric(text) &&
+           text.find_first_of("0123456789") == std::string_view::npos;
+  }
+
+  std::size_t index_of(std::string_view cell) const {
+    return static_cast<std::size_t>(std::ranges::find(cells_, cell.data(), &std::string_view::data) - cells_.begin());
   }
 
   void read_text(std::string_view cell, const Columns::Column& column) {
@@ -163,6 +175,17 @@ class RecordReader {
   std::size_t time_cell_ = 0;
 };
 
+/// Whether a quoted number with a decimal comma occurs, so that a comma outside quotes is the delimiter.
+bool has_quoted_decimal(std::string_view text) {
+  for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
+    const std::size_t begin = text.find_last_of("\",\n", comma - 1), end = text.find_first_of("\",\n", comma + 1);
+    const bool is_quoted = comma > 0 && begin != std::string_view::npos && end != std::string_view::npos &&
+                           text[begin] == '"' && text[end] == '"';
+    if (is_quoted && Decimals(',').number(text.substr(begin + 1, end - begin - 1))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
@@ -175,7 +198,8 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   if (!delimiter) beginning = find_delimiter(bytes, options.delimited);
   if (named) ++beginning.line;
   const Dialect dialect{beginning.delimiter, options.delimited.comment, options.columns.samples.has_value()};
-  if (dialect.delimiter == options.delimited.decimal) throw decimal_comma_is_delimiter();
+  const bool is_decimal = dialect.delimiter == options.delimited.decimal;
+  if (is_decimal && !has_quoted_decimal(beginning.text)) throw decimal_comma_is_delimiter();
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "option_names.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -38,6 +39,14 @@ Error empty_input() {
   return {Exit::data, fmt::format("the input is empty; expected a row for each key; see {}", option::help)};
 }
 
+Error empty_samples() { return {Exit::data, "the file is empty; expected samples; give the file that has them"}; }
+
+Error samples_header_unclear(std::string_view text_cell, std::string_view number_cell) {
+  return {Exit::data, fmt::format("the first record has both text, {}, and a number, {}; expected only names or only "
+                                  "numbers; add a line of names above it, or remove the text",
+                                  in_quotes(text_cell), in_quotes(number_cell))};
+}
+
 Error header_without_rows() {
   return {Exit::data, fmt::format("no row follows the header; expected a row for each key; see {}", option::help)};
 }
@@ -62,7 +71,7 @@ Error row_unlike_header(std::size_t cells, std::size_t names) {
 
 Error column_name_not_utf8(std::string_view name, char byte) {
   return {Exit::data, fmt::format("the column name {} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert "
-                                  "the text, for example with iconv",
+                                  "the text, for example with iconv -f WINDOWS-1252 -t UTF-8",
                                   in_quotes(name), static_cast<unsigned char>(byte))};
 }
 
@@ -94,7 +103,7 @@ Error wrong_number_of_cells(std::size_t cells, std::size_t expected) {
 
 Error cell_not_utf8(std::string_view cell, char byte) {
   return {Exit::data, fmt::format("{} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert the text, for "
-                                  "example with iconv",
+                                  "example with iconv -f WINDOWS-1252 -t UTF-8",
                                   in_quotes(cell), static_cast<unsigned char>(byte))};
 }
 
@@ -141,6 +150,11 @@ Error number_with_thousands(std::string_view column, std::string_view cell) {
                                   column, in_quotes(cell), option::decimal)};
 }
 
+Error number_with_thousands_points(std::string_view column, std::string_view cell) {
+  return {Exit::data, fmt::format("{}: {} is not a number; expected one without thousands separators; remove them",
+                                  column, in_quotes(cell))};
+}
+
 Error number_beyond_doubles(std::string_view column, std::string_view cell) {
   return {Exit::data, fmt::format("{}: {} is not a finite double; expected less than 1.8e308 in size; correct "
                                   "the cell",
@@ -156,6 +170,15 @@ Error several_numbers_in_cell(std::string_view column, std::string_view cell) {
 Error cell_is_not_a_number(std::string_view column, std::string_view cell) {
   return {Exit::data, fmt::format("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell",
                                   column, in_quotes(cell))};
+}
+
+Error word_in_column_of_numbers(std::string_view column, std::string_view cell) {
+  return {
+      Exit::data,
+      fmt::format("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give {} {} to "
+                  "leave the column out, {} {} to keep it in the rows, or {} {} if it tells curves apart",
+                  column, in_quotes(cell), option::columns, in_shell(fmt::format("ignore={}", column)), option::columns,
+                  in_shell(fmt::format("carry={}", column)), option::group, in_shell(column))};
 }
 
 Error in_possible_text_column(const Error& error) {

@@ -14,6 +14,9 @@ Error other_delimiter_likely(char delimiter, char likely_delimiter);
 
 // The header and the first records.
 Error empty_input();
+Error empty_samples();
+/// Of a file of samples.
+Error samples_header_unclear(std::string_view text_cell, std::string_view number_cell);
 Error header_without_rows();
 Error lines_end_in_carriage_returns();
 Error header_unclear(std::string_view text_cell, std::string_view number_cell);
@@ -37,9 +40,12 @@ Error number_is_missing(std::string_view column, std::string_view cell);
 Error time_is_missing(std::string_view column, std::string_view cell);
 Error number_with_decimal_point(std::string_view column, std::string_view cell);
 Error number_with_decimal_comma(std::string_view column, std::string_view cell);
+/// The decimal mark is a comma.
+Error number_with_thousands_points(std::string_view column, std::string_view cell);
 Error number_with_thousands(std::string_view column, std::string_view cell);
 Error number_beyond_doubles(std::string_view column, std::string_view cell);
 Error several_numbers_in_cell(std::string_view column, std::string_view cell);
+Error word_in_column_of_numbers(std::string_view column, std::string_view cell);
 Error cell_is_not_a_number(std::string_view column, std::string_view cell);
 
 /// An error about a cell of a column that may hold texts: it also offers to leave out the column.

@@ -86,7 +86,13 @@ class FirstRecords {
 /// separators of thousands, does too, and is an error later.
 bool may_be_number(std::string_view cell, const DelimitedHead& head) {
   return is_missing_sign(cell, head.rules.signs) || Decimals('.').looks_numeric(cell) ||
-         has_thousands_separators(cell) || (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
+         Decimals(head.decimal).looks_numeric(cell) || has_thousands_separators(cell) ||
+         (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
+}
+
+/// Whether the cell is a value of a key and no name: it looks like a number, or is a time in words.
+bool may_be_value(std::string_view cell, const DelimitedHead& head) {
+  return may_be_number(cell, head) || find_notation(unquoted(cell));
 }
 
 /// Whether a cell is text. In samples the groups, which come first, and the labels, which come last, may be text.
@@ -96,7 +102,7 @@ bool is_header(const FirstRecords::Record& record, const DelimitedHead& head,
   if (samples && samples->groups.size() + samples->labels.size() < cells.size()) {
     cells = cells.first(cells.size() - samples->labels.size()).subspan(samples->groups.size());
   }
-  return !std::ranges::all_of(cells, [&](const auto& cell) { return may_be_number(cell, head); });
+  return !std::ranges::all_of(cells, [&](const auto& cell) { return may_be_value(cell, head); });
 }
 
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
@@ -156,6 +162,21 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
   }
 }
 
+/// Throws: Error (data) if no column besides the first numbers holds numbers, but one has cells that begin like a
+/// number, such as "0,5".
+void require_numbers(const FirstRecords::Record& record, const std::vector<std::string>& names,
+                     const std::vector<bool>& numeric, const DelimitedHead& head) {
+  if (std::ranges::count(numeric, true) > 1) return;
+  for (std::size_t i = 0; i < record.cells.size(); ++i) {
+    const std::string& cell = record.cells[i];
+    const std::size_t digit = cell.find_first_not_of("+-");
+    const bool begins_like_number = digit < cell.size() && cell[digit] >= '0' && cell[digit] <= '9';
+    if (numeric[i] || !begins_like_number || find_notation(cell)) continue;
+    const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
+    throw why_not_number(name, cell, head.decimal).at({"", record.line, 0});
+  }
+}
+
 /// Throws: Error (data) if the first record may be a header, or a key with a misspelt number: one of its cells is
 /// text, another a number, and none a name with a meaning.
 void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const ColumnOptions& options) {
@@ -165,8 +186,9 @@ void require_clear_header(const FirstRecords::Record& record, const DelimitedHea
   const auto is_name = [&](const std::string& cell) { return !is_number(cell) && has_meaning(cell, options); };
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
-  const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_number(cell, head); });
-  throw header_unclear(*text, *number).at({"", record.line, 1});
+  const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
+  const auto fault = options.samples ? samples_header_unclear : header_unclear;
+  throw fault(*text, *number).at({"", record.line, 1});
 }
 
 /// Throws: Error (data) where each record is one cell, with the same number of some other character that may delimit.
@@ -217,7 +239,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const ColumnOptions& columns = options.columns;
   FirstRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.decimal};
-  if (first.records.empty()) throw empty_input();
+  if (first.records.empty()) throw columns.samples ? empty_samples() : empty_input();
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
   const bool header = options.delimited.header.value_or(is_header(first.records[0], head, columns.samples));
   std::size_t data = header ? 1 : 0;
@@ -241,6 +263,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);
+  require_numbers(row, names, numeric, head);
   at_position(position, [&] {
     head.columns = columns.samples ? find_sample_columns(names, numeric, *columns.samples, columns.timeless)
                                    : find_columns(names, numeric, columns.roles, columns.timeless);

@@ -18,6 +18,13 @@ std::string with_point(std::string_view text) {
   return changed;
 }
 
+/// The text with a point for each comma, and the other way round, without blanks between digits.
+std::string with_marks_exchanged(std::string_view text) {
+  std::string changed(text);
+  for (char& c : changed) c = c == ',' ? '.' : c == '.' || c == ' ' ? ',' : c;
+  return changed;
+}
+
 }  // namespace
 
 bool has_thousands_separators(std::string_view text) {
@@ -38,6 +45,9 @@ Error why_not_number(std::string_view column, std::string_view cell, char decima
     return has_point ? number_with_decimal_point(column, cell) : number_beyond_doubles(column, cell);
   }
   const bool has_comma = decimal == '.' && cell.find(',') != std::string_view::npos;
+  if (decimal == ',' && has_thousands_separators(with_marks_exchanged(cell))) {
+    return number_with_thousands_points(column, cell);
+  }
   if (has_comma && has_thousands_separators(cell)) return number_with_thousands(column, cell);
   if (has_comma && parse_number(with_point(cell))) return number_with_decimal_comma(column, cell);
   const std::size_t blank = cell.find_first_of(" \t");

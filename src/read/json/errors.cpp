@@ -180,7 +180,7 @@ Error member_missing(std::string_view member, bool is_time) {
 }
 
 Error not_a_number(std::string_view text) {
-  return refused("{} is not a number; expected one without quotes; correct it", in_quotes(text));
+  return refused("{} is not a number; expected a number without quotes; correct it", in_quotes(text));
 }
 
 Error number_missing(std::string_view sign, bool is_time) {

@@ -115,7 +115,7 @@ TEST(Csv, keys_have_the_texts_of_groups_and_labels) {
       << "a whole number is no string";
   EXPECT_EQ(read("t,x,l\n0,1,\xFC\n", with_columns("carry=l")),
             "f:2:5: error: \"\\xFC\" has the byte FC, which is not UTF-8; expected UTF-8; convert the text, for "
-            "example with iconv");
+            "example with iconv -f WINDOWS-1252 -t UTF-8");
 }
 
 TEST(Csv, faults_do_not_end_the_reading) {

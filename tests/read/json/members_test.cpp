@@ -120,9 +120,9 @@ TEST(JsonMembers, the_first_key_determines_the_members) {
 
 TEST(JsonMembers, a_text_is_an_error_where_the_name_or_the_text_is_that_of_a_number) {
   EXPECT_EQ(read(R"([{"t":"soon","x":1}])"),
-            "f:1:7: error: keys[0].t: \"soon\" is not a number; expected one without quotes; correct it");
+            "f:1:7: error: keys[0].t: \"soon\" is not a number; expected a number without quotes; correct it");
   EXPECT_EQ(read(R"([{"t":0,"x":"1.5"}])"),
-            "f:1:13: error: keys[0].x: \"1.5\" is not a number; expected one without quotes; correct it");
+            "f:1:13: error: keys[0].x: \"1.5\" is not a number; expected a number without quotes; correct it");
   EXPECT_EQ(read(R"([{"t":0,"x":1,"note":""}])"), "t x\n1: 0 1\n");
   EXPECT_EQ(read(R"([{"t":0,"x":1,"note":"a"}])"), "t x\n1: 0 1\n");
 }

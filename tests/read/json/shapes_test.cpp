@@ -56,7 +56,7 @@ TEST(Json, a_list_that_is_cut_off_is_an_error_at_its_end) {
 
 TEST(Json, settings_before_the_keys_do_not_change_their_positions) {
   EXPECT_EQ(read("{\"é\":1,\n \"keys\":[{\"t\":0,\"x\":1},{\"t\":1,\"x\":\"2\"}]}"),
-            "f:2:35: error: keys[1].x: \"2\" is not a number; expected one without quotes; correct it");
+            "f:2:35: error: keys[1].x: \"2\" is not a number; expected a number without quotes; correct it");
 }
 
 // The result does not depend on how the bytes arrive.
@@ -159,7 +159,7 @@ TEST(Json, the_text_before_a_nul_is_read_first) {
   using namespace std::string_literals;
   for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
     EXPECT_EQ(read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
-              "f:2:12: error: keys[1].x: \"a\" is not a number; expected one without quotes; correct it\n"
+              "f:2:12: error: keys[1].x: \"a\" is not a number; expected a number without quotes; correct it\n"
               "f:3:1: error: this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f "
               "UTF-16 -t "
               "UTF-8");
