@@ -147,8 +147,8 @@ bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_vi
   return true;
 }
 
-bool KeyBuilder::complete_time() {
-  if (!has_nanoseconds_ || std::isnan(time_.hi) || std::isnan(nanoseconds_)) return true;  // one is missing
+bool KeyBuilder::add_nanoseconds() {
+  if (std::isnan(time_.hi) || std::isnan(nanoseconds_)) return true;  // one is missing
   constexpr std::int64_t nanoseconds_of_second = 1'000'000'000;
   const bool is_part =
       nanoseconds_ >= 0 && nanoseconds_ < nanoseconds_of_second && std::trunc(nanoseconds_) == nanoseconds_;

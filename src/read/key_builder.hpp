@@ -80,7 +80,7 @@ class KeyBuilder {
 
   /// Adds the nanoseconds of the time, if it has any, to its seconds, which are its other part. False where they are
   /// not from 0 to below 10^9, or where either is not a whole number.
-  bool complete_time();
+  bool complete_time() { return !has_nanoseconds_ || add_nanoseconds(); }
 
   /// Ends the key; a record that is a segment has two keys, its ends. Returns whether it is kept; if so, set_position()
   /// must follow.
@@ -105,6 +105,7 @@ class KeyBuilder {
 
  private:
   double& number_of_channel(const Columns::Column& column);
+  bool add_nanoseconds();
   void complete_channels();
   void complete_velocities();
   void add_key();
