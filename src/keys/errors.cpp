@@ -82,13 +82,6 @@ Error tcb_from_0_to_50(std::string_view role, double value) {
                       role, value, option::tcb_scale, option::tcb_scale)};
 }
 
-Error tcb_of_unknown_scale(std::string_view role, double value) {
-  return {Exit::data,
-          fmt::format("{} is {}; expected a number that is usually from -1 to 1; give {} 3dsmax if 0 to 50 is "
-                      "shown with 25 for 0, or {} none to take it unchanged",
-                      role, value, option::tcb_scale, option::tcb_scale)};
-}
-
 Error tcb_in_percent(std::string_view role, double value) {
   return {Exit::data, fmt::format("{} is {}, as in a product that shows percent; expected a number that is usually "
                                   "from -1 to 1; divide it by 100, or give {} none to take it unchanged",

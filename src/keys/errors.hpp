@@ -30,8 +30,6 @@ Error sort_of_segments();
 // The number of keys, and their numbers. `role` is tension, continuity or bias.
 Error too_few_keys(std::size_t count);
 Error tcb_from_0_to_50(std::string_view role, double value);
-/// No preset is given.
-Error tcb_of_unknown_scale(std::string_view role, double value);
 Error tcb_in_percent(std::string_view role, double value);
 Error ease_out_of_range(std::string_view role, double value);
 

@@ -2,7 +2,6 @@
 #include "keys/key_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -50,25 +49,15 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
   };
 }
 
-namespace {
-
-/// Products show at most one decimal; numbers with more, as in keys of a fit, were computed.
-bool is_as_shown(double value) { return std::round(value * 10) == value * 10; }
-
-}  // namespace
-
 Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown) {
-  constexpr std::array faults{tcb_of_unknown_scale, tcb_from_0_to_50, tcb_in_percent};
-  const auto fault = faults[static_cast<std::size_t>(shown)];
-  return mapped(std::move(blocks), [fault, shown](KeyBlock block) {
+  const auto fault = shown == ShownTcbScale::percent ? tcb_in_percent : tcb_from_0_to_50;
+  return mapped(std::move(blocks), [fault](KeyBlock block) {
     const auto require = [&](std::size_t key, Role role, double value) {
-      if (std::abs(value) <= 5 || (shown == ShownTcbScale::unknown && !is_as_shown(value))) return;
+      if (std::abs(value) <= 5) return;
       throw fault(role_name(role), value).at({"", block.line(key), 0});
     };
     const std::size_t per_key = std::max<std::size_t>(block.keys.tcbs_per_key(), 1);
-    const std::size_t different =
-        block.keys.tcbs.empty() ? std::min<std::size_t>(block.size(), 1) : block.size() * per_key;
-    for (std::size_t i = 0; i < different; ++i) {
+    for (std::size_t i = 0; i < block.size() * per_key; ++i) {
       const auto& tcb = block.keys.tcb(i / per_key, i % per_key);
       require(i / per_key, Role::tension, tcb.tension);
       require(i / per_key, Role::continuity, tcb.continuity);

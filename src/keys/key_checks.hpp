@@ -13,11 +13,11 @@ namespace tcb {
 /// from key to key, up to the thousandth: then it may be the time.
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
 
-/// The scale on which a product shows tension, continuity and bias, where it is not known to be from -1 to 1.
-enum class ShownTcbScale { unknown, from_0_to_50, percent };
+/// The scale on which a product shows tension, continuity and bias, where it is not from -1 to 1.
+enum class ShownTcbScale { from_0_to_50, percent };
 
 /// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
-/// scale on which the product shows them. If that is unknown, numbers with more than one decimal are passed on.
+/// scale on which the product shows them.
 Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
 
 /// The keys without their ease.

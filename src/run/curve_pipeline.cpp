@@ -71,7 +71,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
   blocks = with_clear_angles(std::move(blocks), spec_.angles, channels_, spec_.closed);
   if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
   if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
-  const auto shown_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_);
+  const auto shown_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset);
   if (shown_scale) blocks = within_tcb_scale(std::move(blocks), *shown_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
   blocks = with_complete_velocities(std::move(blocks), channels_, spec_.rules.equal_speed);

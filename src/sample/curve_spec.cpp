@@ -140,7 +140,6 @@ CurveSpec make_spec(const CurveSettings& settings) {
   const auto& preset =
       settings.preset ? row_of(*settings.preset, spline::presets) : spline::row_of(spline::Preset::gte);
   spec.preset = preset.id;
-  spec.has_default_preset = !settings.preset;
   spec.rules.tangents = preset.tangents;
   if (settings.tangents) {
     spec.rules.tangents = row_of(*settings.tangents, spline::tangent_rules<double>).id;
@@ -223,12 +222,11 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   return spec;
 }
 
-std::optional<ShownTcbScale> shown_tcb_scale(const CurveSpec& spec) {
-  if (spec.has_default_preset) return ShownTcbScale::unknown;
+std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
   using enum spline::Preset;
   constexpr std::array with_0_to_50{max3ds, nel, gamebryo, lib3ds1, lib3ds2};
-  if (std::ranges::count(with_0_to_50, spec.preset) > 0) return ShownTcbScale::from_0_to_50;
-  return spec.preset == lightwave ? std::optional(ShownTcbScale::percent) : std::nullopt;
+  if (std::ranges::count(with_0_to_50, preset) > 0) return ShownTcbScale::from_0_to_50;
+  return preset == lightwave ? std::optional(ShownTcbScale::percent) : std::nullopt;
 }
 
 void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {

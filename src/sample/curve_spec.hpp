@@ -18,7 +18,6 @@ namespace tcb {
 /// Which curve the keys make.
 struct CurveSpec {
   spline::Preset preset = spline::Preset::gte;
-  bool has_default_preset = true;  ///< none is given
   spline::CurveRules<double> rules;
   bool closed = false;
   std::optional<Rational> period;                  ///< of a closed curve, if given
@@ -52,9 +51,8 @@ CurveSpec make_spec(const CurveSettings& settings);
 CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string>& channels,
                     const std::vector<RotationColumns>& rotations = {}, const std::vector<AngleColumn>& angles = {});
 
-/// The scale on which the preset's product shows tension, continuity and bias, where that is unknown or another than
-/// the formulas'.
-std::optional<ShownTcbScale> shown_tcb_scale(const CurveSpec& spec);
+/// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
+std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);
 
 /// What is used of the metric: lengths along the curve, or also distances and speeds.
 enum class MetricUse { nothing, lengths, path };
