@@ -47,7 +47,7 @@ class KeyReader : public JsonObjectReader {
     position_ = key_position();
     number_ = key_number();
     tcb_given_ = 0;
-    std::fill(seen_.begin(), seen_.end(), false);
+    std::ranges::fill(seen_, 0);
     expected_ = 0;
     is_provenance_ = false;
     return true;
@@ -64,8 +64,8 @@ class KeyReader : public JsonObjectReader {
       unknown_ = name;
       return true;
     }
-    if (seen_[expected_]) return add_value_fault(json::member_repeats());
-    seen_[expected_++] = true;
+    if (seen_[expected_] != 0) return add_value_fault(json::member_repeats());
+    seen_[expected_++] = 1;
     return true;
   }
 
@@ -138,9 +138,9 @@ class KeyReader : public JsonObjectReader {
   }
 
   bool on_key_end() override {
-    if (is_provenance_ && std::ranges::count(seen_, true) == 0) return true;
+    if (is_provenance_ && std::ranges::count(seen_, 1) == 0) return true;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
-      if (columns_.members[i].required && !seen_[i]) miss_member(columns_.members[i]);
+      if (seen_[i] == 0 && columns_.members[i].required) miss_member(columns_.members[i]);
     }
     if (!keys_.complete_time()) add_fault(at_key(time_parts_not_whole(columns_.columns.time)));
     if (!keys_.end_key()) return !keys_.is_full();
@@ -228,12 +228,12 @@ class KeyReader : public JsonObjectReader {
   const std::vector<std::string>& signs_;
   KeyBuilder keys_;
   std::string path_;
-  std::vector<bool> seen_;      ///< the members of the current key
-  bool is_provenance_ = false;  ///< the object has "meta", and is no key if it has no member of a key
-  LinePosition position_;       ///< of the current key
-  std::uint64_t number_ = 0;    ///< of the current key
-  unsigned tcb_given_ = 0;      ///< a bit for each of the three
-  std::size_t expected_ = 0;    ///< the next member, if all keys have the same order
+  std::vector<unsigned char> seen_;  ///< 1 for the members of the current key; bits would take longer
+  bool is_provenance_ = false;       ///< the object has "meta", and is no key if it has no member of a key
+  LinePosition position_;            ///< of the current key
+  std::uint64_t number_ = 0;         ///< of the current key
+  unsigned tcb_given_ = 0;           ///< a bit for each of the three
+  std::size_t expected_ = 0;         ///< the next member, if all keys have the same order
   const Member* current_ = nullptr;
   std::string unknown_;  ///< the name of the current member, if the first key has no such member
 };
