@@ -58,6 +58,13 @@ class Error : public std::exception {
     return error;
   }
 
+  /// The same error without a position.
+  Error without_position() const {
+    Error error(exit_, message_);
+    for (const Error& other : others_) error.others_.push_back(other.without_position());
+    return error;
+  }
+
   /// The same error at this position, unless it already has one.
   Error at(const TextPosition& position) const {
     Error error = *this;

@@ -47,6 +47,18 @@ SegmentBlock polyline(const Keys& keys) {
   return block;
 }
 
+/// Sets differences to 0 where they are below the rounding of the largest position of their channel.
+void remove_rounding(std::vector<CheckedSample>& samples, std::size_t channels) {
+  for (std::size_t i = 0; i < channels; ++i) {
+    double largest = 0;
+    for (const CheckedSample& sample : samples) largest = std::max(largest, std::abs(sample.position[i]));
+    for (CheckedSample& sample : samples) {
+      double& difference = sample.position[channels + i];
+      if (std::abs(difference) <= 0x1p-51 * largest) difference = 0;
+    }
+  }
+}
+
 std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 }  // namespace
@@ -62,9 +74,11 @@ void CheckPicture::begin(const ComparisonInputs& inputs) {
   }
   if (channels_.empty()) throw no_position_column(channels);
   scene_.path = path_axes(scene_.channels, options_.axes);
+  scene_.is_path_requested = !options_.axes.empty();
   for (std::size_t i = 0; i < channels_.size(); ++i) scene_.channels.push_back(scene_.channels[i] + ", difference");
   scene_.require_few_strips();
   scene_.time = inputs.kept.schema.time.name;
+  scene_.time_scale = time_scale_of(inputs.kept.schema);
   scene_.names = {file_name(inputs.keys), file_name(inputs.file)};
 }
 
@@ -112,6 +126,7 @@ void CheckPicture::add_samples(const CheckedPair& pair) {
                });
   std::ranges::stable_sort(samples, {}, &CheckedSample::t);
   if (samples.empty()) return;
+  remove_rounding(samples, size);
   Keys keys{2 * size, {}, {}, {}, {}, {}};
   for (const CheckedSample& sample : samples) {
     keys.times.push_back(sample.t);
@@ -130,11 +145,9 @@ void CheckPicture::add_samples(const CheckedPair& pair) {
 }
 
 std::string CheckPicture::svg(const ComparisonSummary& files, const std::string& result) {
-  std::string largest;
-  append_number(largest, largest_);
   scene_.title = options_.title.value_or(fmt::format("{} against {}", file_name(files.file), file_name(files.keys)));
-  scene_.subtitle = fmt::format("{} · largest difference {}", result, largest);
-  return picture(scene_, options_.size);
+  scene_.subtitle = fmt::format("{} · largest difference {:.4g}", result, largest_);
+  return picture(std::move(scene_), options_.size);
 }
 
 }  // namespace tcb

@@ -1,6 +1,7 @@
 // Sample table: a file of samples, read into memory.
 #include "check/sample_table.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -22,9 +23,12 @@ bool has_between_digits(std::string_view text, char mark) {
   return false;
 }
 
-char decimal_mark_of(std::string_view beginning) {
+/// The decimal mark of delimited text, from its first lines that are no comments.
+char decimal_mark_of(std::string_view beginning, char of_keys) {
+  while (beginning.starts_with('#')) beginning.remove_prefix(std::min(beginning.find('\n'), beginning.size() - 1) + 1);
   const bool delimited = beginning.find_first_of(";\t") != std::string_view::npos;
-  const bool commas = delimited && !has_between_digits(beginning, '.') && has_between_digits(beginning, ',');
+  const bool has_points = has_between_digits(beginning, '.') && of_keys == '.';  // otherwise these are in dates
+  const bool commas = delimited && !has_points && has_between_digits(beginning, ',');
   return commas ? ',' : '.';
 }
 
@@ -55,7 +59,7 @@ SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes
   options.threads = comparison.threads.count();
   const UnitOptions& units = comparison.keys.input.units;
   options.units = {.frame_rate = units.frame_rate, .date_order = units.date_order, .are_optional = true};
-  options.delimited.decimal = decimal_mark_of(beginning);
+  options.delimited.marks.decimal = decimal_mark_of(beginning, comparison.keys.input.delimited.marks.decimal);
   const Input input = open_input(comparison.file, preceded_by(std::move(beginning), std::move(bytes)), options);
   const Schema& schema = input.schema;
   SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};

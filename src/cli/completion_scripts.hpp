@@ -14,7 +14,7 @@ inline constexpr std::string_view bash_script = R"script(_tcbsample_offer() { # 
     [[ $name == "$part"* ]] && COMPREPLY+=("$head$before$name$ending")
   done
 }
-_tcbsample_columns() { # SEPARATORS
+_tcbsample_columns() { # SEPARATORS [KIND]
   local i file name names=()
   for ((i = 1; i < ${#words[@]}; i++)); do
     case ${words[i]} in
@@ -26,7 +26,7 @@ _tcbsample_columns() { # SEPARATORS
     while IFS= read -r name; do
       printf -v name %q "$name"
       names+=("$name")
-    done < <(command tcbsample --generate columns "$file" 2>/dev/null)
+    done < <(command tcbsample --generate "${2-columns}" "$file" 2>/dev/null)
     break
   done
   _tcbsample_offer "$1" '' "${names[@]}"
@@ -77,27 +77,30 @@ complete -o default -F _tcbsample tcbsample)script";
 
 /// The functions of the script for zsh.
 inline constexpr std::string_view zsh_script = R"script(#compdef tcbsample
-_tcbsample_columns() {
+_tcbsample_columns() { # KIND OPTION...
   local -a names
-  local i file
+  local i file kind=$1
+  shift
   for ((i = 2; i <= $#words; i++)); do
     case $words[i] in
       @VALUED@) ((++i)); continue;;
     esac
     file=${(Q)words[i]/#\~\//$HOME/}
     [[ $i -eq $CURRENT || $file == -* || ! -f $file ]] && continue
-    names=(${(f)"$(command tcbsample --generate columns $file 2>/dev/null)"})
+    names=(${(f)"$(command tcbsample --generate $kind $file 2>/dev/null)"})
     break
   done
   compadd "$@" -- $names
 }
 _tcbsample_roles() {
   compset -P '*,'
-  if compset -P '*[=:]'; then _tcbsample_columns -S ''; else compadd -S '=' -- @ROLES@; fi
+  local kind=columns
+  [[ $PREFIX == position=* ]] && kind=positions
+  if compset -P '*[=:]'; then _tcbsample_columns $kind -S ''; else compadd -S '=' -- @ROLES@; fi
 }
 _tcbsample_pair() {
   compset -P '*:'
-  _tcbsample_columns
+  _tcbsample_columns positions
 }
 _tcbsample_places() {
   compset -P '@' && _files
@@ -115,22 +118,24 @@ function __tcbsample_list # SEPARATORS NAME...
     echo $before$name
   end
 end
-function __tcbsample_columns
+function __tcbsample_columns # KIND
   set -l words (commandline -op)
   set -l i 2
   while test $i -le (count $words)
     if contains -- $words[$i] @VALUED@
       set i (math $i + 1)
     else if not string match -q -- '-*' $words[$i]; and test -f (string replace -r '^~/' "$HOME/" -- $words[$i])
-      command tcbsample --generate columns (string replace -r '^~/' "$HOME/" -- $words[$i]) 2>/dev/null
+      command tcbsample --generate $argv[1] (string replace -r '^~/' "$HOME/" -- $words[$i]) 2>/dev/null
       return
     end
     set i (math $i + 1)
   end
 end
 function __tcbsample_roles
-  if string match -qr '=[^,]*$' -- (__tcbsample_value)
-    __tcbsample_list ',=:' (__tcbsample_columns)
+  if string match -qr '(^|,)position=[^,]*$' -- (__tcbsample_value)
+    __tcbsample_list ',=:' (__tcbsample_columns positions)
+  else if string match -qr '=[^,]*$' -- (__tcbsample_value)
+    __tcbsample_list ',=:' (__tcbsample_columns columns)
   else
     __tcbsample_list ',' (string split ' ' '@ROLES@')=
   end

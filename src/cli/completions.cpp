@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,9 +65,11 @@ std::string bash_value(const OptionRow& row) {
     case ValueKind::file: return ":";
     case ValueKind::folder: return "compopt +o default -o dirnames";
     case ValueKind::columns: return "compopt +o default -o nospace; _tcbsample_columns ,";
-    case ValueKind::column_pair: return "compopt +o default -o nospace; _tcbsample_columns :";
+    case ValueKind::column_pair: return "compopt +o default -o nospace; _tcbsample_columns : positions";
     case ValueKind::roles:
-      return "compopt +o default -o nospace; if [[ ${word##*,} == *=* ]]; then _tcbsample_columns ,=:; else "
+      return "compopt +o default -o nospace; if [[ ${word##*,} == position=* ]]; then _tcbsample_columns ,=: "
+             "positions; elif [[ ${word##*,} == *=* ]]; "
+             "then _tcbsample_columns ,=:; else "
              "_tcbsample_offer , = " +
              role_list() + "; fi";
     case ValueKind::places: return "compopt +o default -o nospace; if [[ $word == @* ]]; then _tcbsample_files; fi";
@@ -85,13 +88,22 @@ std::string zsh_value(const OptionRow& row) {
     case ValueKind::names: return action(fmt::format("_sequence -d compadd - {}", known_names(row)));
     case ValueKind::file: return action("_files");
     case ValueKind::folder: return action("_files -/");
-    case ValueKind::columns: return action("_sequence _tcbsample_columns");
+    case ValueKind::columns: return action("_sequence _tcbsample_columns columns");
     case ValueKind::column_pair: return action("_tcbsample_pair");
     case ValueKind::roles: return action("_tcbsample_roles");
     case ValueKind::places: return action("_tcbsample_places");
     case ValueKind::other: return action(" ");
   }
   return "";
+}
+
+/// The beginning of a description that fits into a line of fish's list.
+std::string_view brief(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  text = text.substr(0, std::min({text.find(". "), text.find("; "), text.find(": ")}));
+  if (text.size() <= longest) return text;
+  const std::size_t end = std::max(text.rfind(", ", longest) + 1, text.rfind(" (", longest) + 1);
+  return text.substr(0, end > 1 ? end - 1 : text.rfind(' ', longest));
 }
 
 /// What fish offers for the value of an option.
@@ -103,8 +115,8 @@ std::string fish_value(const OptionRow& row) {
     case ValueKind::names: return fmt::format(" -x -a '(__tcbsample_list , {})'", known_names(row));
     case ValueKind::file: return " -r -F";
     case ValueKind::folder: return " -x -a '(__fish_complete_directories)'";
-    case ValueKind::columns: return " -x -a '(__tcbsample_list , (__tcbsample_columns))'";
-    case ValueKind::column_pair: return " -x -a '(__tcbsample_list : (__tcbsample_columns))'";
+    case ValueKind::columns: return " -x -a '(__tcbsample_list , (__tcbsample_columns columns))'";
+    case ValueKind::column_pair: return " -x -a '(__tcbsample_list : (__tcbsample_columns positions))'";
     case ValueKind::roles: return " -x -a '(__tcbsample_roles)'";
     case ValueKind::places: return " -x -a '(__tcbsample_places)'";
     case ValueKind::other: return " -x";
@@ -151,17 +163,21 @@ std::string fish_completion() {
       const bool is_long = name.starts_with("--");
       options += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
     }
-    options += fmt::format("{} -d '{}'", fish_value(row), fish_text(row.description()));
+    options += fmt::format("{} -d '{}'", fish_value(row), fish_text(brief(row.text)));
   }
   return filled(fish_script, {{"@VALUED@", valued_options(" ")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
 }
 
-std::string columns_text(const std::vector<std::string>& files) {
+std::string columns_text(const std::vector<std::string>& files, bool positions_only) {
   std::vector<std::string> names;
   for (const std::string& file : files.empty() ? std::vector<std::string>{"-"} : files) {
     try {
       const Input input = open_input(file, read_file(file), {});
       const Schema& schema = input.schema;
+      if (positions_only) {
+        names.insert(names.end(), schema.channels.begin(), schema.channels.end());
+        continue;
+      }
       if (schema.time.is_given) names.push_back(schema.time.name);
       for (const auto* group : {&schema.channels, &schema.groups, &schema.labels, &input.facts.ignored}) {
         names.insert(names.end(), group->begin(), group->end());

@@ -12,6 +12,6 @@ std::string zsh_completion();
 std::string fish_completion();
 
 /// The names of the columns of files, or of standard input, one per line. Throws: Error.
-std::string columns_text(const std::vector<std::string>& files);
+std::string columns_text(const std::vector<std::string>& files, bool positions_only);
 
 }  // namespace tcb

@@ -76,7 +76,20 @@ bool has_json_input(const TypedOptions& typed) {
 }
 
 bool has_one_comma_for_two(const TypedOptions& typed) {
-  return typed.keys.input.delimited.decimal == ',' && typed.keys.input.delimited.delimiter == ',';
+  return typed.keys.input.delimited.marks.decimal == ',' && typed.keys.input.delimited.delimiter == ',';
+}
+
+bool has_one_mark_for_two(const TypedOptions& typed) {
+  const NumberMarks& marks = typed.keys.input.delimited.marks;
+  return marks.decimal == marks.thousands;
+}
+
+bool needs_output_delimiter(const TypedOptions& typed) {
+  return typed.output.decimal == ',' && !typed.output.delimiter && output_of(typed).delimiter == ',';
+}
+
+bool has_one_output_comma_for_two(const TypedOptions& typed) {
+  return typed.output.decimal == ',' && typed.output.delimiter == ',';
 }
 
 bool has_sparse_channels(const TypedOptions& typed) {
@@ -132,6 +145,7 @@ bool has_picture(const TypedOptions& typed) { return output_of(typed).family == 
 bool has_no_picture(const TypedOptions& typed) { return !has_picture(typed); }
 bool has_binary_output(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::array; }
 bool has_no_header(const TypedOptions& typed) { return output_of(typed).family != FormatFamily::delimited; }
+bool has_fixed_delimiter(const TypedOptions& typed) { return typed.output.format != FormatId::csv; }
 bool has_no_provenance(const TypedOptions& typed) { return !output_of(typed).has_provenance; }
 
 }  // namespace tcb

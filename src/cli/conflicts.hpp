@@ -52,6 +52,11 @@ void require_no_conflict(const TypedOptions& typed);
 bool has_json_input(const TypedOptions& typed);
 /// The decimal mark is also the delimiter.
 bool has_one_comma_for_two(const TypedOptions& typed);
+/// The decimal mark also divides thousands.
+bool has_one_mark_for_two(const TypedOptions& typed);
+/// Rows would have commas as decimal marks and as delimiters; without a delimiter that is given, and with one.
+bool needs_output_delimiter(const TypedOptions& typed);
+bool has_one_output_comma_for_two(const TypedOptions& typed);
 /// Cells without a number are skipped, but all channels are needed at each key.
 bool has_sparse_channels(const TypedOptions& typed);
 /// No length, speed or distance is requested.
@@ -75,6 +80,8 @@ bool has_picture(const TypedOptions& typed);
 bool has_no_picture(const TypedOptions& typed);
 bool has_binary_output(const TypedOptions& typed);
 bool has_no_header(const TypedOptions& typed);
+/// The format has no delimiter, or its own.
+bool has_fixed_delimiter(const TypedOptions& typed);
 bool has_no_provenance(const TypedOptions& typed);
 
 }  // namespace tcb

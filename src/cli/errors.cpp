@@ -105,6 +105,10 @@ Error not_a_delimiter(std::string_view text) {
                      "semicolon, space or pipe");
 }
 
+Error not_a_thousands_mark(std::string_view text) {
+  return about_value(text, "is no mark between thousands; expected comma, point, apostrophe, underscore or space");
+}
+
 Error not_a_decimal_mark(std::string_view text) {
   return about_value(text, "is not a decimal mark; expected a comma or a point");
 }

@@ -36,6 +36,7 @@ Error not_an_angle_of_a_corner(std::string_view text);
 Error not_a_tolerance(std::string_view text);
 Error not_a_delimiter(std::string_view text);
 Error not_a_decimal_mark(std::string_view text);
+Error not_a_thousands_mark(std::string_view text);
 Error not_three_parameters(std::string_view text);
 Error not_a_list_of_columns(std::string_view text);
 Error not_a_list_of_renamings(std::string_view text);

@@ -164,7 +164,8 @@ std::string generated_text(Generated kind, const std::vector<std::string>& files
     case Generated::bash: return bash_completion();
     case Generated::zsh: return zsh_completion();
     case Generated::fish: return fish_completion();
-    case Generated::columns: return columns_text(files);
+    case Generated::columns: return columns_text(files, false);
+    case Generated::positions: return columns_text(files, true);
     case Generated::tables: return tables_text();
   }
   return "";

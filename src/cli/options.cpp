@@ -73,15 +73,17 @@ void disable_options_of_samples(const Conflicts& of, Conflicts::Condition condit
 void disable_options_of_rows(const Conflicts& of) {
   constexpr std::string_view reason = reason_of_reports;
   of.disable({option::output_dir, option::files, option::meta, option::explain, option::progress}, reason);
-  of.disable({option::digits, option::fixed, option::golden, option::exact_input, option::hex, option::no_output_header,
-              option::file_column, option::time_format},
-             reason);
+  of.disable(
+      {option::digits, option::fixed, option::golden, option::exact_input, option::hex, option::no_output_header,
+       option::output_delimiter, option::output_decimal, option::like_input, option::file_column, option::time_format},
+      reason);
   of.disable({option::output_format, option::plot}, ", whose report is text, json or svg", has_no_format_of_reports);
 }
 
 void disable_options_without_picture(const Conflicts& of) {
   of.disable({option::rotation_output, option::emit, option::fields, option::side, option::digits, option::fixed,
-              option::golden, option::exact_input, option::meta, option::hex, option::no_output_header},
+              option::golden, option::exact_input, option::meta, option::hex, option::no_output_header,
+              option::output_delimiter, option::output_decimal, option::like_input},
              ", which draws the curve and has no rows", has_picture);
 }
 
@@ -150,8 +152,9 @@ constexpr OptionRow option_rows[] = {
      "file; without a known ending, text that begins with [ or { is JSON, and any other text is delimited",
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); },
      [](const Conflicts& of) {
-       of.disable({option::delimiter, option::header, option::no_header, option::comment, option::decimal}, "",
-                  has_json_input);
+       of.disable(
+           {option::delimiter, option::header, option::no_header, option::comment, option::decimal, option::thousands},
+           "", has_json_input);
      },
      input_format_names},
     {option::delimiter, "-d", "CHAR", input_group,
@@ -191,7 +194,15 @@ constexpr OptionRow option_rows[] = {
      {},
      names_in<tcb_scales>},
     {option::decimal, "", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other, recorded,
-     [](Typed& to, Text text) { to.keys.input.delimited.decimal = decimal_mark(text); }},
+     [](Typed& to, Text text) { to.keys.input.delimited.marks.decimal = decimal_mark(text); }},
+    {option::thousands, "", "CHAR", input_group,
+     "The character between groups of three digits, which is skipped, or comma, point, apostrophe, underscore or space",
+     "", name, recorded, [](Typed& to, Text text) { to.keys.input.delimited.marks.thousands = thousands_mark(text); },
+     [](const Conflicts& of) {
+       of.need({option::decimal}, ", as the point is the decimal mark", has_one_mark_for_two);
+       of.exclude({option::decimal}, ", as it would be both", has_one_mark_for_two);
+     },
+     names_in<thousands_names>},
     {option::group, "-g", "COL[,COL]", input_group,
      "Makes one curve of all rows with the same values in these columns, in any order; output rows begin with these "
      "columns",
@@ -618,6 +629,29 @@ constexpr OptionRow option_rows[] = {
     {option::no_output_header, "", "", output_group,
      "Prints no names above the rows; this is the default if the input has no names", "", flag, recorded,
      [](Typed& to, Text) { to.output.header = false; }},
+    {option::output_delimiter, "", "CHAR", output_group,
+     "The character between the cells of csv, as for --delimiter; by default a comma", "", name, recorded,
+     [](Typed& to, Text text) { to.output.delimiter = delimiter(text); },
+     [](const Conflicts& of) {
+       of.require_effect(" on a format other than csv", has_fixed_delimiter);
+       of.exclude({option::like_input});
+     },
+     names_in<delimiter_names>},
+    {option::output_decimal, "", "MARK", output_group, "The decimal mark of rows, a point or a comma", ".", other,
+     recorded, [](Typed& to, Text text) { to.output.decimal = decimal_mark(text); },
+     [](const Conflicts& of) {
+       of.require_effect(" on a format that is not delimited text", has_no_header);
+       of.exclude({option::like_input, option::hex});
+       of.need({option::output_delimiter}, ", as the comma is the delimiter of csv", needs_output_delimiter);
+       of.exclude({option::output_delimiter}, ", as the comma cannot be both", has_one_output_comma_for_two);
+     }},
+    {option::like_input, "", "", output_group,
+     "Writes csv with the delimiter, the decimal mark and the line ends of the input", "", flag, recorded,
+     [](Typed& to, Text) { to.output.like_input = true; },
+     [](const Conflicts& of) {
+       of.require_effect(" on a format other than csv", has_fixed_delimiter);
+       of.exclude({option::hex});
+     }},
     {option::file_column, "", "[=NAME]", output_group,
      "Adds the name of the input as the first column, which is called NAME, and leaves out the blank line between "
      "files",
@@ -673,7 +707,8 @@ constexpr OptionRow option_rows[] = {
      "KIND",
      about_group,
      "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), the names of the "
-     "columns of FILE (columns), or all options and presets as JSON (tables)",
+     "columns of FILE (columns), of those that may be positions (positions), or all options and presets as JSON "
+     "(tables)",
      "",
      name,
      unrecorded,

@@ -20,7 +20,7 @@
 namespace tcb {
 
 /// Texts that --generate prints instead of rows.
-enum class Generated { manual, curves, bash, zsh, fish, columns, tables };
+enum class Generated { manual, curves, bash, zsh, fish, columns, positions, tables };
 
 /// A column of a file that has the times or arc lengths of an option.
 struct PlaceColumn {

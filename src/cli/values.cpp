@@ -186,6 +186,13 @@ char decimal_mark(const std::string& text) {
   return text[0];
 }
 
+char thousands_mark(const std::string& text) {
+  for (const auto& [name, character] : thousands_names) {
+    if (text == name || text == std::string(1, character)) return character;
+  }
+  throw not_a_thousands_mark(text);
+}
+
 spline::Tcb<double> tcb_values(const std::string& text) {
   const auto parts = split(text, ',');
   std::array<double, 3> values{};

@@ -23,10 +23,10 @@ struct GeneratedName {
   Generated kind;
 };
 inline constexpr std::array generated_names{
-    GeneratedName{"man", Generated::manual},   GeneratedName{"man-curves", Generated::curves},
-    GeneratedName{"bash", Generated::bash},    GeneratedName{"zsh", Generated::zsh},
-    GeneratedName{"fish", Generated::fish},    GeneratedName{"columns", Generated::columns},
-    GeneratedName{"tables", Generated::tables}};
+    GeneratedName{"man", Generated::manual},          GeneratedName{"man-curves", Generated::curves},
+    GeneratedName{"bash", Generated::bash},           GeneratedName{"zsh", Generated::zsh},
+    GeneratedName{"fish", Generated::fish},           GeneratedName{"columns", Generated::columns},
+    GeneratedName{"positions", Generated::positions}, GeneratedName{"tables", Generated::tables}};
 
 struct ColorName {
   std::string_view name;
@@ -42,6 +42,11 @@ struct DelimiterName {
 inline constexpr std::array delimiter_names{DelimiterName{"tab", '\t'}, DelimiterName{"comma", ','},
                                             DelimiterName{"semicolon", ';'}, DelimiterName{"space", ' '},
                                             DelimiterName{"pipe", '|'}};
+
+/// The marks between thousands, which may also be given themselves.
+inline constexpr std::array thousands_names{DelimiterName{"comma", ','}, DelimiterName{"point", '.'},
+                                            DelimiterName{"apostrophe", '\''}, DelimiterName{"underscore", '_'},
+                                            DelimiterName{"space", ' '}};
 
 /// The forms of a cubic that help and completions show; a polynomial may have other numbers of coefficients.
 struct FormName {
@@ -92,6 +97,7 @@ double corner_angle(const std::string& text);
 std::vector<Tolerance> tolerances(const std::string& text);
 char delimiter(const std::string& text);
 char decimal_mark(const std::string& text);
+char thousands_mark(const std::string& text);
 spline::Tcb<double> tcb_values(const std::string& text);
 /// Columns by name or number, separated by commas.
 std::vector<std::string> column_list(const std::string& text);

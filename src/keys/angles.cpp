@@ -1,12 +1,14 @@
 // Angles among keys: their checks, and whether rows show negative ones.
 #include "keys/angles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <tuple>
 #include <utility>
 
 #include "keys/errors.hpp"
+#include "schema/usual_names.hpp"
 #include "tcb/spline/angle.hpp"
 
 namespace tcb {
@@ -88,6 +90,41 @@ Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& a
     if (next == all.size()) return std::nullopt;
     return std::move(all[next++]);
   };
+}
+
+LikelyAngles::LikelyAngles(const Schema& schema) {
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    const bool is_angle = std::ranges::count(schema.angles, i, &AngleColumn::channel) > 0;
+    if (is_angle || !is_usual_angle(schema.channels[i])) continue;
+    channels_.push_back({schema.sources.empty() ? i : schema.sources[i], schema.channels[i]});
+  }
+}
+
+Source<KeyBlock> LikelyAngles::observe(Source<KeyBlock> blocks) {
+  if (channels_.empty()) return blocks;
+  return mapped(std::move(blocks), [this](KeyBlock block) {
+    for (Channel& channel : channels_) {
+      for (std::size_t key = 0; key < block.size(); ++key) {
+        if (block.begins_curve(key)) channel.before.reset();
+        const double value = block.keys.position(key)[channel.channel];
+        if (std::isnan(value)) continue;
+        channel.largest = std::max(channel.largest, std::abs(value));
+        channel.jump = std::max(channel.jump, std::abs(value - channel.before.value_or(value)));
+        channel.before = value;
+      }
+    }
+    return block;
+  });
+}
+
+std::vector<NamedAngle> LikelyAngles::found() const {
+  constexpr double half_turn = 3.15, whole_turn = 6.3;  // rounded up
+  std::vector<NamedAngle> angles;
+  for (const Channel& channel : channels_) {
+    const bool degrees = channel.largest > whole_turn;
+    if (channel.jump > (degrees ? 180 : half_turn)) angles.push_back({channel.name, degrees});
+  }
+  return angles;
 }
 
 }  // namespace tcb

@@ -1,6 +1,7 @@
 // Angles among keys: their checks, and whether rows show negative ones.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +11,8 @@
 
 #include "schema/curve_channels.hpp"
 #include "schema/key_block.hpp"
+#include "schema/rotation_options.hpp"
+#include "schema/schema.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -33,6 +36,27 @@ Source<KeyBlock> with_checked_seam(Source<KeyBlock> blocks, std::shared_ptr<std:
     return block;
   };
 }
+
+/// Plain channels that seem to be angles: by their names, and as they jump by more than half a turn.
+class LikelyAngles {
+ public:
+  explicit LikelyAngles(const Schema& schema);
+
+  /// Passes keys on. Requires: this outlives the source.
+  Source<KeyBlock> observe(Source<KeyBlock> blocks);
+
+  /// The channels and their units, so far. Angles that are all within a turn of radians are in radians.
+  std::vector<NamedAngle> found() const;
+
+ private:
+  struct Channel {
+    std::size_t channel;
+    std::string name;
+    double largest = 0, jump = 0;
+    std::optional<double> before = {};
+  };
+  std::vector<Channel> channels_;
+};
 
 /// Passes keys on. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
 Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& angles);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "keys/angles.hpp"
 #include "keys/errors.hpp"
 #include "keys/grouping.hpp"
 #include "keys/joined_segments.hpp"
@@ -17,8 +18,9 @@ void require_times(const CurveOptions& options) {
   if (options.duplicates != Duplicates::error) throw duplicates_without_times();
 }
 
-/// The keys in order, without faults.
-Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live) {
+/// The keys in order, without faults; `midnights` is as for past_midnight().
+Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live,
+                          const std::shared_ptr<std::uint64_t>& midnights) {
   const KeyTraits& traits = keys.traits;
   const bool is_ordered = schema.time.is_given && !options.any_order;
   Source<KeyBlock> blocks = is_ordered ? with_time_digits(keys.blocks) : keys.blocks;
@@ -31,6 +33,9 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
                       by_text ? std::vector<Mark>{} : traits.marks});
   }
   blocks = without_gaps(std::move(blocks));
+  if (is_ordered && !options.sort) {
+    blocks = past_midnight(std::move(blocks), schema.time.notation, schema.time.frame_rate.value_or(1), midnights);
+  }
   if (traits.are_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
   if (is_ordered) blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels});
   return without_faults(std::move(blocks), live);
@@ -42,7 +47,8 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
 class Curves::Splitter {
  public:
   Splitter(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
-      : blocks_(arranged(schema, keys, options, live)),
+      : angles_(schema),
+        blocks_(angles_.observe(arranged(schema, keys, options, live, midnights_))),
         may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve),
         groups_(keys.traits.own_curves ? 0 : schema.groups.size()),
         curve_info_(std::make_shared<const CurveInfo>(keys.curve_info)),
@@ -84,6 +90,8 @@ class Curves::Splitter {
 
   std::shared_ptr<const CurveInfo> curve_info() const { return curve_info_; }
   std::uint64_t skipped() const { return skipped_; }
+  std::uint64_t midnights() const { return *midnights_; }
+  std::vector<NamedAngle> likely_angles() const { return angles_.found(); }
 
  private:
   /// Reads blocks until there is a next key; whether there is one.
@@ -97,6 +105,8 @@ class Curves::Splitter {
     return true;
   }
 
+  std::shared_ptr<std::uint64_t> midnights_ = std::make_shared<std::uint64_t>(0);
+  LikelyAngles angles_;
   Source<KeyBlock> blocks_;
   bool may_break_;
   std::size_t groups_;
@@ -119,5 +129,7 @@ std::optional<CurveKeys> Curves::next() {
 }
 
 std::uint64_t Curves::skipped() const { return splitter_->skipped(); }
+std::vector<NamedAngle> Curves::likely_angles() const { return splitter_->likely_angles(); }
+std::uint64_t Curves::midnights() const { return splitter_->midnights(); }
 
 }  // namespace tcb

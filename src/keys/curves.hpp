@@ -10,6 +10,7 @@
 #include "keys/order.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/key_block.hpp"
+#include "schema/rotation_options.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
 
@@ -41,6 +42,10 @@ class Curves {
 
   /// Number of keys that were skipped so far.
   std::uint64_t skipped() const;
+  /// Plain channels that seem to be angles.
+  std::vector<NamedAngle> likely_angles() const;
+  /// How often times of day passed midnight so far.
+  std::uint64_t midnights() const;
 
  private:
   class Splitter;

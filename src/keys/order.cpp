@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -154,6 +155,57 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
 Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels) {
   const auto order = std::make_shared<Order>(std::move(blocks), duplicates, std::move(labels));
   return [order] { return order->next(); };
+}
+
+namespace {
+
+/// The decimals of keys, with other times.
+Texts with_times(const Texts& decimals, std::size_t per_key, std::span<const Rational> added) {
+  Texts result;
+  for (std::size_t i = 0; i < decimals.size(); ++i) {
+    const Rational& seconds = added[i / per_key];
+    const auto time = i % per_key == NumberOfKey::time ? parse_rational(decimals[i]) : std::nullopt;
+    const Rational sum = time.value_or(0) + seconds;
+    result.add(time && seconds != 0 ? whole_text(numerator(sum)) + "/" + whole_text(denominator(sum)) : decimals[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,
+                               std::shared_ptr<std::uint64_t> midnights) {
+  const std::optional<Rational> day = day_of(notation, rate);
+  if (!day) return blocks;
+  const auto later = [=](const Time& time, const Rational& days) {
+    constexpr int as_many_as_it_has = 1;
+    const Rational seconds = exact_time(time);
+    if (!counts_frames(notation)) return nearest_time(seconds + days, as_many_as_it_has);
+    const std::optional<Rational> frame = whole_frame(seconds, rate);
+    return nearest_time((frame ? *frame / rate : seconds) + days);
+  };
+  const auto add_days = [=, days = Rational(0), before = std::optional<double>()](KeyBlock block) mutable {
+    std::vector<Rational> added;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (block.begins_curve(i)) {
+        before.reset();
+        days = 0;
+      }
+      Time& time = block.keys.times[i];
+      if (before && *before - time.hi > nearest_double(*day) / 2) {
+        days += *day;
+        ++*midnights;
+      }
+      before = time.hi;
+      added.push_back(days);
+      if (days != 0) time = later(time, days);
+    }
+    if (!block.decimals.empty() && days != 0) {
+      block.decimals = with_times(block.decimals, block.decimals.size() / block.size(), added);
+    }
+    return block;
+  };
+  return with_time_digits(mapped(std::move(blocks), add_days));
 }
 
 Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks) {

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <string_view>
 
 #include "keys/curve_labels.hpp"
+#include "numbers/rational.hpp"
+#include "numbers/time_notation.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
@@ -24,6 +28,11 @@ inline constexpr std::array duplicates_names{
 /// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
 /// whole numbers; from there on each is its decimal.
 Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
+
+/// The keys of times of day, to which a day is added where they go back by more than half of it. Counts these in
+/// `midnights`. Times in other notations stay. `rate`: of the frames of timecode. Requires: no gaps.
+Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,
+                               std::shared_ptr<std::uint64_t> midnights);
 
 /// The keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);

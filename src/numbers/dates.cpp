@@ -16,6 +16,14 @@ constexpr std::int64_t seconds_of_day = 86'400;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+/// Before the fraction of a second, as in ISO 8601.
+bool is_mark(char c) { return c == '.' || c == ','; }
+
+/// Whether the character fits one of a pattern of has_form().
+bool fits(char c, char pattern) {
+  return pattern == '0' || pattern == '9' ? is_digit(c) : pattern == '.' ? is_mark(c) : c == pattern;
+}
+
 /// Takes the digits off the beginning of a text.
 std::string_view take_digits(std::string_view& text) {
   const auto size = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
@@ -64,7 +72,7 @@ std::optional<DateParts> parts_of(std::string_view text) {
   if (text.empty()) return parts;
   parts.before_clock = text[0];
   text.remove_prefix(1);
-  const auto end = std::ranges::find_if_not(text, [](char c) { return is_digit(c) || c == ':' || c == '.'; });
+  const auto end = std::ranges::find_if_not(text, [](char c) { return is_digit(c) || c == ':' || is_mark(c); });
   parts.clock = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   parts.zone = text.substr(parts.clock.size());
   constexpr std::array forms{"00:00:00", "00:00:00.9", "00:00", "0:00:00", "0:00:00.9", "0:00"};
@@ -100,7 +108,7 @@ std::string fraction_text(Rational rest, std::optional<int> decimals) {
 
 bool has_form(std::string_view text, std::string_view pattern) {
   for (const char c : pattern) {
-    if (text.empty() || (c == '0' || c == '9' ? !is_digit(text[0]) : text[0] != c)) return false;
+    if (text.empty() || !fits(text[0], c)) return false;
     text.remove_prefix(1);
     while (c == '9' && !text.empty() && is_digit(text[0])) text.remove_prefix(1);
   }
@@ -108,7 +116,7 @@ bool has_form(std::string_view text, std::string_view pattern) {
 }
 
 std::optional<Rational> read_clock(std::string_view text) {
-  const std::size_t point = std::min(text.find('.'), text.size());
+  const std::size_t point = std::min(text.find_first_of(".,"), text.size());
   std::string_view whole = text.substr(0, point);
   std::array<std::int64_t, 3> numbers{};  // hours, minutes, seconds
   for (std::int64_t& number : numbers) {
@@ -119,7 +127,8 @@ std::optional<Rational> read_clock(std::string_view text) {
   constexpr std::int64_t most_hours = 1'000'000'000;
   const auto [hours, minutes, seconds] = numbers;
   if (hours < 0 || hours > most_hours || minutes > 59 || seconds > 59) return std::nullopt;
-  const auto fraction = point + 1 < text.size() ? parse_rational("0" + std::string(text.substr(point))) : Rational(0);
+  const auto fraction =
+      point + 1 < text.size() ? parse_rational("0." + std::string(text.substr(point + 1))) : Rational(0);
   if (!fraction) return std::nullopt;
   return Rational((hours * 60 + minutes) * 60 + seconds) + *fraction;
 }
@@ -156,8 +165,10 @@ std::optional<Rational> read_date(std::string_view text, DateOrder order) {
   return Rational(days * seconds_of_day - *offset) + *clock;
 }
 
+Rational zone_offset(const DateFormat& format) { return offset_of(format.zone).value_or(0); }
+
 std::optional<std::string> date_text(const Rational& seconds, const DateFormat& format, std::optional<int> decimals) {
-  const Rational local = seconds + offset_of(format.zone).value_or(0);
+  const Rational local = seconds + zone_offset(format);
   const Rational day = floor(local / seconds_of_day);
   if (abs(day) > 10'000'000) return std::nullopt;
   const auto size = static_cast<int>(whole_number(abs(day)));

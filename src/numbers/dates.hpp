@@ -49,6 +49,9 @@ std::optional<DateFormat> find_date_format(std::string_view text);
 /// does not exist.
 std::optional<Rational> read_date(std::string_view text, DateOrder order);
 
+/// The seconds by which local time in a format is ahead of UTC.
+Rational zone_offset(const DateFormat& format);
+
 /// The date at a time; nothing beyond the years 0 to 9999.
 std::optional<std::string> date_text(const Rational& seconds, const DateFormat& format, std::optional<int> decimals);
 

@@ -4,9 +4,11 @@
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include "numbers/decimal_time.hpp"
 #include "text/suggest.hpp"
@@ -83,6 +85,46 @@ bool looks_numeric(std::string_view text) {
   const std::string_view digits = without_plus(text);
   double any = 0;
   return std::from_chars(digits.data(), digits.data() + digits.size(), any).ptr == digits.data() + digits.size();
+}
+
+namespace {
+
+/// The spaces and the apostrophe of typography that stand for plain ones.
+constexpr std::array<std::pair<std::string_view, char>, 4> typographic_marks{{
+    {"\xC2\xA0", ' '},       // U+00A0, no-break space
+    {"\xE2\x80\xAF", ' '},   // U+202F, narrow no-break space
+    {"\xE2\x80\x89", ' '},   // U+2009, thin space
+    {"\xE2\x80\x99", '\''},  // U+2019, right single quotation mark
+}};
+
+/// Removes marks that divide the digits before the decimal mark into groups of three; other texts stay.
+void remove_thousands(std::string& text, const NumberMarks& marks) {
+  for (const auto& [characters, mark] : typographic_marks) {
+    if (mark != marks.thousands) continue;
+    for (std::size_t at = text.find(characters); at != std::string::npos; at = text.find(characters)) {
+      text.replace(at, characters.size(), 1, mark);
+    }
+  }
+  const std::size_t begin = text.starts_with('+') || text.starts_with('-') ? 1 : 0;
+  const std::size_t end =
+      std::min(text.find_first_not_of(std::string("0123456789") + marks.thousands, begin), text.size());
+  const auto groups = split(std::string_view(text).substr(begin, end - begin), marks.thousands);
+  const auto is_group = [](std::string_view group) { return group.size() == 3; };
+  if (groups.size() == 1 || groups[0].empty() || groups[0].size() > 3 || groups[0].starts_with('0')) return;
+  if (!std::all_of(groups.begin() + 1, groups.end(), is_group)) return;
+  const auto digits = text.begin() + static_cast<std::ptrdiff_t>(begin);
+  text.erase(std::remove(digits, text.begin() + static_cast<std::ptrdiff_t>(end), marks.thousands),
+             text.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+}  // namespace
+
+std::string_view Decimals::changed(std::string_view text) {
+  changed_ = text;
+  if (marks_.thousands != 0) remove_thousands(changed_, marks_);
+  const char decimal = marks_.decimal;
+  for (char& c : changed_) c = c == decimal ? '.' : c == '.' ? decimal : c;
+  return changed_;
 }
 
 }  // namespace tcb

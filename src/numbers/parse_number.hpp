@@ -31,10 +31,18 @@ bool is_missing(std::string_view cell);
 /// later, as a number, rather than taken for a name here).
 bool looks_numeric(std::string_view text);
 
-/// The same for numbers with another character as the decimal point.
+/// The characters in numbers besides digits, signs and exponents.
+struct NumberMarks {
+  char decimal = '.';
+  char thousands = 0;  ///< between groups of three digits; ' ' is any space, and 0 is none
+
+  friend bool operator==(const NumberMarks&, const NumberMarks&) = default;
+};
+
+/// The same for numbers with other marks.
 class Decimals {
  public:
-  explicit Decimals(char mark) : mark_(mark) {}
+  explicit Decimals(const NumberMarks& marks) : marks_(marks) {}
 
   std::optional<double> number(std::string_view text) { return parse_number(with_point(text)); }
   std::optional<Time> time(std::string_view text) { return parse_time(with_point(text)); }
@@ -42,15 +50,13 @@ class Decimals {
   bool looks_numeric(std::string_view text) { return tcb::looks_numeric(with_point(text)); }
 
  private:
-  /// The text with a point for the mark, and the mark for a point, which makes it no number.
-  std::string_view with_point(std::string_view text) {
-    if (mark_ == '.') return text;
-    changed_ = text;
-    for (char& c : changed_) c = c == mark_ ? '.' : c == '.' ? mark_ : c;
-    return changed_;
-  }
+  std::string_view with_point(std::string_view text) { return marks_ == NumberMarks() ? text : changed(text); }
 
-  char mark_;
+  /// The text with a point as its decimal mark, and without marks between thousands. Other marks are exchanged or stay,
+  /// which makes it no number.
+  std::string_view changed(std::string_view text);
+
+  NumberMarks marks_;
   std::string changed_;
 };
 

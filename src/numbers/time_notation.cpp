@@ -88,6 +88,15 @@ std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rat
   return nearest_time(nearest / rate) == nearest_time(seconds) ? std::optional(nearest) : std::nullopt;
 }
 
+std::optional<Rational> day_of(TimeNotation notation, const Rational& rate) {
+  switch (notation) {
+    case TimeNotation::clock: return Rational(86'400);
+    case TimeNotation::smpte: return read_timecode("24:00:00:00", false, rate);
+    case TimeNotation::drop_frame: return read_timecode("24:00:00;00", true, rate);
+    default: return std::nullopt;
+  }
+}
+
 std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation notation, const Rational& rate,
                                          std::optional<int> decimals, const DateFormat& dates) {
   const bool has_fraction = notation == TimeNotation::clock || is_date(notation);

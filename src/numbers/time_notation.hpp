@@ -85,6 +85,9 @@ constexpr bool is_date(TimeNotation notation) {
 std::optional<Rational> read_time(std::string_view text, TimeNotation notation, const Rational& rate,
                                   DateOrder order = DateOrder::ymd);
 
+/// The seconds after which times of day and timecode begin again; nothing for other notations.
+std::optional<Rational> day_of(TimeNotation notation, const Rational& rate);
+
 /// The frame at a time in seconds that was rounded once, as times in an input or on a grid are; nothing between frames.
 std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rate);
 

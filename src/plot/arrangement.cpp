@@ -81,13 +81,21 @@ class Arranger {
     return add(std::move(view), name, name_room);
   }
 
+  /// Keys have tangents in strips if there is no path, and if there is room for them.
+  const Interval& extent_of_strip(std::size_t channel) const {
+    constexpr std::uint64_t most_keys = 120;
+    const bool has_tangents = !scene_.path && scene_.keys() <= most_keys && channel < extent_.with_tangents.size() &&
+                              !extent_.with_tangents[channel].empty();
+    return has_tangents ? extent_.with_tangents[channel] : extent_.channels[channel];
+  }
+
   void place_strips(std::size_t column, double left, double room) {
     const std::size_t begin = column * rows_, end = std::min(begin + rows_, strips_);
     std::vector<View> strips;
     double numbers = 0;
     for (std::size_t strip = begin; strip < end; ++strip) {
       const std::size_t channel = scene_.strips.empty() ? strip : scene_.strips[strip];
-      strips.push_back({{}, {}, channel, Axis(extent_.time, 0), Axis(extent_.channels[channel], 0.06)});
+      strips.push_back({{}, {}, channel, Axis(extent_.time, scene_.time_scale), Axis(extent_of_strip(channel), 0.06)});
       numbers = std::max(numbers, width_of_numbers(strips.back().y, strip_height_));
     }
     for (std::size_t i = 0; i < strips.size(); ++i) {

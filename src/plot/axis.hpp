@@ -1,11 +1,13 @@
-// Axis: a range of numbers relative to a round base, with round numbers as its ticks.
+// Axis: a range of numbers or times relative to a round base, with round ones as its ticks.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "numbers/rational.hpp"
+#include "numbers/time_notation.hpp"
 
 namespace tcb {
 
@@ -21,6 +23,14 @@ struct Interval {
   }
 };
 
+/// How the times of an axis are written.
+struct TimeScale {
+  TimeNotation notation = TimeNotation::seconds;
+  Rational frames_per_second = 1;                 ///< of timecode
+  DateFormat dates = {};                          ///< of dates
+  std::optional<Rational> units_per_second = {};  ///< of times that are shown in seconds after the first one
+};
+
 /// A number on an axis with its text.
 struct Tick {
   double value;  ///< relative to the base
@@ -33,9 +43,11 @@ class Axis {
   Axis() = default;
   /// Covers the interval, and `margin` of its length on either side. Requires: a finite length.
   Axis(const Interval& interval, double margin);
+  /// Covers an interval of times. Requires: as above.
+  Axis(const Interval& times, TimeScale scale);
 
   /// A number relative to the base.
-  double from_base(const Time& value) const { return (value - base_).hi; }
+  double from_base(const Time& value) const { return (value - base_).hi / units_; }
   double low() const { return low_; }
   double length() const { return high_ - low_; }
   /// The same middle with another length.
@@ -47,8 +59,14 @@ class Axis {
   std::vector<Tick> ticks(double most) const;
 
  private:
+  std::vector<Tick> ticks_in_words(double most) const;
+  std::string words(const Rational& time, const Rational& step) const;
+
   Time base_{0.0};
   std::string base_text_;
+  double units_ = 1;  ///< of numbers, in one of the axis
+  std::optional<TimeScale> scale_;
+  std::string day_;  ///< of all times, where these are dates of one day
   double low_ = 0, high_ = 1;
 };
 

@@ -110,9 +110,11 @@ void Drawing::begin(const std::string& path, const Schema& schema, const RuleFac
 /// A rotation has one strip, for its angle, instead of those of its numbers, and the first one has axes along the path.
 void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
   scene_.time = schema.time.name;
+  scene_.time_scale = time_scale_of(schema);
   scene_.channels = schema.channels;
   if (!spec.lacks_metric || !options_.axes.empty()) {
     scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
+    scene_.is_path_requested = !options_.axes.empty();
   }
   channels_ = spec.channels();
   if (channels_.rotations.empty()) return scene_.require_few_strips();
@@ -189,7 +191,7 @@ std::string Drawing::subtitle() const {
 void Drawing::commit() {
   scene_.title = title();
   scene_.subtitle = subtitle();
-  output_.write(picture(scene_, options_.size));
+  output_.write(picture(std::move(scene_), options_.size));
   output_.commit();
 }
 

@@ -26,9 +26,9 @@ constexpr std::uint64_t most_dots = 1200;
 
 class Composer {
  public:
-  Composer(const Scene& scene, const PictureSize& size)
+  Composer(const Scene& scene, const SceneExtent& extent, const PictureSize& size)
       : scene_(scene),
-        extent_(extent_of(scene)),
+        extent_(extent),
         legend_(scene, picture_width(scene, size) - 2 * picture_margin),
         arrangement_(arranged(scene, extent_, size, legend_.height())) {
     for (const View& view : arrangement_.views) marks_.push_back(marks_of(view));
@@ -140,7 +140,7 @@ class Composer {
   }
 
   const Scene& scene_;
-  const SceneExtent extent_;
+  const SceneExtent& extent_;
   const Legend legend_;
   const Arrangement arrangement_;
   std::vector<Marks> marks_;  ///< one a view
@@ -150,6 +150,10 @@ class Composer {
 
 }  // namespace
 
-std::string picture(const Scene& scene, const PictureSize& size) { return Composer(scene, size).compose(); }
+std::string picture(Scene scene, const PictureSize& size) {
+  const SceneExtent extent = extent_of(scene);
+  remove_flat_path(scene, extent);
+  return Composer(scene, extent, size).compose();
+}
 
 }  // namespace tcb

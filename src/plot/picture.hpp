@@ -23,6 +23,6 @@ struct PictureOptions {
 
 /// The picture as SVG: at most 300 kB, and the same bytes everywhere.
 /// Throws: Error (data) as extent_of(), Error (usage) if the channels need a larger picture.
-std::string picture(const Scene& scene, const PictureSize& size);
+std::string picture(Scene scene, const PictureSize& size);
 
 }  // namespace tcb

@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "option_names.hpp"
 #include "plot/errors.hpp"
+#include "schema/usual_names.hpp"
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/segment.hpp"
@@ -43,6 +44,8 @@ void include_block(SceneExtent& extent, const SegmentBlock& block, const Scene& 
     extent.time.include(segments.times[i + 1]);
     for (std::size_t channel = 0; channel < cubics.size(); ++channel) {
       include_cubic(extent.channels[channel], cubics[channel]);
+      extent.with_tangents[channel].include(Time(cubics[channel].p0 + cubics[channel].out / 3));
+      extent.with_tangents[channel].include(Time(cubics[channel].p1 - cubics[channel].in / 3));
     }
     for (std::size_t axis = 0; scene.path && axis < 2; ++axis) {
       const Cubic& x = cubics[(*scene.path)[axis]];
@@ -171,7 +174,9 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
                                                     const std::vector<std::string>& requested,
                                                     const std::vector<std::size_t>& metric) {
   std::vector<std::size_t> axes = spline::is_turn(metric) ? std::vector<std::size_t>{} : metric;
+  const bool is_chosen = !requested.empty() || axes.size() > 1;
   for (std::size_t i = 0; axes.size() == i && i < channels.size(); ++i) axes.push_back(i);
+  if (!is_chosen && axes.size() > 1 && !are_of_one_kind(channels[axes[0]], channels[axes[1]])) return std::nullopt;
   if (!requested.empty()) axes.clear();
   for (const std::string& name : requested) {
     const auto channel = find_channel(name, channels);
@@ -180,6 +185,16 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
     axes.push_back(*channel);
   }
   return axes.size() < 2 ? std::nullopt : std::optional(std::array{axes[0], axes[1]});
+}
+
+TimeScale time_scale_of(const Schema& schema) {
+  const TimeSchema& time = schema.time;
+  TimeScale scale{time.notation, time.frame_rate.value_or(1), time.dates};
+  const std::optional<TimeUnit> unit = time.unit ? time.unit : time.epoch_unit;
+  if (unit == TimeUnit::ms || unit == TimeUnit::us || unit == TimeUnit::ns) {
+    scale.units_per_second = units_per_second(*unit);
+  }
+  return scale;
 }
 
 std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<RotationColumns>& columns) {
@@ -230,6 +245,7 @@ void add_angles(SceneSample& sample, const std::vector<FirstRotation>& firsts) {
 SceneExtent extent_of(const Scene& scene) {
   SceneExtent extent;
   extent.channels.resize(scene.channels.size());
+  extent.with_tangents.resize(scene.channels.size());
   for (const SceneCurve& curve : scene.curves) {
     const Source<SegmentBlock> blocks = curve.segments();
     while (const std::optional<SegmentBlock> block = blocks()) include_block(extent, *block, scene);
@@ -241,9 +257,22 @@ SceneExtent extent_of(const Scene& scene) {
     extent.path[axis].include(curve.high);
     require_finite(extent.path[axis]);
   }
+  for (std::size_t channel = 0; channel < extent.channels.size(); ++channel) {
+    extent.with_tangents[channel].include(extent.channels[channel].low);
+    extent.with_tangents[channel].include(extent.channels[channel].high);
+  }
   require_finite(extent.time);
   std::ranges::for_each(extent.channels, require_finite);
   return extent;
+}
+
+void remove_flat_path(Scene& scene, const SceneExtent& extent) {
+  if (!scene.path || scene.is_path_requested) return;
+  constexpr double least_ratio = 0.05;
+  const double right = extent.channels[(*scene.path)[0]].length(), up = extent.channels[(*scene.path)[1]].length();
+  if (std::min(right, up) >= least_ratio * std::max(right, up)) return;
+  scene.path.reset();
+  scene.frame.reset();
 }
 
 }  // namespace tcb

@@ -12,6 +12,7 @@
 #include "keys/key_store.hpp"
 #include "plot/axis.hpp"
 #include "sample/build.hpp"
+#include "schema/schema.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -49,11 +50,13 @@ struct SceneFrame {
 
 struct Scene {
   std::string title, subtitle;
-  std::string time;                                ///< name of the time
+  std::string time;  ///< name of the time
+  TimeScale time_scale = {};
   std::vector<std::string> channels;               ///< names of the channels
   std::vector<std::size_t> strips;                 ///< the channels with a strip over time; empty: all
   std::vector<std::string> names;                  ///< of groups or files, each with its own colour
   std::optional<std::array<std::size_t, 2>> path;  ///< the channels of the path, to the right and up
+  bool is_path_requested = false;                  ///< it is there whatever the extents of its channels
   std::optional<SceneFrame> frame = {};
   std::vector<SceneCurve> curves = {};
   std::optional<SceneMark> worst = {};  ///< where given samples differ most from the curve
@@ -82,6 +85,9 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
                                                     const std::vector<std::string>& requested,
                                                     const std::vector<std::size_t>& metric = {});
 
+/// How a picture writes the times of a schema.
+TimeScale time_scale_of(const Schema& schema);
+
 /// A rotation of a curve, from which angles are measured.
 struct FirstRotation {
   spline::RotationChannels channels{};
@@ -103,9 +109,14 @@ void add_angles(SceneSample& sample, const std::vector<FirstRotation>& firsts);
 struct SceneExtent {
   Interval time;
   std::vector<Interval> channels;
-  std::array<Interval, 2> path;  ///< with the tangents at the keys
-  std::size_t segments = 0;      ///< of all curves
+  std::array<Interval, 2> path;         ///< with the tangents at the keys
+  std::vector<Interval> with_tangents;  ///< of the channels
+  std::size_t segments = 0;             ///< of all curves
 };
+
+/// Without the path if it is not requested and one of its channels extends less than a twentieth of the other, so that
+/// equal scales would make a line of it.
+void remove_flat_path(Scene& scene, const SceneExtent& extent);
 
 /// Reads all curves. Throws: Error (data) if the difference of two numbers is beyond the range of doubles.
 SceneExtent extent_of(const Scene& scene);

@@ -21,6 +21,13 @@ Error input_in_other_format(std::string_view format) {
                       format)};
 }
 
+Error table_in_other_format(std::string_view format, std::string_view function) {
+  return {Exit::data,
+          fmt::format("this is {}; expected text with a key in each row, or JSON; convert it, as in python3 -c 'import "
+                      "pandas, sys; pandas.{}(sys.argv[1]).to_csv(sys.stdout, index=False)' FILE | tcbsample",
+                      format, function)};
+}
+
 Error input_is_npy() {
   return {Exit::data, "this is a NumPy file; expected text; convert it, for example with numpy.savetxt"};
 }

@@ -10,6 +10,8 @@ namespace tcb {
 // The first bytes.
 Error compressed_input(std::string_view compression, std::string_view command);
 Error input_in_other_format(std::string_view format);
+/// `function` of pandas reads it.
+Error table_in_other_format(std::string_view format, std::string_view function);
 Error input_is_npy();
 Error text_not_in_utf8(std::string_view encoding);
 Error two_byte_order_marks();

@@ -14,15 +14,15 @@
 namespace tcb {
 
 /// The shapes of JSON inputs.
-enum class JsonShape { list, object, curves, lines };
+enum class JsonShape { list, object, curves, lines, table, table_by_index };
 
 /// What was found at the beginning of an input.
 struct InputFacts {
   FormatId format = FormatId::csv;
+  std::string encoding = {};                                 ///< from which text was converted to UTF-8; empty: none
+  bool names_quaternion = false;                             ///< as in DelimitedHead
   JsonShape shape = JsonShape::list;                         ///< of JSON
-  char delimiter = ',';                                      ///< of delimited text; ' ' is any run of blanks and tabs
   std::string comment = {};                                  ///< the prefix of its comment lines; empty: it has none
-  char decimal = '.';                                        ///< its decimal mark
   std::vector<std::string> roles = {};                       ///< names of columns that shape a curve, such as tension
   std::vector<std::string> ignored = {};                     ///< names of columns without a role
   std::optional<spline::RotationForm> likely_rotation = {};  ///< that columns without names and roles may be
@@ -34,6 +34,7 @@ struct Records {
   TimeNotation time_notation = TimeNotation::seconds;
   DateFormat dates = {};                    ///< of times that are dates
   std::optional<TimeUnit> epoch_unit = {};  ///< of times that seem to count from 1970
+  std::optional<TextMarks> marks = {};      ///< of delimited text
   InputFacts facts = {};
   InputKeys keys = {};
 };

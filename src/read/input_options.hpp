@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "numbers/parse_number.hpp"
 #include "schema/column_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/formats.hpp"
@@ -19,7 +20,7 @@ struct DelimitedOptions {
   std::optional<char> delimiter = {};  ///< ' ' is any run of blanks and tabs; nothing: found in the first record
   std::optional<bool> header = {};     ///< nothing: found in the first records
   std::string comment = "#";           ///< the prefix of lines to skip; empty: none
-  char decimal = '.';                  ///< the decimal mark
+  NumberMarks marks = {};              ///< in numbers
 
   friend bool operator==(const DelimitedOptions&, const DelimitedOptions&) = default;
 };

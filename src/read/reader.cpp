@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/compression.hpp"
+#include "io/encoding.hpp"
 #include "read/csv/csv_reader.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/errors.hpp"
@@ -30,12 +31,42 @@ constexpr std::array compressions{
     OtherCompression{"\x04\x22\x4D\x18"sv, "LZ4", "lz4cat"},
 };
 
+/// Tables that are not read, by their first bytes, and the functions of pandas that read them.
+struct OtherTable {
+  std::string_view bytes, name, function;
+};
+constexpr std::array other_tables{
+    OtherTable{"PAR1"sv, "a Parquet table", "read_parquet"},
+    OtherTable{"ARROW1"sv, "an Arrow or Feather table", "read_feather"},
+    OtherTable{"FEA1"sv, "a Feather table", "read_feather"},
+};
+
+/// Archives by the name of their first file, which is at byte 30.
+struct OtherArchive {
+  std::string_view file, name;
+};
+constexpr std::array other_archives{
+    OtherArchive{"[Content_Types].xml", "an Excel workbook (.xlsx)"},
+    OtherArchive{"_rels/", "an Excel workbook (.xlsx)"},
+    OtherArchive{"xl/", "an Excel workbook (.xlsx)"},
+    OtherArchive{"mimetype", "a LibreOffice document (.ods)"},
+    OtherArchive{"", "a ZIP archive"},
+};
+
+/// The name of an archive of files, which is not read. Source: the ZIP file format, for the length of the name.
+std::string_view archive_name(std::string_view beginning) {
+  constexpr std::size_t size_at = 26, name_at = 30;
+  const std::size_t size = beginning.size() > size_at ? static_cast<unsigned char>(beginning[size_at]) : 0;
+  const std::string_view file = beginning.size() > name_at ? beginning.substr(name_at, size) : "";
+  if (file.ends_with(".npy")) return "a NumPy archive (.npz)";
+  return std::ranges::find_if(other_archives, [&](const auto& row) { return file.starts_with(row.file); })->name;
+}
+
 /// Formats that hold keys, or are taken for such, by their first bytes.
 struct OtherFormat {
   std::string_view bytes, name;
 };
 constexpr std::array other_formats{
-    OtherFormat{"PK\x03\x04"sv, "a ZIP archive, such as an Excel workbook (.xlsx), an .ods or a .usdz file"},
     OtherFormat{"\xD0\xCF\x11\xE0"sv, "an Excel workbook (.xls)"},
     OtherFormat{"HIERARCHY"sv, "a BVH motion capture file"},
     OtherFormat{"#usda"sv, "a USD scene (.usda)"},
@@ -47,8 +78,6 @@ constexpr std::array other_formats{
     OtherFormat{"BLENDER"sv, "a Blender file"},
     OtherFormat{"Ogawa"sv, "an Alembic scene"},
     OtherFormat{"\x89HDF"sv, "an HDF5 file"},
-    OtherFormat{"PAR1"sv, "a Parquet table"},
-    OtherFormat{"ARROW1"sv, "an Arrow table"},
     OtherFormat{"SQLite format 3"sv, "an SQLite database"},
     OtherFormat{"MATLAB 5.0"sv, "a MATLAB file"},
     OtherFormat{"#ROSBAG"sv, "a ROS bag"},
@@ -65,6 +94,9 @@ void require_known_format(std::string_view beginning) {
   const auto begins = [&](const auto& row) { return beginning.starts_with(row.bytes); };
   const auto compressed = std::ranges::find_if(compressions, begins);
   if (compressed != compressions.end()) throw at_first_byte(compressed_input(compressed->name, compressed->command));
+  const auto table = std::ranges::find_if(other_tables, begins);
+  if (table != other_tables.end()) throw at_first_byte(table_in_other_format(table->name, table->function));
+  if (beginning.starts_with("PK\x03\x04")) throw at_first_byte(input_in_other_format(archive_name(beginning)));
   const std::size_t text = std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size());
   const bool is_gltf = beginning.substr(text).starts_with('{') && beginning.find("\"asset\"") != std::string::npos &&
                        beginning.find("\"accessors\"") != std::string::npos;
@@ -84,25 +116,31 @@ bool may_begin_other_format(std::string_view beginning) {
   });
 }
 
-/// Throws: Error (data) for a text in two or four bytes a character, and for what is not text.
+/// Throws: Error (data) for what is not text.
 void require_bytes(std::string_view beginning) {
   if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(input_is_npy());
   require_known_format(beginning);
-  const bool four = beginning.starts_with("\xFF\xFE\0\0"sv) || beginning.starts_with("\0\0\xFE\xFF"sv);
-  if (!four && !beginning.starts_with("\xFF\xFE") && !beginning.starts_with("\xFE\xFF")) return;
-  throw at_first_byte(text_not_in_utf8(four ? "UTF-32" : "UTF-16"));
 }
 
-/// Drops a UTF-8 byte order mark. Throws: Error (data) for two.
-Source<std::string> without_mark(Source<std::string> bytes) {
+/// The text in UTF-8 without a byte order mark; `encoding` gets the name of another encoding. Throws: Error (data) for
+/// two marks.
+Source<std::string> without_mark(Source<std::string> bytes, std::string& encoding) {
   std::string beginning;
-  constexpr std::size_t enough = 6;  // for require_bytes()
-  while (beginning.size() < enough || may_begin_other_format(beginning)) {
+  constexpr std::size_t enough = 6;              // for require_bytes()
+  constexpr std::size_t enough_of_archive = 64;  // for archive_name()
+  while (beginning.size() < enough || (beginning.starts_with("PK\x03\x04") && beginning.size() < enough_of_archive) ||
+         may_begin_other_format(beginning)) {
     auto more = bytes();
     if (!more) break;
     beginning += *more;
   }
   require_bytes(beginning);
+  encoding = encoding_of_mark(beginning);
+  if (!encoding.empty()) {
+    auto text = in_utf8(preceded_by(std::move(beginning), std::move(bytes)), encoding);
+    if (!text) throw at_first_byte(text_not_in_utf8(encoding));
+    return *std::move(text);
+  }
   if (beginning.starts_with(byte_order_mark)) beginning.erase(0, byte_order_mark.size());
   if (beginning.starts_with(byte_order_mark)) throw at_first_byte(two_byte_order_marks());
   return preceded_by(std::move(beginning), std::move(bytes));
@@ -126,7 +164,8 @@ Records open_as(FormatId format, Source<std::string> bytes, InputOptions options
 }  // namespace
 
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options) {
-  bytes = without_mark(decompressed(std::move(bytes)));
+  std::string encoding;
+  bytes = without_mark(decompressed(std::move(bytes)), encoding);
   std::string beginning;
   for (bool blank = true; blank;) {
     auto more = bytes();
@@ -143,7 +182,9 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, options.rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   if (!input.schema.time.unit) input.schema.time.epoch_unit = records.epoch_unit;
+  input.schema.marks = records.marks;
   input.facts.format = format;
+  if (!encoding.empty()) input.facts.encoding = encoding;
   input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
   input.facts.likely_rotation = columns.likely_rotation;

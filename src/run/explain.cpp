@@ -46,18 +46,24 @@ std::string in_words(const spline::RotationNotation& notation) {
 
 /// What was detected at the beginning of an input.
 Facts input_facts(const Input& input) {
-  constexpr std::array shapes{"an array of keys", "an object with keys", "an object with curves", "one key per line"};
+  constexpr std::array shapes{"an array of keys",
+                              "an object with keys",
+                              "an object with curves",
+                              "one key per line",
+                              "a table",
+                              "a table whose index is the time"};
   const Format& format = format_of(input.facts.format);
   Facts facts{{"format", std::string(format.name)}};
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
   const auto list = [&](std::string_view name, const std::vector<std::string>& values) {
     if (!values.empty()) add(name, fmt::format("{}", fmt::join(values, ", ")));
   };
-  if (format.family == FormatFamily::delimited) {
-    const char delimiter = input.facts.delimiter;
+  if (!input.facts.encoding.empty()) add("encoding", input.facts.encoding);
+  if (const std::optional<TextMarks>& marks = input.schema.marks) {
+    const char delimiter = marks->delimiter;
     add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
     add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
-    add("decimal", std::string(1, input.facts.decimal));
+    add("decimal", std::string(1, marks->decimal));
     add("header", input.schema.named ? "yes" : "no");
   } else {
     add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));

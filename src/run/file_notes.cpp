@@ -1,10 +1,16 @@
 // File notes: what is reported about an input, from its first bytes to its last curve, and about an earlier output.
 #include "run/file_notes.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
+#include "io/encoding.hpp"
 #include "io/input_file.hpp"
 #include "numbers/decimal_time.hpp"
+#include "schema/usual_names.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -14,6 +20,31 @@ Note broadcast_note(const std::string& decimal, const Rational& rate) {
     return whole_text(numerator(value)) + "/" + whole_text(denominator(value));
   };
   return rate_of_broadcast(decimal, ratio(rate), ratio(parse_rational(decimal).value_or(rate)));
+}
+
+Note angles_note(const std::vector<NamedAngle>& angles) {
+  std::string list;
+  std::vector<std::string_view> names;
+  for (const auto& [name, degrees] : angles) {
+    list += fmt::format("{}{}={}", list.empty() ? "" : ",", name, degrees ? "degrees" : "radians");
+    names.push_back(name);
+  }
+  const bool may_be_euler = std::ranges::all_of(
+      std::array{"yaw", "pitch", "roll"}, [&](std::string_view name) { return std::ranges::count(names, name) > 0; });
+  return angles_jump(in_shell(list), may_be_euler);
+}
+
+/// Whether the columns of positions follow from their names, and these tell little.
+bool are_found_by_elimination(const Input& input) {
+  const Schema& schema = input.schema;
+  std::vector<bool> is_of_rotation(schema.channels.size());
+  for (const RotationSchema& rotation : schema.rotations) {
+    for (const std::size_t channel : rotation.columns.channels) is_of_rotation[channel] = true;
+  }
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    if (schema.named && !is_of_rotation[i] && !is_usual_channel(schema.channels[i])) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -28,6 +59,12 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     const bool is_matrix = input.facts.likely_rotation == spline::RotationForm::matrix;
     add(is_matrix ? likely_matrix() : likely_quaternion());
   }
+  if (!input.facts.encoding.empty()) {
+    const bool is_all = input.facts.encoding != windows_1252;
+    add(is_all ? text_converted(input.facts.encoding) : names_converted(input.facts.encoding));
+  }
+  if (input.facts.shape == JsonShape::table_by_index) add(index_is_time());
+  if (input.facts.names_quaternion) add(names_of_quaternion());
   if (!input.schema.time.is_given && !options.rules.parameter) add(no_time_column());
   if (input.schema.time.notation == TimeNotation::date) add(dates_in_utc(input.schema.time.name));
   const UnitOptions& units = options.input.units;
@@ -35,6 +72,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (!request.rate_as_decimal.empty() && request.rate_as_decimal != units.rate_as_decimal) {
     add(broadcast_note(request.rate_as_decimal, Rational(1) / request.step));
   }
+  time_name_ = input.schema.time.name;
   const TimeSchema& time = input.schema.time;
   if (time.epoch_unit) {
     add(times_since_1970(time.name, row_of(*time.epoch_unit).name));
@@ -43,8 +81,12 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
   if (request.is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
-  if (input.facts.ignored.empty()) return;
-  add(chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));
+  if (!chosen && options.input.renamings.empty() && are_found_by_elimination(input)) {
+    add(positions_by_elimination(input.schema.channels));
+  }
+  if (!input.facts.ignored.empty()) {
+    add(chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));
+  }
 }
 
 void FileNotes::add_samples(const PlacedCurve& placed, const SamplingRequest& request, bool is_closed) {
@@ -57,6 +99,8 @@ void FileNotes::add_samples(const PlacedCurve& placed, const SamplingRequest& re
 void FileNotes::end(const Curves& curves) {
   if (remainders_ > 1) add(more_remainders(remainders_ - 1));
   if (curves.skipped() > 0) add(skipped_rows(curves.skipped()));
+  if (curves.midnights() > 0) add(midnights_passed(time_name_));
+  if (const auto angles = curves.likely_angles(); !angles.empty()) add(angles_note(angles));
 }
 
 void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request) {

@@ -36,6 +36,7 @@ class FileNotes {
  private:
   Report& report_;
   const std::string& path_;
+  std::string time_name_;         ///< the name of the times
   std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
 };
 

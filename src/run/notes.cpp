@@ -10,6 +10,42 @@ namespace tcb {
 
 Note reads_terminal() { return {"keys are read from the terminal; end them with Ctrl-D, or name a file"}; }
 
+Note text_converted(std::string_view encoding) {
+  return {fmt::format("the text is in {}, and was converted to UTF-8", encoding), true};
+}
+
+Note names_converted(std::string_view encoding) {
+  return {fmt::format("names of columns are not in UTF-8; they are taken as {}", encoding), true};
+}
+
+Note positions_by_elimination(const std::vector<std::string>& names) {
+  return {fmt::format("positions: {}; {} gives other roles, as in ignore=NAME or tension=NAME", listed(names),
+                      option::columns),
+          true};
+}
+
+Note midnights_passed(std::string_view time) {
+  return {fmt::format("the times in column \"{}\" pass midnight, and count on from 24:00:00", time), true};
+}
+
+Note angles_jump(std::string_view angles, bool may_be_euler) {
+  const std::string euler =
+      may_be_euler ? fmt::format(", or {} euler=yaw:pitch:roll,order=ZYX as a rotation", option::rotation) : "";
+  return {fmt::format("angles seem to jump by more than half a turn; {} {} turns them the shorter way{}", option::angle,
+                      angles, euler),
+          true};
+}
+
+Note names_of_quaternion() {
+  return {
+      fmt::format("columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; {} none takes "
+                  "them as positions",
+                  option::rotation),
+      true};
+}
+
+Note index_is_time() { return {"the index of the table is taken as the time", true}; }
+
 Note no_time_column() { return {"there is no time column; the times of the keys are 0, 1, 2, ..."}; }
 
 Note ignored_columns(const std::vector<std::string>& names) {

@@ -14,6 +14,20 @@ struct Note {
 };
 
 Note reads_terminal();
+/// The text was converted to UTF-8.
+Note text_converted(std::string_view encoding);
+/// Only names and texts of columns were.
+Note names_converted(std::string_view encoding);
+/// Columns are positions as they have no other role.
+Note positions_by_elimination(const std::vector<std::string>& names);
+/// The times of day or the timecode of keys pass midnight.
+Note midnights_passed(std::string_view time);
+/// `angles` is a value of --angle for the columns that do. `may_be_euler`: they are called roll, pitch and yaw.
+Note angles_jump(std::string_view angles, bool may_be_euler);
+/// Columns x, y, z, x, y, z, w are a pose.
+Note names_of_quaternion();
+/// The index of a table in JSON is not a count of its rows, and no column is the time.
+Note index_is_time();
 Note no_time_column();
 Note ignored_columns(const std::vector<std::string>& names);
 /// Columns that are ignored as the positions were chosen.

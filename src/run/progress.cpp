@@ -106,7 +106,14 @@ std::string progress_text(const Progress& progress, std::size_t width) {
   return line_of(parts).substr(0, width);
 }
 
-Report::~Report() { clear(); }
+Report::Report(const Verbosity& verbosity) : verbosity_(verbosity) {
+  if (verbosity.progress) shows_ = std::jthread([this](const std::stop_token& stop) { show_until(stop); });
+}
+
+Report::~Report() {
+  shows_ = {};
+  clear();
+}
 
 void Report::note(const std::string& path, const Note& note) {
   if (note.is_important ? !verbosity_.quiet : verbosity_.notes)
@@ -239,6 +246,11 @@ void Report::show() {
   text.resize(std::max(width, width_), ' ');
   (void)std::fputs(("\r" + text).c_str(), stderr);
   width_ = width;
+}
+
+void Report::show_until(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (!never_.wait_for(lock, stop, between_updates, [&] { return stop.stop_requested(); })) show();
 }
 
 void Report::clear() {

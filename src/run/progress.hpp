@@ -2,13 +2,16 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "error.hpp"
@@ -45,7 +48,7 @@ class FileProgress;
 /// Writes on standard error. Threads: any number at once.
 class Report {
  public:
-  explicit Report(const Verbosity& verbosity) : verbosity_(verbosity) {}
+  explicit Report(const Verbosity& verbosity);
   Report(const Report&) = delete;
   Report& operator=(const Report&) = delete;
   /// Removes the progress from the terminal.
@@ -76,6 +79,8 @@ class Report {
   void print(const std::string& line);
   void show();
   void clear();
+  /// Shows the progress again and again, also while nothing is read and no row is done.
+  void show_until(const std::stop_token& stop);
 
   const Verbosity verbosity_;
   std::mutex mutex_;
@@ -85,6 +90,8 @@ class Report {
   std::uint64_t files_ = 0, all_files_ = 0, rows_ = 0;  ///< rows and bytes: also those of active files
   std::uintmax_t read_ = 0, ended_ = 0, all_bytes_ = 0;
   std::size_t width_ = 0;  ///< of the displayed progress
+  std::condition_variable_any never_;
+  std::jthread shows_;  ///< where there is progress; it ends before the other members
 };
 
 /// The work on one file: its bytes, and then rows, where their number is known. Threads: those of the report.

@@ -9,6 +9,13 @@
 
 namespace tcb {
 
+/// The marks of delimited text.
+struct TextMarks {
+  char delimiter = ',';  ///< between cells; ' ' is any run of blanks and tabs
+  char decimal = '.';    ///< in numbers
+  bool crlf = false;     ///< lines end with CR and LF, not LF alone
+};
+
 enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, npy, svg };
 
 /// What formats have in common.

@@ -11,6 +11,7 @@
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_channels.hpp"
+#include "schema/formats.hpp"
 #include "schema/rotation_options.hpp"
 #include "tcb/spline/key.hpp"
 
@@ -37,7 +38,8 @@ struct RotationSchema {
 
 /// What a record means: a key as it is read, or a sample as it is written.
 struct Schema {
-  bool named = false;  ///< the columns have names
+  bool named = false;                   ///< the columns have names
+  std::optional<TextMarks> marks = {};  ///< of an input of delimited text
   TimeSchema time = {};
   std::vector<std::string> channels = {};  ///< names of the position channels
   std::vector<std::size_t> sources = {};   ///< index of the channel of keys as they are read, for each channel

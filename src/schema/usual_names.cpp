@@ -13,16 +13,17 @@ namespace {
 /// Other usual names of times, in lower case without blanks, "_", "-" and ".".
 /// A unit may follow.
 constexpr std::array time_names{
-    "t",          "time",        "times",      "timestamp",      "timestamps",    "stamp",        "stamps",
-    "ts",         "tstamp",      "timecode",   "timeofday",      "clock",         "clocktime",    "date",
-    "datetime",   "datestamp",   "elapsed",    "elapsedtime",    "timeelapsed",   "frame",        "frames",
-    "frameno",    "framenr",     "framenum",   "framenumber",    "frameid",       "frameidx",     "frameindex",
-    "framecount", "keyframe",    "keyframes",  "keytime",        "keytimes",      "keyframetime", "tick",
-    "ticks",      "tickcount",   "unix",       "unixtime",       "unixtimestamp", "posixtime",    "epoch",
-    "epochtime",  "utc",         "utctime",    "gpstime",        "gmt",           "localtime",    "systime",
-    "systemtime", "rostime",     "simtime",    "simulationtime", "walltime",      "walltimes",    "sampletime",
-    "eventtime",  "capturetime", "recordtime", "relativetime",   "reltime",       "absolutetime", "abstime",
-    "timevalue",  "timepoint",   "timesec",    "timeindex",      "framestamp",    "frametime",    "frametimestamp",
+    "t",          "time",        "times",          "timestamp",      "timestamps",    "stamp",        "stamps",
+    "ts",         "tstamp",      "timecode",       "timeofday",      "clock",         "clocktime",    "date",
+    "datetime",   "datestamp",   "elapsed",        "elapsedtime",    "timeelapsed",   "frame",        "frames",
+    "frameno",    "framenr",     "framenum",       "framenumber",    "frameid",       "frameidx",     "frameindex",
+    "framecount", "keyframe",    "keyframes",      "keytime",        "keytimes",      "keyframetime", "tick",
+    "ticks",      "tickcount",   "unix",           "unixtime",       "unixtimestamp", "posixtime",    "epoch",
+    "epochtime",  "utc",         "utctime",        "gpstime",        "gmt",           "localtime",    "systime",
+    "systemtime", "rostime",     "simtime",        "simulationtime", "walltime",      "walltimes",    "sampletime",
+    "eventtime",  "capturetime", "recordtime",     "relativetime",   "reltime",       "absolutetime", "abstime",
+    "tc",         "smpte",       "smptetimecode",  "timevalue",      "timepoint",     "timesec",      "timeindex",
+    "framestamp", "frametime",   "frametimestamp",
 };
 
 /// Names of units of time, which may be a name by themselves if they are two letters or more.
@@ -217,6 +218,53 @@ bool tells_curves_apart(std::string_view name) {
                              "name", "curve", "curveid", "series", "uuid"};
   return has(names, compact(name));
 }
+
+bool is_usual_angle(std::string_view name) {
+  constexpr std::array names{"yaw", "heading", "bearing", "azimuth", "roll", "pitch"};
+  const std::string_view alone = without_unit(name);
+  const std::size_t separator = alone.find_last_of("_-./ ");
+  return has(names, compact(alone)) ||
+         (separator != std::string_view::npos && has(names, compact(alone.substr(separator + 1))));
+}
+
+bool is_usual_channel(std::string_view name) {
+  constexpr std::array names{
+      "val",   "fov",   "focal",  "focallength", "zoom",   "focus", "aperture",    "exposure", "scale",    "depth",
+      "size",  "angle", "tilt",   "pan",         "alpha",  "red",   "green",       "blue",     "opacity",  "color",
+      "gain",  "gray",  "weight", "intensity",   "volume", "level", "temperature", "pressure", "humidity", "speed",
+      "force", "price", "close",  "distance",    "radius", "power", "current",     "voltage",  "signal",   "data"};
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string text = compact(without_unit(name));
+  while (!text.empty() && is_digit(text.back())) text.pop_back();
+  const std::size_t separator = name.find_last_of("_-./ ");
+  const std::string last = separator == std::string_view::npos ? "" : compact(name.substr(separator + 1));
+  const bool is_axis = text.size() == 2 && std::string_view("xyzw").find(text[1]) != std::string_view::npos;
+  return text.size() <= 1 || is_axis || has(names, text) || has(names, last) || is_coordinate(name) ||
+         is_usual_position(name) || is_usual_angle(name);
+}
+
+namespace {
+
+/// The name of a coordinate without what tells it from the others of its space; other names are as they are.
+std::string space_of(std::string_view name) {
+  constexpr std::array on_earth{"lat", "lon", "lng", "long", "latitude", "longitude"};
+  constexpr std::array on_maps{"easting", "northing", "east", "north"};
+  std::string text = compact(without_unit(name));
+  if (has(on_earth, text)) return "earth";
+  if (has(on_maps, text)) return "map";
+  if (text.size() == 1) return "";
+  if (std::string_view("xyzw0123456789").find(text.back()) != std::string_view::npos) {
+    text.pop_back();
+  } else if (std::string_view("xyz").find(text.front()) != std::string_view::npos && name.size() > 1 &&
+             std::string_view("_-. ").find(name[1]) != std::string_view::npos) {  // as in x_pos
+    text.erase(0, 1);
+  }
+  return text;
+}
+
+}  // namespace
+
+bool are_of_one_kind(std::string_view one, std::string_view other) { return space_of(one) == space_of(other); }
 
 bool is_coordinate(std::string_view name) {
   const std::string whole = compact(without_unit(name));

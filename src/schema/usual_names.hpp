@@ -44,6 +44,16 @@ bool is_usual_label(std::string_view name);
 /// Whether a name is one of those that tell curves apart and are never positions, such as "id" or "track".
 bool tells_curves_apart(std::string_view name);
 
+/// Whether a name is that of an angle of a heading or an attitude, such as "yaw" or "imu.heading".
+bool is_usual_angle(std::string_view name);
+
+/// Whether a name is a usual one of a number over time, such as "x", "fov" or "temperature".
+bool is_usual_channel(std::string_view name);
+
+/// Whether two names may be of coordinates in the same space, such as "pos_x" and "pos_y", "lat" and "lon", or "a" and
+/// "b", but not "x" and "temperature".
+bool are_of_one_kind(std::string_view one, std::string_view other);
+
 /// Whether a name is that of a coordinate, such as "x", "pos_y" or "p3".
 bool is_coordinate(std::string_view name);
 

@@ -34,6 +34,12 @@ Error time_not_in_notation(std::string_view time, std::string_view notation) {
                       time, notation, option::time_format)};
 }
 
+Error input_without_marks() {
+  return {Exit::usage, fmt::format("the input is JSON, which has neither a delimiter nor a decimal mark; expected "
+                                   "delimited text; remove {}",
+                                   option::like_input)};
+}
+
 Error columns_differ_from_before(std::span<const std::string> columns, std::span<const std::string> columns_before) {
   return {Exit::data, fmt::format("the columns are {}; expected {}, as in the earlier files; give {} to write "
                                   "an output for each file",

@@ -15,6 +15,7 @@ Error text_in_binary_format(std::string_view column, std::string_view format);
 Error several_curves_in_one_table(std::string_view format);
 Error time_not_a_double(std::string_view time);
 Error time_not_in_notation(std::string_view time, std::string_view notation);
+Error input_without_marks();
 
 // The columns of several inputs in one output.
 Error columns_differ_from_before(std::span<const std::string> columns, std::span<const std::string> columns_before);

@@ -25,6 +25,7 @@ std::vector<std::string> OutputColumns::names() const {
 
 Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
     : options_(options),
+      marks_(options.marks.value_or(TextMarks{format_of(options.format).delimiter})),
       nested_(format_of(options.format).nests && !columns.groups.empty()),
       groups_(columns.groups.size()),
       numbers_(columns.numbers.size()) {
@@ -35,9 +36,9 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
   std::vector<OutputColumn> all;
   for (const std::string& name : columns.names()) all.push_back({name});
   const auto layout = output_format(options.format).layout;
-  all_ = layout(all, options.header);
+  all_ = layout(all, marks_, options.header);
   head_ = nested_ ? "{\"curves\":[\n" : (options.has_member ? "{\"rows\":" : "") + all_.head;
-  rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, options.header) : all_;
+  rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, marks_, options.header) : all_;
   const auto labels_begin = rows_.before.begin() + signed_size(numbers_ + (nested_ ? 0 : groups_));
   rows_.before.assign(rows_.before.begin() + signed_size(nested_ ? 0 : groups_), labels_begin);
   if (options.notation.kind != Notation::Kind::shortest) rows_.notation = options.notation;
@@ -47,7 +48,7 @@ std::string Frame::begin(std::span<const std::string> group, bool divided) {
   const OutputFormat& format = output_format(options_.format);
   const bool follows = std::exchange(any_curves_, true);
   std::string cells;
-  for (std::size_t i = 0; i < group.size(); ++i) cells += all_.before[i] + format.text(group[i]);
+  for (std::size_t i = 0; i < group.size(); ++i) cells += all_.before[i] + format.text(group[i], marks_.delimiter);
   if (nested_) {
     std::string text = (follows ? end_curve() + ",\n" : "") + cells + ",\"rows\":" + all_.head;
     any_rows_ = false;
@@ -55,16 +56,17 @@ std::string Frame::begin(std::span<const std::string> group, bool divided) {
   }
   rows_.before[0] = cells + all_.before[groups_];
   if (!divided || !any_rows_) return "";
-  if (format.divider.empty()) {
+  if (all_.divider.empty()) {
     throw several_curves_in_one_table(format_of(options_.format).name);
   }
-  return all_.between_rows + std::string(format.divider);
+  return all_.between_rows + all_.divider;
 }
 
 std::string Frame::row_end(std::span<const std::string_view> labels) const {
   const OutputFormat& format = output_format(options_.format);
   std::string text;
-  for (std::size_t i = 0; i < labels.size(); ++i) text += all_.before[groups_ + numbers_ + i] + format.text(labels[i]);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    text += all_.before[groups_ + numbers_ + i] + format.text(labels[i], marks_.delimiter);
   return text + all_.row_end;
 }
 

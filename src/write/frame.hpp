@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,7 +31,8 @@ struct FrameOptions {
   FormatId format = FormatId::csv;
   bool header = true;
   Notation notation = {};
-  bool has_member = false;  ///< in JSON: the output is an object, with another member after the rows
+  bool has_member = false;              ///< in JSON: the output is an object, with another member after the rows
+  std::optional<TextMarks> marks = {};  ///< of delimited text; nothing: those of the format
 };
 
 /// Everything around the numbers of the rows. The group of a curve is in cells of each of its rows, or in JSON in an
@@ -68,6 +70,7 @@ class Frame {
   std::string end_curve() const { return (any_rows_ ? rows_.tail : rows_.no_rows) + "}"; }
 
   FrameOptions options_;
+  TextMarks marks_;
   bool nested_ = false;  ///< each curve is an object with its rows
   Layout all_;           ///< with the texts of all columns before their cells
   Layout rows_;          ///< as append_rows takes it

@@ -16,32 +16,27 @@ namespace tcb {
 
 namespace {
 
-template <char delimiter>
-Layout delimited_rows(const std::vector<OutputColumn>& columns, bool header) {
-  return delimited_layout(columns, delimiter, header);
+Layout json_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return json_layout(columns); }
+Layout jsonl_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return jsonl_layout(columns); }
+Layout npy_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return npy_layout(columns); }
+
+std::string delimited_cell(std::string_view text, char delimiter) {
+  return text.empty() && delimiter == ' ' ? "NA" : delimited_text(content(text), delimiter);
 }
 
-Layout json_rows(const std::vector<OutputColumn>& columns, bool) { return json_layout(columns); }
-Layout jsonl_rows(const std::vector<OutputColumn>& columns, bool) { return jsonl_layout(columns); }
-Layout npy_rows(const std::vector<OutputColumn>& columns, bool) { return npy_layout(columns); }
-
-std::string csv_text(std::string_view text) { return delimited_text(content(text), ','); }
-std::string tsv_text(std::string_view text) { return delimited_text(content(text), '\t'); }
-std::string ssv_text(std::string_view text) { return text.empty() ? "NA" : delimited_text(content(text), ' '); }
-
-std::string json_cell(std::string_view text) {
+std::string json_cell(std::string_view text, char) {
   if (text.empty()) return "null";
   return is_string(text) ? json_text(content(text)) : std::string(text);
 }
 
 /// In the order of FormatId.
 constexpr std::array<OutputFormat, formats.size()> output_formats{{
-    {delimited_rows<','>, csv_text, "\n"},
-    {delimited_rows<'\t'>, tsv_text, "\n"},
-    {delimited_rows<' '>, ssv_text, "\n"},
-    {json_rows, json_cell, "null"},
-    {jsonl_rows, json_cell, "null\n"},
-    {npy_rows, nullptr, "", npy_head},
+    {delimited_layout, delimited_cell},
+    {delimited_layout, delimited_cell},
+    {delimited_layout, delimited_cell},
+    {json_rows, json_cell},
+    {jsonl_rows, json_cell},
+    {npy_rows, nullptr, npy_head},
     {},  // a picture has no rows
 }};
 
@@ -90,6 +85,12 @@ char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& not
     throw time_not_a_double(time_text(cell));
   }
   return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
+}
+
+char* write_cell(char* out, CellKind kind, const Cell& cell, const Layout& layout) {
+  char* const end = write_cell(out, kind, cell, layout.notation);
+  if (layout.decimal != '.') std::replace(out, end, '.', layout.decimal);
+  return end;
 }
 
 char* write_text(char* out, std::string_view text) {
@@ -142,7 +143,7 @@ std::string json_text(std::string_view text) {
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first) {
   const std::size_t begin = out.size();
-  const bool shortest = layout.notation.kind == Notation::Kind::shortest;
+  const bool shortest = layout.notation.kind == Notation::Kind::shortest && layout.decimal == '.';
   std::vector<std::pair<std::string_view, CellKind>> row;  // the text before each cell, and its kind
   for (std::size_t i = 0; i < columns.size(); ++i) row.emplace_back(layout.before[i], columns[i].kind);
   out.resize(begin + cells.size() / columns.size() * longest_row(layout) + spare_room);
@@ -153,7 +154,7 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
       at = write_text(at, before);
       at = is_empty(*cell) ? write_text(at, layout.empty)
            : shortest      ? write_cell(at, kind, *cell)
-                           : write_cell(at, kind, *cell, layout.notation);
+                           : write_cell(at, kind, *cell, layout);
       ++cell;
     }
     at = write_text(at, layout.row_end);
@@ -172,30 +173,31 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
     if (!texts[i].empty() || is_empty(cells[i])) {
       out += is_empty(cells[i]) ? layout.empty : texts[i];
     } else {
-      out.append(number.data(), write_cell(number.data(), columns[column].kind, cells[i], layout.notation));
+      out.append(number.data(), write_cell(number.data(), columns[column].kind, cells[i], layout));
     }
     if (column + 1 == columns.size()) out += layout.row_end;
   }
 }
 
-Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header) {
+Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header) {
   Layout layout;
+  layout.row_end = layout.divider = marks.crlf ? "\r\n" : "\n";
+  layout.decimal = marks.decimal;
   for (const OutputColumn& column : columns) {
-    layout.before.emplace_back(layout.before.empty() ? "" : std::string(1, delimiter));
-    if (header) layout.head += layout.before.back() + delimited_text(column.name, delimiter);
+    layout.before.emplace_back(layout.before.empty() ? "" : std::string(1, marks.delimiter));
+    if (header) layout.head += layout.before.back() + delimited_text(column.name, marks.delimiter);
   }
-  if (header) layout.head += '\n';
-  layout.row_end = "\n";
-  if (delimiter == ' ') layout.empty = "NA";  // between blanks, an empty text would not be a cell
+  if (header) layout.head += layout.row_end;
+  if (marks.delimiter == ' ') layout.empty = "NA";  // between blanks, an empty text would not be a cell
   return layout;
 }
 
 Layout json_layout(const std::vector<OutputColumn>& columns) {
-  return {"[\n", members(columns), "}", "null", ",\n", "\n]", "]", "\n"};
+  return {"[\n", members(columns), "}", "null", ",\n", "\n]", "]", "\n", "null"};
 }
 
 Layout jsonl_layout(const std::vector<OutputColumn>& columns) {
-  return {"", members(columns), "}\n", "null", "", "", "", ""};
+  return {"", members(columns), "}\n", "null", "", "", "", "", "null\n"};
 }
 
 }  // namespace tcb

@@ -23,7 +23,9 @@ struct Layout {
   std::string tail;
   std::string no_rows;     ///< instead of `tail` if there is no row
   std::string end;         ///< of the whole output, after its last list of rows
+  std::string divider;     ///< the line between two curves of the same group; empty: impossible
   Notation notation = {};  ///< of numbers that may have a fraction
+  char decimal = '.';      ///< their decimal mark
 };
 
 /// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each.
@@ -41,8 +43,8 @@ std::string delimited_text(std::string_view text, char delimiter);
 /// A text as a JSON string.
 std::string json_text(std::string_view text);
 
-/// Rows of cells separated by a delimiter, below the names if there is a header.
-Layout delimited_layout(const std::vector<OutputColumn>& columns, char delimiter, bool header);
+/// Rows of delimited text, below the names if there is a header.
+Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header);
 
 /// An array of objects, one per line.
 Layout json_layout(const std::vector<OutputColumn>& columns);
@@ -52,10 +54,9 @@ Layout jsonl_layout(const std::vector<OutputColumn>& columns);
 
 /// The functions that write a format.
 struct OutputFormat {
-  Layout (*layout)(const std::vector<OutputColumn>& columns, bool header);
-  std::string (*text)(
-      std::string_view text);  ///< a cell from a text as in schema/texts.hpp; null: cells are numbers only
-  std::string_view divider;    ///< the line between two curves of the same group; empty: impossible
+  Layout (*layout)(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header);
+  /// A cell from a text as in schema/texts.hpp; null: cells are numbers only.
+  std::string (*text)(std::string_view text, char delimiter);
   /// The head with the number of rows, written in place of the layout's head of the same size; null: not needed.
   std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;
 };

@@ -23,7 +23,29 @@ void add_file_column(OutputColumns& columns, const std::string& name, const std:
   columns.groups.insert(columns.groups.begin(), name);
 }
 
+/// A text with another decimal mark, which is after the last colon.
+std::string with_decimal(std::string text, char mark) {
+  const std::size_t colon = text.rfind(':'), point = text.find('.', colon == std::string::npos ? 0 : colon);
+  if (point != std::string::npos) text[point] = mark;
+  return text;
+}
+
+/// A text with other ends of its lines.
+std::string with_crlf(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c == '\n' ? "\r\n" : std::string(1, c);
+  return result;
+}
+
 }  // namespace
+
+TextMarks Writer::marks_for(const Schema& schema) const {
+  if (options_.like_input) {
+    if (!schema.marks) throw input_without_marks();
+    return *schema.marks;
+  }
+  return {options_.delimiter.value_or(format_of(options_.format).delimiter), options_.decimal};
+}
 
 void Writer::begin(const Schema& schema, bool live, Facts rules, const std::string& file) {
   OutputColumns columns{schema.groups, output_columns(options_.fields, schema), schema.labels};
@@ -34,11 +56,13 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
   if (columns_.numbers.empty()) {
     const Format& format = format_of(options_.format);
     columns_ = std::move(columns);
+    marks_ = marks_for(schema);
     set_times(schema);
     frame_ = Frame(columns_, {format.id, options_.header.value_or(schema.named), options_.notation,
-                              format.nests && options_.provenance.has_value()});
+                              format.nests && options_.provenance.has_value(), marks_});
     recorder_.set_rules(std::move(rules));
-    output_.write(recorder_.before_rows(format.id) + frame_.head());
+    const std::string provenance = recorder_.before_rows(format.id);
+    output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + frame_.head());
   } else if (columns.names() != columns_.names()) {
     throw columns_differ_from_before(columns.names(), columns_.names());
   }
@@ -67,8 +91,11 @@ void Writer::set_times(const Schema& schema) {
 
 std::vector<std::string> Writer::texts(const Table& table) const {
   const bool is_number = notation_ == TimeNotation::seconds || notation_ == TimeNotation::frames;
-  if (notation_ == TimeNotation::seconds && unit_ == 1) return table.texts;
   std::vector<std::string> texts = table.texts;
+  if (marks_.decimal != '.') {
+    for (std::string& text : texts) text = with_decimal(std::move(text), marks_.decimal);
+  }
+  if (notation_ == TimeNotation::seconds && unit_ == 1) return texts;
   texts.resize(table.cells.size());
   const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
   const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
@@ -79,7 +106,8 @@ std::vector<std::string> Writer::texts(const Table& table) const {
     if (is_number) {
       const Rational frames = Rational(table.cells[i].hi) * unit_ * rate;  // of the double, whose error is the smaller
       const bool counts = notation_ == TimeNotation::frames;
-      texts[i] = time_text(nearest_time(counts ? whole_frame(seconds, rate).value_or(frames) : seconds));
+      const Rational number = counts ? whole_frame(seconds, rate).value_or(frames) : seconds;
+      texts[i] = with_decimal(time_text(nearest_time(number)), marks_.decimal);
       continue;
     }
     const auto text = time_in_words(seconds, notation_, rate, decimals, dates_);
@@ -87,7 +115,8 @@ std::vector<std::string> Writer::texts(const Table& table) const {
       const char* const name = notation_ == TimeNotation::clock ? "clock" : is_date(notation_) ? "a date" : "timecode";
       throw time_not_in_notation(time_text(table.cells[i]), name);
     }
-    texts[i] = in_quotes ? json_text(*text) : *text;
+    const bool has_clock = text->find(':') != std::string::npos;
+    texts[i] = in_quotes ? json_text(*text) : has_clock ? with_decimal(*text, marks_.decimal) : *text;
   }
   return texts;
 }
@@ -120,7 +149,8 @@ void Writer::write(const Source<std::string>& rows) {
 void Writer::commit() {
   const std::string provenance = recorder_.after_rows(options_.format);
   const bool is_member = format_of(options_.format).nests;
-  output_.write(is_member ? frame_.tail(provenance) : frame_.tail() + provenance);
+  output_.write(is_member ? frame_.tail(provenance)
+                          : frame_.tail() + (marks_.crlf ? with_crlf(provenance) : provenance));
   if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
   output_.commit();
 }

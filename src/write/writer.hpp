@@ -23,6 +23,9 @@ namespace tcb {
 struct WriterOptions {
   FormatId format = FormatId::csv;
   std::optional<bool> header;       ///< nothing: as the input has one
+  std::optional<char> delimiter;    ///< nothing: that of the format
+  char decimal = '.';               ///< the decimal mark
+  bool like_input = false;          ///< instead of both: the marks of the input
   Notation notation;                ///< of numbers that may have a fraction
   std::vector<std::size_t> fields;  ///< indices into fields()
   std::optional<ProvenanceRequest> provenance;
@@ -65,10 +68,14 @@ class Writer {
   void commit();
 
  private:
+  /// The marks of delimited text. Throws: Error (usage) for those of an input that has none.
+  TextMarks marks_for(const Schema& schema) const;
+
   /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
   void set_times(const Schema& schema);
 
-  /// The texts that replace cells: times in the notation of the output; other entries are those of the table.
+  /// The texts that replace cells, with the decimal mark of the output: times in its notation; other entries are those
+  /// of the table.
   /// Throws: Error (data) for a time that the notation does not have.
   std::vector<std::string> texts(const Table& table) const;
 
@@ -77,6 +84,7 @@ class Writer {
   OutputColumns columns_;
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
+  TextMarks marks_;
   Rational unit_ = 1;  ///< of the times, in seconds, where they are printed in another one
   Frame frame_;
   ProvenanceRecorder recorder_;

@@ -67,7 +67,7 @@ TEST_F(CompletionTest, descriptions_are_escaped) {
   EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("[The format of the input\\: csv"));
   EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("text that begins with \\[ or { is JSON"));
   EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("instead of the preset'\\''s"));
-  EXPECT_THAT(generated_text(Generated::fish), HasSubstr("instead of the preset\\'s rule'"));
+  EXPECT_THAT(generated_text(Generated::fish), HasSubstr("-d 'The rule for the tangents at inner keys'"));
 }
 
 TEST_F(CompletionTest, columns_are_those_of_files) {
@@ -76,6 +76,7 @@ TEST_F(CompletionTest, columns_are_those_of_files) {
   std::fputs("id,frame,pos x,y,Tension\na,0,1,2,0\na,1,2,3,0\n", out);
   std::fclose(out);
   EXPECT_EQ(printed_text({"--generate", "columns", file}), "frame\npos x\ny\nid\ntension");
+  EXPECT_EQ(printed_text({"--generate", "positions", file}), "pos x\ny");
   std::remove(file.c_str());
   EXPECT_THROW(parsed({"--generate", "columns", file}), Error);
 }

@@ -24,7 +24,7 @@ TEST(Plan, without_options_but_a_step_all_is_default) {
   EXPECT_EQ(job.files.outputs.file, "-");
   EXPECT_FALSE(job.keys.input.format || job.keys.input.delimited.delimiter || job.keys.input.delimited.header);
   EXPECT_EQ(job.keys.input.delimited.comment, "#");
-  EXPECT_EQ(job.keys.input.delimited.decimal, '.');
+  EXPECT_EQ(job.keys.input.delimited.marks.decimal, '.');
   EXPECT_EQ(job.keys.input.keys.missing, Missing::error);
   EXPECT_EQ(job.keys.input.keys.tcb, spline::Tcb<double>{});
   EXPECT_EQ(job.keys.curves.duplicates, Duplicates::error);
@@ -85,7 +85,7 @@ TEST(Plan, options_about_the_input_have_their_meaning) {
   EXPECT_EQ(stepped({"--comment", "none"}).keys.input.delimited.comment, "");
   EXPECT_EQ(stepped({"--header"}).keys.input.delimited.header, true);
   EXPECT_EQ(stepped({"--no-header"}).keys.input.delimited.header, false);
-  EXPECT_EQ(stepped({"--decimal", ","}).keys.input.delimited.decimal, ',');
+  EXPECT_EQ(stepped({"--decimal", ","}).keys.input.delimited.marks.decimal, ',');
   EXPECT_EQ(stepped({"--missing", "skip-cell"}).keys.input.keys.missing, Missing::skip_cell);
   EXPECT_EQ(stepped({"--duplicates", "break"}).keys.curves.duplicates, Duplicates::break_curve);
   EXPECT_TRUE(stepped({"--parameter", "chordal"}).keys.input.columns.timeless);

@@ -16,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (delimiter != '\0') options.delimited.delimiter = delimiter;
   options.delimited.header = choices.PickValueInArray<std::optional<bool>>({std::nullopt, std::nullopt, true, false});
   options.delimited.comment = choices.PickValueInArray({"#", "#", "", "//", ">"});
-  options.delimited.decimal = choices.PickValueInArray({'.', '.', ','});
+  options.delimited.marks.decimal = choices.PickValueInArray({'.', '.', ','});
+  options.delimited.marks.thousands = choices.PickValueInArray({'\0', '\0', '\'', ' '});
   options.keys.missing = choices.PickValueInArray(missing_names).value;
   options.columns.timeless = choices.ConsumeBool();
   const char* const columns = choices.PickValueInArray({"", "", "", "time=1", "group=1,time=2", "carry=3", "carry=x"});

@@ -98,7 +98,7 @@ void read(const std::string& text) {
 
   std::string with_comma = text;
   for (char& c : with_comma) c = c == ',' ? '.' : c == '.' ? ',' : c;
-  require(same(Decimals(',').number(with_comma), wanted), "a decimal comma changes the number", text);
+  require(same(Decimals({','}).number(with_comma), wanted), "a decimal comma changes the number", text);
 
   const std::optional<Time> time = parse_time(text);
   require(time.has_value() == wanted.has_value(), "a time, but no number", text);

@@ -60,5 +60,28 @@ TEST(Angles, rows_show_negative_ones_where_a_key_does) {
   }
 }
 
+/// The likely angles among keys of one channel, as for --angle.
+std::string likely(const std::string& name, const std::vector<double>& values) {
+  Schema schema;
+  schema.channels = {name};
+  LikelyAngles angles(schema);
+  const Source<KeyBlock> blocks = angles.observe(keys_of(values));
+  while (blocks()) {
+  }
+  std::string text;
+  for (const auto& [channel, degrees] : angles.found()) text += channel + (degrees ? "=degrees" : "=radians");
+  return text;
+}
+
+TEST(LikelyAngles, jump_by_more_than_half_a_turn) {
+  EXPECT_EQ(likely("yaw", {350, 10}), "yaw=degrees");
+  EXPECT_EQ(likely("imu.heading", {-179, 179}), "imu.heading=degrees");
+  EXPECT_EQ(likely("roll", {3.1, -3.1}), "roll=radians");
+  EXPECT_EQ(likely("pitch", {0, 6.2}), "pitch=radians");
+  EXPECT_EQ(likely("yaw", {0, 180, 0}), "");
+  EXPECT_EQ(likely("yaw", {0, 3, 0}), "");
+  EXPECT_EQ(likely("x", {350, 10}), "");
+}
+
 }  // namespace
 }  // namespace tcb

@@ -373,5 +373,22 @@ TEST(Numbers, no_locale_changes_the_point) {
   std::locale::global(before);
 }
 
+TEST(Decimals, marks_divide_groups_of_three_digits) {
+  const auto number = [](std::string_view text, char decimal, char thousands) {
+    return Decimals({decimal, thousands}).number(text);
+  };
+  EXPECT_EQ(number("1.234,5", ',', '.'), 1234.5);
+  EXPECT_EQ(number("-1.000.000", ',', '.'), -1e6);
+  EXPECT_EQ(number("+12,345.5e2", '.', ','), 1234550);
+  EXPECT_EQ(number("1'234", '.', '\''), 1234);
+  EXPECT_EQ(number("1\u2019234", '.', '\''), 1234);
+  EXPECT_EQ(number("1 234,5", ',', ' '), 1234.5);
+  EXPECT_EQ(number("1\u00A0234\u202F567\u2009890", '.', ' '), 1234567890);
+  EXPECT_EQ(number("1234,5", ',', '.'), 1234.5);
+  for (const char* text : {"1.23", "12.34,5", "1234.567", "0.125", "1.234.", ".123", "1..234", "1,234.5", "-.123"}) {
+    EXPECT_FALSE(number(text, ',', '.')) << text;
+  }
+}
+
 }  // namespace
 }  // namespace tcb

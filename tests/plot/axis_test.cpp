@@ -60,5 +60,51 @@ TEST(Axis, whole_numbers_become_decimals) {
   EXPECT_EQ(decimal_text("0", -2), "0");
 }
 
+/// An axis of times in seconds in a notation.
+Axis times(double low, double high, TimeNotation notation, const DateFormat& dates = {}) {
+  return {interval(low, high), TimeScale{notation, 25, dates}};
+}
+
+TEST(Axis, dates_of_one_day_are_in_the_title) {
+  const Axis axis = times(1709287200, 1709292600, TimeNotation::zoned_date);  // 2024-03-01 10:00 to 11:30
+  EXPECT_EQ(axis.title("time"), "time, 2024-03-01");
+  EXPECT_THAT(texts(axis, 7), ElementsAre("10:00", "10:15", "10:30", "10:45", "11:00", "11:15", "11:30"));
+  EXPECT_EQ(axis.ticks(7)[1].value - axis.low(), 900);
+}
+
+TEST(Axis, days_begin_in_the_zone_of_the_dates) {
+  const DateFormat dates{DateOrder::ymd, '-', true, ' ', "+01:00"};
+  const Axis axis = times(1709247600, 1709420400, TimeNotation::zoned_date, dates);  // midnight, two days
+  EXPECT_THAT(texts(axis, 3), ElementsAre("2024-03-01", "2024-03-02", "2024-03-03"));
+  EXPECT_THAT(texts(axis, 5), ElementsAre("2024-03-01 00:00", "2024-03-01 12:00", "2024-03-02 00:00",
+                                          "2024-03-02 12:00", "2024-03-03 00:00"));
+}
+
+TEST(Axis, timecode_and_clock_times_have_round_ticks) {
+  EXPECT_THAT(texts(times(3600, 3601, TimeNotation::smpte), 6),
+              ElementsAre("01:00:00:00", "01:00:00:05", "01:00:00:10", "01:00:00:15", "01:00:00:20", "01:00:01:00"));
+  EXPECT_THAT(texts(times(59.5, 60.5, TimeNotation::clock), 3), ElementsAre("00:00:59.5", "00:01:00", "00:01:00.5"));
+}
+
+TEST(Axis, large_times_are_seconds_after_the_first) {
+  TimeScale scale;
+  scale.units_per_second = 1'000'000'000;
+  const Axis axis({Time(1731931200000000000.0), Time(1731931208560000000.0)}, scale);
+  EXPECT_EQ(axis.title("t"), "t, seconds after 1731931200000000000");
+  EXPECT_THAT(texts(axis, 5), ElementsAre("0", "2", "4", "6", "8"));
+  EXPECT_EQ(axis.from_base(Time(1731931201000000000.0)), 1);
+  EXPECT_EQ(Axis(interval(0, 3), scale).title("t"), "t");
+}
+
+TEST(Axis, any_times_have_two_ticks_or_more) {
+  for (const TimeNotation notation : {TimeNotation::clock, TimeNotation::smpte, TimeNotation::zoned_date}) {
+    for (const double size : {0.0, 1e-7, 0.04, 1.0, 61.0, 5000.0, 86400.0, 1e6, 3e8, 2e9}) {
+      for (double most = 2; most < 9; ++most) {
+        EXPECT_GE(times(86399.5, 86399.5 + size, notation).ticks(most).size(), 2U) << size << " " << most;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tcb

@@ -85,5 +85,28 @@ TEST(Scene, numbers_too_far_apart_are_refused) {
   EXPECT_THROW(extent_of(scene), Error);
 }
 
+TEST(Scene, a_flat_path_is_left_out_unless_it_is_requested) {
+  Scene scene = small_scene();
+  ASSERT_TRUE(scene.path);
+  SceneExtent extent = extent_of(scene);
+  extent.channels[(*scene.path)[0]] = {Time(0), Time(100)};
+  extent.channels[(*scene.path)[1]] = {Time(0), Time(4.9)};
+  scene.is_path_requested = true;
+  remove_flat_path(scene, extent);
+  EXPECT_TRUE(scene.path);
+  scene.is_path_requested = false;
+  remove_flat_path(scene, extent);
+  EXPECT_FALSE(scene.path);
+}
+
+TEST(Scene, the_path_has_two_channels_of_one_kind) {
+  EXPECT_TRUE(path_axes({"pos_x", "pos_y"}, {}));
+  EXPECT_TRUE(path_axes({"lat", "lon"}, {}));
+  EXPECT_TRUE(path_axes({"a", "b"}, {}));
+  EXPECT_FALSE(path_axes({"x", "temperature"}, {}));
+  EXPECT_FALSE(path_axes({"pan", "tilt"}, {}));
+  EXPECT_TRUE(path_axes({"pan", "tilt"}, {"pan", "tilt"}));
+}
+
 }  // namespace
 }  // namespace tcb

@@ -88,5 +88,12 @@ TEST(UsualLabel, is_the_name_of_what_distinguishes_curves) {
   for (const char* name : {"", "x", "level", "weight"}) EXPECT_FALSE(is_usual_label(name)) << name;
 }
 
+TEST(UsualChannel, names_of_numbers_over_time) {
+  for (const char* name : {"x", "ax", "pos_y", "p12", "fov", "value", "Temperature [C]", "imu.yaw", "R"}) {
+    EXPECT_TRUE(is_usual_channel(name)) << name;
+  }
+  for (const char* name : {"Spannung", "tensione", "sample", "state"}) EXPECT_FALSE(is_usual_channel(name)) << name;
+}
+
 }  // namespace
 }  // namespace tcb

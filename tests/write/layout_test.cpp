@@ -21,7 +21,7 @@ TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
   const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
   for (const Format& format : formats) {
     if (!format.can_read || !format.can_write) continue;
-    const Layout layout = output_format(format.id).layout(columns, true);
+    const Layout layout = output_format(format.id).layout(columns, {format.delimiter}, true);
     std::string text = layout.head;
     append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);
     text += layout.tail + layout.end;
@@ -86,9 +86,9 @@ std::string output(const Layout& layout, const std::vector<OutputColumn>& of, co
 }
 
 TEST(Layout, delimited_rows) {
-  EXPECT_EQ(output(delimited_layout(columns, ',', true), columns, two_rows),
+  EXPECT_EQ(output(delimited_layout(columns, {','}, true), columns, two_rows),
             "t,x,n\n0,0.1,3\n9007199254740993,-1e+300,4\n");
-  EXPECT_EQ(output(delimited_layout(columns, '\t', false), columns, two_rows),
+  EXPECT_EQ(output(delimited_layout(columns, {'\t'}, false), columns, two_rows),
             "0\t0.1\t3\n9007199254740993\t-1e+300\t4\n");
 }
 
@@ -100,13 +100,13 @@ TEST(Layout, json_rows) {
 }
 
 TEST(Layout, an_output_without_rows_is_complete) {
-  EXPECT_EQ(output(delimited_layout(columns, ',', true), columns, {}), "t,x,n\n");
+  EXPECT_EQ(output(delimited_layout(columns, {','}, true), columns, {}), "t,x,n\n");
   EXPECT_EQ(output(jsonl_layout(columns), columns, {}), "");
   EXPECT_TRUE(nlohmann::json::parse(output(json_layout(columns), columns, {})).empty());
 }
 
 TEST(Layout, rows_in_several_calls_are_the_rows_in_one) {
-  for (const Layout& layout : {delimited_layout(columns, ';', true), json_layout(columns), jsonl_layout(columns)}) {
+  for (const Layout& layout : {delimited_layout(columns, {';'}, true), json_layout(columns), jsonl_layout(columns)}) {
     std::string in_one, in_two;
     append_rows(in_one, layout, columns, two_rows, true);
     append_rows(in_two, layout, columns, {two_rows.begin(), two_rows.begin() + 3}, true);
@@ -117,7 +117,7 @@ TEST(Layout, rows_in_several_calls_are_the_rows_in_one) {
 
 TEST(Layout, names_are_quoted_only_where_it_is_necessary) {
   const auto head = [](const std::string& name, char delimiter) {
-    return delimited_layout({{name}}, delimiter, true).head;
+    return delimited_layout({{name}}, {delimiter}, true).head;
   };
   EXPECT_EQ(head("p x [m]", ','), "p x [m]\n");
   EXPECT_EQ(head("p x", ' '), "\"p x\"\n");
@@ -133,7 +133,7 @@ TEST(Layout, delimited_names_read_back) {
   for (const char delimiter : {',', ';', '\t', ' '}) {
     const Dialect dialect{delimiter, ""};
     for (const std::string name : odd_names) {
-      const Chunk chunk{delimited_layout({{"t"}, {name}}, delimiter, true).head};
+      const Chunk chunk{delimited_layout({{"t"}, {name}}, {delimiter}, true).head};
       Tokenizer tokenizer(chunk, dialect);
       std::vector<std::string_view> cells;
       ASSERT_TRUE(tokenizer.next(cells));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/csv/delimiter.hpp"
 #include "read/csv/errors.hpp"
@@ -40,7 +41,7 @@ class RecordReader {
   RecordReader(const Chunk& chunk, const DelimitedHead& head)
       : head_(head),
         tokenizer_(chunk, head.dialect),
-        decimals_(head.decimal),
+        decimals_(head.marks),
         keys_(head.columns, head.rules, head.units) {
     const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
     time_cell_ = static_cast<std::size_t>(time - head.columns.cells.begin());
@@ -132,15 +133,17 @@ class RecordReader {
     const std::string name = head_.columns.name_of(column);
     const bool is_time = column.role == Role::time;
     if (is_missing_sign(text, head_.rules.signs)) {
-      add_fault(cell, is_time || column.role == Role::nanoseconds ? time_is_missing(name, text)
-                                                                  : number_is_missing(name, text));
+      const bool is_of_time = is_time || column.role == Role::nanoseconds;
+      add_fault(cell, head_.columns.are_segments ? number_of_segment_is_missing(name, text)
+                      : is_of_time               ? time_is_missing(name, text)
+                                                 : number_is_missing(name, text));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       const bool has_notation = head_.units.notation == find_notation(text);
       add_fault(cell, has_notation ? no_such_time(name, text) : time_in_other_notation(name, text));
     } else if (is_word(text, column)) {
       add_fault(cell, word_in_column_of_numbers(name, text));
     } else {
-      add_fault(cell, why_not_number(name, text, head_.decimal));
+      add_fault(cell, why_not_number(name, text, head_.marks));
     }
   }
 
@@ -157,6 +160,7 @@ class RecordReader {
 
   void read_text(std::string_view cell, const Columns::Column& column) {
     std::string text = text_of(cell);
+    if (!head_.encoding.empty()) text = in_utf8(text, head_.encoding).value_or(text);
     const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string::npos) add_fault(cell, cell_not_utf8(unquoted(cell), text[invalid]));
     if (content(text).empty() && !keys_.miss(column)) add_fault(cell, group_is_empty(head_.columns.name_of(column)));
@@ -175,13 +179,19 @@ class RecordReader {
   std::size_t time_cell_ = 0;
 };
 
+/// Whether the first line ends with CR and LF.
+bool has_crlf(std::string_view text) {
+  const std::size_t end = text.find('\n');
+  return end != std::string_view::npos && text.substr(0, end).ends_with('\r');
+}
+
 /// Whether a quoted number with a decimal comma occurs, so that a comma outside quotes is the delimiter.
 bool has_quoted_decimal(std::string_view text) {
   for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
     const std::size_t begin = text.find_last_of("\",\n", comma - 1), end = text.find_first_of("\",\n", comma + 1);
     const bool is_quoted = comma > 0 && begin != std::string_view::npos && end != std::string_view::npos &&
                            text[begin] == '"' && text[end] == '"';
-    if (is_quoted && Decimals(',').number(text.substr(begin + 1, end - begin - 1))) return true;
+    if (is_quoted && Decimals({','}).number(text.substr(begin + 1, end - begin - 1))) return true;
   }
   return false;
 }
@@ -198,18 +208,20 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   if (!delimiter) beginning = find_delimiter(bytes, options.delimited);
   if (named) ++beginning.line;
   const Dialect dialect{beginning.delimiter, options.delimited.comment, options.columns.samples.has_value()};
-  const bool is_decimal = dialect.delimiter == options.delimited.decimal;
+  const bool is_decimal = dialect.delimiter == options.delimited.marks.decimal;
   if (is_decimal && !has_quoted_decimal(beginning.text)) throw decimal_comma_is_delimiter();
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;
   const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
+  const bool crlf = has_crlf(rest.front().text);
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
   Records records{head->columns, head->units.notation, head->units.dates, head->units.epoch_unit};
-  records.facts.delimiter = dialect.delimiter;
+  records.marks = {dialect.delimiter, options.delimited.marks.decimal, crlf};
+  records.facts.encoding = head->encoding;
+  records.facts.names_quaternion = head->names_quaternion;
   records.facts.comment = dialect.comment;
-  records.facts.decimal = options.delimited.decimal;
   records.keys.blocks = ordered_map(std::move(chunks), parse, options.threads);
   records.keys.traits.may_break =
       dialect.delimiter == ' ' || dialect.divided || options.keys.missing == Missing::break_curve;

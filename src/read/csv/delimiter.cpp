@@ -75,7 +75,7 @@ Beginning find_delimiter(const Source<std::string>& bytes, const DelimitedOption
     preamble.skip(beginning);
     std::string record = beginning.text.substr(preamble.record());
     if (!more) record += '\n';  // the last record may lack its line end
-    const std::optional<char> delimiter = delimiter_of(record, options.decimal);
+    const std::optional<char> delimiter = delimiter_of(record, options.marks.decimal);
     beginning.delimiter = delimiter.value_or(',');
     if (delimiter || !more) return beginning;
   }

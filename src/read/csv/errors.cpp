@@ -127,6 +127,13 @@ Error number_is_missing(std::string_view column, std::string_view cell) {
                                   column, missing_cell(cell), option::missing)};
 }
 
+Error number_of_segment_is_missing(std::string_view column, std::string_view cell) {
+  return {Exit::data,
+          fmt::format("{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove "
+                      "the row",
+                      column, missing_cell(cell))};
+}
+
 Error time_is_missing(std::string_view column, std::string_view cell) {
   return {Exit::data, fmt::format("{}: found {}; expected a time; fill it in, or give {} skip-row or break", column,
                                   missing_cell(cell), option::missing)};
@@ -146,13 +153,19 @@ Error number_with_decimal_comma(std::string_view column, std::string_view cell) 
 
 Error number_with_thousands(std::string_view column, std::string_view cell) {
   return {Exit::data, fmt::format("{}: {} is not a number; expected one without thousands separators; remove them, or "
-                                  "give {} , if this is a decimal comma",
-                                  column, in_quotes(cell), option::decimal)};
+                                  "give {} , if the comma divides thousands, or {} , if it is a decimal comma",
+                                  column, in_quotes(cell), option::thousands, option::decimal)};
 }
 
-Error number_with_thousands_points(std::string_view column, std::string_view cell) {
-  return {Exit::data, fmt::format("{}: {} is not a number; expected one without thousands separators; remove them",
-                                  column, in_quotes(cell))};
+Error number_with_marks(std::string_view column, std::string_view cell, char decimal, char thousands) {
+  const bool has_comma = decimal == ',' && cell.find(',') != std::string_view::npos;
+  const std::string also = has_comma ? fmt::format("{} , ", option::decimal) : "";
+  return {Exit::data,
+          fmt::format("{}: {} is not a number; expected one without thousands separators; remove them, or give {}{} {}",
+                      column, in_quotes(cell), also, option::thousands,
+                      thousands == ' '    ? "space"
+                      : thousands == '\'' ? "apostrophe"
+                                          : std::string(1, thousands))};
 }
 
 Error number_beyond_doubles(std::string_view column, std::string_view cell) {
@@ -179,6 +192,14 @@ Error word_in_column_of_numbers(std::string_view column, std::string_view cell) 
                   "leave the column out, {} {} to keep it in the rows, or {} {} if it tells curves apart",
                   column, in_quotes(cell), option::columns, in_shell(fmt::format("ignore={}", column)), option::columns,
                   in_shell(fmt::format("carry={}", column)), option::group, in_shell(column))};
+}
+
+Error times_in_text_column(std::string_view column, std::string_view cell) {
+  return {Exit::data,
+          fmt::format("{} has times such as {}, but not the name of a time; give {} {} if they are the times "
+                      "of the keys, or {} {} if not",
+                      column, in_quotes(cell), option::columns, in_shell(fmt::format("time={}", column)),
+                      option::columns, in_shell(fmt::format("ignore={}", column)))};
 }
 
 Error in_possible_text_column(const Error& error) {

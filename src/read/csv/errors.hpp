@@ -37,18 +37,22 @@ Error number_in_text_column(std::string_view column, std::string_view cell);
 
 // Cells of numbers. An empty cell, or one with a sign such as NA, is missing.
 Error number_is_missing(std::string_view column, std::string_view cell);
+/// A row is a segment, from its start to its end.
+Error number_of_segment_is_missing(std::string_view column, std::string_view cell);
 Error time_is_missing(std::string_view column, std::string_view cell);
 Error number_with_decimal_point(std::string_view column, std::string_view cell);
 Error number_with_decimal_comma(std::string_view column, std::string_view cell);
-/// The decimal mark is a comma.
-Error number_with_thousands_points(std::string_view column, std::string_view cell);
+/// The comma may be either mark.
 Error number_with_thousands(std::string_view column, std::string_view cell);
+/// It is a number with these marks; `decimal` is 0 if it is that of the input.
+Error number_with_marks(std::string_view column, std::string_view cell, char decimal, char thousands);
 Error number_beyond_doubles(std::string_view column, std::string_view cell);
 Error several_numbers_in_cell(std::string_view column, std::string_view cell);
 Error word_in_column_of_numbers(std::string_view column, std::string_view cell);
 Error cell_is_not_a_number(std::string_view column, std::string_view cell);
 
 /// An error about a cell of a column that may hold texts: it also offers to leave out the column.
+Error times_in_text_column(std::string_view column, std::string_view cell);
 Error in_possible_text_column(const Error& error);
 
 }  // namespace tcb

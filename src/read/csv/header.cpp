@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/csv/errors.hpp"
 #include "read/csv/invalid_number.hpp"
@@ -85,9 +86,9 @@ class FirstRecords {
 /// Whether the cell looks like a number. One with the other decimal mark, or with
 /// separators of thousands, does too, and is an error later.
 bool may_be_number(std::string_view cell, const DelimitedHead& head) {
-  return is_missing_sign(cell, head.rules.signs) || Decimals('.').looks_numeric(cell) ||
-         Decimals(head.decimal).looks_numeric(cell) || has_thousands_separators(cell) ||
-         (head.dialect.delimiter != ',' && Decimals(',').looks_numeric(cell));
+  return is_missing_sign(cell, head.rules.signs) || Decimals({}).looks_numeric(cell) ||
+         Decimals(head.marks).looks_numeric(cell) || has_thousands_separators(cell) ||
+         (head.dialect.delimiter != ',' && Decimals({','}).looks_numeric(cell));
 }
 
 /// Whether the cell is a value of a key and no name: it looks like a number, or is a time in words.
@@ -121,13 +122,35 @@ std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data, c
   return numeric;
 }
 
-/// Throws: Error (data) for a name that is not UTF-8, and so cannot be written to every format.
-void require_characters(const std::vector<std::string>& names, const TextPosition& position) {
-  for (const std::string& name : names) {
+/// Converts names to UTF-8, as which they can be written to every format. Returns their encoding, if it is another
+/// one: spreadsheets write Windows-1252. Throws: Error (data) for names that are in neither encoding.
+std::string convert_names(std::vector<std::string>& names, const TextPosition& position) {
+  std::string encoding;
+  for (std::string& name : names) {
     const std::size_t invalid = find_invalid_utf8(name);
     if (invalid == std::string::npos) continue;
-    throw column_name_not_utf8(name, name[invalid]).at(position);
+    encoding = windows_1252;
+    const auto converted = in_utf8(name, encoding);
+    if (!converted) throw column_name_not_utf8(name, name[invalid]).at(position);
+    name = *converted;
   }
+  return encoding;
+}
+
+/// Names x, y, z and w after x, y and z, as in flattened poses, as the quaternion that they are. Whether there are
+/// such.
+bool name_quaternion(std::vector<std::string>& names) {
+  constexpr std::array poses{std::array{"x", "y", "z", "x", "y", "z", "w"},
+                             std::array{"x", "y", "z", "x.1", "y.1", "z.1", "w"}};  // as pandas names them
+  constexpr std::array quaternion{"qx", "qy", "qz", "qw"};
+  for (const auto& pose : poses) {
+    const auto same = [](std::string_view one, std::string_view other) { return same_in_any_case(one, other); };
+    const auto found = std::search(names.begin(), names.end(), pose.begin(), pose.end(), same);
+    if (found == names.end()) continue;
+    std::ranges::copy(quaternion, found + 3);
+    return true;
+  }
+  return false;
 }
 
 /// Whether the name gives its column a role, or is requested.
@@ -147,7 +170,8 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
 }
 
 /// Throws: Error (data) if a column of text begins like a number in its first record.
-void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric) {
+void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric,
+                  const std::vector<std::string>& names) {
   Tokenizer tokenizer(data, head.dialect);
   Cells cells;
   tokenizer.next(cells);
@@ -157,7 +181,11 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     constexpr std::string_view minus = "\xE2\x88\x92";  // U+2212
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
     if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
-    throw in_possible_text_column(why_not_number(fmt::format("column {}", i + 1), cell, head.decimal))
+    if (find_notation(cell) && !head.columns.has(Role::time)) {
+      const auto name = i < names.size() ? names[i] : fmt::format("{}", i + 1);
+      throw times_in_text_column(name, cell).at(tokenizer.position(cells[i]));
+    }
+    throw in_possible_text_column(why_not_number(fmt::format("column {}", i + 1), cell, head.marks))
         .at(tokenizer.position(cells[i]));
   }
 }
@@ -173,7 +201,7 @@ void require_numbers(const FirstRecords::Record& record, const std::vector<std::
     const bool begins_like_number = digit < cell.size() && cell[digit] >= '0' && cell[digit] <= '9';
     if (numeric[i] || !begins_like_number || find_notation(cell)) continue;
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
-    throw why_not_number(name, cell, head.decimal).at({"", record.line, 0});
+    throw why_not_number(name, cell, head.marks).at({"", record.line, 0});
   }
 }
 
@@ -212,13 +240,13 @@ void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
 }
 
 /// The rotation that both of the first two records may have.
-std::optional<spline::RotationForm> likely_rotation_of(const FirstRecords& first, char decimal) {
+std::optional<spline::RotationForm> likely_rotation_of(const FirstRecords& first, const NumberMarks& marks) {
   if (first.records.size() < 2) return std::nullopt;
   std::array<std::optional<spline::RotationForm>, 2> found;
   for (std::size_t i = 0; i < found.size(); ++i) {
     std::vector<double> numbers;
     for (const std::string& cell : first.records[i].cells) {
-      numbers.push_back(Decimals(decimal).number(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
+      numbers.push_back(Decimals(marks).number(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     found[i] = likely_rotation(numbers);
   }
@@ -238,7 +266,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
                         std::vector<Chunk>& rest) {
   const ColumnOptions& columns = options.columns;
   FirstRecords first(chunks, dialect);
-  DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.decimal};
+  DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   if (first.records.empty()) throw columns.samples ? empty_samples() : empty_input();
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
   const bool header = options.delimited.header.value_or(is_header(first.records[0], head, columns.samples));
@@ -258,7 +286,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (!names.empty() && names.size() != row.cells.size()) {
     throw row_unlike_header(row.cells.size(), names.size()).at({"", row.line, 1});
   }
-  require_characters(names, position);
+  head.encoding = convert_names(names, position);
+  head.names_quaternion = !columns.samples && name_quaternion(names);
   rest.assign(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk), first.chunks.end());
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
@@ -270,9 +299,9 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (!columns.samples) require_no_near_miss(names, head.columns, columns.roles, columns.timeless);
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });
-  if (names.empty() && columns.roles.empty()) head.columns.likely_rotation = likely_rotation_of(first, head.decimal);
+  if (names.empty() && columns.roles.empty()) head.columns.likely_rotation = likely_rotation_of(first, head.marks);
   const bool chosen = std::ranges::any_of(columns.roles, [](const auto& role) { return role.role == Role::position; });
-  if (!chosen && !columns.samples) require_text(rest[0], head, numeric);
+  if (!chosen && !columns.samples) require_text(rest[0], head, numeric, names);
   return head;
 }
 

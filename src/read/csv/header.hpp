@@ -19,7 +19,9 @@ struct DelimitedHead {
   Columns columns;
   KeyRules rules;
   KeyUnits units;
-  char decimal = '.';
+  NumberMarks marks = {};
+  bool names_quaternion = false;  ///< x, y, z and w after x, y and z are named as a quaternion
+  std::string encoding = {};      ///< of names and texts, where it is not UTF-8
 };
 
 /// Dialect and columns, from the header if there is one and the first two records after it; `rest` gets the text that

@@ -4,14 +4,15 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "numbers/parse_number.hpp"
 
 namespace tcb {
 
-/// Whether a text is a number such as 1,234.5 or 1,234,567.
+/// Whether a text is a number with marks between thousands, such as 1,234.5, 1.234,5 or 1 234.
 bool has_thousands_separators(std::string_view text);
 
-/// Why a cell of a column is not a number, which was expected. `decimal` is the decimal mark.
+/// Why a cell of a column is not a number, which was expected. `marks` are those of the input.
 /// Requires: it is not a sign of a missing number.
-Error why_not_number(std::string_view column, std::string_view cell, char decimal);
+Error why_not_number(std::string_view column, std::string_view cell, const NumberMarks& marks);
 
 }  // namespace tcb

@@ -28,11 +28,12 @@ std::string columns_of_curve(std::string_view time, const std::vector<std::strin
 }  // namespace
 
 Error options_of_delimited_text() {
-  return Error(Exit::usage,
-               fmt::format("{}, {}, {}, {} and {} have no effect on JSON; remove them, or, if the input is not JSON, "
-                           "give its format with {}",
-                           option::delimiter, option::header, option::no_header, option::comment, option::decimal,
-                           option::input_format));
+  return Error(
+      Exit::usage,
+      fmt::format("{}, {}, {}, {}, {} and {} have no effect on JSON; remove them, or, if the input is not JSON, "
+                  "give its format with {}",
+                  option::delimiter, option::header, option::no_header, option::comment, option::decimal,
+                  option::thousands, option::input_format));
 }
 
 Error no_text() { return refused("the input has no keys; expected a JSON object for each key; see {}", option::help); }
@@ -77,6 +78,21 @@ Error ends_early() {
 
 Error number_too_large(std::string_view number) {
   return refused("{} is too large for a double; expected less than 1.8e308 in size; correct it", in_quotes(number));
+}
+
+Error table_incomplete() {
+  return refused("the table has no \"data\", or no \"columns\"; expected both, as pandas writes them; complete it");
+}
+
+Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns) {
+  return refused("row {} of the table has {}; expected {}, one for each column; correct it", row,
+                 counted(cells, "cell"), columns);
+}
+
+Error columns_differ_in_length(std::string_view column, std::size_t values, std::string_view first,
+                               std::size_t values_of_first) {
+  return refused("the column {} has {}; expected {}, as many as {}; correct it", in_quotes(column),
+                 counted(values, "value"), values_of_first, in_quotes(first));
 }
 
 Error text_after_list() { return refused("there is text after the array of keys; expected nothing; remove it"); }

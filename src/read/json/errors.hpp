@@ -29,6 +29,12 @@ Error string_not_closed();
 Error ends_early();
 Error number_too_large(std::string_view number);
 
+// Tables
+Error table_incomplete();
+Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns);
+Error columns_differ_in_length(std::string_view column, std::size_t values, std::string_view first,
+                               std::size_t values_of_first);
+
 // Lists of keys and of curves
 Error text_after_list();
 Error curve_expected();

@@ -1,4 +1,4 @@
-// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves, JSON Lines.
+// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves, JSON Lines, tables.
 #include "read/json/shapes.hpp"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "read/json/members.hpp"
 #include "read/json/settings.hpp"
 #include "read/json/splitter.hpp"
+#include "read/json/tables.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {
@@ -163,10 +164,7 @@ Records open_list(Source<Task> source, JsonShape shape, unsigned threads) {
   return records;
 }
 
-}  // namespace
-
-Records open_json(Source<std::string> bytes, const InputOptions& options) {
-  if (options.delimited != DelimitedOptions{}) throw json::options_of_delimited_text();
+Records open_text(Source<std::string> bytes, const InputOptions& options) {
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
   Source<Task> source = tasks(splitter, options);
   std::optional<Task> first = source();
@@ -197,6 +195,37 @@ Records open_json(Source<std::string> bytes, const InputOptions& options) {
   }
   records.keys.traits.may_break = true;  // also at null in place of a key
   return records;
+}
+
+/// The same keys without text positions.
+KeyBlock without_positions(KeyBlock block) {
+  std::ranges::fill(block.text_positions.lines, 0);
+  std::ranges::fill(block.text_positions.columns, 0);
+  for (Error& fault : block.faults.errors) fault = fault.without_position();
+  return block;
+}
+
+/// The keys of a table. Its text is not that of the input, so errors have paths such as "[3].x", but no positions.
+Records open_table(JsonTable table, const InputOptions& options) {
+  Source<std::string> list = [text = std::optional(std::move(table.list))]() mutable {
+    return std::exchange(text, std::nullopt);
+  };
+  try {
+    Records records = open_text(std::move(list), options);
+    records.facts.shape = table.has_times_in_index ? JsonShape::table_by_index : JsonShape::table;
+    records.keys.blocks = mapped(std::move(records.keys.blocks), without_positions);
+    return records;
+  } catch (const Error& error) {
+    throw error.without_position();
+  }
+}
+
+}  // namespace
+
+Records open_json(Source<std::string> bytes, const InputOptions& options) {
+  if (options.delimited != DelimitedOptions{}) throw json::options_of_delimited_text();
+  std::optional<JsonTable> table = take_table(bytes);
+  return table ? open_table(*std::move(table), options) : open_text(std::move(bytes), options);
 }
 
 }  // namespace tcb

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Law: a remedy that can be copied from a message works. Every command of the cases in golden/ whose run fails is run
+again with each remedy of its message, such as "give --decimal ,": the error must be gone, or be another one that does
+not refuse the remedy.
+
+    remedies.py PROGRAM GOLDEN_FOLDER
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+OPTION = re.compile(r"""(?<![\w-])(--[a-z][a-z-]*|-0)(?:[ ]("[^"]*"|'[^']*'|[^\s;]+))?""")
+PLACEHOLDER = re.compile(r"\b[A-Z]{2,}\b|\bHZ\b")
+WORDS = {"and", "or", "if", "to", "for", "as", "with", "has", "is", "are", "needs", "in", "first", "from", "includes",
+         "instead", "keeps", "says", "gives", "resamples", "leaves", "makes", "chooses", "once"}
+
+
+def remedies(message, valued):
+    """The lists of words that a message offers to add."""
+    found = []
+    for clause in message.split("; ")[1:]:
+        if not re.search(r"\bgive\b|\bor\b --", clause) or "remove it, and" in clause:
+            continue
+        end = None
+        for match in OPTION.finditer(clause):
+            option, value = match.group(1), match.group(2) or ""
+            if re.search(r"\b(remove|without|needs|instead of) $", clause[: match.start()]):
+                continue
+            words = [option]
+            if option in valued:
+                value = value if value == "," else value.rstrip(",.")
+                value = value[1:-1] if value[:1] in "\"'" else value
+                if not value or value in WORDS or PLACEHOLDER.search(value):
+                    continue
+                words.append(value)
+            if end is not None and clause[end : match.start()] == " ":
+                found[-1] += words
+            else:
+                found.append(words)
+            end = match.start() + len(option) + (1 + len(match.group(2)) if option in valued else 0)
+    return found
+
+
+def replaced(arguments, words, other_names):
+    """The arguments with further words, which replace earlier values of the same options."""
+    kept, skip = [], False
+    for argument in arguments:
+        name = argument.split("=")[0]
+        if not skip and other_names.get(name, name) in words:
+            skip = name == argument and len(words) > 1
+            continue
+        if not skip:
+            kept.append(argument)
+        skip = False
+    return [*words, *kept]
+
+
+def errors(text):
+    return [line for line in text.splitlines() if ": error: " in line]
+
+
+def run(command, folder, data):
+    done = subprocess.run(command, cwd=folder, input=data, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=20)
+    return done.returncode, done.stderr.decode(errors="replace")
+
+
+def replay(program, arguments, data):
+    """Runs a command in a copy of the folder, then again with each remedy of its errors."""
+
+    def run_in_copy(words):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(".", folder, dirs_exist_ok=True, symlinks=True)
+            return run([program, *words], folder, data)
+
+    status, text = run_in_copy(arguments)
+    if status not in (1, 2) or {"--output-dir", "--recursive"} & set(arguments):
+        return
+    valued = set(os.environ["REMEDY_VALUED"].split())
+    other_names = json.loads(os.environ["REMEDY_NAMES"])
+    before = errors(text)
+    for line in before[:3]:
+        for words in remedies(line.split(": error: ", 1)[1], valued):
+            after_status, after = run_in_copy(replaced(arguments, words, other_names))
+            same = after_status != 0 and line in errors(after)
+            refused = after_status == 2 and any(f"error: {words[0]}" in one for one in errors(after))
+            entry = {"arguments": arguments, "error": line, "remedy": words, "after": errors(after)[:2]}
+            entry["fails"] = same or refused
+            with open(os.environ["REMEDY_LOG"], "a") as out:
+                out.write(json.dumps(entry) + "\n")
+
+
+# Runs the program as a case does; where it fails, tries its remedies.
+WRAPPER = """#!/bin/sh
+input=$(mktemp)
+cat >"$input"
+"$REMEDY_PROGRAM" "$@" <"$input"
+status=$?
+case $status in
+1 | 2) "$REMEDY_PYTHON" "$REMEDY_SCRIPT" --replay "$input" "$@" ;;
+esac
+rm -f "$input"
+exit $status
+"""
+
+
+def main(program, golden):
+    program = os.path.abspath(program)
+    tables = json.loads(subprocess.run([program, "--generate", "tables"], capture_output=True, check=True).stdout)
+    valued = [option["name"] for option in tables["options"] if option["value"]]
+    names = {option["other_name"]: option["name"] for option in tables["options"] if option["other_name"]}
+    with tempfile.TemporaryDirectory() as folder:
+        tools = pathlib.Path(folder, "bin")
+        tools.mkdir()
+        wrapper = tools / "tcbsample"
+        wrapper.write_text(WRAPPER)
+        wrapper.chmod(0o755)
+        log = pathlib.Path(folder, "log")
+        log.touch()
+        environment = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "REMEDY_PROGRAM": program,
+                       "REMEDY_LOG": str(log), "REMEDY_PYTHON": sys.executable,
+                       "REMEDY_SCRIPT": os.path.abspath(__file__), "REMEDY_VALUED": " ".join(valued), "REMEDY_NAMES": json.dumps(names)}
+        for case in sorted(pathlib.Path(golden).glob("*/*/cmd")):
+            if case.parent.parent.name in ("batch", "output") or not (case.parent / "errors").exists():
+                continue  # the runs of batches and outputs change what they find
+            work = pathlib.Path(folder, "case")
+            shutil.copytree(case.parent, work, symlinks=True)
+            subprocess.run(["sh", "./cmd"], cwd=work, env=environment, stdin=subprocess.DEVNULL,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=600)
+            shutil.rmtree(work)
+        entries = [json.loads(line) for line in log.read_text().splitlines()]
+    failures = [entry for entry in entries if entry["fails"]]
+    for entry in failures:
+        print(" ".join(entry["arguments"]), entry["error"], "-> " + " ".join(entry["remedy"]), *entry["after"], sep="\n  ")
+    print(f"{len(entries)} remedies, {len(failures)} do not work")
+    return 1 if failures or len(entries) < 50 else 0
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "--replay":
+        replay(os.environ["REMEDY_PROGRAM"], sys.argv[3:], pathlib.Path(sys.argv[2]).read_bytes())
+    else:
+        sys.exit(main(*sys.argv[1:]))
