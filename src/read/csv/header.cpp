@@ -176,7 +176,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
   Cells cells;
   tokenizer.next(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (head.columns.cells[i].role != Role::ignored || numeric[i]) continue;
+    if (!head.columns.cells[i].is_text || numeric[i]) continue;
     const std::string cell = unquoted(cells[i]);
     constexpr std::string_view minus = "\xE2\x88\x92";  // U+2212
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
