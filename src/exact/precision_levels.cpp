@@ -1,6 +1,7 @@
 // Precision levels: every number of a row as exact arithmetic gives it, rounded once.
 #include "exact/precision_levels.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "exact/ball_rows.hpp"
 #include "exact/errors.hpp"
 #include "exact/level.hpp"
 #include "numbers/print_number.hpp"
@@ -107,18 +109,34 @@ constexpr std::array float_levels{FloatLevel{40, make_level<Float<40>>}, FloatLe
 
 }  // namespace
 
+/// What all rows of a request need, on any thread.
+struct ExactRows::Request {
+  Request(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& rounded,
+          std::vector<Rational> exact_times)
+      : rows{std::move(curve), {}, arc_lengths(request, extent), request.side()},
+        times(rows.exact, request, extent, std::move(exact_times)),
+        notation(rounded) {
+    rows.facts = channel_facts(rows.exact);
+  }
+
+  RowsOfCurve rows;
+  const ExactTimes times;
+  const Notation notation;
+};
+
+/// The evaluation of rows on one thread, with what it keeps for later ones.
 class ExactRows::Evaluation {
  public:
-  Evaluation(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
-             std::vector<Rational> times)
-      : rows_{std::move(curve), {}, arc_lengths(request, extent), request.side()},
-        times_(rows_.exact, request, extent, std::move(times)),
-        notation_(notation) {
-    rows_.facts = channel_facts(rows_.exact);
-  }
+  explicit Evaluation(const Request& request)
+      : rows_(request.rows), times_(request.times), notation_(request.notation) {}
 
   void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
     times_.set(row);
+    if (!std::exchange(has_balls_, true)) balls_ = BallRows::of(rows_, chosen);
+    if (balls_ != nullptr && balls_->set(row, notation_, decided_) && complete(decided_, row, chosen)) {
+      for (std::optional<Printed>& cell : decided_) append(*std::move(cell), table);
+      return;
+    }
     std::vector<Column> columns;
     for (const std::size_t index : chosen) {
       const Field& field = fields()[index];
@@ -133,11 +151,9 @@ class ExactRows::Evaluation {
     } catch (const std::range_error&) {
       throw row_needs_more_digits(time_text(row.sample.t));
     }
-    for (Printed& printed : cells) {
-      if (!is_empty(printed.cell) && !std::isfinite(printed.cell.hi)) refuse_overflow(row.sample);
-      table.cells.push_back(printed.cell);
-      if (has_texts()) table.texts.push_back(std::move(printed.text));
-    }
+    const auto overflows = [](const Printed& one) { return !is_empty(one.cell) && !std::isfinite(one.cell.hi); };
+    if (std::ranges::any_of(cells, overflows)) refuse_overflow(row.sample);
+    for (Printed& cell : cells) append(std::move(cell), table);
   }
 
  private:
@@ -147,6 +163,30 @@ class ExactRows::Evaluation {
     CellKind kind;
     bool rational;
   };
+
+  void append(Printed printed, Table& table) const {
+    table.cells.push_back(printed.cell);
+    if (has_texts()) table.texts.push_back(std::move(printed.text));
+  }
+
+  /// Sets the cells that balls leave open, which are nearly always halfway between two roundings, by rationals.
+  /// Returns whether that is possible.
+  bool complete(std::vector<std::optional<Printed>>& cells, const FastRow& row, std::span<const std::size_t> chosen) {
+    const auto is_open = [](const std::optional<Printed>& cell) { return !cell.has_value(); };
+    std::size_t first = 0;
+    for (const std::size_t& index : chosen) {
+      const std::size_t size = cells_in_row({&index, 1}, {rows_.exact.keys.channels, rows_.exact.channels.rotations});
+      const std::span of_field = std::span(cells).subspan(std::exchange(first, first + size), size);
+      if (std::ranges::none_of(of_field, is_open)) continue;
+      if (!fields()[index].is_rational) return false;
+      const std::vector<Value> exact = rational_values(row, {&index, 1}, std::nullopt);
+      const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
+      for (std::size_t i = 0; i < size; ++i) {
+        if (is_open(of_field[i])) of_field[i] = rounding.exactly(exact[i]);
+      }
+    }
+    return true;
+  }
 
   bool has_texts() const {
     using enum Notation::Kind;
@@ -169,7 +209,7 @@ class ExactRows::Evaluation {
   std::vector<Printed> cells_from(std::size_t level, const FastRow& row, std::span<const std::size_t> chosen,
                                   std::span<const Column> columns, const std::vector<Value>& rough) {
     const bool last = level + 1 == float_levels.size();
-    const int more = float_levels[level].digits - float_levels[level - 1].digits;
+    const LevelDigits digits{float_levels[level - 1].digits, float_levels[level].digits};
     const std::vector<Value> fine = float_values(level, row, chosen);
     const std::optional<bool> key_at_end = floats_[level]->key_at_end();
     const bool place_is_rational = !rows_.arc || key_at_end;
@@ -179,41 +219,59 @@ class ExactRows::Evaluation {
       const Rounding rounding(notation_, columns[i].kind, row.segment.decimals);
       const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && (row.time || row.sample.t.lo != 0);
       auto cell = is_known ? rounding.exactly({row.time ? *row.time : exact_time(row.sample.t)})
-                           : rounding.between(rough[i], fine[i], more);
+                           : rounding.between(rough[i], fine[i], digits);
       if (!cell && columns[i].rational && place_is_rational) {
         if (exact.empty()) exact = rational_values(row, chosen, key_at_end);
         cell = rounding.exactly(exact[i]);
       } else if (!cell) {
         if (!last) return cells_from(level + 1, row, chosen, columns, fine);
-        cell = rounding.at_last(rough[i], fine[i], more);
+        cell = rounding.at_last(rough[i], fine[i], digits);
       }
       cells.push_back(std::move(*cell));
     }
     return cells;
   }
 
-  RowsOfCurve rows_;
-  ExactTimes times_;
-  Notation notation_;
+  const RowsOfCurve& rows_;
+  const ExactTimes& times_;
+  const Notation& notation_;
+  std::unique_ptr<BallRows> balls_;              ///< null: the curve or the fields are not for balls
+  bool has_balls_ = false;                       ///< balls_ is set
+  std::vector<std::optional<Printed>> decided_;  ///< cells of the current row
   std::unique_ptr<AnyLevel> rational_;
   std::array<std::unique_ptr<AnyLevel>, float_levels.size()> floats_;
 };
 
 ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
                      std::vector<Rational> times)
-    : evaluation_(std::make_unique<Evaluation>(std::move(curve), request, extent, notation, std::move(times))) {}
+    : request_(std::make_unique<Request>(std::move(curve), request, extent, notation, std::move(times))) {}
 ExactRows::~ExactRows() = default;
+
+std::unique_ptr<ExactRows::Evaluation> ExactRows::take() {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return std::make_unique<Evaluation>(*request_);
+  std::unique_ptr<Evaluation> evaluation = std::move(idle_.back());
+  idle_.pop_back();
+  return evaluation;
+}
+
+void ExactRows::give_back(std::unique_ptr<Evaluation> evaluation) {
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(evaluation));
+}
 
 Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {
   Table table;
   Located located;
+  std::unique_ptr<Evaluation> evaluation = take();
   for (const auto& [segment, first, last] : block.parts) {
     locator.locate(segment, first, last, located);
     for (std::size_t i = 0; i < located.samples.size(); ++i) {
       const Sample* const end = located.ends.empty() ? nullptr : &located.ends[i];
-      evaluation_->add_row({segment, located.samples[i], first + i, end}, chosen, table);
+      evaluation->add_row({segment, located.samples[i], first + i, end}, chosen, table);
     }
   }
+  give_back(std::move(evaluation));
   return table;
 }
 

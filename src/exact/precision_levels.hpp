@@ -1,13 +1,15 @@
 // Precision levels: every number of a row as exact arithmetic gives it, rounded once.
 //
-// The fast rows decide which rows there are, and on which segment each of them lies. A number is computed in floats of
-// more and more digits, until the values of two levels leave no choice of the rounding. Where the first two levels
-// leave one, and the number is rational or the root of a rational, it is computed as that.
+// The fast rows decide which rows there are, and on which segment each of them lies. Positions and derivatives of plain
+// curves are computed in balls of double-doubles, and where their bounds leave a choice of the rounding, in rationals.
+// Other numbers are computed in floats of more and more digits, until the values of two levels leave no choice. Where
+// the first two levels leave one, and the number is rational or the root of a rational, it is computed as that.
 // Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
 //   doi:10.1145/114697.116813.
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -26,13 +28,21 @@ class ExactRows {
             std::vector<Rational> times = {});
   ~ExactRows();
 
-  /// The cells of a block, row after row, as tcb::evaluate gives them. Threads: one.
-  /// Throws: Error (data) for a number beyond the range of doubles, or one that needs more digits than there are.
+  /// The cells of a block, row after row, as tcb::evaluate gives them. Threads: any number, each with levels of its
+  /// own; of rows by length, whose lengths are kept for later ones, one. Throws: Error (data) for a number beyond the
+  /// range of doubles, or one that needs more digits than there are.
   Table evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen);
 
  private:
+  struct Request;
   class Evaluation;
-  std::unique_ptr<Evaluation> evaluation_;
+
+  std::unique_ptr<Evaluation> take();
+  void give_back(std::unique_ptr<Evaluation> evaluation);
+
+  const std::unique_ptr<const Request> request_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Evaluation>> idle_;
 };
 
 }  // namespace tcb

@@ -40,12 +40,15 @@ int floor_log10(const Rational& value) {
   return times_ten_to(value, -above) < 1 ? above - 1 : above;
 }
 
-/// A bound on the error of `fine`, which was computed with `more` more digits than `rough`. If only one of them is
-/// zero, the other may be noise, and no digits are credited.
-Rational error_of(const Value& rough, const Value& fine, int more) {
+/// A bound on the error of `fine`. If only one of the numbers is zero, the other may be noise, and no digits are
+/// credited. As `rough` may be exact by chance, the error is at least that of the digits of `fine`.
+Rational error_of(const Value& rough, const Value& fine, const LevelDigits& digits) {
   constexpr int unused = 20;
   const bool is_noise = rough.number == 0 || fine.number == 0;
-  return times_ten_to(2 * abs(rough.number - fine.number), is_noise ? 0 : -std::max(more - unused, 0));
+  const int more = digits.fine - digits.rough;
+  const Rational by_distance =
+      times_ten_to(2 * abs(rough.number - fine.number), is_noise ? 0 : -std::max(more - unused, 0));
+  return std::max(by_distance, times_ten_to(abs(fine.number), -(digits.fine - unused)));
 }
 
 std::string without_zeros(std::string text) {
@@ -74,11 +77,14 @@ Root root_of(const Rational& square, unsigned bits) {
 }  // namespace
 
 std::string fixed_text(const Rational& value, int decimals) {
-  std::string digits = nearest_whole(times_ten_to(abs(value), decimals)).str();
+  return fixed_text(nearest_whole(times_ten_to(abs(value), decimals)).str(), decimals, value < 0);
+}
+
+std::string fixed_text(std::string digits, int decimals, bool negative) {
   const auto decimal_digits = static_cast<std::size_t>(decimals);
   if (digits.size() <= decimal_digits) digits.insert(0, decimal_digits + 1 - digits.size(), '0');
   if (decimal_digits > 0) digits.insert(digits.size() - decimal_digits, ".");
-  return (value < 0 ? "-" : "") + digits;
+  return (negative ? "-" : "") + digits;
 }
 
 std::string digits_text(const Rational& value, int count) {
@@ -90,8 +96,11 @@ std::string digits_text(const Rational& value, int count) {
     digits /= 10;
     ++exponent;
   }
-  const std::string sign = value < 0 ? "-" : "";
-  std::string text = digits.str();
+  return digits_text(digits.str(), exponent, count, value < 0);
+}
+
+std::string digits_text(std::string text, int exponent, int count, bool negative) {
+  const std::string sign = negative ? "-" : "";
   if (exponent < -4 || exponent >= count) {
     if (count > 1) text.insert(1, ".");
     return fmt::format("{}{}e{}{:02}", sign, without_zeros(text), exponent < 0 ? '-' : '+', std::abs(exponent));
@@ -146,16 +155,16 @@ Printed Rounding::exactly(const Value& value) const {
   }
 }
 
-std::optional<Printed> Rounding::between(const Value& rough, const Value& fine, int more) const {
+std::optional<Printed> Rounding::between(const Value& rough, const Value& fine, const LevelDigits& digits) const {
   if (rough.doubtful || fine.doubtful || rough.empty != fine.empty) return std::nullopt;
   if (fine.empty) return Printed{empty_cell};
-  const Rational error = error_of(rough, fine, more);
+  const Rational error = error_of(rough, fine, digits);
   return enclosed(fine.number - error, fine.number + error);
 }
 
-Printed Rounding::at_last(const Value& rough, const Value& fine, int more) const {
+Printed Rounding::at_last(const Value& rough, const Value& fine, const LevelDigits& level) const {
   if (fine.empty) return {empty_cell};
-  const Rational error = error_of(rough, fine, more);
+  const Rational error = error_of(rough, fine, level);
   const Rational size = abs(fine.number);
   if (size <= error) return rounded(0);
   const bool fixed = has_text() && notation_.kind == Kind::fixed;

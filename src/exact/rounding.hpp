@@ -73,6 +73,11 @@ struct Printed {
   std::string text = {};
 };
 
+/// The decimal digits of the floats of two levels.
+struct LevelDigits {
+  int rough, fine;
+};
+
 class Rounding {
  public:
   /// `decimals`: of times, as nearest_time() has them.
@@ -82,14 +87,18 @@ class Rounding {
   /// An exact value, or the root of one.
   Printed exactly(const Value& value) const;
 
-  /// A number given by two values, the second computed in the same way with `more` more digits: nothing if they do not
-  /// determine the rounding. The first one's error is about their distance, and the second one's is smaller by a factor
-  /// of 10^more, of which 10^20 are not used, for what is not proportional.
-  std::optional<Printed> between(const Value& rough, const Value& fine, int more) const;
+  /// A number in [low, high]: nothing if they do not determine the rounding.
+  std::optional<Printed> within(const Rational& low, const Rational& high) const { return enclosed(low, high); }
+
+  /// A number given by two values, the second computed in the same way with more digits: nothing if they do not
+  /// determine the rounding. The first one's error is about their distance, unless it is exact by chance, and the
+  /// second one's is smaller by a factor of 10^(more digits), of which 10^20 are not used, for what is not
+  /// proportional.
+  std::optional<Printed> between(const Value& rough, const Value& fine, const LevelDigits& digits) const;
 
   /// As between(), for the last level: a value that its digits do not distinguish from a short number is that number.
   /// Throws: std::range_error where they are not enough for the text.
-  Printed at_last(const Value& rough, const Value& fine, int more) const;
+  Printed at_last(const Value& rough, const Value& fine, const LevelDigits& level) const;
 
  private:
   bool has_text() const;
@@ -105,6 +114,11 @@ class Rounding {
 /// As printf("%.*g", count, value) and printf("%.*f", decimals, value) write a double, for any exact number.
 std::string digits_text(const Rational& value, int count);
 std::string fixed_text(const Rational& value, int decimals);
+
+/// The same texts of `count` digits, of which the first one has the value 10^exponent, and of a whole number of units
+/// of 10^-decimals.
+std::string digits_text(std::string digits, int exponent, int count, bool negative);
+std::string fixed_text(std::string digits, int decimals, bool negative);
 
 /// The number with the least denominator in [low, high]. Requires: 0 < low <= high.
 Rational simplest_between(const Rational& low, const Rational& high);

@@ -82,7 +82,8 @@ class FileRun {
 
   /// The rows of a curve as text.
   Source<std::string> printed(const PlacedCurve& placed, const std::shared_ptr<Labels>& labels) const {
-    const unsigned threads = job_.golden ? 1 : threads_;  // exact rows share results of earlier ones
+    const bool shares_lengths = job_.golden && by_length(job_.samples.request.mode);  // with earlier rows
+    const unsigned threads = shares_lengths ? 1 : threads_;
     if (labels == nullptr) {
       const auto print = [this, &placed](const SampleBlock& block) {
         return writer_.print(placed.evaluate(block, job_.rows.fields), block.first);

@@ -48,13 +48,15 @@ struct Cubic {
 template <class S>
 Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& chord, const working_t<S>& out, const working_t<S>& in) {
   using W = working_t<S>;
-  S residue(0);
+  [[maybe_unused]] double residue = 0;
   if constexpr (std::is_same_v<S, double>) {
     residue = 0x1p-96 * std::abs(chord.hi) + 0x1p-96 * std::abs(out.hi) + 0x1p-96 * std::abs(in.hi);
   }
   const auto cleared = [&](const W& value) {
-    const S size = high_part<S>(value);
-    return size < residue && -size < residue ? W(0) : value;
+    if constexpr (std::is_same_v<S, double>) {
+      if (value.hi < residue && -value.hi < residue) return W(0);
+    }
+    return value;
   };
   const W out_excess = out - chord;
   const W in_excess = in - chord;
