@@ -330,7 +330,9 @@ constexpr OptionRow option_rows[] = {
        to.keys.rules.closed = {true, {option::closed}};
      }},
     {option::period, "", "P", curve_group,
-     "The time that a closed curve takes to return to its first key; implies --closed", "", other, recorded,
+     "The time that a closed curve takes to return to its first key, which may have a unit as for --step; implies "
+     "--closed",
+     "", other, recorded,
      [](Typed& to, Text text) {
        to.keys.rules.period = {text, {option::period}};
      }},

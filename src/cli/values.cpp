@@ -86,17 +86,10 @@ Rational frame_rate(const std::string& text) {
 }
 
 TimeValue time_value(Fault fault, std::string_view text) {
-  const auto is_letter = [](char c) { return lower(c) >= 'a' && lower(c) <= 'z'; };
-  std::string_view number = text;
-  while (!number.empty() && is_letter(number.back())) number.remove_suffix(1);
-  const std::string_view name = text.substr(number.size());
-  const auto unit = std::ranges::find(time_units, name, &TimeUnitRow::name);
-  if (unit == time_units.end() || unit->unit == TimeUnit::frames) return {ratio_or(fault, text)};
-  const auto value = parse_rational(number);
-  if (!value) throw fault(text);
-  const Rational seconds = *value / units_per_second(unit->unit);
-  if (!within_doubles(seconds)) throw number_beyond_doubles(text);
-  return {seconds, true};
+  const std::optional<Rational> seconds = read_duration(text);
+  if (!seconds) return {ratio_or(fault, text)};
+  if (!within_doubles(*seconds)) throw number_beyond_doubles(text);
+  return {*seconds, true};
 }
 
 Rational step_of_rate(const Rational& rate, std::string_view text) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "numbers/decimal_time.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -86,6 +87,16 @@ std::optional<Rational> read_time(std::string_view text, TimeNotation notation, 
 std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rate) {
   const Rational nearest = floor(seconds * rate + Rational(1, 2));
   return nearest_time(nearest / rate) == nearest_time(seconds) ? std::optional(nearest) : std::nullopt;
+}
+
+std::optional<Rational> read_duration(std::string_view text) {
+  const auto is_letter = [](char c) { return lower(c) >= 'a' && lower(c) <= 'z'; };
+  std::string_view number = text;
+  while (!number.empty() && is_letter(number.back())) number.remove_suffix(1);
+  const auto unit = std::ranges::find(time_units, text.substr(number.size()), &TimeUnitRow::name);
+  if (unit == time_units.end() || unit->unit == TimeUnit::frames) return std::nullopt;
+  const std::optional<Rational> value = parse_rational(number);
+  return value ? std::optional(*value / units_per_second(unit->unit)) : std::nullopt;
 }
 
 std::optional<Rational> day_of(TimeNotation notation, const Rational& rate) {

@@ -45,8 +45,12 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                  spec_.preset == spline::Preset::nel, spec_.closed} {
   const auto unit = schema.time.unit;
-  if (request_.in_seconds.has_duration && unit == TimeUnit::frames) throw duration_of_frames(schema.time.name);
-  if (unit && unit != TimeUnit::frames) request_.convert_seconds(units_per_second(*unit));
+  const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
+  if (has_duration && unit == TimeUnit::frames) throw duration_of_frames(schema.time.name);
+  if (unit && unit != TimeUnit::frames) {
+    request_.convert_seconds(units_per_second(*unit));
+    if (spec_.is_period_in_seconds) *spec_.period *= units_per_second(*unit);
+  }
   if (!unit) request_.likely_unit = schema.time.epoch_unit;
   if (schema.time.frame_rate) request_.frames = spec_.frames = FrameTimes(*schema.time.frame_rate);
   const auto take_frame = [this](Rational& time) {  // whose printed time it is

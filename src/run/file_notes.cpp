@@ -74,9 +74,11 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
   time_name_ = input.schema.time.name;
   const TimeSchema& time = input.schema.time;
+  const auto& period = options.rules.period;
+  const bool has_duration = request.in_seconds.has_duration || (period && read_duration(period->value));
   if (time.epoch_unit) {
     add(times_since_1970(time.name, row_of(*time.epoch_unit).name));
-  } else if (request.in_seconds.has_duration && !time.unit) {
+  } else if (has_duration && !time.unit) {
     add(times_as_seconds(time.name));
   }
   if (request.is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));

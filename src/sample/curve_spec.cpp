@@ -99,7 +99,7 @@ double parse_exponent(const TextSetting& setting) {
 
 Rational parse_period(const TextSetting& setting) {
   const auto& [text, origin] = setting;
-  const auto period = parse_rational(text);
+  const std::optional<Rational> duration = read_duration(text), period = duration ? duration : parse_rational(text);
   if (!period || *period <= 0) throw period_not_positive(origin, text);
   if (!within_doubles(*period)) throw period_beyond_doubles(origin, text);
   return *period;
@@ -159,6 +159,7 @@ CurveSpec make_spec(const CurveSettings& settings) {
   }
   spec.rules.equal_speed = settings.equal_speed;
   if (settings.period) spec.period = parse_period(*settings.period);
+  if (settings.period) spec.is_period_in_seconds = read_duration(settings.period->value).has_value();
   if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
   if (settings.parameter) spec.parameter_name = settings.parameter->value;
   if (settings.extrapolate) {
