@@ -33,7 +33,8 @@ constexpr std::array ball_fields{BallFieldName{"time", BallField::time},
                                  BallFieldName{"u", BallField::u},
                                  BallFieldName{"key", BallField::key}};
 
-/// A ball around a rational: a double-double is within 2^-105 of it.
+/// A ball around a rational: the nearest double and the double nearest to the rest are within 2^-105 of it. The product
+/// with 1 refuses what is out of range.
 Ball ball_of(const Rational& value) {
   const double high = nearest_double(value);
   if (high == 0) return value == 0 ? Ball() : throw Undecided();
@@ -41,8 +42,7 @@ Ball ball_of(const Rational& value) {
   if (rest == 0) return Ball(high);
   const double low = nearest_double(rest);
   const spline::DoubleDouble middle = spline::DoubleDouble::normalized(high, low);
-  const bool is_exact = Rational(low) == rest;
-  return Ball(middle) * Ball(1.0) + (is_exact ? Ball() : Ball({0x1p-150 * high, 0}, 0x1p-104 * std::abs(high)));
+  return Ball(middle, Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high)) * Ball(1.0);
 }
 
 /// A ball around a time, which is a double or the sum of two.

@@ -13,7 +13,8 @@ namespace tcb {
 
 class BallRows {
  public:
-  /// Nothing for curves with rotations, angles, equal speeds, or times made from distances, and for rows by length.
+  /// Nothing for curves with rotations, angles, equal speeds, or times made from distances, for rows by length, and for
+  /// other fields than the time, the position and its derivatives, and the place on the curve.
   static std::unique_ptr<BallRows> of(const RowsOfCurve& rows, std::span<const std::size_t> chosen);
   virtual ~BallRows() = default;
 

@@ -100,7 +100,8 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
   try {
     const Input input = open_input("f", pieces(text, piece), options);
     std::string found;
-    found += fmt::format("{} {} {}\n", format_of(input.facts.format).name, input.facts.delimiter, input.schema.named);
+    const char delimiter = input.schema.marks.value_or(TextMarks{}).delimiter;
+    found += fmt::format("{} {} {}\n", format_of(input.facts.format).name, delimiter, input.schema.named);
     for (const auto& names : {input.schema.groups,
                               {input.schema.time.name},
                               input.schema.channels,
