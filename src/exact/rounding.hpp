@@ -117,7 +117,7 @@ std::string fixed_text(const Rational& value, int decimals);
 
 /// The same texts of `count` digits, of which the first one has the value 10^exponent, and of a whole number of units
 /// of 10^-decimals.
-std::string digits_text(std::string digits, int exponent, int count, bool negative);
+std::string digits_text(std::string text, int exponent, int count, bool negative);
 std::string fixed_text(std::string digits, int decimals, bool negative);
 
 /// The number with the least denominator in [low, high]. Requires: 0 < low <= high.

@@ -24,6 +24,7 @@ class Converter {
     if (is_known()) iconv_close(state_);
   }
 
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): POSIX defines this value for unknown encodings
   bool is_known() const { return state_ != reinterpret_cast<iconv_t>(-1); }
 
   /// Appends the converted bytes to a text. An incomplete character at the end waits for further bytes.

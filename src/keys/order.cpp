@@ -174,7 +174,7 @@ Texts with_times(const Texts& decimals, std::size_t per_key, std::span<const Rat
 }  // namespace
 
 Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,
-                               std::shared_ptr<std::uint64_t> midnights) {
+                               const std::shared_ptr<std::uint64_t>& midnights) {
   const std::optional<Rational> day = day_of(notation, rate);
   if (!day) return blocks;
   const auto later = [=](const Time& time, const Rational& days) {

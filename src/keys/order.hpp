@@ -32,7 +32,7 @@ Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
 /// The keys of times of day, to which a day is added where they go back by more than half of it. Counts these in
 /// `midnights`. Times in other notations stay. `rate`: of the frames of timecode. Requires: no gaps.
 Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,
-                               std::shared_ptr<std::uint64_t> midnights);
+                               const std::shared_ptr<std::uint64_t>& midnights);
 
 /// The keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);

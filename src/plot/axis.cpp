@@ -144,8 +144,7 @@ std::vector<Rational> steps_of(const TimeScale& scale) {
 
 /// A time in words without what all ticks at multiples of the step have in common.
 std::string Axis::words(const Rational& time, const Rational& step) const {
-  const std::string text =
-      time_in_words(time, scale_->notation, scale_->frames_per_second, {}, scale_->dates).value_or("");
+  std::string text = time_in_words(time, scale_->notation, scale_->frames_per_second, {}, scale_->dates).value_or("");
   if (!is_date(scale_->notation)) return text;
   const std::size_t date = std::min(text.find_first_of("T "), text.size());
   if (step >= seconds_of_day || date == text.size()) return text.substr(0, date);

@@ -48,7 +48,7 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     if (other->thousands == 0) return number_with_decimal_comma(column, cell);
     return is_fraction && marks.decimal == '.'
                ? number_with_thousands(column, cell)
-               : number_with_marks(column, cell, other->decimal == marks.decimal ? 0 : other->decimal,
+               : number_with_marks(column, cell, other->decimal == marks.decimal ? '\0' : other->decimal,
                                    other->thousands);
   }
   const std::size_t blank = cell.find_first_of(" \t");
