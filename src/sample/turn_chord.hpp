@@ -29,8 +29,10 @@ class TurnChord {
     }
   }
 
-  /// The part of a segment between two local parameters is near, as far as `places` of it tell.
-  bool is_near(const CurveSegment& segment, double low, double high) const {
+  /// The square of the sine of half the largest angle between the arcs and the part of a segment between two local
+  /// parameters, as far as `places` of it tell, where that of the tolerance is 1.
+  double departure(const CurveSegment& segment, double low, double high) const {
+    double largest = 0;
     for (int i = 0; i <= places; ++i) {
       const double u = low + (high - low) * i / places;
       const Time t = segment.start + segment.warp.inverse({u, u - 1}) * (segment.end - segment.start);
@@ -38,10 +40,10 @@ class TurnChord {
       for (std::size_t k = 0; k < arcs_.size(); ++k) {
         const auto turn =
             spline::conjugate(spline::normalized(arcs_[k].at(part, 1 - part))) * segment.rotations[k].at({u, u - 1});
-        if (square(turn.x) + (square(turn.y) + square(turn.z)) > sine2_) return false;
+        largest = std::max(largest, square(turn.x) + (square(turn.y) + square(turn.z)));
       }
     }
-    return true;
+    return largest / sine2_;
   }
 
  private:

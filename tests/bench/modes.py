@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Times modes of the program on the same keys, on one thread, and prints a table: modes.py PROGRAM [ROWS [ROUNDS]].
 
-Ten rows per key, four numbers per row, written to /dev/null. Each time is the minimum of all rounds; the last column is
+Ten rows per key, four numbers per row, written to /dev/null; a tolerance that needs about as many.
+Each time is the minimum of all rounds; the last column is
 the ratio of the largest work to that of --count.
 """
 import pathlib
@@ -16,6 +17,7 @@ MODES = (
     ("`--golden`", ["--golden"]),
     ("`--golden --digits 17`", ["--golden", "--digits", "17"]),
     ("`--golden --exact-input`", ["--golden", "--exact-input"]),
+    ("`--tolerance`", ["--tolerance"]),
     ("`--golden`, velocity", ["--golden", "--fields", "time,velocity"]),
 )
 
@@ -47,7 +49,8 @@ def main(program, rows="1000 10000 100000 1000000", rounds="5"):
             write_keys(path, size // 10)
             for _ in range(int(rounds)):
                 for name, options in MODES:
-                    command = [program, "-q", "-j", "1", "--count", str(size), *options, str(path)]
+                    sampling = ["--tolerance", "0.0019"] if options == ["--tolerance"] else ["--count", str(size), *options]
+                    command = [program, "-q", "-j", "1", *sampling, str(path)]
                     times[name, size] = min(seconds(command), times.get((name, size), float("inf")))
     print("| mode | " + " | ".join(f"{size:,} rows" for size in sizes) + " | a row | ratio |")
     print("|---|" + "---:|" * (len(sizes) + 2))

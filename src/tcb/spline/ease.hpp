@@ -46,6 +46,10 @@ class Warp {
     return W(1) - sqrt(left * e_ / k_);
   }
 
+  /// The local parameters between which the warp is linear.
+  S end_of_first_part() const { return high_part<S>(k_ * f_); }
+  S start_of_last_part() const { return high_part<S>(W(1) - k_ * e_); }
+
   /// The first and second derivative of the warp after the fraction u of the duration.
   S first_derivative(const S& u) const {
     if (is_identity()) return S(1);

@@ -1,0 +1,259 @@
+// Chords: how far a curve departs from them, by bounds on polynomials.
+#include "sample/chord.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "tcb/spline/derivatives.hpp"
+
+namespace tcb {
+namespace {
+
+using Powers = std::array<double, 4>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_parts = 1 << 10;  // that one bound tries; a cubic comes near the limit at a few places only
+
+double square(double number) { return number * number; }
+
+/// |q|^2 of a part q.
+std::array<double, 7> squared_norm(const std::vector<Powers>& part) {
+  std::array<double, 7> sum{};
+  for (const Powers& q : part) {
+    sum[0] += q[0] * q[0];
+    sum[1] += 2 * q[0] * q[1];
+    sum[2] += 2 * q[0] * q[2] + q[1] * q[1];
+    sum[3] += 2 * (q[0] * q[3] + q[1] * q[2]);
+    sum[4] += 2 * q[1] * q[3] + q[2] * q[2];
+    sum[5] += 2 * q[2] * q[3];
+    sum[6] += q[3] * q[3];
+  }
+  return sum;
+}
+
+/// The maximum of |q|^2 where q is the whole part between two points of the chord, if it has one maximum only.
+std::optional<double> single_maximum(const std::vector<Powers>& part) {
+  double aa = 0, ab = 0, bb = 0;
+  for (const Powers& q : part) {
+    aa += q[1] * q[1];
+    ab -= q[1] * q[3];
+    bb += q[3] * q[3];
+  }
+  if (aa == 0 && bb == 0) return 0;
+  if (3 * ab + aa < 0 && 2 * bb + ab - aa > 0) return std::nullopt;
+  double low = 0, high = 1, s = 0.5;
+  for (int step = 0; step < 60 && high - low > 1e-9; ++step) {
+    const double slope = aa + s * (3 * ab - 2 * aa + s * (2 * bb - 5 * ab - s * (3 * bb)));
+    const double bend = 3 * ab - 2 * aa + s * (2 * (2 * bb - 5 * ab) - s * (9 * bb));
+    (slope > 0 ? low : high) = s;
+    const double next = s - slope / bend;
+    const bool inside = next > low && next < high;
+    const double before = s;
+    s = inside ? next : low + (high - low) / 2;
+    if (std::abs(s - before) < 1e-9) break;
+  }
+  return square(s * (1 - s)) * (aa + s * (2 * ab + s * bb));
+}
+
+/// The squared distances of a part of the curve from the line of the chord and from its two points, and its place along
+/// the chord.
+struct Distances {
+  Bernstein<7> line, first, last;
+  Bernstein<4> along;
+
+  bool is_between(double from, double to) const {
+    return std::ranges::all_of(along, [=](double place) { return place >= from && place <= to; });
+  }
+
+  /// A bound on the squared distance from the chord, or infinity if none that is at most `limit` was found. Requires:
+  /// the part begins within the limit.
+  double bound(double length, double limit, int& parts) const {
+    double least = std::min(std::ranges::max(first), std::ranges::max(last));
+    if (is_between(0, length)) least = std::min(least, std::ranges::max(line));
+    if (least <= limit) return least;
+    if (--parts <= 0) return infinity;
+    const auto [line0, line1] = split(line, 0.5);
+    const auto [first0, first1] = split(first, 0.5);
+    const auto [last0, last1] = split(last, 0.5);
+    const auto [along0, along1] = split(along, 0.5);
+    const Distances before{line0, first0, last0, along0}, after{line1, first1, last1, along1};
+    if (!(after.at_start(length) <= limit)) return infinity;
+    const double half = before.bound(length, limit, parts);
+    return half == infinity ? infinity : std::max(half, after.bound(length, limit, parts));
+  }
+
+  double at_start(double length) const {
+    if (along[0] < 0) return first[0];
+    return along[0] > length ? last[0] : line[0];
+  }
+};
+
+/// A bound on squared distances in units of its limit.
+double in_limits(double bound, double limit2) {
+  return bound <= std::numeric_limits<double>::max() ? bound / limit2 : infinity;
+}
+
+}  // namespace
+
+Chord::Chord(double tolerance) {
+  constexpr int most = 1022;  // so that the scale and its reciprocal are normal
+  const int exponent = std::clamp(std::ilogb(tolerance), -most, most);
+  scale_ = std::ldexp(1.0, -exponent);
+  tolerance_ = tolerance * scale_;
+}
+
+void Chord::set_start(const CurvePoint& from, const CurveSegment& segment) {
+  from_ = &from;
+  direction_.resize(from.x.size());
+  expand(start_, segment, from.u);
+  first_limit2_ = limit2(segment);
+}
+
+void Chord::set_end(const CurvePoint& to) {
+  to_ = &to;
+  for (std::size_t i = 0; i < direction_.size(); ++i) direction_[i] = (to.x[i] - from_->x[i]) * scale_;
+  set_direction();
+}
+
+/// The length of the chord, and its direction instead of its extent.
+void Chord::set_direction() {
+  double norm2 = 0;
+  for (const double part : direction_) norm2 += part * part;
+  constexpr double least = 1e-200, most = 1e200;  // so that squares neither underflow nor overflow
+  double largest = 1;
+  if (!(norm2 > least && norm2 < most)) {
+    largest = 0;
+    for (const double part : direction_) largest = std::max(largest, std::abs(part));
+    length_ = 0;
+    if (largest == 0) return;
+    norm2 = 0;
+    for (double& part : direction_) {
+      part /= largest;
+      norm2 += part * part;
+    }
+  }
+  const double norm = std::sqrt(norm2), inverse = 1 / norm;
+  for (double& part : direction_) part *= inverse;
+  length_ = largest * norm;
+}
+
+double Chord::departure(double u) {
+  const double size = u - from_->u;
+  if (direction_.size() == 1) {
+    // In the graph of a cubic over its local parameter, the chord takes away what is linear.
+    const auto [x0, x1, x2, x3] = start_[0];
+    const double c2 = x2 * size * size, c3 = x3 * size * size * size;
+    across_.assign(1, {0, -c2 - c3, c2, c3});
+    if (const auto found = single_maximum(across_)) return in_limits(*found, first_limit2_);
+    int parts = most_parts;
+    return in_limits(upper_bound(bernstein<7>(squared_norm(across_)), 0, parts), first_limit2_);
+  }
+  for (std::size_t i = 0; i < direction_.size(); ++i) {
+    direction_[i] = size * (start_[i][1] + size * (start_[i][2] + size * start_[i][3]));
+  }
+  set_direction();
+  return in_limits(across(start_, size, true, first_limit2_), first_limit2_);
+}
+
+double Chord::departure(const CurveSegment& segment, double low, double high) {
+  const double limit = limit2(segment);
+  expand(expansion_, segment, low);
+  if (direction_.size() == 1) return in_limits(on_graph(segment, low, high), limit);
+  return in_limits(across(expansion_, high - low, false, limit), limit);
+}
+
+double Chord::limit2(const CurveSegment& segment) const {
+  constexpr double rounding = 0x1p-51;  // of positions, in units of the largest position or tangent
+  double size = 0;
+  for (std::size_t i = 0; i < direction_.size(); ++i) {
+    const auto& x = metric_cubic(segment, i);
+    size = std::max({size, std::abs(x.p0), std::abs(x.p1), std::abs(x.out), std::abs(x.in)});
+  }
+  return square(tolerance_ * (1 - 1e-9) - std::min(rounding * size * scale_, tolerance_ / 4));
+}
+
+void Chord::expand(std::vector<Powers>& powers, const CurveSegment& segment, double low) const {
+  const spline::LocalParameter<double> at{low, low - 1};
+  const bool is_start = segment.number == from_->segment && low == from_->u;
+  powers.resize(direction_.size());
+  for (std::size_t i = 0; i < powers.size(); ++i) {
+    const spline::Cubic<double>& x = metric_cubic(segment, i);
+    const auto [d1, d2, d3] = spline::local_derivatives(x, at);
+    const double start = is_start ? 0 : spline::position(x, at) - from_->x[i];
+    powers[i] = {start * scale_, d1 * scale_, d2 / 2 * scale_, d3 / 6 * scale_};
+  }
+}
+
+/// The bound on the square of the distance from the chord of a part of a path that has this size in the local
+/// parameter. `is_whole`: the chord joins its ends.
+double Chord::across(const std::vector<Powers>& expansion, double size, bool is_whole, double limit2) {
+  across_.resize(direction_.size());
+  Powers along{};
+  const double size2 = size * size, size3 = size2 * size;
+  for (std::size_t i = 0; i < across_.size(); ++i) {
+    const Powers& x = expansion[i];
+    across_[i] = {x[0], x[1] * size, x[2] * size2, x[3] * size3};
+    for (std::size_t k = 0; k < along.size(); ++k) along[k] += across_[i][k] * direction_[i];
+  }
+  for (std::size_t i = 0; i < across_.size(); ++i) {
+    for (std::size_t k = 0; k < along.size(); ++k) across_[i][k] -= along[k] * direction_[i];
+  }
+  Distances distances{{}, {}, {}, bernstein<4>(along)};
+  const double beyond = 1e-5 * tolerance_;  // adds 1e-10 of the squared tolerance to a squared distance
+  const bool is_between = distances.is_between(-beyond, length_ + beyond);
+  if (is_between && is_whole) {
+    if (const auto found = single_maximum(across_)) return *found;
+  }
+  distances.line = bernstein<7>(squared_norm(across_));
+  int parts = most_parts;
+  if (is_between) return upper_bound(distances.line, 0, parts);
+  across_.emplace_back(along);
+  distances.first = bernstein<7>(squared_norm(across_));
+  across_.back()[0] -= length_;
+  distances.last = bernstein<7>(squared_norm(across_));
+  return distances.at_start(length_) <= limit2 ? distances.bound(length_, limit2, parts) : infinity;
+}
+
+/// In each part of the ease u = start + linear s + bent s^2, where s is linear in time.
+double Chord::on_graph(const CurveSegment& segment, double low, double high) {
+  int parts = most_parts;
+  double found = 0, start = low;
+  Time passed = segment.warp.inverse({low, low - 1});
+  for (const double next : {segment.warp.end_of_first_part(), segment.warp.start_of_last_part(), high}) {
+    const double end = std::min(next, high);
+    if (!(end > start)) continue;
+    const Time until = segment.warp.inverse({end, end - 1});
+    const double duration = (until - passed).hi;
+    const double bent = segment.warp.second_derivative(((passed + until) * Time(0.5)).hi) * duration * duration / 2;
+    expand(expansion_, segment, start);
+    found = std::max(
+        found, on_part_of_graph({end - start - bent, bent}, place(segment, passed), place(segment, until), parts));
+    start = end;
+    passed = until;
+  }
+  return found;
+}
+
+/// The fraction of the chord's duration at a fraction of the segment's.
+double Chord::place(const CurveSegment& segment, const Time& passed) const {
+  if (to_->t == from_->t) return 0;
+  return ((segment.start - from_->t + passed * (segment.end - segment.start)) / (to_->t - from_->t)).hi;
+}
+
+/// Where u has these coefficients of s and s^2, and the chord is at `first` and `last` of its duration at the ends of
+/// s.
+double Chord::on_part_of_graph(const std::array<double, 2>& u, double first, double last, int& parts) const {
+  const auto [x0, x1, x2, x3] = expansion_[0];
+  const auto [b, c] = u;
+  const double height = (to_->x[0] - from_->x[0]) * scale_;
+  Bernstein<7> gap = bernstein<7>({x0 - height * first, x1 * b - height * (last - first), x1 * c + x2 * b * b,
+                                   2 * x2 * b * c + x3 * b * b * b, x2 * c * c + 3 * x3 * b * b * c, 3 * x3 * b * c * c,
+                                   x3 * c * c * c});
+  const double above = upper_bound(gap, 0, parts);
+  for (double& number : gap) number = -number;
+  return square(upper_bound(gap, above, parts));
+}
+
+}  // namespace tcb
