@@ -81,7 +81,8 @@ struct Distances {
     const Distances before{line0, first0, last0, along0}, after{line1, first1, last1, along1};
     if (!(after.at_start(length) <= limit)) return infinity;
     const double half = before.bound(length, limit, parts);
-    return half == infinity ? infinity : std::max(half, after.bound(length, limit, parts));
+    if (half == infinity) return infinity;
+    return std::max(half, after.bound(length, limit, parts));
   }
 
   double at_start(double length) const {

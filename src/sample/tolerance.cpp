@@ -38,7 +38,7 @@ class Walker {
   /// chords by these keys are near the curve, too.
   CurvePoint next(const CurvePoint& from) {
     set_start(from);
-    const CurvePoint far = farthest(from, next_corner(from));
+    CurvePoint far = farthest(from, next_corner(from));
     if (!at_keys_ || reaches_by_keys(from, far)) return far;
     set_start(from);
     return farthest(from, next_key(from));
