@@ -76,13 +76,14 @@ std::optional<std::string> in_utf8(std::string_view text, std::string_view encod
 std::optional<Source<std::string>> in_utf8(Source<std::string> bytes, std::string_view encoding) {
   const auto converter = std::make_shared<Converter>(encoding);
   if (!converter->is_known()) return std::nullopt;
-  return [=, bytes = std::move(bytes)]() -> std::optional<std::string> {
+  return [=, bytes = std::move(bytes), is_text = true]() mutable -> std::optional<std::string> {
     std::string text;
     while (text.empty()) {
+      if (!is_text) throw not_in_encoding(encoding);  // after the text before it, whose errors come first
       const std::optional<std::string> more = bytes();
       if (!more && !converter->is_complete()) throw not_in_encoding(encoding);
       if (!more) return std::nullopt;
-      if (!converter->add(*more, text)) throw not_in_encoding(encoding);
+      is_text = converter->add(*more, text);
     }
     return text;
   };
