@@ -203,7 +203,6 @@ PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, con
   if (needs_.random_access) {
     if (golden_ && golden_->decimal) times = exact_places(extent);
     placed = place_anywhere(keys, extent, times);
-    placed.facts = {extent.first, extent.last, {}, {}};
   } else {
     placed = place_on_grid(keys, extent);
   }
@@ -243,11 +242,13 @@ std::vector<Time> CurvePipeline::grid_times(const Extent& extent) const {
   return times;
 }
 
-/// The times or arc lengths of rows that need random access to the curve.
-std::vector<Time> CurvePipeline::places(const ShownCurve& curve, const Extent& extent) const {
+/// The times or arc lengths of rows that need random access to the curve. Sets facts about them.
+std::vector<Time> CurvePipeline::places(const ShownCurve& curve, const Extent& extent, PlacementFacts& facts) const {
   std::vector<Time> places;
   if (request_.mode == Mode::tolerance) {
-    places = times_within_tolerance(curve, request_.tolerance, request_.max_rows, request_.keys);
+    ToleranceRows rows = rows_within_tolerance(curve, request_.tolerance, request_.max_rows, request_.keys);
+    places = std::move(rows.times);
+    facts.least_rows = rows.least;
   } else if (request_.places.empty()) {
     places = grid_times(extent);
   } else {
@@ -297,18 +298,20 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
   std::vector<Time> places;
   std::ranges::transform(exact, std::back_inserter(places),
                          [&](const Rational& place) { return nearest_time(place, extent.decimals); });
-  if (exact.empty()) places = this->places(*curve, extent);
+  PlacementFacts facts{extent.first, extent.last, {}, {}};
+  if (exact.empty()) places = this->places(*curve, extent, facts);
   const std::uint64_t rows = places.size();
+  if (facts.least_rows) facts.rows = rows;
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
   const auto expected = [rows] { return static_cast<double>(rows); };
   if (request_.mode == Mode::arc_at) {
     const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->curve().length().value);
-    return {look_up(curve, locator, request_.side()), locator, nullptr, {}, fast_rows(locator), expected};
+    return {look_up(curve, locator, request_.side()), locator, nullptr, facts, fast_rows(locator), expected};
   }
   const Time& end = *extent.last;
   const auto locator =
       std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, end, spec_.frames);
-  return {look_up(curve, locator, request_.side()), locator, nullptr, {}, fast_rows(locator), expected};
+  return {look_up(curve, locator, request_.side()), locator, nullptr, facts, fast_rows(locator), expected};
 }
 
 /// Evaluates rows exactly, and rounds each number once.

@@ -46,7 +46,9 @@ struct RuleFacts {
 struct PlacementFacts {
   std::optional<Time> first, last;  ///< times of the first and the last key
   std::optional<double> length;
-  std::optional<Time> step;  ///< of time or of arc length
+  std::optional<Time> step;                                ///< of time or of arc length
+  std::optional<std::uint64_t> rows = std::nullopt;        ///< with a tolerance
+  std::optional<std::uint64_t> least_rows = std::nullopt;  ///< that it needs
 };
 
 /// The samples of a curve in blocks, and how they are located and evaluated.
@@ -119,7 +121,7 @@ class CurvePipeline {
   PlacedCurve place_anywhere(const KeyStore& keys, const Extent& extent, const std::vector<Rational>& exact) const;
   std::shared_ptr<const ShownCurve> shown(const KeyStore& keys, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;
-  std::vector<Time> places(const ShownCurve& curve, const Extent& extent) const;
+  std::vector<Time> places(const ShownCurve& curve, const Extent& extent, PlacementFacts& facts) const;
   Evaluate exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
                       const std::shared_ptr<const Locator>& locator, std::vector<Rational> times) const;
 

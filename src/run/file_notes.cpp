@@ -95,11 +95,16 @@ void FileNotes::add_samples(const PlacedCurve& placed, const SamplingRequest& re
   const auto distance = placed.remainder();
   const bool ends_at_key = !request.to && !is_closed;
   if (distance && remainders_++ == 0) add(remainder_note(nearest_time(*distance).hi, ends_at_key));
+  if (placed.facts.rows) {
+    rows_ += *placed.facts.rows;
+    least_rows_ += *placed.facts.least_rows;
+  }
   if (placed.facts.step && request.end != EndPolicy::drop) add(step_is(time_text(*placed.facts.step)));
 }
 
 void FileNotes::end(const Curves& curves) {
   if (remainders_ > 1) add(more_remainders(remainders_ - 1));
+  if (rows_ > 0) add(rows_within(rows_, least_rows_));
   if (curves.skipped() > 0) add(skipped_rows(curves.skipped()));
   if (curves.midnights() > 0) add(midnights_passed(time_name_));
   if (const auto angles = curves.likely_angles(); !angles.empty()) add(angles_note(angles));

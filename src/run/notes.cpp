@@ -111,6 +111,10 @@ Note more_remainders(std::uint64_t curves) {
   return {fmt::format("a remainder is also left in {} more curves", curves), true};
 }
 
+Note rows_within(std::uint64_t rows, std::uint64_t least) {
+  return {fmt::format("{} rows are within the tolerance; at least {} are needed", rows, least), true};
+}
+
 Note step_is(std::string_view step) { return {fmt::format("the step is {}", step)}; }
 
 Note skipped_rows(std::uint64_t rows) { return {fmt::format("rows skipped for missing numbers: {}", rows)}; }

@@ -47,6 +47,7 @@ Note rate_of_frames(std::string_view time);
 /// The range ends between rows; `at_key`: at the last key.
 Note remainder_note(double distance, bool at_key);
 Note more_remainders(std::uint64_t curves);
+Note rows_within(std::uint64_t rows, std::uint64_t least);
 Note step_is(std::string_view step);
 Note skipped_rows(std::uint64_t rows);
 /// An input changed after its last byte was read.

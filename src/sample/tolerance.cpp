@@ -21,6 +21,7 @@
 #include "sample/errors.hpp"
 #include "sample/grid.hpp"
 #include "sample/least_rows.hpp"
+#include "sample/needed_rows.hpp"
 #include "sample/turn_chord.hpp"
 
 namespace tcb {
@@ -42,6 +43,18 @@ class Walker {
     if (!at_keys_ || reaches_by_keys(from, far)) return far;
     set_start(from);
     return farthest(from, next_key(from));
+  }
+
+  /// Adds the points at the quarters of the way between two places, and the second place.
+  void add_points(NeededRows& needed, const CurvePoint& from, const CurvePoint& to) {
+    const double start = static_cast<double>(from.segment) + from.u, end = static_cast<double>(to.segment) + to.u;
+    for (const double part : {0.25, 0.5, 0.75}) {
+      const double place = start + (end - start) * part;
+      const double number = std::min(std::floor(place), static_cast<double>(curve_.size() - 1));
+      set(tried_, curve_.segment(static_cast<std::uint64_t>(number)), place - number);
+      needed.add(tried_);
+    }
+    needed.add(to);
   }
 
   bool is_end(const CurvePoint& place) const { return place.segment + 1 == curve_.size() && place.u == 1; }
@@ -250,8 +263,8 @@ class Walker {
 
 }  // namespace
 
-std::vector<Time> times_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance,
-                                         std::uint64_t max_rows, bool at_keys) {
+ToleranceRows rows_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
+                                    bool at_keys) {
   constexpr double most = 1e300;
   const double least = std::min(std::floor(least_rows(curve, tolerance.distance)), most);
   require_rows(Rational(least) - 1, max_rows, true);
@@ -259,12 +272,16 @@ std::vector<Time> times_within_tolerance(const ShownCurve& curve, const CurveTol
   std::vector<Time> times;
   CurvePoint place = walker.start();
   times.push_back(place.t);
+  NeededRows needed(tolerance.distance);
+  needed.add(place);
   while (!walker.is_end(place)) {
-    place = walker.next(place);
+    CurvePoint next = walker.next(place);
+    if (tolerance.limits_distance()) walker.add_points(needed, place, next);
+    place = std::move(next);
     times.push_back(rounded_time(place.t, curve.segment(place.segment).decimals));
     if (times.size() > max_rows) require_rows(Rational(times.size() - 1), max_rows);
   }
-  return times;
+  return {std::move(times), std::max(static_cast<std::uint64_t>(least), needed.count())};
 }
 
 }  // namespace tcb

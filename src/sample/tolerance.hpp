@@ -9,10 +9,16 @@
 
 namespace tcb {
 
+/// Rows within a tolerance.
+struct ToleranceRows {
+  std::vector<Time> times;
+  std::uint64_t least = 2;  ///< no fewer rows are within the tolerance
+};
+
 /// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last.
 /// Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within the tolerance,
 /// too. Throws: Error (usage) for more than max_rows rows.
-std::vector<Time> times_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance,
-                                         std::uint64_t max_rows, bool at_keys = false);
+ToleranceRows rows_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
+                                    bool at_keys = false);
 
 }  // namespace tcb

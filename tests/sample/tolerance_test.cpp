@@ -56,7 +56,7 @@ TEST(Tolerance, no_point_of_the_curve_is_farther_from_the_polyline) {
     const Curve curve(keys);
     const double tolerance = std::pow(10, -1 - round % 3);
     const bool at_keys = round % 4 >= 2;
-    auto rows = times_within_tolerance(curve, {tolerance}, 1'000'000, at_keys);
+    auto rows = rows_within_tolerance(curve, {tolerance}, 1'000'000, at_keys).times;
     if (at_keys) {
       rows.insert(rows.end(), keys.times.begin(), keys.times.end());
       std::ranges::sort(rows);
@@ -83,8 +83,8 @@ spline::Keys<double> late_keys(std::size_t channels) {
 TEST(Tolerance, holds_for_rows_at_the_times_that_they_print) {
   constexpr double tolerance = 1e-8;
   const Curve path(late_keys(2)), graph(late_keys(1));
-  const auto of_path = times_within_tolerance(path, {tolerance}, 1'000'000);
-  const auto of_graph = times_within_tolerance(graph, {1e-6}, 1'000'000);
+  const auto of_path = rows_within_tolerance(path, {tolerance}, 1'000'000).times;
+  const auto of_graph = rows_within_tolerance(graph, {1e-6}, 1'000'000).times;
   const auto between = [](const std::vector<Time>& rows, std::size_t i, int part) {
     return rows[i].hi + (rows[i + 1].hi - rows[i].hi) * part / 16;
   };
@@ -104,7 +104,7 @@ TEST(Tolerance, holds_for_rows_at_the_times_that_they_print) {
 
 TEST(Tolerance, that_no_printed_time_can_keep_is_refused) {
   const Curve path(late_keys(2));
-  EXPECT_THROW(times_within_tolerance(path, {1e-15}, 1'000'000'000), Error);
+  EXPECT_THROW(rows_within_tolerance(path, {1e-15}, 1'000'000'000), Error);
 }
 
 TEST(Tolerance, a_single_channel_is_a_graph_over_time) {
@@ -112,7 +112,7 @@ TEST(Tolerance, a_single_channel_is_a_graph_over_time) {
   for (int round = 0; round < 40; ++round) {
     const auto keys = random_keys(random, 1);
     const Curve curve(keys);
-    const auto rows = times_within_tolerance(curve, {0.01}, 1'000'000);
+    const auto rows = rows_within_tolerance(curve, {0.01}, 1'000'000).times;
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
       const double a = curve.at(rows[i].hi)[0], b = curve.at(rows[i + 1].hi)[0];
       for (double f = 0; f <= 1; f += 1.0 / 64) {
@@ -127,7 +127,7 @@ TEST(Tolerance, corners_are_rows) {
   std::mt19937_64 random(23);
   for (int round = 0; round < 20; ++round) {
     const auto keys = random_keys(random, 2);
-    const auto rows = times_within_tolerance(Curve(keys), {100}, 1'000'000);
+    const auto rows = rows_within_tolerance(Curve(keys), {100}, 1'000'000).times;
     EXPECT_EQ(rows, (std::vector<Time>{keys.times[0], keys.times[2], keys.times[4], keys.times[5]}));
   }
 }
@@ -142,14 +142,14 @@ TEST(Tolerance, an_s_whose_middle_lies_on_the_chord_is_not_taken_for_straight) {
   rules.start = {velocity, {1, 3}};
   rules.end = {velocity, {1, 3}};
   const Curve s(keys, rules);
-  EXPECT_GE(times_within_tolerance(s, {0.1}, 100).size(), 4U);
-  EXPECT_EQ(times_within_tolerance(s, {1}, 100).size(), 2U);
+  EXPECT_GE(rows_within_tolerance(s, {0.1}, 100).times.size(), 4U);
+  EXPECT_EQ(rows_within_tolerance(s, {1}, 100).times.size(), 2U);
 }
 
 TEST(Tolerance, refuses_more_rows_than_allowed) {
   std::mt19937_64 random(24);
   const auto keys = random_keys(random, 2);
-  EXPECT_THROW(times_within_tolerance(Curve(keys), {1e-6}, 10), Error);
+  EXPECT_THROW(rows_within_tolerance(Curve(keys), {1e-6}, 10), Error);
 }
 
 }  // namespace

@@ -1,0 +1,83 @@
+// Needed rows: how many rows any polyline within the tolerance has, from points of the curve.
+//
+// If one chord is within D of three points A, X and B, then one of them, the middle one along the chord, is within 2 D
+// of the segment between the others: the two ends are within D of the chord, so their segment is within D of it. So if
+// each of the three is farther than 2 D from the segment between the others, a row lies between the first and the last
+// of them. In a graph over time X is in the middle. Such triples that follow each other need a row each.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sample/chord.hpp"
+
+namespace tcb {
+
+/// Counts the rows that are needed. Points are added in their order along the curve; the more, the better the bound.
+class NeededRows {
+ public:
+  explicit NeededRows(double tolerance) : tolerance_(tolerance) {}
+
+  void add(const CurvePoint& point) {
+    points_.push_back(point);
+    const CurvePoint &first = points_.front(), &middle = points_[points_.size() / 2];
+    if (points_.size() >= 3 && no_chord_is_near(first, middle, point)) {
+      ++between_;
+      points_.erase(points_.begin(), points_.end() - 1);
+    } else if (points_.size() == most_points) {
+      for (std::size_t i = 1; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
+      points_.resize(points_.size() / 2);
+    }
+  }
+
+  /// With the rows at both ends.
+  std::uint64_t count() const { return between_ + 2; }
+
+ private:
+  static constexpr std::size_t most_points = 64;  ///< that are kept; of more, every second one
+
+  bool no_chord_is_near(const CurvePoint& a, const CurvePoint& x, const CurvePoint& b) const {
+    double size = 0;
+    for (const CurvePoint* point : {&a, &x, &b}) {
+      for (const double number : point->x) size = std::max(size, std::abs(number));
+    }
+    const double least = 2 + 1e-9 + 0x1p-49 * size / tolerance_;  // with the rounding of positions
+    if (a.x.size() == 1) return height(a, x, b) > least;
+    const double least2 = least * least;
+    return distance2(x, a, b) > least2 && distance2(a, x, b) > least2 && distance2(b, a, x) > least2;
+  }
+
+  /// How far x is from the line between the others at its time, in tolerances.
+  double height(const CurvePoint& a, const CurvePoint& x, const CurvePoint& b) const {
+    if (!(a.t < x.t && x.t < b.t)) return 0;
+    const double part = ((x.t - a.t) / (b.t - a.t)).hi;
+    return std::abs((x.x[0] - a.x[0]) / tolerance_ - part * ((b.x[0] - a.x[0]) / tolerance_));
+  }
+
+  /// The square of the distance of x from the segment between the others, in tolerances.
+  double distance2(const CurvePoint& x, const CurvePoint& a, const CurvePoint& b) const {
+    const auto difference = [&](const CurvePoint& p, const CurvePoint& q, std::size_t i) {
+      return (p.x[i] - q.x[i]) / tolerance_;
+    };
+    double along = 0, length2 = 0, sum = 0;
+    for (std::size_t i = 0; i < x.x.size(); ++i) {
+      along += difference(x, a, i) * difference(b, a, i);
+      length2 += difference(b, a, i) * difference(b, a, i);
+    }
+    const double part = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
+    for (std::size_t i = 0; i < x.x.size(); ++i) {
+      const double gap = difference(x, a, i) - part * difference(b, a, i);
+      sum += gap * gap;
+    }
+    return sum;
+  }
+
+  double tolerance_;
+  std::uint64_t between_ = 0;
+  std::vector<CurvePoint> points_;  ///< since the last row that was counted
+};
+
+}  // namespace tcb
