@@ -248,7 +248,7 @@ std::vector<Time> CurvePipeline::places(const ShownCurve& curve, const Extent& e
   if (request_.mode == Mode::tolerance) {
     ToleranceRows rows = rows_within_tolerance(curve, request_.tolerance, request_.max_rows, request_.keys);
     places = std::move(rows.times);
-    facts.least_rows = rows.least;
+    if (request_.tolerance.limits_distance()) facts.least_rows = rows.least;
   } else if (request_.places.empty()) {
     places = grid_times(extent);
   } else {

@@ -47,8 +47,8 @@ struct PlacementFacts {
   std::optional<Time> first, last;  ///< times of the first and the last key
   std::optional<double> length;
   std::optional<Time> step;                                ///< of time or of arc length
-  std::optional<std::uint64_t> rows = std::nullopt;        ///< with a tolerance
-  std::optional<std::uint64_t> least_rows = std::nullopt;  ///< that it needs
+  std::optional<std::uint64_t> rows = std::nullopt;        ///< within a distance
+  std::optional<std::uint64_t> least_rows = std::nullopt;  ///< of any polyline within it
 };
 
 /// The samples of a curve in blocks, and how they are located and evaluated.

@@ -38,8 +38,8 @@ class FileNotes {
   const std::string& path_;
   std::string time_name_;         ///< the name of the times
   std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
-  std::uint64_t rows_ = 0;        ///< with a tolerance
-  std::uint64_t least_rows_ = 0;  ///< that it needs
+  std::uint64_t rows_ = 0;        ///< within a distance
+  std::uint64_t least_rows_ = 0;  ///< of any polylines within it
 };
 
 /// Warns if another version made the output to reproduce, as its last digits may differ.

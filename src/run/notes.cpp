@@ -112,7 +112,7 @@ Note more_remainders(std::uint64_t curves) {
 }
 
 Note rows_within(std::uint64_t rows, std::uint64_t least) {
-  return {fmt::format("{} rows are within the tolerance; at least {} are needed", rows, least), true};
+  return {fmt::format("{} rows; any polyline within the tolerance has at least {}", rows, least), true};
 }
 
 Note step_is(std::string_view step) { return {fmt::format("the step is {}", step)}; }

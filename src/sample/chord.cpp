@@ -11,7 +11,7 @@
 namespace tcb {
 namespace {
 
-using Powers = std::array<double, 4>;
+using Powers = Chord::Powers;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_parts = 1 << 10;  // that one bound tries; a cubic comes near the limit at a few places only
@@ -160,8 +160,8 @@ double Chord::departure(double u) {
 
 double Chord::departure(const CurveSegment& segment, double low, double high) {
   const double limit = limit2(segment);
-  expand(expansion_, segment, low);
   if (direction_.size() == 1) return in_limits(on_graph(segment, low, high), limit);
+  expand(expansion_, segment, low);
   return in_limits(across(expansion_, high - low, false, limit), limit);
 }
 

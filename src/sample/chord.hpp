@@ -29,44 +29,31 @@ struct CurvePoint {
   std::vector<double> x;  ///< of the metric channels
 };
 
-/// How many channels count in distances, and the cubic of each.
-inline std::size_t metric_size(const CurveSegment& segment) {
-  return segment.metric.empty() ? segment.cubics.size() : segment.metric.size();
-}
-inline const spline::Cubic<double>& metric_cubic(const CurveSegment& segment, std::size_t i) {
-  return segment.cubics[segment.metric.empty() ? i : segment.metric[i]];
-}
-
-/// The exact time at a local parameter.
-inline Time time_on(const CurveSegment& segment, double u) {
-  return segment.start + segment.warp.inverse({u, u - 1}) * (segment.end - segment.start);
-}
-
 /// Chords from one point of a curve after another, and how far the curve departs from them: upper bounds on the square
 /// of the distance of any point of a part of the curve, where the tolerance is 1. They are nearly the least bounds
 /// where the part does not turn back beyond an end of the chord; otherwise they are infinite if none of at most 1 was
 /// found.
 class Chord {
  public:
+  /// A part of the curve by powers of s in one channel, relative to the first point of the chord.
+  using Powers = std::array<double, 4>;
+
   /// `tolerance`: the unit of departures.
   explicit Chord(double tolerance);
 
-  /// Chords start at a point of a segment. Requires: both outlive the chords.
+  /// Chords start at a point of a segment. Requires: the point outlives them.
   void set_start(const CurvePoint& from, const CurveSegment& segment);
 
   /// The departure of the part from there to another local parameter of the same segment, where the chord ends.
   double departure(double u);
 
-  /// Chords from there end at another point. Requires: it outlives them.
+  /// The chord from there to another point. Requires: the point outlives it.
   void set_end(const CurvePoint& to);
 
   /// The departure of the part of a segment between two local parameters from the chord between the points.
   double departure(const CurveSegment& segment, double low, double high);
 
  private:
-  /// A part of the curve by powers of s in one channel, relative to the first point of the chord.
-  using Powers = std::array<double, 4>;
-
   /// The powers of u - low, and the square of the largest distance that counts as within the tolerance.
   void expand(std::vector<Powers>& powers, const CurveSegment& segment, double low) const;
   double limit2(const CurveSegment& segment) const;

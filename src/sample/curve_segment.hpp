@@ -58,6 +58,19 @@ struct CurveSegmentOf {
 };
 using CurveSegment = CurveSegmentOf<double>;
 
+/// How many channels count in distances, and the cubic of each.
+inline std::size_t metric_size(const CurveSegment& segment) {
+  return segment.metric.empty() ? segment.cubics.size() : segment.metric.size();
+}
+inline const spline::Cubic<double>& metric_cubic(const CurveSegment& segment, std::size_t i) {
+  return segment.cubics[segment.metric.empty() ? i : segment.metric[i]];
+}
+
+/// The exact time at a local parameter.
+inline Time time_on(const CurveSegment& segment, double u) {
+  return segment.start + segment.warp.inverse({u, u - 1}) * (segment.end - segment.start);
+}
+
 /// A sample: its time, its local parameter, and its arc length in the arc modes.
 template <class S>
 struct SampleOf {

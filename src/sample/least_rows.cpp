@@ -56,8 +56,7 @@ double least_rows(const ShownCurve& curve, double tolerance) {
   double sum = 2;
   for (std::uint64_t number = 0; number < curve.size(); ++number) {
     const CurveSegment segment = curve.segment(number);
-    const std::size_t channels = segment.metric.empty() ? segment.cubics.size() : segment.metric.size();
-    if (channels == 1 && !segment.warp.is_identity()) continue;  // its graph is not a cubic
+    if (metric_size(segment) == 1 && !segment.warp.is_identity()) continue;  // its graph is not a cubic
     for (int part = 0; part < parts_of_segment; ++part)
       sum += chords(segment, (part + 0.5) / parts_of_segment, tolerance);
   }

@@ -1,9 +1,10 @@
-// Needed rows: how many rows any polyline within the tolerance has, from points of the curve.
+// Needed rows: a lower bound on the rows of any polyline within the tolerance, from points of the curve. It is much
+// closer than that of sample/least_rows.hpp, which needs no rows and refuses too many before the search.
 //
 // If one chord is within D of three points A, X and B, then one of them, the middle one along the chord, is within 2 D
 // of the segment between the others: the two ends are within D of the chord, so their segment is within D of it. So if
 // each of the three is farther than 2 D from the segment between the others, a row lies between the first and the last
-// of them. In a graph over time X is in the middle. Such triples that follow each other need a row each.
+// of them. In a graph over time X is in the middle. Triples that share no more than end points need a row each.
 #pragma once
 
 #include <algorithm>

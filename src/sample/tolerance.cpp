@@ -112,7 +112,7 @@ class Walker {
   /// where none after it was found.
   template <class RootOf>
   static Tried last_reached(const Tried& start, const RootOf& root_of) {
-    constexpr double least = 1 - 1e-6, aim = 1 - 3e-7;  // near enough: a millionth fewer rows at most
+    constexpr double least = 1 - 1e-6, aim = 1 - 3e-7;  // near enough: at most a millionth more rows
     Tried low = start, high{1, std::numeric_limits<double>::infinity()}, before = low, last = high;
     const auto is_narrow = [&] {
       return low.u > start.u ? high.u - low.u <= 1e-9 * (low.u - start.u) : high.u - low.u <= 0x1p-48;
@@ -138,7 +138,7 @@ class Walker {
     return low;
   }
 
-  /// The place at a local parameter, in `place`, which saves memory for each.
+  /// Sets `place` to a local parameter of a segment; its memory is used again.
   static void set(CurvePoint& place, const CurveSegment& segment, double u) {
     place.segment = segment.number;
     place.u = u;
@@ -239,6 +239,7 @@ class Walker {
     for (std::size_t i = 0; i < metric_size(before); ++i) {
       size = std::max({size, std::abs(metric_cubic(before, i).in / h0), std::abs(metric_cubic(after, i).out / h1)});
     }
+    if (size == 0) return !graph;
     for (std::size_t i = 0; i < metric_size(before); ++i) {
       const double in = metric_cubic(before, i).in / h0 / size;
       const double out = metric_cubic(after, i).out / h1 / size;

@@ -12,7 +12,7 @@ namespace tcb {
 /// Rows within a tolerance.
 struct ToleranceRows {
   std::vector<Time> times;
-  std::uint64_t least = 2;  ///< no fewer rows are within the tolerance
+  std::uint64_t least = 2;  ///< any polyline within the tolerance has at least so many rows
 };
 
 /// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last.

@@ -35,7 +35,7 @@ class TurnChord {
     double largest = 0;
     for (int i = 0; i <= places; ++i) {
       const double u = low + (high - low) * i / places;
-      const Time t = segment.start + segment.warp.inverse({u, u - 1}) * (segment.end - segment.start);
+      const Time t = time_on(segment, u);
       const double part = ((t - from_) / duration_).hi;
       for (std::size_t k = 0; k < arcs_.size(); ++k) {
         const auto turn =

@@ -13,15 +13,19 @@ namespace {
 using namespace std::string_literals;
 
 /// The text of bytes with a mark, in parts of a size.
-std::string converted(const std::string& bytes, std::size_t size) {
-  const auto source = in_utf8(
+Source<std::string> in_parts(const std::string& bytes, std::size_t size) {
+  return *in_utf8(
       [&bytes, size, at = std::size_t{0}]() mutable -> std::optional<std::string> {
         if (at >= bytes.size()) return std::nullopt;
         return bytes.substr(std::exchange(at, at + size), size);
       },
       encoding_of_mark(bytes));
+}
+
+std::string converted(const std::string& bytes, std::size_t size) {
+  const auto source = in_parts(bytes, size);
   std::string text;
-  while (const auto part = (*source)()) text += *part;
+  while (const auto part = source()) text += *part;
   return text;
 }
 
@@ -45,6 +49,19 @@ TEST(Encoding, parts_of_any_size_give_the_same_text) {
 TEST(Encoding, other_bytes_are_refused) {
   EXPECT_THROW(converted("\xFF\xFEt"s, 8), Error);
   EXPECT_THROW(converted("\xFF\xFE\x1E\xDD\x1E\xDD"s, 8), Error);
+}
+
+TEST(Encoding, the_text_before_other_bytes_comes_first) {
+  const std::string bytes = "\xFF\xFEt\0\n\0\x1E\xDD\x1E\xDD"s;  // a surrogate without its first half
+  for (std::size_t size = 1; size < 12; ++size) {
+    std::string text;
+    const auto source = in_parts(bytes, size);
+    const auto read = [&] {
+      while (const auto part = source()) text += *part;
+    };
+    EXPECT_THROW(read(), Error) << size;
+    EXPECT_EQ(text, "t\n") << size;
+  }
 }
 
 TEST(Encoding, texts_of_spreadsheets_are_windows_1252) {

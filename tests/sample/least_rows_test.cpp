@@ -33,24 +33,6 @@ TEST(LeastRows, are_never_more_than_the_rows_that_are_enough) {
   }
 }
 
-TEST(LeastRows, are_two_thirds_of_the_rows_of_a_small_tolerance) {
-  std::mt19937_64 random(22);
-  for (int round = 0; round < 20; ++round) {
-    const auto rows = rows_within_tolerance(random_curve(random, 1 + round % 4), {1e-5}, 1'000'000);
-    EXPECT_LT(static_cast<double>(rows.least), 0.75 * static_cast<double>(rows.times.size()));
-    EXPECT_GT(static_cast<double>(rows.least), 0.6 * static_cast<double>(rows.times.size()));
-  }
-}
-
-TEST(LeastRows, are_two_where_one_chord_is_near) {
-  spline::Keys<double> keys;
-  keys.channels = 2;
-  keys.times = {0.0, 1.0, 2.0};
-  keys.positions = {0, 0, 1, 1, 2, 2};
-  const ShownCurve line(*spline::Curve<double>::build(keys, {}), {});
-  EXPECT_EQ(rows_within_tolerance(line, {1e-3}, 100).least, 2U);
-}
-
 TEST(LeastRows, grow_like_the_root_of_the_distance) {
   std::mt19937_64 random(21);
   for (std::size_t channels = 1; channels <= 4; ++channels) {
