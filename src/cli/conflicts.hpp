@@ -80,6 +80,8 @@ bool has_picture(const TypedOptions& typed);
 bool has_no_picture(const TypedOptions& typed);
 bool has_binary_output(const TypedOptions& typed);
 bool has_no_header(const TypedOptions& typed);
+/// The rows of the output are poses.
+bool has_poses(const TypedOptions& typed);
 /// The format has no delimiter, or its own.
 bool has_fixed_delimiter(const TypedOptions& typed);
 bool has_no_provenance(const TypedOptions& typed);

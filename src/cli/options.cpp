@@ -148,7 +148,8 @@ constexpr OptionRow option_rows[] = {
      }},
 
     {option::input_format, "-i", "FORMAT", input_group,
-     "The format of the input: @NAMES@ (ssv: separated by whitespace). By default it follows from the ending of the "
+     "The format of the input: @NAMES@ (ssv: separated by whitespace; tum, euroc and kitti: lines of poses). By "
+     "default it follows from the ending of the "
      "file; without a known ending, text that begins with [ or { is JSON, and any other text is delimited",
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); },
      [](const Conflicts& of) {
@@ -558,7 +559,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.files.outputs.file = text; },
      [](const Conflicts& of) { of.exclude({option::output_dir}); }},
     {option::output_format, "-f", "FORMAT", output_group,
-     "The format of the output: @NAMES@ (npy: an array for NumPy, svg: a picture); by default the format of FILE's "
+     "The format of the output: @NAMES@ (tum, euroc and kitti: lines of poses, npy: an array for NumPy, svg: a "
+     "picture); by default the format of FILE's "
      "ending, or else csv",
      "", name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); },
      [](const Conflicts& of) {
@@ -570,6 +572,9 @@ constexpr OptionRow option_rows[] = {
        of.disable({option::hex}, ", which has no hexadecimal numbers", has_no_header);
        of.disable({option::no_output_header}, ", which has no line of names", has_no_header);
        of.disable({option::meta}, ", which has no comments", has_no_provenance);
+       of.disable({option::fields, option::emit, option::fit, option::rotation_output, option::time_format,
+                   option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
+                  ", whose rows are poses", has_poses);
      },
      output_format_names},
     {option::plot, "", "", output_group,

@@ -15,6 +15,7 @@
 #include "cli/values.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
+#include "schema/pose_formats.hpp"
 
 namespace tcb {
 namespace {
@@ -101,6 +102,10 @@ KeyOptions keys_of(const TypedOptions& typed) {
   KeyOptions keys = typed.keys;
   keys.input.columns.timeless = keys.rules.parameter.has_value();
   keys.input.keys.keeps_decimals = typed.has(option::exact_input);
+  if (has_poses(typed)) {
+    keys.input.rotation.shown = {.form = pose_format(typed.output.format).form};
+    keys.input.rotation.shown_by_format = true;
+  }
   if (typed.has(option::tcb) && keys.input.keys.tcb_scale == TcbScale::max3ds) {
     for (double* const value :
          {&keys.input.keys.tcb.tension, &keys.input.keys.tcb.continuity, &keys.input.keys.tcb.bias}) {
@@ -119,6 +124,10 @@ bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& cho
 
 /// The fields of rows.
 std::vector<std::size_t> fields_of(const TypedOptions& typed) {
+  if (has_poses(typed)) {
+    const bool has_times = pose_format(typed.output.format).unit.has_value();
+    return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
+  }
   std::vector<std::size_t> chosen = typed.output.fields;
   if (typed.form) chosen.insert(chosen.begin(), {field_of("start"), field_of("duration"), *typed.form});
   return chosen.empty() ? field_list(std::string(row_of(option::fields).default_value)) : chosen;

@@ -9,8 +9,12 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <exception>
+#include <limits>
 
+#include "tcb/spline/rotation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/scalar.hpp"
 #include "tcb/spline/segment.hpp"
 
@@ -27,7 +31,9 @@ class Ball {
  public:
   Ball() = default;
   Ball(double value) : middle_(value) {}  // NOLINT(google-explicit-constructor): a double converts
-  explicit Ball(int value) : middle_(value) {}
+  /// Requires: |value| < 2^53.
+  template <std::integral Integer>
+  explicit Ball(Integer value) : middle_(static_cast<double>(value)) {}
   explicit Ball(const spline::DoubleDouble& middle, double radius = 0) : middle_(middle), radius_(radius) {}
 
   const spline::DoubleDouble& middle() const { return middle_; }
@@ -63,6 +69,51 @@ class Ball {
     return checked(quotient, up(spread + error));
   }
   Ball& operator+=(const Ball& other) { return *this = *this + other; }
+  Ball& operator-=(const Ball& other) { return *this = *this - other; }
+  Ball& operator*=(const Ball& other) { return *this = *this * other; }
+  Ball& operator/=(const Ball& other) { return *this = *this / other; }
+
+  /// Requires: all numbers in the ball are at least 0. Throws: Undecided if some are not positive, unless all are 0.
+  friend Ball sqrt(const Ball& a) {
+    if (a.is_zero()) return {};
+    const double least_square = (1 - 0x1p-50) * a.middle_.hi - a.radius_;
+    if (!(least_square > 0)) throw Undecided();
+    const spline::DoubleDouble root = spline::sqrt(a.middle_);
+    const double spread =
+        a.radius_ == 0 ? 0 : a.radius_ / root.hi + least;  // a - b = (sqrt a + sqrt b)(sqrt a - sqrt b)
+    return checked(root, up(spread + 0x1p-98 * root.hi + least));
+  }
+
+  /// Throws: Undecided unless it is the same for all numbers in the ball.
+  friend Ball floor(const Ball& a) {
+    const double whole = std::floor(a.middle_.hi);
+    const Ball below = a.middle_.lo < 0 && whole == a.middle_.hi ? whole - 1 : whole;
+    if (!(a >= below && a < below + Ball(1.0))) throw Undecided();
+    return below;
+  }
+
+  friend Ball ldexp(const Ball& a, int exponent) {
+    const auto scaled = [&](double number) { return std::ldexp(number, exponent); };
+    return checked({scaled(a.middle_.hi), scaled(a.middle_.lo)}, scaled(a.radius_));
+  }
+  /// The exponent is that of the middle.
+  friend Ball frexp(const Ball& a, int* exponent) {
+    (void)std::frexp(a.middle_.hi, exponent);
+    return ldexp(a, -*exponent);
+  }
+  /// Either will do where they may be equal.
+  friend Ball rough_max(const Ball& a, const Ball& b) { return a.middle_ < b.middle_ ? b : a; }
+
+  /// The whole number that a ball is.
+  explicit operator int() const { return static_cast<int>(middle_.hi); }
+
+  /// The same ball with a larger radius. Requires: error >= 0.
+  Ball widened(double error) const { return checked(middle_, up(radius_ + error)); }
+
+  bool may_be_zero() const { return (1 - 0x1p-50) * std::abs(middle_.hi) <= radius_; }
+
+  /// No number in the ball is larger in size.
+  double most() const { return up(size() + radius_); }
 
   friend Ball abs(const Ball& a) { return a.middle_.hi < 0 ? -a : a; }
   friend Ball halved(const Ball& a) { return checked(halved(a.middle_), a.radius_ / 2 + (a.radius_ > 0 ? least : 0)); }
@@ -113,16 +164,51 @@ inline bool rounds_to_one_double(const Ball& ball) {
 
 }  // namespace tcb
 
+/// The precision of balls whose radius is only that of rounding.
+template <>
+class std::numeric_limits<tcb::Ball> {
+ public:
+  static constexpr bool is_specialized = true, is_exact = false, is_integer = false;
+  static constexpr int digits = 100, digits10 = 30;
+  static tcb::Ball epsilon() { return tcb::Ball(0x1p-99); }
+};
+
 namespace tcb::spline {
 
-/// Code that needs roots is not compiled for balls.
 template <>
-inline constexpr bool has_roots<Ball> = false;
+inline constexpr bool bounds_errors<Ball> = true;
 
 /// Either end will do where a ball does not tell which is nearer.
 template <>
 inline bool LocalParameter<Ball>::near_start() const {
   return u.middle().hi <= 0.5;
+}
+
+/// The ball carries its rounding errors already.
+template <>
+inline Ball compensated_cubic<Ball>(const Ball& base, const Ball& a, const Ball& b, const Ball&, const Ball& d,
+                                    const Ball& x) {
+  return base + x * (a + x * (b + x * d));
+}
+
+/// The eigenvector of its method is found by steps without a bound on the error.
+template <>
+inline Quaternion<Ball> nearest_rotation<Ball>(RotationNumbers<Ball>) {
+  throw Undecided();
+}
+
+/// Each term is that before times a factor (odd^2 - u^2) square / ((odd + 1) (odd + 2)) < 1/64, so that all that are
+/// left out are below 1/63 of the last one.
+inline Ball truncated_series(const Ball& sum, const Ball& last_term, const Ball&, const Ball&) {
+  return sum.widened(0x1p-5 * last_term.most());
+}
+/// The derivative of a factor is at most `change`, so that those of the terms that are left out are together at most
+/// 1/63 of that of the last one, and 1.1 `change` of the last one.
+inline Dual<Ball> truncated_series(const Dual<Ball>& sum, const Dual<Ball>& last_term, const Dual<Ball>& u,
+                                   const Dual<Ball>& square) {
+  const double change = square.slope.most() + 0x1p-5 * u.value.most() * u.slope.most();
+  return {truncated_series(sum.value, last_term.value, u.value, square.value),
+          sum.slope.widened(0x1p-5 * last_term.slope.most() + 1.2 * change * last_term.value.most())};
 }
 
 }  // namespace tcb::spline

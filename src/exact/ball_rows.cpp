@@ -10,28 +10,22 @@
 #include <utility>
 
 #include "exact/ball.hpp"
+#include "exact/ball_angle.hpp"
+#include "exact/ball_length.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "tcb/spline/curve_keys.hpp"
-#include "tcb/spline/derivatives.hpp"
 
 namespace tcb {
-namespace {
 
-/// The fields that balls compute.
-enum class BallField { time, position, velocity, acceleration, jerk, segment, u, key };
-struct BallFieldName {
-  std::string_view name;
-  BallField field;
+/// What the cells of a row have in common.
+struct BallCells {
+  std::vector<std::optional<Printed>>& cells;
+  const Notation& notation;
+  const RowsOfCurve& curve;
+  const FastRow& row;
 };
-constexpr std::array ball_fields{BallFieldName{"time", BallField::time},
-                                 BallFieldName{"position", BallField::position},
-                                 BallFieldName{"velocity", BallField::velocity},
-                                 BallFieldName{"acceleration", BallField::acceleration},
-                                 BallFieldName{"jerk", BallField::jerk},
-                                 BallFieldName{"segment", BallField::segment},
-                                 BallFieldName{"u", BallField::u},
-                                 BallFieldName{"key", BallField::key}};
+
+namespace {
 
 /// A ball around a rational: the nearest double and the double nearest to the rest are within 2^-105 of it. The product
 /// with 1 refuses what is out of range.
@@ -44,9 +38,6 @@ Ball ball_of(const Rational& value) {
   const spline::DoubleDouble middle = spline::DoubleDouble::normalized(high, low);
   return Ball(middle, Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high)) * Ball(1.0);
 }
-
-/// A ball around a time, which is a double or the sum of two.
-Ball ball_of(const Time& time) { return Ball(spline::DoubleDouble(time.hi, time.lo)); }
 
 /// Times that are whole numbers from here on have all their digits.
 constexpr double whole_times_from = 0x1p53;
@@ -106,172 +97,153 @@ std::optional<std::string> decimal_text(const Ball& number, const Notation& nota
   return digits_text(std::to_string(*whole), exponent, notation.count, negative);
 }
 
-/// The keys of a curve as balls.
-spline::Keys<Ball> ball_keys(const ExactCurve& exact) {
-  const auto ball = [](const Rational& value) { return ball_of(value); };
-  spline::Keys<Ball> keys;
-  keys.channels = exact.keys.channels;
-  keys.given = exact.keys.given;
-  keys.missing = exact.keys.missing;
-  std::ranges::transform(exact.keys.times, std::back_inserter(keys.times), ball);
-  std::ranges::transform(exact.keys.positions, std::back_inserter(keys.positions), ball);
-  for (const auto& [tension, continuity, bias] : exact.keys.tcbs) {
-    keys.tcbs.push_back({ball(tension), ball(continuity), ball(bias)});
-  }
-  for (const auto& [in, out] : exact.keys.eases) keys.eases.push_back({ball(in), ball(out)});
-  for (const auto& [in, out] : exact.keys.velocities) keys.velocities.push_back({ball(in), ball(out)});
-  return keys;
+bool has_text(const Notation& notation) {
+  return notation.kind == Notation::Kind::digits || notation.kind == Notation::Kind::fixed;
 }
 
-using Cells = std::vector<std::optional<Printed>>;
+Printed time_cell(const BallCells& of) {
+  const auto& [cells, notation, curve, row] = of;
+  const Time& shown = row.sample.t;
+  const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
+  const bool is_shown = !row.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
+  if (is_shown && !has_text(notation)) return {shown};
+  if (is_shown && std::abs(shown.hi) < whole_times_from) {
+    if (auto text = decimal_text(Ball(shown.hi), notation)) return {shown, *std::move(text)};
+  }
+  const Rounding rounding(notation, CellKind::time, row.segment.decimals);
+  if (row.time) return rounding.exactly({*row.time});
+  return rounding.exactly(
+      {shown.lo == 0 ? exact_number(shown, curve.exact.decimal, curve.exact.channels.frames) : exact_time(shown)});
+}
+
+std::optional<Printed> number_cell(const Ball& number, const Notation& notation, CellKind kind, int decimals) {
+  const bool is_plain = kind == CellKind::real || kind == CellKind::whole;
+  if (kind == CellKind::whole || (is_plain && !has_text(notation))) {
+    return rounds_to_one_double(number) ? std::optional(Printed{Cell(number.middle().hi)}) : std::nullopt;
+  }
+  if (is_plain && rounds_to_one_double(number)) {
+    if (auto text = decimal_text(number, notation)) return Printed{Cell(number.middle().hi), *std::move(text)};
+  }
+  const Rational middle = Rational(number.middle().hi) + Rational(number.middle().lo), radius(number.radius());
+  return Rounding(notation, kind, decimals).within(middle - radius, middle + radius);
+}
+
+}  // namespace
+
+template <>
+Ball scalar_of<Ball>(const Rational& value) {
+  return ball_of(value);
+}
+
+/// Throws: Undecided unless all numbers in the ball are printed as one double.
+template <>
+double printed_length<Ball>(const Ball& length) {
+  if (!rounds_to_one_double(length)) throw Undecided();
+  return length.middle().hi;
+}
+
+/// The power of a distance, from its exact square.
+template <>
+struct DistancePower<Ball> {
+  explicit DistancePower(const Rational&) {}
+  void add_square(const Rational& a, const Rational& b) { sum_ += (b - a) * (b - a); }
+  Ball power(double exponent) const {
+    const double bits = std::ldexp(exponent, 62);  // all of them are used
+    if (exponent > 16 || bits != std::floor(bits)) throw Undecided();
+    return spline::power_by_roots(sqrt(ball_of(sum_)), exponent);
+  }
+
+ private:
+  Rational sum_ = 0;
+};
+
+/// Collects the cells of a point in balls.
+template <>
+class CellWriter<Ball> {
+ public:
+  CellWriter(BallCells& row, CellKind kind) : row_(row), kind_(kind) {}
+
+  void add(const Ball& value) {
+    row_.cells.push_back(number_cell(value, row_.notation, kind_, row_.row.segment.decimals));
+  }
+  void add(const Quantity<Ball>& value) {
+    if (value.defined) return add(value.value);
+    row_.cells.push_back(Printed{empty_cell});
+  }
+  void add_of_channel(const Ball& value, std::size_t channel, bool moves) {
+    const ChannelFacts& facts = row_.curve.facts;
+    const bool is_constant = moves ? facts.constant[channel] : facts.zero[channel];
+    add(is_constant && value.may_be_zero() ? Ball() : value);
+  }
+
+ private:
+  BallCells& row_;
+  const CellKind kind_;
+};
+
+namespace {
 
 class Rows final : public BallRows {
  public:
-  Rows(const RowsOfCurve& rows, std::vector<BallField> fields)
-      : exact_(rows.exact),
-        fields_(std::move(fields)),
-        curve_(ball_keys(exact_), spline::converted<Ball>(exact_.rules, [](const Rational& x) { return ball_of(x); }),
-               exact_.end ? std::optional(ball_of(*exact_.end)) : std::nullopt) {}
+  Rows(const RowsOfCurve& rows, std::vector<std::size_t> chosen)
+      : rows_(rows), measured_(needs_lengths(chosen)), point_(rows) {
+    for (const std::size_t index : chosen) {
+      const RowShape shape{rows.exact.keys.channels, rows.exact.channels.rotations};
+      const Field& field = fields()[index];
+      const bool is_row_time = field.kind == CellKind::time && field_writers<Ball>[index] == write_sample_time<Ball>;
+      fields_.push_back(
+          {is_row_time ? nullptr : field_writers<Ball>[index], field.kind, cells_in_row({&index, 1}, shape)});
+    }
+  }
 
-  bool set(const FastRow& row, const Notation& notation, Cells& cells) override {
+  bool set(const FastRow& row, const Notation& notation, std::vector<std::optional<Printed>>& cells) override {
     cells.clear();
     try {
-      if (!place(row)) return false;
-      for (const BallField field : fields_) append_field(field, row, notation, cells);
+      Point<Ball>& point = point_.place(row, measured_);
+      at_end_ = point_.key_at_end();
+      BallCells of{cells, notation, rows_, row};
+      for (const auto& field : fields_) append(field, point, of);
       return true;
     } catch (const Undecided&) {
       return false;
     }
   }
 
+  std::optional<bool> key_at_end() const override { return at_end_; }
+
  private:
-  /// Places a row on its segment; false for one beside it.
-  bool place(const FastRow& row) {
-    const Time& shown = row.sample.t;
-    const bool is_on_segment = shown >= row.segment.start && shown <= row.segment.end;
-    if (row.end != nullptr || !is_on_segment) return false;
-    set_segment(row.segment.number);
-    const Ball& start = segment_.times[0];
-    const Ball& end = segment_.times[1];
-    if (row.time) {
-      time_ = ball_of(*row.time);
-      if (time_ < start || time_ > end) return false;
-    } else if (exact_.decimal || exact_.channels.frames) {
-      time_ = ball_of(exact_number(shown, exact_.decimal, exact_.channels.frames));
-    } else {
-      time_ = ball_of(shown);
-    }
-    const bool is_key = !row.time && (shown == row.segment.start || shown == row.segment.end);
-    if (is_key) {
-      at_ = shown == row.segment.start ? spline::LocalParameter<Ball>{Ball(0.0), Ball(-1.0)}
-                                       : spline::LocalParameter<Ball>{Ball(1.0), Ball(0.0)};
-    } else {
-      at_ = spline::TimeMap<Ball>(start, end, segment_.warp(0))(time_);
-    }
-    has_derivatives_ = false;
-    return true;
-  }
+  struct FieldCells {
+    decltype(FieldOf<Ball>::write) write;  ///< null: the time of the row
+    CellKind kind;
+    std::size_t size;
+  };
 
-  void set_segment(std::size_t number) {
-    if (number_ == number) return;
-    number_.reset();
-    segment_ = curve_.segments(number, number + 1);
-    number_ = number;
-  }
-
-  void append_field(BallField field, const FastRow& row, const Notation& notation, Cells& cells) {
-    const bool at_start = at_.u.is_zero(), at_end = at_.w.is_zero();
-    switch (field) {
-      case BallField::time: cells.push_back(time_cell(row, notation)); break;
-      case BallField::segment: cells.push_back(Printed{Cell(static_cast<double>(row.segment.number))}); break;
-      case BallField::key:
-        cells.push_back(at_start ? Printed{Cell(static_cast<double>(row.segment.number))}
-                        : at_end ? Printed{Cell(static_cast<double>(end_key(row)))}
-                                 : Printed{empty_cell});
-        break;
-      case BallField::u: cells.push_back(number_cell(at_start || at_end ? at_.u : u(), notation)); break;
-      case BallField::position:
-        for (const spline::Cubic<Ball>& cubic : segment_[0]) {
-          cells.push_back(number_cell(spline::position(cubic, at_), notation));
-        }
-        break;
-      default:
-        for (const Ball& number : derivatives(field)) cells.push_back(number_cell(number, notation));
+  void append(const FieldCells& field, Point<Ball>& point, BallCells& of) const {
+    const std::size_t first = of.cells.size();
+    if (field.write == nullptr && !rows_.arc) {
+      of.cells.emplace_back(time_cell(of));
+      return;
+    }
+    try {
+      (field.write == nullptr ? write_sample_time<Ball> : field.write)(point, CellWriter<Ball>(of, field.kind));
+    } catch (const Undecided&) {
+      of.cells.resize(first);
+      of.cells.resize(first + field.size);
     }
   }
 
-  std::size_t end_key(const FastRow& row) const {
-    const bool closes = row.segment.number + 1 == curve_.size() && curve_.is_closed();
-    return closes ? 0 : row.segment.number + 1;
-  }
-
-  Ball u() const { return (time_ - segment_.times[0]) / (segment_.times[1] - segment_.times[0]); }
-
-  const std::vector<Ball>& derivatives(BallField field) {
-    if (!std::exchange(has_derivatives_, true)) {
-      const bool at_key = at_.u.is_zero() || at_.w.is_zero();
-      spline::set_derivatives<Ball>(derivatives_, segment_[0], at_, segment_.warp(0), at_key ? at_.u : u(),
-                                    segment_.times[1] - segment_.times[0]);
-    }
-    return field == BallField::velocity       ? derivatives_.velocity
-           : field == BallField::acceleration ? derivatives_.acceleration
-                                              : derivatives_.jerk;
-  }
-
-  static bool has_text(const Notation& notation) {
-    return notation.kind == Notation::Kind::digits || notation.kind == Notation::Kind::fixed;
-  }
-
-  Printed time_cell(const FastRow& row, const Notation& notation) const {
-    const Time& shown = row.sample.t;
-    const bool is_shown =
-        !row.time && shown.lo == 0 && row.segment.decimals == 0 && !exact_.decimal && !exact_.channels.frames;
-    if (is_shown && !has_text(notation)) return {shown};
-    if (is_shown && std::abs(shown.hi) < whole_times_from) {
-      if (auto text = decimal_text(Ball(shown.hi), notation)) return {shown, *std::move(text)};
-    }
-    const Rounding rounding(notation, CellKind::time, row.segment.decimals);
-    if (row.time) return rounding.exactly({*row.time});
-    return rounding.exactly(
-        {shown.lo == 0 ? exact_number(shown, exact_.decimal, exact_.channels.frames) : exact_time(shown)});
-  }
-
-  static std::optional<Printed> number_cell(const Ball& number, const Notation& notation) {
-    if (!has_text(notation)) {
-      return rounds_to_one_double(number) ? std::optional(Printed{Cell(number.middle().hi)}) : std::nullopt;
-    }
-    if (rounds_to_one_double(number)) {
-      if (auto text = decimal_text(number, notation)) return Printed{Cell(number.middle().hi), *std::move(text)};
-    }
-    const Rational middle = Rational(number.middle().hi) + Rational(number.middle().lo), radius(number.radius());
-    return Rounding(notation, CellKind::real).within(middle - radius, middle + radius);
-  }
-
-  const ExactCurve& exact_;
-  const std::vector<BallField> fields_;
-  const spline::CurveKeys<Ball> curve_;
-  std::optional<std::size_t> number_;  ///< of the current segment
-  spline::Segments<Ball> segment_;
-  Ball time_;
-  spline::LocalParameter<Ball> at_;
-  spline::Derivatives<Ball> derivatives_;
-  bool has_derivatives_ = false;
+  const RowsOfCurve& rows_;
+  const bool measured_;
+  std::vector<FieldCells> fields_;
+  RowPoint<Ball> point_;
+  std::optional<bool> at_end_;
 };
 
 }  // namespace
 
-std::unique_ptr<BallRows> BallRows::of(const RowsOfCurve& rows, std::span<const std::size_t> chosen) {
-  const ExactCurve& exact = rows.exact;
-  const bool is_plain = exact.is_rational() && exact.rules.rotations.empty() && exact.rules.angles.empty();
-  if (rows.arc || !is_plain) return nullptr;
-  std::vector<BallField> ball;
-  for (const std::size_t index : chosen) {
-    const auto* const known = std::ranges::find(ball_fields, fields()[index].name, &BallFieldName::name);
-    if (known == ball_fields.end()) return nullptr;
-    ball.push_back(known->field);
-  }
+std::unique_ptr<BallRows> BallRows::of(const RowsOfCurve& rows, std::vector<std::size_t> chosen) {
   try {
-    return std::make_unique<Rows>(rows, std::move(ball));
+    return std::make_unique<Rows>(rows, std::move(chosen));
   } catch (const Undecided&) {
     return nullptr;
   }

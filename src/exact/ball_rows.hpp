@@ -13,14 +13,16 @@ namespace tcb {
 
 class BallRows {
  public:
-  /// Nothing for curves with rotations, angles, equal speeds, or times made from distances, for rows by length, and for
-  /// other fields than the time, the position and its derivatives, and the place on the curve.
-  static std::unique_ptr<BallRows> of(const RowsOfCurve& rows, std::span<const std::size_t> chosen);
+  /// Nothing for a curve that balls cannot hold. `chosen`: the fields of all rows.
+  static std::unique_ptr<BallRows> of(const RowsOfCurve& rows, std::vector<std::size_t> chosen);
   virtual ~BallRows() = default;
 
   /// Sets the cells of a row; nothing for a cell that its ball does not decide. False if the place of the row is not
-  /// decided, or not on its segment.
+  /// decided.
   virtual bool set(const FastRow& row, const Notation& notation, std::vector<std::optional<Printed>>& cells) = 0;
+
+  /// Whether the last row was at the key at its segment's end, or at its start; nothing if it was at none.
+  virtual std::optional<bool> key_at_end() const = 0;
 };
 
 }  // namespace tcb

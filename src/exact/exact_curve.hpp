@@ -48,7 +48,7 @@ void convert_rotation(const ExactRotation& exact, spline::Keys<S>& keys) {
   spline::Quaternion<S> before{S(0), S(0), S(0), S(1)};
   for (std::size_t key = 0; key < exact.numbers.size(); ++key) {
     spline::RotationNumbers<S> numbers;
-    std::ranges::transform(exact.numbers[key], numbers.begin(), scalar_of<S>);
+    std::ranges::transform(exact.numbers[key], numbers.begin(), [](const Rational& x) { return scalar_of<S>(x); });
     spline::Quaternion<S> q = spline::quaternion_from(numbers, notation);
     if (relative) {
       const std::size_t own = key % keys.size();  // the turn to a key that repeats the first one is the first one's

@@ -94,7 +94,8 @@ ChannelFacts channel_facts(const ExactCurve& exact) {
   for (std::size_t i = 0; i < exact.keys.positions.size(); ++i) {
     const std::size_t channel = i % channels;
     const Rational distance = abs(exact.keys.positions[i] - exact.keys.positions[channel]);
-    if (facts.extent < distance) facts.extent = distance;
+    const bool is_rotation = spline::is_in_rotation(exact.rules.rotations, channel);
+    if (facts.extent < distance && !is_rotation) facts.extent = distance;
     if (distance != 0) facts.constant[channel] = false;
     if (exact.keys.positions[i] != 0) facts.zero[channel] = false;
   }

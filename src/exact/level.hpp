@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "exact/exact_curve.hpp"
@@ -79,20 +81,33 @@ class AnyLevel {
   virtual std::optional<bool> key_at_end() const = 0;
 };
 
+/// Whether fields need the length up to a point.
+inline bool needs_lengths(std::span<const std::size_t> chosen) {
+  return std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
+}
+
 /// The level of one scalar. Each scalar has an object of its own, made of level.cpp.in: they take long to compile.
 template <class S>
 std::unique_ptr<AnyLevel> make_level(const RowsOfCurve& rows);
 
+/// The double that a length is printed as.
 template <class S>
-class Level final : public AnyLevel {
+double printed_length(const S& length) {
+  return nearest_double(rational_of(length));
+}
+
+/// The point of one row after another at a scalar.
+template <class S>
+class RowPoint {
  public:
-  explicit Level(const RowsOfCurve& rows)
+  explicit RowPoint(const RowsOfCurve& rows)
       : rows_(rows), curve_(curve_at<S>(rows.exact)), point_(PathShape<S>(scalar_of<S>(rows.facts.extent))) {
     for (const Rational& cycle : rows.facts.cycle) cycle_.push_back(scalar_of<S>(cycle));
     if constexpr (spline::has_roots<S>) set_turns();
   }
 
-  std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) override {
+  /// Requires: as AnyLevel::values(). `measured`: lengths of the point are needed.
+  Point<S>& place(const FastRow& row, bool measured) {
     outside_.reset();
     if (!rows_.arc) {
       place_by_time(row);
@@ -102,19 +117,14 @@ class Level final : public AnyLevel {
       segment_ = segment(row.segment.number);
       sample_ = sample_at_key(segment_, *row.key_at_end);
     }
-    const bool measured = std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
     point_.set(segment_, measured && !sample_.s ? measured_arc() : nullptr);
     point_.set(sample_, outside_ ? &*outside_ : nullptr);
     if (row.end != nullptr) end_ = row.end_time ? sample_at(*row.end_time) : sample_at(row.segment, row.end->t);
     point_.set_end(&end_);
-    std::vector<Value> result;
-    for (const std::size_t field : chosen) {
-      field_writers<S>[field](point_, CellWriter<S>(result, rows_.facts));
-    }
-    return result;
+    return point_;
   }
 
-  std::optional<bool> key_at_end() const override {
+  std::optional<bool> key_at_end() const {
     if (sample_.at.u == S(0)) return false;
     return sample_.at.w == S(0) ? std::optional(true) : std::nullopt;
   }
@@ -132,7 +142,30 @@ class Level final : public AnyLevel {
     constexpr std::size_t most_kept = 64, most_cubics = 4096;  // a cubic may take a kilobyte
     if (const auto found = known_.find(number); found != known_.end()) return found->second;
     if (known_.size() == most_kept || known_.size() * rows_.exact.keys.channels >= most_cubics) known_.clear();
-    return known_.emplace(number, Known{curve_->segments(number, number + 1), {}}).first->second;
+    spline::Segments<S> segments = curve_->segments(number, number + 1);
+    if constexpr (spline::bounds_errors<S>) set_zeros(segments, number);
+    return known_.emplace(number, Known{std::move(segments), {}}).first->second;
+  }
+
+  /// Sets coefficients to 0 that are exactly 0, which bounds alone do not show.
+  void set_zeros(spline::Segments<S>& segments, std::size_t number) {
+    constexpr std::array coefficients{&spline::Cubic<S>::out, &spline::Cubic<S>::c, &spline::Cubic<S>::in,
+                                      &spline::Cubic<S>::e, &spline::Cubic<S>::d};
+    constexpr std::array exact_coefficients{&spline::Cubic<Rational>::out, &spline::Cubic<Rational>::c,
+                                            &spline::Cubic<Rational>::in, &spline::Cubic<Rational>::e,
+                                            &spline::Cubic<Rational>::d};
+    const auto may_be_zero = [&](const spline::Cubic<S>& cubic) {
+      return std::ranges::any_of(coefficients, [&](auto one) { return (cubic.*one).may_be_zero(); });
+    };
+    const bool is_rational = rows_.exact.is_rational() && rows_.exact.rules.rotations.empty();
+    if (!is_rational || std::ranges::none_of(segments.cubics, may_be_zero)) return;
+    if (exact_curve_ == nullptr) exact_curve_ = curve_at<Rational>(rows_.exact);
+    const spline::Segments<Rational> exact = exact_curve_->segments(number, number + 1);
+    for (std::size_t i = 0; i < exact.cubics.size(); ++i) {
+      for (std::size_t one = 0; one < coefficients.size(); ++one) {
+        if (exact.cubics[i].*exact_coefficients[one] == 0) segments.cubics[i].*coefficients[one] = S(0);
+      }
+    }
   }
 
   const spline::SegmentLength<S>& arc(std::size_t number) {
@@ -201,7 +234,6 @@ class Level final : public AnyLevel {
   /// The fast path may have a row at a key, or next to one where rounding decides: a length that is printed as that of
   /// a key is the key's. Lengths are computed only as far as they are needed.
   void place_by_length(const FastRow& row) {
-    const auto printed = [](const S& length) { return nearest_double(rational_of(length)); };
     segment_ = segment(row.segment.number);
     segment_.s_start = length_to(segment_.number);
     if (row.number == SpecialRow::at_key) return place_at_key(false, segment_.s_start);
@@ -210,16 +242,17 @@ class Level final : public AnyLevel {
       return place_at_key(true, segment_.s_end);
     }
     const S s = arc_length(row.number);
-    const double shown = printed(s);
-    if (shown <= printed(segment_.s_start)) return place_at_key(false, segment_.s_start);
+    const double shown = printed_length(s);
+    if (shown <= printed_length(segment_.s_start)) return place_at_key(false, segment_.s_start);
     segment_.s_end = length_to(segment_.number + 1);
-    if (shown >= printed(segment_.s_end)) return place_at_key(true, segment_.s_end);
+    if (shown >= printed_length(segment_.s_end)) return place_at_key(true, segment_.s_end);
     spline::LocalParameter<S> at;
     arc(segment_.number).places(segment_.s_start, segment_.s_end, {&s, 1}, {&at, 1});
     sample_ = {time_at(segment_, S(segment_.end - segment_.start), at), at, s};
   }
 
   S time(const Time& shown) const {
+    if (!rows_.exact.decimal && !rows_.exact.channels.frames && shown.lo == 0) return S(shown.hi);
     return scalar_of<S>(exact_number(shown, rows_.exact.decimal, rows_.exact.channels.frames));
   }
 
@@ -231,8 +264,19 @@ class Level final : public AnyLevel {
   }
 
   SampleOf<S> sample_at(const Rational& exact) const {
+    if (const auto end = key_at(exact)) return sample_at_key(segment_, *end);
     const S t = scalar_of<S>(exact);
     return {t, segment_.time_map()(t)};
+  }
+
+  /// Whether a time is that of the key at the end of the current segment, or at its start; nothing for others.
+  std::optional<bool> key_at(const Rational& exact) const {
+    const ExactCurve& curve = rows_.exact;
+    const std::size_t next = segment_.number + 1;
+    if (curve.exponent) return std::nullopt;
+    if (exact == curve.keys.times[segment_.number]) return false;
+    const bool is_end = next < curve.keys.size() ? exact == curve.keys.times[next] : curve.end == exact;
+    return is_end ? std::optional(true) : std::nullopt;
   }
 
   /// A row whose exact time is known may lie beside the segment on which its rounded time is.
@@ -240,8 +284,8 @@ class Level final : public AnyLevel {
     const Time& shown = row.sample.t;
     const S t = row.time ? scalar_of<S>(*row.time) : time(shown);
     segment_ = segment(row.segment.number);
-    const bool is_on_segment =
-        row.time ? t >= segment_.start && t <= segment_.end : shown >= row.segment.start && shown <= row.segment.end;
+    const bool is_on_segment = row.time ? key_at(*row.time) || (t >= segment_.start && t <= segment_.end)
+                                        : shown >= row.segment.start && shown <= row.segment.end;
     if (is_on_segment) {
       sample_ = row.time ? sample_at(*row.time) : sample_at(row.segment, shown);
     } else {
@@ -255,6 +299,7 @@ class Level final : public AnyLevel {
 
   const RowsOfCurve& rows_;
   std::unique_ptr<const spline::CurveKeys<S>> curve_;
+  std::unique_ptr<const spline::CurveKeys<Rational>> exact_curve_;  ///< null until it is needed
   std::map<std::size_t, Known> known_;
   std::vector<S> lengths_;
   std::vector<S> cycle_;
@@ -263,6 +308,24 @@ class Level final : public AnyLevel {
   SampleOf<S> sample_, end_;
   std::optional<OutsideOf<S>> outside_;
   Point<S> point_;
+};
+
+template <class S>
+class Level final : public AnyLevel {
+ public:
+  explicit Level(const RowsOfCurve& rows) : rows_(rows), point_(rows) {}
+
+  std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) override {
+    Point<S>& point = point_.place(row, needs_lengths(chosen));
+    std::vector<Value> result;
+    for (const std::size_t field : chosen) field_writers<S>[field](point, CellWriter<S>(result, rows_.facts));
+    return result;
+  }
+  std::optional<bool> key_at_end() const override { return point_.key_at_end(); }
+
+ private:
+  const RowsOfCurve& rows_;
+  RowPoint<S> point_;
 };
 
 }  // namespace tcb

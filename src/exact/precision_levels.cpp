@@ -132,29 +132,17 @@ class ExactRows::Evaluation {
 
   void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
     times_.set(row);
-    if (!std::exchange(has_balls_, true)) balls_ = BallRows::of(rows_, chosen);
-    if (balls_ != nullptr && balls_->set(row, notation_, decided_) && complete(decided_, row, chosen)) {
-      for (std::optional<Printed>& cell : decided_) append(*std::move(cell), table);
-      return;
-    }
-    std::vector<Column> columns;
-    for (const std::size_t index : chosen) {
-      const Field& field = fields()[index];
-      const bool rational = rows_.exact.is_rational() && field.is_rational && rows_.exact.rules.rotations.empty();
-      columns.insert(columns.end(),
-                     cells_in_row({&index, 1}, {rows_.exact.keys.channels, rows_.exact.channels.rotations}),
-                     {field.kind, rational});
-    }
-    std::vector<Printed> cells;
-    try {
-      cells = cells_from(1, row, chosen, columns, float_values(0, row, chosen));
-    } catch (const std::range_error&) {
-      throw row_needs_more_digits(time_text(row.sample.t));
-    }
-    const auto overflows = [](const Printed& one) { return !is_empty(one.cell) && !std::isfinite(one.cell.hi); };
-    if (std::ranges::any_of(cells, overflows)) refuse_overflow(row.sample);
-    for (Printed& cell : cells) append(std::move(cell), table);
+    if (!std::exchange(has_balls_, true)) balls_ = BallRows::of(rows_, {chosen.begin(), chosen.end()});
+    const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
+    if (!is_placed) cells_.assign(width(chosen), std::nullopt);
+    counts_.by_bounds += cells_.size();
+    if (!std::ranges::all_of(cells_, &std::optional<Printed>::has_value)) complete(row, chosen, is_placed);
+    const auto overflows = [](const auto& one) { return !is_empty(one->cell) && !std::isfinite(one->cell.hi); };
+    if (std::ranges::any_of(cells_, overflows)) refuse_overflow(row.sample);
+    for (std::optional<Printed>& cell : cells_) append(*std::move(cell), table);
   }
+
+  const LevelCounts& counts() const { return counts_; }
 
  private:
   /// A column of the current row; if it is rational, or the root of a rational, it can be computed as that where the
@@ -169,23 +157,62 @@ class ExactRows::Evaluation {
     if (has_texts()) table.texts.push_back(std::move(printed.text));
   }
 
-  /// Sets the cells that balls leave open, which are nearly always halfway between two roundings, by rationals.
-  /// Returns whether that is possible.
-  bool complete(std::vector<std::optional<Printed>>& cells, const FastRow& row, std::span<const std::size_t> chosen) {
+  std::size_t width(std::span<const std::size_t> chosen) const {
+    return cells_in_row(chosen, {rows_.exact.keys.channels, rows_.exact.channels.rotations});
+  }
+
+  bool is_rational(std::size_t field) const {
+    return rows_.exact.is_rational() && fields()[field].is_rational && rows_.exact.rules.rotations.empty();
+  }
+
+  /// Sets the cells that balls leave open. They are nearly always halfway between two roundings, or 0, and are computed
+  /// as rationals where they are rational; others in floats.
+  void complete(const FastRow& row, std::span<const std::size_t> chosen, bool is_placed) {
     const auto is_open = [](const std::optional<Printed>& cell) { return !cell.has_value(); };
+    const std::optional<bool> key_at_end = rows_.arc && is_placed ? balls_->key_at_end() : std::nullopt;
+    const bool has_rational_place = !rows_.arc || key_at_end;
+    std::vector<std::size_t> rational, others;
+    for_each_field(chosen, [&](std::size_t index, std::span<std::optional<Printed>> cells) {
+      if (std::ranges::none_of(cells, is_open)) return;
+      (has_rational_place && is_rational(index) ? rational : others).push_back(index);
+    });
+    std::vector<Value> exact;
+    if (!rational.empty()) exact = rational_values(row, rational, key_at_end);
+    std::vector<Printed> by_floats;
+    if (!others.empty()) by_floats = float_cells(row, others);
+    counts_.by_bounds -= exact.size() + by_floats.size();
+    counts_.exactly += exact.size();
+    auto next_exact = exact.begin();
+    auto next_float = by_floats.begin();
+    for_each_field(chosen, [&](std::size_t index, std::span<std::optional<Printed>> cells) {
+      if (std::ranges::none_of(cells, is_open)) return;
+      const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
+      const bool is_exact = has_rational_place && is_rational(index);
+      for (std::optional<Printed>& cell : cells) cell = is_exact ? rounding.exactly(*next_exact++) : *next_float++;
+    });
+  }
+
+  /// Calls a function with each field and its cells of the current row.
+  template <class F>
+  void for_each_field(std::span<const std::size_t> chosen, F f) {
     std::size_t first = 0;
     for (const std::size_t& index : chosen) {
-      const std::size_t size = cells_in_row({&index, 1}, {rows_.exact.keys.channels, rows_.exact.channels.rotations});
-      const std::span of_field = std::span(cells).subspan(std::exchange(first, first + size), size);
-      if (std::ranges::none_of(of_field, is_open)) continue;
-      if (!fields()[index].is_rational) return false;
-      const std::vector<Value> exact = rational_values(row, {&index, 1}, std::nullopt);
-      const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
-      for (std::size_t i = 0; i < size; ++i) {
-        if (is_open(of_field[i])) of_field[i] = rounding.exactly(exact[i]);
-      }
+      const std::size_t size = width({&index, 1});
+      f(index, std::span(cells_).subspan(std::exchange(first, first + size), size));
     }
-    return true;
+  }
+
+  /// The cells of some fields of a row by floats, or by rationals where floats leave them in doubt.
+  std::vector<Printed> float_cells(const FastRow& row, std::span<const std::size_t> chosen) {
+    std::vector<Column> columns;
+    for (const std::size_t& index : chosen) {
+      columns.insert(columns.end(), width({&index, 1}), {fields()[index].kind, is_rational(index)});
+    }
+    try {
+      return cells_from(1, row, chosen, columns, float_values(0, row, chosen));
+    } catch (const std::range_error&) {
+      throw row_needs_more_digits(time_text(row.sample.t));
+    }
   }
 
   bool has_texts() const {
@@ -215,29 +242,35 @@ class ExactRows::Evaluation {
     const bool place_is_rational = !rows_.arc || key_at_end;
     std::vector<Value> exact;
     std::vector<Printed> cells;
+    LevelCounts counts;
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const Rounding rounding(notation_, columns[i].kind, row.segment.decimals);
       const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && (row.time || row.sample.t.lo != 0);
+      ++(is_known ? counts.exactly : counts.by_floats);
       auto cell = is_known ? rounding.exactly({row.time ? *row.time : exact_time(row.sample.t)})
                            : rounding.between(rough[i], fine[i], digits);
       if (!cell && columns[i].rational && place_is_rational) {
         if (exact.empty()) exact = rational_values(row, chosen, key_at_end);
         cell = rounding.exactly(exact[i]);
+        --counts.by_floats;
+        ++counts.exactly;
       } else if (!cell) {
         if (!last) return cells_from(level + 1, row, chosen, columns, fine);
         cell = rounding.at_last(rough[i], fine[i], digits);
       }
       cells.push_back(std::move(*cell));
     }
+    counts_ += counts;
     return cells;
   }
 
   const RowsOfCurve& rows_;
   const ExactTimes& times_;
   const Notation& notation_;
-  std::unique_ptr<BallRows> balls_;              ///< null: the curve or the fields are not for balls
-  bool has_balls_ = false;                       ///< balls_ is set
-  std::vector<std::optional<Printed>> decided_;  ///< cells of the current row
+  std::unique_ptr<BallRows> balls_;            ///< null: the curve is not for balls
+  bool has_balls_ = false;                     ///< balls_ is set
+  std::vector<std::optional<Printed>> cells_;  ///< of the current row; nothing where they are not decided yet
+  LevelCounts counts_;
   std::unique_ptr<AnyLevel> rational_;
   std::array<std::unique_ptr<AnyLevel>, float_levels.size()> floats_;
 };
@@ -258,6 +291,12 @@ std::unique_ptr<ExactRows::Evaluation> ExactRows::take() {
 void ExactRows::give_back(std::unique_ptr<Evaluation> evaluation) {
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(evaluation));
+}
+
+LevelCounts ExactRows::counts() const {
+  LevelCounts sum;
+  for (const std::unique_ptr<Evaluation>& evaluation : idle_) sum += evaluation->counts();
+  return sum;
 }
 
 Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {

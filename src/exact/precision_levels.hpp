@@ -1,13 +1,13 @@
 // Precision levels: every number of a row as exact arithmetic gives it, rounded once.
 //
-// The fast rows decide which rows there are, and on which segment each of them lies. Positions and derivatives of plain
-// curves are computed in balls of double-doubles, and where their bounds leave a choice of the rounding, in rationals.
-// Other numbers are computed in floats of more and more digits, until the values of two levels leave no choice. Where
-// the first two levels leave one, and the number is rational or the root of a rational, it is computed as that.
-// Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
+// The fast rows decide which rows there are, and on which segment each of them lies. The numbers are computed in balls
+// of double-doubles, and where their bounds leave a choice of the rounding, in rationals if they are rational or roots
+// of rationals. What remains is computed in floats of more and more digits, until the values of two levels leave no
+// choice. Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
 //   doi:10.1145/114697.116813.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -18,6 +18,19 @@
 #include "sample/rows.hpp"
 
 namespace tcb {
+
+/// How many numbers were rounded in which way. Only floats leave a doubt: they are compared with others of fewer
+/// digits.
+struct LevelCounts {
+  std::uint64_t by_bounds = 0, exactly = 0, by_floats = 0;
+
+  LevelCounts& operator+=(const LevelCounts& other) {
+    by_bounds += other.by_bounds;
+    exactly += other.exactly;
+    by_floats += other.by_floats;
+    return *this;
+  }
+};
 
 /// The correctly rounded rows of one curve.
 class ExactRows {
@@ -32,6 +45,9 @@ class ExactRows {
   /// own; of rows by length, whose lengths are kept for later ones, one. Throws: Error (data) for a number beyond the
   /// range of doubles, or one that needs more digits than there are.
   Table evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen);
+
+  /// Of all rows so far. Requires: none are being evaluated.
+  LevelCounts counts() const;
 
  private:
   struct Request;

@@ -112,13 +112,13 @@ class Verification {
 /// The keys of the parts between corners, joined.
 std::vector<CornerKey> joined_keys(const Recording& recording, double share, const FirstTimes& times,
                                    const std::vector<std::size_t>& corners, const std::vector<std::size_t>& fixed,
-                                   const SamplesDone& done) {
+                                   const FitRules& rules) {
   std::vector<CornerKey> keys;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const std::size_t first = corners[i - 1], last = corners[i];
     const auto own = fitting_keys(part_of(recording, first, last, share),
                                   {between(times.cubics, first, last), between(times.knots, first, last)},
-                                  between(fixed, first, last), done);
+                                  between(fixed, first, last), rules.done, rules.threads);
     for (const FitKey& key : own) {
       const bool is_corner = !keys.empty() && key.sample == 0;
       if (!is_corner) keys.push_back({first + key.sample, key.position, key.slope, key.slope});
@@ -242,7 +242,7 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   for (int attempt = 0; attempt < 12; ++attempt) {
     std::ranges::sort(fixed);
     fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-    const auto keys = joined_keys(recording, share, first_times, corners, fixed, rules.done);
+    const auto keys = joined_keys(recording, share, first_times, corners, fixed, rules);
     result.keys = numbered_keys(keys, recording, times, rules);
     std::vector<std::size_t> samples;
     std::ranges::transform(keys, std::back_inserter(samples), &CornerKey::sample);

@@ -20,6 +20,7 @@ struct FitRules {
   std::vector<std::size_t> fixed = {};  ///< samples that become keys, as do the first and the last one
   std::optional<double> corner = {};    ///< in degrees: where the samples turn by more, the curve may have a corner
   SamplesDone done = {};                ///< counts each sample about `fit_passes` times
+  unsigned threads = 1;                 ///< at most
 };
 
 /// The keys of a recording.

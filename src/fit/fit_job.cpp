@@ -87,7 +87,7 @@ class FitRun {
         progress_->add_rows((counted + number) / fit_passes - counted / fit_passes);
         counted += number;
       };
-      return rows_of(recording, fitted(recording, job_.options, done), job_.options);
+      return rows_of(recording, fitted(recording, job_.options, done, threads_), job_.options);
     };
     return ordered_map(std::move(recordings), keys_of, threads_);
   }

@@ -190,8 +190,9 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const Cur
   return samples;
 }
 
-FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done) {
-  const auto result = fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done});
+FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done, unsigned threads) {
+  const auto result =
+      fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done, threads});
   if (!result) throw no_fit_found();
   return *result;
 }

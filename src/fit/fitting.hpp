@@ -63,7 +63,7 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const Cur
                          const FitOptions& options);
 
 /// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.
-FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done = {});
+FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done = {}, unsigned threads = 1);
 
 /// The keys of samples as rows.
 FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options);

@@ -5,10 +5,14 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "fit/key_list.hpp"
+#include "stream/ordered_map.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 namespace {
@@ -32,16 +36,41 @@ std::vector<double> masses_of(std::span<const double> worst) {
 /// Removes keys that the tolerances do not need.
 class Thinning {
  public:
-  Thinning(const Recording& recording, std::vector<FitKey> keys, const std::vector<std::size_t>& fixed,
-           const SamplesDone& done)
-      : recording_(recording), keys_(std::move(keys)), fixed_(fixed), done_(done) {}
+  /// `fixed`: among them the first and the last key. `ends`: which of these keep their positions and slopes.
+  Thinning(const Recording& recording, std::vector<FitKey> keys, std::vector<std::size_t> fixed,
+           const SamplesDone& done, FixedEnds ends = {})
+      : recording_(recording),
+        keys_(std::move(keys)),
+        fixed_(std::move(fixed)),
+        done_(done),
+        ends_(ends),
+        counted_(keys_[0].sample) {}
 
   std::vector<FitKey> take() && { return std::move(keys_).take(); }
 
+  /// All steps, on the keys at samples [from, to].
+  void thin(std::size_t from, std::size_t to) {
+    remove_keys(from, to);
+    for (const std::size_t segments : std::array<std::size_t, 3>{4, 8, 16}) sweep(segments, from, to);
+    remove_keys(from, to);
+  }
+  void thin() { thin(keys_[0].sample, keys_[keys_.size() - 1].sample); }
+
+  /// All steps, on the keys near a sample.
+  void thin_around(std::size_t sample) {
+    constexpr std::size_t reach = 20;  // keys
+    const std::size_t key = keys_.at_sample(sample);
+    thin(keys_[key - std::min(reach, key)].sample, keys_[std::min(key + reach, keys_.size() - 1)].sample);
+  }
+
+ private:
+  static constexpr int most_moves = 3;
+
   /// Tries to remove each key, with its neighbours fitted again where they are.
-  void remove_keys() {
+  void remove_keys(std::size_t from, std::size_t to) {
     constexpr std::size_t reach = 3;
-    for (std::size_t key = 1; key + 1 < keys_.size();) {
+    for (std::size_t key = std::max<std::size_t>(keys_.at_sample(from), 1);
+         key + 1 < keys_.size() && keys_[key].sample <= to;) {
       const std::size_t first = key - std::min(reach, key), last = std::min(key + reach, keys_.size() - 1);
       const bool is_fixed = std::ranges::binary_search(fixed_, keys_[key].sample);
       if (is_fixed || !remove(first, key, last)) count_before(++key);
@@ -50,8 +79,8 @@ class Thinning {
   }
 
   /// Tries each window of so many segments with one less.
-  void sweep(std::size_t segments) {
-    for (std::size_t first = 0; first + 1 < keys_.size();) {
+  void sweep(std::size_t segments, std::size_t from, std::size_t to) {
+    for (std::size_t first = keys_.at_sample(from); first + 1 < keys_.size() && keys_[first].sample < to;) {
       const std::size_t last = std::min(first + segments, next_fixed(first));
       if (last - first > 1 && shorten(first, last)) continue;
       const bool at_fixed = last == next_fixed(first) && last - first <= segments;
@@ -62,9 +91,6 @@ class Thinning {
     end_pass();
   }
 
- private:
-  static constexpr int most_moves = 3;
-
   void count_before(std::size_t key) {
     const std::size_t sample = keys_[key].sample;
     if (done_ && sample > counted_) done_(sample - counted_);
@@ -72,7 +98,7 @@ class Thinning {
   }
   void end_pass() {
     count_before(keys_.size() - 1);
-    counted_ = 0;
+    counted_ = keys_[0].sample;
   }
 
   /// The first key after this one that has to stay.
@@ -80,7 +106,9 @@ class Thinning {
     return keys_.at_sample(*std::ranges::upper_bound(fixed_, keys_[key].sample));
   }
 
-  FixedEnds ends_of(std::size_t first, std::size_t last) const { return {first > 0, last + 1 < keys_.size()}; }
+  FixedEnds ends_of(std::size_t first, std::size_t last) const {
+    return {first > 0 || ends_.first, last + 1 < keys_.size() || ends_.last};
+  }
 
   /// Removes a key between two keys, if that is possible.
   bool remove(std::size_t first, std::size_t key, std::size_t last) {
@@ -117,9 +145,10 @@ class Thinning {
 
   const Recording& recording_;
   KeyList keys_;
-  const std::vector<std::size_t>& fixed_;
+  const std::vector<std::size_t> fixed_;
   const SamplesDone& done_;
-  std::size_t counted_ = 0;  ///< samples in this pass
+  const FixedEnds ends_;
+  std::size_t counted_;  ///< up to which sample this pass is counted
 };
 
 /// The samples of keys between fixed ones, half as many again as the longest cubics there, and evenly spread.
@@ -196,29 +225,73 @@ void divide_segments(const Recording& recording, std::vector<FitKey>& keys) {
   }
 }
 
+/// The keys between which the parts of a recording are thinned: about every so many samples, the first and the last
+/// one.
+std::vector<std::size_t> ends_of_parts(const std::vector<FitKey>& keys) {
+  constexpr std::size_t samples_of_part = 50'000;
+  std::vector<std::size_t> ends{0};
+  for (std::size_t key = 1; key + 1 < keys.size(); ++key) {
+    const bool is_far = keys[key].sample - keys[ends.back()].sample >= samples_of_part;
+    if (is_far && keys.back().sample - keys[key].sample >= samples_of_part / 2) ends.push_back(key);
+  }
+  ends.push_back(keys.size() - 1);
+  return ends;
+}
+
+/// The numbers from 0 to `count`, which is left out.
+Source<std::size_t> numbers_to(std::size_t count) {
+  return [count, next = std::size_t{0}]() mutable { return next < count ? std::optional(next++) : std::nullopt; };
+}
+
 /// Removes keys, and moves the others, until no more are found that the tolerances do not need.
-std::vector<FitKey> thinned(const Recording& recording, std::vector<FitKey> keys, const std::vector<std::size_t>& fixed,
-                            const SamplesDone& done) {
-  Thinning thinning(recording, std::move(keys), fixed, done);
-  thinning.remove_keys();
-  for (const std::size_t segments : std::array<std::size_t, 3>{4, 8, 16}) thinning.sweep(segments);
-  thinning.remove_keys();
-  return std::move(thinning).take();
+std::vector<FitKey> thinned(const Recording& recording, const std::vector<FitKey>& keys,
+                            const std::vector<std::size_t>& fixed, const SamplesDone& done, unsigned threads) {
+  const std::vector<std::size_t> ends = ends_of_parts(keys);
+  std::mutex mutex;
+  const SamplesDone counted = [&](std::size_t samples) {
+    const std::lock_guard lock(mutex);
+    if (done) done(samples);
+  };
+  const auto thinned_part = [&](std::size_t part) {
+    const std::size_t first = ends[part], last = ends[part + 1];
+    const auto from = keys.begin() + static_cast<std::ptrdiff_t>(first),
+               to = keys.begin() + static_cast<std::ptrdiff_t>(last);
+    std::vector<std::size_t> own_fixed{from->sample, to->sample};
+    std::ranges::copy_if(fixed, std::back_inserter(own_fixed),
+                         [&](std::size_t sample) { return sample >= from->sample && sample <= to->sample; });
+    Thinning thinning(recording, {from, to + 1}, union_of(std::move(own_fixed), {}), counted,
+                      {first > 0, last + 1 < keys.size()});
+    thinning.thin();
+    return std::move(thinning).take();
+  };
+  const auto parts = ordered_map(numbers_to(ends.size() - 1), thinned_part, threads);
+  std::vector<FitKey> joined;
+  while (std::optional<std::vector<FitKey>> part = parts()) {
+    std::ranges::move(part->begin() + (joined.empty() ? 0 : 1), part->end(), std::back_inserter(joined));
+  }
+  const SamplesDone none;
+  Thinning between(recording, std::move(joined), fixed, none);
+  for (std::size_t end = 1; end + 1 < ends.size(); ++end) between.thin_around(keys[ends[end]].sample);
+  return std::move(between).take();
 }
 
 }  // namespace
 
 std::vector<FitKey> fitting_keys(const Recording& recording, const FirstTimes& times,
-                                 const std::vector<std::size_t>& fixed, const SamplesDone& done) {
+                                 const std::vector<std::size_t>& fixed, const SamplesDone& done, unsigned threads) {
   constexpr std::size_t many_samples = 20000;  // for two tries in less than a second
-  std::vector<FitKey> keys = keys_at(spread_samples(recording, times, fixed), recording);
-  std::vector<FitKey> others = keys_at(samples_at_knots(recording, times, fixed), recording);
-  divide_segments(recording, keys);
-  divide_segments(recording, others);
+  const auto beginning = [&](std::size_t number) {
+    std::vector<FitKey> keys = keys_at(
+        number == 0 ? spread_samples(recording, times, fixed) : samples_at_knots(recording, times, fixed), recording);
+    divide_segments(recording, keys);
+    return keys;
+  };
+  const auto beginnings = ordered_map(numbers_to(2), beginning, threads);
+  std::vector<FitKey> keys = *beginnings(), others = *beginnings();
   if (others.size() < keys.size()) std::swap(keys, others);
-  keys = thinned(recording, std::move(keys), fixed, done);
+  keys = thinned(recording, keys, fixed, done, threads);
   if (recording.size() > many_samples) return keys;
-  others = thinned(recording, std::move(others), fixed, {});
+  others = thinned(recording, others, fixed, {}, threads);
   return others.size() < keys.size() ? others : keys;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
+#include <vector>
 
 #include "fit/banded.hpp"
 
@@ -18,7 +20,13 @@ Hermite hermite_at(double u, double duration) {
   return {left * left * (1 + 2 * u), u * left * left * duration, u * u * (3 - 2 * u), -u * u * left * duration};
 }
 
-/// The fit of the channels of one group.
+/// Numbers of the channels of a group.
+template <class T, std::size_t channels>
+using PerChannel = std::conditional_t<channels == 0, std::vector<T>, std::array<T, channels>>;
+
+/// The fit of the channels of one group. `channels`: how many there are; 0: any number. The inner loops take half the
+/// time where it is known.
+template <std::size_t channels>
 class GroupFit {
  public:
   GroupFit(const Recording& recording, const FitGroup& group, std::span<FitKey> keys, FixedEnds fixed)
@@ -72,38 +80,48 @@ class GroupFit {
     return keys_[segment + 1].sample + (segment + 2 == keys_.size() ? 1 : 0);
   }
 
+  std::size_t count() const { return channels == 0 ? channels_.size() : channels; }
+
+  template <class T>
+  PerChannel<T, channels> per_channel() const {
+    if constexpr (channels == 0) {
+      return std::vector<T>(channels_.size());
+    } else {
+      return {};
+    }
+  }
+
   /// The variables are positions and slopes, these per mean duration of a segment; or their `corrections`, which keep
   /// the digits that the squares of the equations lose, and are pulled to 0 instead of to plain slopes.
   void solve(double stiffness, bool corrections) {
-    const std::size_t count = channels_.size();
     Banded matrix(2 * keys_.size());
-    std::vector<std::vector<double>> targets(count, std::vector<double>(2 * keys_.size()));
-    std::vector<Hermite> target(count), cubic(count);
-    std::vector<double> wanted(count);
+    std::vector<std::vector<double>> targets(count(), std::vector<double>(2 * keys_.size()));
+    auto cubic = per_channel<Hermite>();
     for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
-      std::array<Hermite, 4> products{};
-      std::ranges::fill(target, Hermite{});
-      for (std::size_t c = 0; c < count; ++c) cubic[c] = cubic_of(segment, channels_[c]);
+      std::array<Hermite, 4> products{};  // in each row, those up to the diagonal count
+      auto target = per_channel<Hermite>();
+      for (std::size_t c = 0; c < count(); ++c) cubic[c] = cubic_of(segment, channels_[c]);
       for (std::size_t i = keys_[segment].sample - first_; i < end_of(segment) - first_; ++i) {
-        const Hermite& h = hermite_[i];
-        for (std::size_t c = 0; c < count; ++c) {
-          wanted[c] = values_[i * count + c] - (corrections ? position(cubic[c], h) : 0);
+        const Hermite h = hermite_[i];
+        Hermite part;
+        for (std::size_t j = 0; j < h.size(); ++j) part[j] = weights_[i] * h[j];
+        for (std::size_t k = 0; k < h.size(); ++k) {
+          for (std::size_t j = 0; j < h.size(); ++j) products[k][j] += part[j] * h[k];
         }
-        for (std::size_t j = 0; j < h.size(); ++j) {
-          const double part = weights_[i] * h[j];
-          for (std::size_t k = 0; k < h.size(); ++k) products[j][k] += part * h[k];
-          for (std::size_t c = 0; c < count; ++c) target[c][j] += part * wanted[c];
+        for (std::size_t c = 0; c < count(); ++c) {
+          const double wanted = values_[i * count() + c] - (corrections ? position(cubic[c], h) : 0);
+          for (std::size_t j = 0; j < h.size(); ++j) target[c][j] += part[j] * wanted;
         }
       }
       for (std::size_t j = 0; j < products.size(); ++j) {
-        for (std::size_t k = 0; k <= j; ++k) matrix.at(2 * segment + j, 2 * segment + k) += products[j][k];
-        for (std::size_t c = 0; c < count; ++c) targets[c][2 * segment + j] += target[c][j];
+        for (std::size_t k = 0; k <= j; ++k) matrix.at(2 * segment + j, 2 * segment + k) += products[k][j];
+        for (std::size_t c = 0; c < count(); ++c) targets[c][2 * segment + j] += target[c][j];
       }
     }
     keep_regular(matrix, targets, stiffness, corrections);
     fix_ends(matrix, targets, corrections);
     matrix.factor();
-    for (std::size_t c = 0; c < count; ++c) {
+    for (std::size_t c = 0; c < count(); ++c) {
       matrix.solve(targets[c]);
       for (std::size_t key = 0; key < keys_.size(); ++key) {
         double &position = keys_[key].position[channels_[c]], &slope = keys_[key].slope[channels_[c]];
@@ -172,16 +190,15 @@ class GroupFit {
   }
 
   void measure() {
-    const std::size_t count = channels_.size();
-    std::vector<Hermite> cubic(count);
+    auto cubic = per_channel<Hermite>();
     for (std::size_t segment = 0; segment + 1 < keys_.size(); ++segment) {
-      for (std::size_t c = 0; c < count; ++c) cubic[c] = cubic_of(segment, channels_[c]);
+      for (std::size_t c = 0; c < count(); ++c) cubic[c] = cubic_of(segment, channels_[c]);
       double largest = 0;
       for (std::size_t i = keys_[segment].sample - first_; i < end_of(segment) - first_; ++i) {
         const Hermite& h = hermite_[i];
         double sum = 0;
-        for (std::size_t c = 0; c < count; ++c) {
-          const double gap = position(cubic[c], h) - values_[i * count + c];
+        for (std::size_t c = 0; c < count(); ++c) {
+          const double gap = position(cubic[c], h) - values_[i * count() + c];
           sum += gap * gap;
         }
         errors_[i] = std::sqrt(sum) / tolerance_;
@@ -246,7 +263,17 @@ class GroupFit {
 std::vector<double> fit_smoothly(const Recording& recording, std::span<FitKey> keys, FixedEnds fixed,
                                  const FitEffort& effort) {
   std::vector<double> worst(keys.size() - 1);
-  for (const FitGroup& group : recording.groups) GroupFit(recording, group, keys, fixed).run(effort, worst);
+  const auto fit = [&]<std::size_t channels>(const FitGroup& group, std::integral_constant<std::size_t, channels>) {
+    GroupFit<channels>(recording, group, keys, fixed).run(effort, worst);
+  };
+  for (const FitGroup& group : recording.groups) {
+    switch (group.channels.size()) {
+      case 1: fit(group, std::integral_constant<std::size_t, 1>()); break;
+      case 2: fit(group, std::integral_constant<std::size_t, 2>()); break;
+      case 3: fit(group, std::integral_constant<std::size_t, 3>()); break;
+      default: fit(group, std::integral_constant<std::size_t, 0>());
+    }
+  }
   return worst;
 }
 

@@ -21,6 +21,7 @@ struct DelimitedOptions {
   std::optional<bool> header = {};     ///< nothing: found in the first records
   std::string comment = "#";           ///< the prefix of lines to skip; empty: none
   NumberMarks marks = {};              ///< in numbers
+  std::string head = {};               ///< names of the columns, as a line above the text; empty: none
 
   friend bool operator==(const DelimitedOptions&, const DelimitedOptions&) = default;
 };

@@ -13,6 +13,7 @@
 #include "read/csv/splitter.hpp"
 #include "read/errors.hpp"
 #include "read/json/shapes.hpp"
+#include "read/poses.hpp"
 #include "schema/rotation_columns.hpp"
 #include "text/utf8.hpp"
 
@@ -163,7 +164,7 @@ Records open_as(FormatId format, Source<std::string> bytes, InputOptions options
 
 }  // namespace
 
-Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& options) {
+Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& given) {
   std::string encoding;
   bytes = without_mark(decompressed(std::move(bytes)), encoding);
   std::string beginning;
@@ -174,8 +175,11 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
     beginning += *more;
     if (blank && beginning.size() > longest_record) throw at_first_byte(blank_beginning());
   }
-  const FormatId format = options.format ? *options.format : detect(path, beginning);
-  Records records = open_as(format, preceded_by(std::move(beginning), std::move(bytes)), options);
+  const FormatId format = given.format ? *given.format : detect(path, beginning);
+  bytes = preceded_by(std::move(beginning), std::move(bytes));
+  const bool has_poses = format_of(format).family == FormatFamily::poses;
+  const InputOptions options = has_poses ? options_of_poses(format, bytes, given) : given;
+  Records records = open_as(format, std::move(bytes), options);
   const Columns& columns = records.columns;
   Input input{schema_of(columns, records.time_notation, records.dates), std::move(records.facts),
               std::move(records.keys)};

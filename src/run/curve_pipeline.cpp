@@ -206,7 +206,11 @@ PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, con
   } else {
     placed = place_on_grid(keys, extent);
   }
-  if (golden_) placed.evaluate = exact_rows(exact, keys.size(), extent, placed.locator, std::move(times));
+  if (!golden_) return placed;
+  placed.golden = exact_rows(exact, keys.size(), extent, std::move(times));
+  placed.evaluate = [rows = placed.golden, locator = placed.locator](const auto& block, const auto& chosen) {
+    return rows->evaluate(block, *locator, chosen);
+  };
   return placed;
 }
 
@@ -315,8 +319,8 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
 }
 
 /// Evaluates rows exactly, and rounds each number once.
-Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
-                                   const std::shared_ptr<const Locator>& locator, std::vector<Rational> times) const {
+std::shared_ptr<ExactRows> CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
+                                                     std::vector<Rational> times) const {
   std::optional<Rational> end;
   if (spec_.closed) end = exact_end(exact, keys, *extent.last);
   ExactCurve curve = exact.curve(keys, spec_.rules, end);
@@ -327,9 +331,7 @@ Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, con
   }
   curve.closed = spec_.closed;
   curve.extrapolation = spec_.extrapolation;
-  const auto rows =
-      std::make_shared<ExactRows>(std::move(curve), request_, extent, golden_->notation, std::move(times));
-  return [rows, locator](const auto& block, const auto& chosen) { return rows->evaluate(block, *locator, chosen); };
+  return std::make_shared<ExactRows>(std::move(curve), request_, extent, golden_->notation, std::move(times));
 }
 
 }  // namespace tcb

@@ -26,6 +26,7 @@
 namespace tcb {
 
 class ExactKeys;
+class ExactRows;
 
 /// The rows that are requested of a curve, and the settings that make it.
 struct CurveRequest {
@@ -59,6 +60,7 @@ struct PlacedCurve {
   PlacementFacts facts;
   Evaluate evaluate = {};
   std::function<double()> expected_rows = {};  ///< about the number of rows, by the segments that were made so far
+  std::shared_ptr<ExactRows> golden = {};      ///< null: rows are not exact
 
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
@@ -122,8 +124,8 @@ class CurvePipeline {
   std::shared_ptr<const ShownCurve> shown(const KeyStore& keys, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;
   std::vector<Time> places(const ShownCurve& curve, const Extent& extent, PlacementFacts& facts) const;
-  Evaluate exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
-                      const std::shared_ptr<const Locator>& locator, std::vector<Rational> times) const;
+  std::shared_ptr<ExactRows> exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
+                                        std::vector<Rational> times) const;
 
   SamplingRequest request_;
   CurveSpec spec_;

@@ -64,7 +64,8 @@ Facts input_facts(const Input& input) {
     add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
     add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
     add("decimal", std::string(1, marks->decimal));
-    add("header", input.schema.named ? "yes" : "no");
+    const bool is_of_format = format_of(input.facts.format).family == FormatFamily::poses;
+    add("header", input.schema.named && !is_of_format ? "yes" : "no");
   } else {
     add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
   }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "exact/precision_levels.hpp"
 #include "option_names.hpp"
 #include "text/suggest.hpp"
 
@@ -113,6 +114,13 @@ Note more_remainders(std::uint64_t curves) {
 
 Note rows_within(std::uint64_t rows, std::uint64_t least) {
   return {fmt::format("{} rows; any polyline within the tolerance has at least {}", rows, least), true};
+}
+
+Note rounded_numbers(const LevelCounts& counts) {
+  const auto& [by_bounds, exactly, by_floats] = counts;
+  std::string text = fmt::format("{} numbers rounded by proved bounds, {} exactly", by_bounds, exactly);
+  if (by_floats > 0) text += fmt::format(", {} by comparing floats of up to 200 digits", by_floats);
+  return {text, by_floats > 0};
 }
 
 Note step_is(std::string_view step) { return {fmt::format("the step is {}", step)}; }

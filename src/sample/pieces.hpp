@@ -99,7 +99,9 @@ S piece_length(const Point<S>& point) {
   if constexpr (spline::has_roots<S>) {
     std::vector<spline::Cubic<S>> cubics;
     for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) cubics.push_back(piece_cubic(point, i));
-    return spline::ArcLength<S>(cubics, point.segment().metric).total().value;
+    spline::SegmentLength<S> length;
+    length.assign(cubics, {}, point.segment().metric);
+    return length.total().value;
   } else {
     return S(0);
   }

@@ -208,15 +208,17 @@ class PathShape<double> {
   spline::Derivatives<double> plain_;
 };
 
-/// The shape of the path in exact rationals, as roots, and in floats of many digits. A float counts as 0 if, relative
-/// to the curve's size, it is small enough to be an exact 0 with rounding errors: near a cusp a place may be accurate
-/// to only half the digits.
+/// The shape of the path in exact rationals, as roots, in balls, and in floats of many digits. A float counts as 0 if,
+/// relative to the curve's size, it is small enough to be an exact 0 with rounding errors: near a cusp a place may be
+/// accurate to only half the digits.
 template <class S>
 class PathShape {
  public:
   /// `extent`: how far a key is from the first one in a channel, at most.
   explicit PathShape(const S& extent = S(0)) : doubt_(0) {
-    if constexpr (spline::has_roots<S>) doubt_ = extent * sqrt(sqrt(std::numeric_limits<S>::epsilon()));
+    if constexpr (spline::has_roots<S>) {
+      if (!spline::bounds_errors<S>) doubt_ = extent * sqrt(sqrt(std::numeric_limits<S>::epsilon()));
+    }
   }
   void reset() {}
 

@@ -16,12 +16,13 @@ struct TextMarks {
   bool crlf = false;     ///< lines end with CR and LF, not LF alone
 };
 
-enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, npy, svg };
+enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, tum, euroc, kitti, npy, svg };
 
 /// What formats have in common.
 enum class FormatFamily {
   delimited,  ///< lines of cells, with the names of the columns in one line above the rows
   json,       ///< an object for each row
+  poses,      ///< lines of the numbers of poses, in fixed columns
   array,      ///< doubles, not their texts; it can hold neither other texts nor more than one table
   picture,    ///< curves and samples, without rows
 };
@@ -37,17 +38,20 @@ struct Format {
   bool can_write;
   bool has_provenance;  ///< an output may hold its provenance
   bool nests;           ///< an output with groups is an object for each curve, with a list of rows
-  char delimiter = 0;   ///< between the cells of delimited text; ' ' is any run of blanks and tabs
+  char delimiter = 0;   ///< between the cells of lines; ' ' is any run of blanks and tabs
 };
 
 /// All formats, in the order of FormatId. The first is the default for output.
-inline constexpr std::array<Format, 7> formats{{
+inline constexpr std::array<Format, 10> formats{{
     // id, name, ending, family, read, write, provenance, nests, delimiter
     {FormatId::csv, "csv", ".csv", FormatFamily::delimited, true, true, true, false, ','},
     {FormatId::tsv, "tsv", ".tsv", FormatFamily::delimited, true, true, true, false, '\t'},
     {FormatId::ssv, "ssv", ".ssv", FormatFamily::delimited, true, true, true, false, ' '},
     {FormatId::json, "json", ".json", FormatFamily::json, true, true, true, true},
     {FormatId::jsonl, "jsonl", ".jsonl", FormatFamily::json, true, true, true, false},
+    {FormatId::tum, "tum", ".tum", FormatFamily::poses, true, true, false, false, ' '},
+    {FormatId::euroc, "euroc", ".euroc", FormatFamily::poses, true, true, false, false, ','},
+    {FormatId::kitti, "kitti", ".kitti", FormatFamily::poses, true, true, false, false, ' '},
     {FormatId::npy, "npy", ".npy", FormatFamily::array, false, true, false, false},
     {FormatId::svg, "svg", ".svg", FormatFamily::picture, false, true, false, false},
 }};

@@ -270,7 +270,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
     add_rotation(schema, std::move(request), columns);
   }
   require_own_columns(schema, columns);
-  if (options.shown && schema.rotations.empty()) {
+  if (!options.shown_by_format && options.shown && schema.rotations.empty()) {
     const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
     throw no_rotation_to_show(form->name).about(option::rotation_output);
   }

@@ -52,7 +52,8 @@ struct RotationOptions {
   std::vector<GivenRotation> requests = {};
   std::vector<NamedAngle> angles = {};
   std::optional<spline::RotationNotation> shown = {};  ///< nothing: as they are given
-  bool as_curves = false;                              ///< all as quaternions, whose curves are drawn
+  bool shown_by_format = false;  ///< the format of the output decides how they are shown, if there are any
+  bool as_curves = false;        ///< all as quaternions, whose curves are drawn
 };
 
 }  // namespace tcb

@@ -15,6 +15,26 @@ Error text_in_binary_format(std::string_view column, std::string_view format) {
                                   in_quotes(column), format, option::output_format)};
 }
 
+Error text_in_poses(std::string_view column, std::string_view format) {
+  return {Exit::data, fmt::format("column {} holds text, but {} holds only times and poses; expected rows without "
+                                  "text; give another format, such as csv, to {}",
+                                  in_quotes(column), format, option::output_format)};
+}
+
+Error not_a_pose(std::size_t positions, std::size_t rotations, std::string_view format) {
+  return {Exit::data,
+          fmt::format("the curve has {} channels of position and {} rotations, but each row of {} is a "
+                      "pose; expected 3 channels and 1 rotation; choose them with {} and {}, or give "
+                      "another format, such as csv, to {}",
+                      positions, rotations, format, option::columns, option::rotation, option::output_format)};
+}
+
+Error poses_without_unit_of_time(std::string_view column, std::string_view format) {
+  return {Exit::data, fmt::format("the times in column {} have no known unit, but those of {} are in nanoseconds; "
+                                  "expected a unit; give {} s if they are seconds",
+                                  in_quotes(column), format, option::time_unit)};
+}
+
 Error several_curves_in_one_table(std::string_view format) {
   return {Exit::data, fmt::format("there is more than one curve, but {} holds one table of rows; expected one curve; "
                                   "give another format, such as csv, to {}",

@@ -36,6 +36,9 @@ constexpr std::array<OutputFormat, formats.size()> output_formats{{
     {delimited_layout, delimited_cell},
     {json_rows, json_cell},
     {jsonl_rows, json_cell},
+    {delimited_layout, delimited_cell},
+    {delimited_layout, delimited_cell},
+    {delimited_layout, delimited_cell},
     {npy_rows, nullptr, npy_head},
     {},  // a picture has no rows
 }};

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "schema/errors.hpp"
+#include "schema/pose_formats.hpp"
 #include "text/utf8.hpp"
 #include "write/errors.hpp"
+#include "write/pose_cells.hpp"
 
 namespace tcb {
 
@@ -53,12 +55,19 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     add_file_column(columns, *options_.file_column, file);
     file_ = '"' + file;
   }
+  const Format& format = format_of(options_.format);
+  const bool is_pose = format.family == FormatFamily::poses;
+  if (is_pose) {
+    order_ = pose_cells(pose_format(format.id), schema);
+    std::vector<OutputColumn> numbers;
+    for (const std::size_t cell : order_) numbers.push_back(columns.numbers[cell]);
+    columns.numbers = std::move(numbers);
+  }
   if (columns_.numbers.empty()) {
-    const Format& format = format_of(options_.format);
     columns_ = std::move(columns);
     marks_ = marks_for(schema);
     set_times(schema);
-    frame_ = Frame(columns_, {format.id, options_.header.value_or(schema.named), options_.notation,
+    frame_ = Frame(columns_, {format.id, !is_pose && options_.header.value_or(schema.named), options_.notation,
                               format.nests && options_.provenance.has_value(), marks_});
     recorder_.set_rules(std::move(rules));
     const std::string provenance = recorder_.before_rows(format.id);
@@ -78,6 +87,7 @@ void Writer::begin_curve(std::vector<std::string> group) {
 
 void Writer::set_times(const Schema& schema) {
   const auto given = options_.time_notation;
+  if (format_of(options_.format).family == FormatFamily::poses) return set_times_of_poses(schema.time);
   if (!given) {
     if (format_of(options_.format).family != FormatFamily::array) notation_ = schema.time.notation;
     dates_ = schema.time.dates;
@@ -87,6 +97,18 @@ void Writer::set_times(const Schema& schema) {
   if (schema.time.unit) unit_ = Rational(1) / units_per_second(*schema.time.unit);
   const bool drops = given == TimeNotation::smpte && schema.time.notation == TimeNotation::drop_frame;
   notation_ = drops ? TimeNotation::drop_frame : *given;
+}
+
+/// The times of poses are numbers in the unit of their format. Those without a known unit are taken as seconds.
+void Writer::set_times_of_poses(const TimeSchema& time) {
+  const PoseFormat& format = pose_format(options_.format);
+  if (!format.unit) return;
+  if (time.unit == TimeUnit::frames) throw times_without_rate(time.name);
+  whole_times_ = *format.unit == TimeUnit::ns;
+  if (!time.unit && time.notation == TimeNotation::seconds && whole_times_) {
+    throw poses_without_unit_of_time(time.name, format_of(options_.format).name);
+  }
+  unit_ = units_per_second(*format.unit) / units_per_second(time.unit.value_or(TimeUnit::s));
 }
 
 std::vector<std::string> Writer::texts(const Table& table) const {
@@ -106,8 +128,11 @@ std::vector<std::string> Writer::texts(const Table& table) const {
     if (is_number) {
       const Rational frames = Rational(table.cells[i].hi) * unit_ * rate;  // of the double, whose error is the smaller
       const bool counts = notation_ == TimeNotation::frames;
-      const Rational number = counts ? whole_frame(seconds, rate).value_or(frames) : seconds;
-      texts[i] = with_decimal(time_text(nearest_time(number)), marks_.decimal);
+      Rational number = counts ? whole_frame(seconds, rate).value_or(frames) : seconds;
+      if (whole_times_) number = floor(number + Rational(1, 2));
+      const Time time = nearest_time(number), with_nanoseconds = nearest_time(number, 9);
+      const bool has_all_digits = exact_time(with_nanoseconds) == number;
+      texts[i] = with_decimal(time_text(has_all_digits ? with_nanoseconds : time), marks_.decimal);
       continue;
     }
     const auto text = time_in_words(seconds, notation_, rate, decimals, dates_);
@@ -121,9 +146,27 @@ std::vector<std::string> Writer::texts(const Table& table) const {
   return texts;
 }
 
+Table Writer::ordered(const Table& table) const {
+  Table result = table;
+  for (std::size_t first = 0; first < table.cells.size(); first += order_.size()) {
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      result.cells[first + i] = table.cells[first + order_[i]];
+      if (!table.texts.empty()) result.texts[first + i] = table.texts[first + order_[i]];
+    }
+  }
+  return result;
+}
+
+void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
+  const bool is_first = first && frame_.is_first();
+  if (order_.empty()) return append_rows(out, layout, columns_.numbers, table.cells, texts(table), is_first);
+  const Table rows = ordered(table);
+  append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
+}
+
 std::string Writer::print(const Table& table, bool first) const {
   std::string text;
-  append_rows(text, frame_.layout(), columns_.numbers, table.cells, texts(table), first && frame_.is_first());
+  append(text, frame_.layout(), table, first);
   return text;
 }
 
@@ -131,7 +174,7 @@ std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) 
   const auto print_row = [this, layout = frame_.layout()](std::string& out, const Table& row,
                                                           const std::string& row_end, bool first) mutable {
     layout.row_end = row_end;
-    append_rows(out, layout, columns_.numbers, row.cells, texts(row), first && frame_.is_first());
+    append(out, layout, row, first);
   };
   return print_labelled(block, evaluate, options_.fields, print_row);
 }

@@ -73,19 +73,26 @@ class Writer {
 
   /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
   void set_times(const Schema& schema);
+  void set_times_of_poses(const TimeSchema& time);
 
   /// The texts that replace cells, with the decimal mark of the output: times in its notation; other entries are those
   /// of the table.
   /// Throws: Error (data) for a time that the notation does not have.
   std::vector<std::string> texts(const Table& table) const;
 
+  /// The table with the cells of each row in the order of the columns.
+  Table ordered(const Table& table) const;
+  void append(std::string& out, const Layout& layout, const Table& table, bool first) const;
+
   const WriterOptions& options_;
   Output output_;
   OutputColumns columns_;
+  std::vector<std::size_t> order_;  ///< of the cells of rows: as in pose_cells(); empty: as they are
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
   TextMarks marks_;
-  Rational unit_ = 1;  ///< of the times, in seconds, where they are printed in another one
+  Rational unit_ = 1;         ///< of the times, in seconds, where they are printed in another one
+  bool whole_times_ = false;  ///< they are rounded to whole numbers
   Frame frame_;
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before

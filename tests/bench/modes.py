@@ -19,6 +19,8 @@ MODES = (
     ("`--golden --exact-input`", ["--golden", "--exact-input"]),
     ("`--tolerance`", ["--tolerance"]),
     ("`--golden`, velocity", ["--golden", "--fields", "time,velocity"]),
+    ("`--golden`, curvature, torsion", ["--golden", "--fields", "time,curvature,torsion"]),
+    ("`--golden`, s", ["--golden", "--fields", "time,s"]),
 )
 
 

@@ -143,9 +143,12 @@ TEST(Values, formats_are_those_that_can_be_read_or_written) {
   EXPECT_EQ(input_format("jsonl"), FormatId::jsonl);
   EXPECT_EQ(output_format("npy"), FormatId::npy);
   EXPECT_EQ(stepped_refusal({"-i", "npy"}),
-            "--input-format: \"npy\" is not a known name; expected one of csv, tsv, ssv, json, jsonl");
-  EXPECT_EQ(stepped_refusal({"-f", "xml"}),
-            "--output-format: \"xml\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, npy, svg");
+            "--input-format: \"npy\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, "
+            "kitti");
+  EXPECT_EQ(
+      stepped_refusal({"-f", "xml"}),
+      "--output-format: \"xml\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, kitti, "
+      "npy, svg");
 }
 
 TEST(Values, names_come_from_the_tables) {

@@ -1,4 +1,4 @@
-// Fuzzer of the delimited reader: any text as CSV, TSV or SSV, with any options.
+// Fuzzer of the delimited reader: any text as CSV, TSV, SSV or lines of poses, with any options.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <cstdint>
@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace tcb;
   FuzzedDataProvider choices(data, size);
   InputOptions options;
-  options.format = find_format(choices.PickValueInArray({"csv", "csv", "tsv", "ssv"}));
+  options.format = find_format(choices.PickValueInArray({"csv", "csv", "tsv", "ssv", "tum", "euroc", "kitti"}));
   const char delimiter = choices.PickValueInArray({'\0', '\0', ';', '|', 'x', ' ', '\xA7'});
   if (delimiter != '\0') options.delimited.delimiter = delimiter;
   options.delimited.header = choices.PickValueInArray<std::optional<bool>>({std::nullopt, std::nullopt, true, false});

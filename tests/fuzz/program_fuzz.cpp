@@ -280,7 +280,8 @@ void require_sound_rows(std::string_view rows, char delimiter, bool ordered) {
 template <class Product>
 void require_sound(const Product& job, std::string_view text, std::string_view rows) {
   const Format& format = format_of(job.rows.format);
-  if (format.family == FormatFamily::array || format.family == FormatFamily::picture) return;
+  constexpr std::array others{FormatFamily::array, FormatFamily::poses, FormatFamily::picture};
+  if (std::ranges::count(others, format.family) > 0) return;
   if (format.name == "json") return require(nlohmann::json::accept(rows), "not JSON", rows);
   if (format.name == "jsonl") {
     for (const std::string_view row : split(rows, '\n')) {
@@ -322,7 +323,7 @@ const Choices of_rules{"--preset=vtk",      "--preset=3dsmax", "--tangents=inter
                        "--closed",          "--period=99",     "--equal-speed",
                        "--no-ease",         "--tcb=0.5,0,-1",  "--tangents=uniform"};
 const Choices of_numbers{"--digits=3", "--fixed=2", "--hex", "--meta", "--no-output-header"};
-const Choices of_formats{"-f tsv", "-f ssv", "-f json", "-f jsonl", "-f npy"};
+const Choices of_formats{"-f tsv", "-f ssv", "-f json", "-f jsonl", "-f npy", "-f tum", "-f kitti"};
 const Choices of_fields{"--fields=time,position,s",       "--fields=time,s,speed,curvature",
                         "--fields=velocity,acceleration", "--fields=time,position,key,u",
                         "--fields=jerk,segment",          "--fields=tangent,torsion"};

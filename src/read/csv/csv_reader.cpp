@@ -70,7 +70,8 @@ class RecordReader {
   void add_key() {
     const std::size_t expected = head_.columns.cells.size();
     if (cells_.size() != expected) {
-      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1], wrong_number_of_cells(cells_.size(), expected));
+      const auto unlike = head_.is_of_format ? line_unlike_format : wrong_number_of_cells;
+      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1], unlike(cells_.size(), expected));
       return;
     }
     keys_.begin_key();
@@ -207,6 +208,10 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   if (delimiter) beginning.delimiter = *delimiter;
   if (!delimiter) beginning = find_delimiter(bytes, options.delimited);
   if (named) ++beginning.line;
+  if (!options.delimited.head.empty()) {
+    bytes = preceded_by(options.delimited.head + "\n", std::move(bytes));
+    --beginning.line;
+  }
   const Dialect dialect{beginning.delimiter, options.delimited.comment, options.columns.samples.has_value()};
   const bool is_decimal = dialect.delimiter == options.delimited.marks.decimal;
   if (is_decimal && !has_quoted_decimal(beginning.text)) throw decimal_comma_is_delimiter();

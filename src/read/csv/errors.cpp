@@ -101,6 +101,12 @@ Error wrong_number_of_cells(std::size_t cells, std::size_t expected) {
                                   cells, expected, option::delimiter)};
 }
 
+Error line_unlike_format(std::size_t cells, std::size_t expected) {
+  return {Exit::data, fmt::format("the line has {} numbers; expected {}, as the format has; complete the line, or give "
+                                  "another format to {}",
+                                  cells, expected, option::input_format)};
+}
+
 Error cell_not_utf8(std::string_view cell, char byte) {
   return {Exit::data, fmt::format("{} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert the text, for "
                                   "example with iconv -f WINDOWS-1252 -t UTF-8",

@@ -29,6 +29,8 @@ Error too_many_cells(std::size_t most);
 Error quote_not_closed();
 Error text_after_quotes();
 Error wrong_number_of_cells(std::size_t cells, std::size_t expected);
+/// Of a format with fixed columns.
+Error line_unlike_format(std::size_t cells, std::size_t expected);
 
 // Cells of texts.
 Error cell_not_utf8(std::string_view cell, char byte);

@@ -267,7 +267,9 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const ColumnOptions& columns = options.columns;
   FirstRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
-  if (first.records.empty()) throw columns.samples ? empty_samples() : empty_input();
+  head.is_of_format = !options.delimited.head.empty();
+  const std::size_t lines = first.records.size() - (head.is_of_format ? 1 : 0);
+  if (lines == 0) throw columns.samples ? empty_samples() : empty_input();
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
   const bool header = options.delimited.header.value_or(is_header(first.records[0], head, columns.samples));
   std::size_t data = header ? 1 : 0;
@@ -284,7 +286,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   }
   const auto& row = first.records[data];
   if (!names.empty() && names.size() != row.cells.size()) {
-    throw row_unlike_header(row.cells.size(), names.size()).at({"", row.line, 1});
+    const auto unlike = head.is_of_format ? line_unlike_format : row_unlike_header;
+    throw unlike(row.cells.size(), names.size()).at({"", row.line, 1});
   }
   head.encoding = convert_names(names, position);
   head.names_quaternion = !columns.samples && name_quaternion(names);

@@ -22,6 +22,7 @@ struct DelimitedHead {
   NumberMarks marks = {};
   bool names_quaternion = false;  ///< x, y, z and w after x, y and z are named as a quaternion
   std::string encoding = {};      ///< of names and texts, where it is not UTF-8
+  bool is_of_format = false;      ///< the format has the columns, not the text
 };
 
 /// Dialect and columns, from the header if there is one and the first two records after it; `rest` gets the text that

@@ -18,7 +18,8 @@
 
 namespace tcb::spline {
 
-/// The derivatives of a segment at one place, a number per channel, with bounds on the rounding of the first two.
+/// The derivatives of a segment at one place, a number per channel, with bounds on the rounding of the first two; these
+/// are 0 for exact scalars and for those that carry bounds on their errors.
 template <class S>
 struct Derivatives {
   std::vector<S> velocity, acceleration, jerk;
@@ -64,7 +65,7 @@ void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, cons
   using std::abs;
   const S rate = warp.first_derivative(u) / h;
   const S change = warp.second_derivative(u) / (h * h);
-  const S unit(0x1p-50);
+  [[maybe_unused]] const S unit(0x1p-50);
   of.velocity.clear();
   of.acceleration.clear();
   of.jerk.clear();
@@ -77,10 +78,12 @@ void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, cons
     of.velocity.push_back(d1 * rate);
     of.acceleration.push_back(d2 * rate * rate + d1 * change);
     of.jerk.push_back(d3 * rate * rate * rate + S(3) * d2 * rate * change);
-    const S size1 = abs(first) + abs(x) * (S(2) * abs(second) + S(3) * abs(x * cubic.d));
-    const S size2 = S(2) * abs(second) + S(6) * abs(x * cubic.d);
-    of.velocity_noise += unit * size1 * abs(rate);
-    of.acceleration_noise += unit * (size2 * rate * rate + size1 * abs(change));
+    if constexpr (has_roots<S> && !bounds_errors<S>) {
+      const S size1 = abs(first) + abs(x) * (S(2) * abs(second) + S(3) * abs(x * cubic.d));
+      const S size2 = S(2) * abs(second) + S(6) * abs(x * cubic.d);
+      of.velocity_noise += unit * size1 * abs(rate);
+      of.acceleration_noise += unit * (size2 * rate * rate + size1 * abs(change));
+    }
   }
 }
 

@@ -34,6 +34,13 @@ namespace tcb::spline {
 template <class T>
 using Vector3 = TurnVector<T>;
 
+/// The sum of the series of Arc::weight() up to a term that is below rounding; a scalar with bounds on its errors has
+/// one of its own, which adds the terms that are left out.
+template <class T>
+const T& truncated_series(const T& sum, const T& /*last_term*/, const T& /*u*/, const T& /*square*/) {
+  return sum;
+}
+
 template <class T>
 struct Quaternion {
   T x{}, y{}, z{}, w{};
@@ -127,7 +134,7 @@ class Arc {
       term = term * ((whole(odd * odd) - u2) * U(square_) / whole((odd + 1) * (odd + 2)));
       sum = sum + term;
     }
-    return u * sum;
+    return u * truncated_series(sum, term, u, U(square_));
   }
 
   Quaternion<T> from_, to_;
@@ -173,7 +180,7 @@ Quaternion<S> rotation_of(std::span<const S> numbers, const RotationChannels& ch
     const double excess = dot(q, q) - 1;
     if (excess <= 0x1p-52 && excess >= -0x1p-52) return q;
   }
-  const S largest = std::max({S(abs(q.x)), S(abs(q.y)), S(abs(q.z)), S(abs(q.w))});
+  const S largest = rough_max(rough_max(S(abs(q.x)), S(abs(q.y))), rough_max(S(abs(q.z)), S(abs(q.w))));
   return normalized(q * S(S(1) / power_of_two_below(largest)));  // whose squares do not overflow
 }
 

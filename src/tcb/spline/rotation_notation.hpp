@@ -67,7 +67,7 @@ SineCosine<S> sine_cosine_of_half(const S& angle, bool degrees) {
 template <class S>
 Quaternion<S> unit_axis(const S& x, const S& y, const S& z) {
   using std::abs;
-  const S unit = power_of_two_below(std::max({S(abs(x)), S(abs(y)), S(abs(z))}));
+  const S unit = power_of_two_below(rough_max(rough_max(S(abs(x)), S(abs(y))), S(abs(z))));
   return normalized(Quaternion<S>{S(x / unit), S(y / unit), S(z / unit), S(0)});
 }
 
@@ -128,7 +128,7 @@ Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
   using std::abs;
   using std::sqrt;
   S largest(0), squares(0);
-  for (const S& number : m) largest = std::max(largest, S(abs(number)));
+  for (const S& number : m) largest = rough_max(largest, S(abs(number)));
   const S unit = power_of_two_below(largest);
   for (S& number : m) {
     number /= unit;

@@ -113,18 +113,22 @@ inline DoubleDouble sqrt(const DoubleDouble& value) {
 /// x^exponent. With exponent = n + 0.b1 b2 b3... in binary, x^0.b1b2b3... is the nested root
 /// sqrt(x^b1 sqrt(x^b2 sqrt(x^b3 ...))), computed from inside.
 /// Requires: x > 0, 0 <= exponent <= 16. Promises: accurate to about 2^-95.
-inline DoubleDouble power(const DoubleDouble& x, double exponent) {
+template <class W>
+W power_by_roots(const W& x, double exponent) {
   constexpr int fraction_bits = 62;  // further bits change the exponent by less than 2^-62
-  DoubleDouble whole_part(1);
+  W whole_part(1.0);
   for (; exponent >= 1; exponent -= 1) whole_part = whole_part * x;
   auto bits = static_cast<std::uint64_t>(exponent * 0x1p62);
-  const DoubleDouble root_of_x = sqrt(x);
-  DoubleDouble root(1);
+  const W root_of_x = sqrt(x);
+  W root(1.0);
   for (int bit = 0; bit < fraction_bits; ++bit, bits >>= 1) {
     root = (bits & 1U) != 0 ? sqrt(root) * root_of_x : sqrt(root);
   }
   return whole_part * root;
 }
+
+/// The same for double-doubles.
+inline DoubleDouble power(const DoubleDouble& x, double exponent) { return power_by_roots(x, exponent); }
 
 /// The type in which tangents and local parameters are computed before they are rounded to S.
 template <class S>
@@ -141,6 +145,10 @@ using working_t = typename Working<S>::type;
 /// A scalar with square roots. Exact rationals have none; code that needs roots is not compiled for them.
 template <class S>
 inline constexpr bool has_roots = !std::numeric_limits<S>::is_exact;
+
+/// A scalar that carries bounds on its errors, and refuses comparisons that these leave open.
+template <class S>
+inline constexpr bool bounds_errors = false;
 
 /// A time. For double it holds every integer up to 2^106 exactly, so nanoseconds since 1970 do.
 template <class S>
@@ -196,6 +204,12 @@ constexpr working_t<S> scaled(const working_t<S>& value, const S& power_of_two) 
   } else {
     return value * power_of_two;
   }
+}
+
+/// The larger of two numbers from which a unit is made; either, where a scalar with bounds on its errors cannot tell.
+template <class S>
+S rough_max(const S& a, const S& b) {
+  return a < b ? b : a;
 }
 
 /// The largest power of two that is at most a number, but at least 2^-1000, so that its reciprocal is a double.

@@ -1,0 +1,17 @@
+// Angles of balls: sine, cosine, and the angle of a vector, as tcb/spline/angle.hpp has them for other scalars.
+#pragma once
+
+#include "exact/ball.hpp"
+#include "tcb/spline/angle.hpp"
+
+namespace tcb {
+
+/// Throws: Undecided for an angle beyond 1000 radians.
+spline::SineCosine<Ball> sine_cosine(const Ball& angle);
+inline Ball sine(const Ball& angle) { return sine_cosine(angle).sine; }
+
+/// The angle of the vector (x, y) in [0, pi]. Requires: y >= 0. Throws: Undecided where the ball of the vector is not
+/// small beside its distance from 0.
+Ball angle_of(const Ball& y, const Ball& x);
+
+}  // namespace tcb

@@ -1,0 +1,77 @@
+// Poses: options by which lines of poses are read as delimited text.
+#include "read/poses.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "schema/pose_formats.hpp"
+
+namespace tcb {
+namespace {
+
+/// The first line that is neither blank nor a comment; as much of it as there is.
+std::string first_record(Source<std::string>& bytes) {
+  std::string text, line;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find('\n', begin);
+    line = text.substr(begin, end == std::string::npos ? end : end - begin);
+    const std::size_t at = line.find_first_not_of(" \t\r");
+    if (end != std::string::npos && at != std::string::npos && line[at] != '#') break;
+    if (end != std::string::npos) {
+      begin = end + 1;
+      continue;
+    }
+    std::optional<std::string> more = bytes();
+    if (!more) break;
+    text += *more;
+  }
+  bytes = preceded_by(std::move(text), std::move(bytes));
+  return line;
+}
+
+std::size_t columns_in(std::string_view record, char delimiter) {
+  if (delimiter != ' ') return static_cast<std::size_t>(std::ranges::count(record, delimiter)) + 1;
+  std::size_t columns = 0;
+  for (bool blank = true; const char c : record) {
+    const bool is_blank = c == ' ' || c == '\t' || c == '\r';
+    columns += blank && !is_blank ? 1 : 0;
+    blank = is_blank;
+  }
+  return columns;
+}
+
+}  // namespace
+
+InputOptions options_of_poses(FormatId format, Source<std::string>& bytes, InputOptions options) {
+  const PoseFormat& poses = pose_format(format);
+  const char delimiter = format_of(format).delimiter;
+  const std::size_t columns = columns_in(first_record(bytes), delimiter);
+  std::string& head = options.delimited.head;
+  std::size_t named = 0;
+  for (const auto names : {poses.columns, poses.others}) {
+    for (const std::string_view name : names) {
+      if (names.data() == poses.others.data() && named >= columns) break;
+      head += (named++ == 0 ? "" : std::string(1, delimiter)) + std::string(name);
+    }
+  }
+  options.delimited.delimiter = delimiter;
+  options.delimited.header = true;
+  if (options.columns.roles.empty() && !poses.others.empty()) {
+    options.columns.roles.push_back({Role::unused, {poses.others.begin(), poses.others.end()}});
+    options.columns.roles.back().columns.resize(named - poses.columns.size());
+    if (named == poses.columns.size()) options.columns.roles.clear();
+  }
+  if (poses.form == spline::RotationForm::matrix && options.rotation.requests.empty() && !options.rotation.none) {
+    GivenRotation rotation;
+    rotation.notation.form = poses.form;
+    for (const std::string_view name : rotation_columns_of(poses)) rotation.columns.emplace_back(name);
+    options.rotation.requests.push_back(std::move(rotation));
+  }
+  if (poses.unit && !options.units.time && !options.units.frame_rate) options.units.time = poses.unit;
+  if (!poses.unit) options.columns.timeless = true;
+  return options;
+}
+
+}  // namespace tcb

@@ -1,0 +1,43 @@
+// Pose formats: the columns of lines of poses, as recordings of robots and benchmarks of odometry have them.
+#include "schema/pose_formats.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tcb {
+namespace {
+
+constexpr std::array<std::string_view, 8> tum_columns{"t", "x", "y", "z", "qx", "qy", "qz", "qw"};
+constexpr std::array<std::string_view, 8> euroc_columns{"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
+constexpr std::array<std::string_view, 9> euroc_others{"velocity_x",  "velocity_y",  "velocity_z",
+                                                       "gyro_bias_x", "gyro_bias_y", "gyro_bias_z",
+                                                       "acc_bias_x",  "acc_bias_y",  "acc_bias_z"};
+constexpr std::array<std::string_view, 12> kitti_columns{"r11", "r12", "r13", "x",   "r21", "r22",
+                                                         "r23", "y",   "r31", "r32", "r33", "z"};
+
+constexpr std::array pose_formats{
+    PoseFormat{FormatId::tum, tum_columns, {}, spline::RotationForm::quaternion, TimeUnit::s, ""},
+    PoseFormat{FormatId::euroc, euroc_columns, euroc_others, spline::RotationForm::quaternion, TimeUnit::ns,
+               "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"},
+    PoseFormat{FormatId::kitti, kitti_columns, {}, spline::RotationForm::matrix, std::nullopt, ""},
+};
+
+/// The names of the numbers of a rotation, in their order.
+std::span<const std::string_view> numbers_of(spline::RotationForm form) {
+  static constexpr std::array<std::string_view, 4> quaternion{"qx", "qy", "qz", "qw"};
+  static constexpr std::array<std::string_view, 9> matrix{"r11", "r12", "r13", "r21", "r22",
+                                                          "r23", "r31", "r32", "r33"};
+  if (form == spline::RotationForm::matrix) return matrix;
+  return quaternion;
+}
+
+}  // namespace
+
+const PoseFormat& pose_format(FormatId format) { return *std::ranges::find(pose_formats, format, &PoseFormat::format); }
+
+std::vector<std::string_view> rotation_columns_of(const PoseFormat& format) {
+  const auto numbers = numbers_of(format.form);
+  return {numbers.begin(), numbers.end()};
+}
+
+}  // namespace tcb

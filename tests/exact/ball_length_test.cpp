@@ -1,0 +1,124 @@
+// Lengths in balls: lengths and their inverse are held by their balls, against 80 digits, also where the speed is zero
+// or nearly so.
+#include "exact/ball_length.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "exact/rounding.hpp"
+
+namespace tcb {
+namespace {
+
+using Exact = Float<80>;
+
+Exact middle_of(const Ball& ball) { return Exact(ball.middle().hi) + Exact(ball.middle().lo); }
+
+void expect_held(const Exact& number, const Ball& ball, const char* what) {
+  EXPECT_LE(Exact(abs(number - middle_of(ball))), Exact(ball.radius()) + Exact("1e-60"))
+      << what << " " << ball.middle().hi << " by " << static_cast<double>(Exact(number - middle_of(ball)));
+}
+
+/// A segment at a scalar: from 0 to p1, with the local tangents `out` and `in`, in each channel.
+struct Channel {
+  double p1, out, in;
+};
+template <class S>
+std::vector<spline::Cubic<S>> segment(const std::vector<Channel>& channels) {
+  std::vector<spline::Cubic<S>> cubics;
+  for (const auto& [p1, out, in] : channels) {
+    cubics.push_back(spline::cubic<S>(S(0), S(p1), S(p1), S(out), S(in)));
+  }
+  return cubics;
+}
+
+void expect_lengths(const std::vector<Channel>& channels, double largest_radius, std::mt19937_64& random) {
+  const auto in_balls = segment<Ball>(channels);
+  const auto exact = segment<Exact>(channels);
+  spline::SegmentLength<Ball> balls;
+  balls.assign(in_balls, {}, {});
+  const spline::ArcLength<Exact> arc(exact, {});
+  const Ball total = balls.total().value;
+  expect_held(arc.total().value, total, "length");
+  EXPECT_LE(total.radius(), largest_radius * total.middle().hi);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 6; ++i) {
+    const double u = unit(random);
+    const spline::LocalParameter<Ball> at{Ball(u), Ball(u) - Ball(1.0)};
+    expect_held(arc.to({Exact(u), Exact(u) - 1}).value, balls.to(at).value, "length to");
+    const Ball s = Ball(unit(random) * total.middle().hi);
+    spline::LocalParameter<Ball> place;
+    try {
+      balls.places(Ball(), total, {&s, 1}, {&place, 1});
+    } catch (const Undecided&) {
+      continue;
+    }
+    const Exact where = spline::ArcInverse<Exact>(arc, Exact(0), arc.total().value).at(middle_of(s)).u;
+    expect_held(where, place.u, "place");
+  }
+}
+
+TEST(BallLength, holds_lengths_and_places) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> number(0, 2);
+  const auto channels = [&](std::size_t count) {
+    std::vector<Channel> result(count);
+    for (auto& [p1, out, in] : result) p1 = number(random), out = number(random), in = number(random);
+    return result;
+  };
+  for (int i = 0; i < 12 && !HasFailure(); ++i) {
+    expect_lengths(channels(1 + static_cast<std::size_t>(i) % 3), i % 3 == 0 ? 1 : 0x1p-70, random);
+  }
+}
+
+TEST(BallLength, holds_those_of_cusps_and_rests) {
+  std::mt19937_64 random(2);
+  expect_lengths({{3, 0, 0}}, 0x1p-80, random);                       // from rest to rest
+  expect_lengths({{3, 0, 1}, {4, 0, -2}}, 0x1p-80, random);           // from rest
+  expect_lengths({{1, 1, 1}, {2, 2, 2}}, 0x1p-80, random);            // a straight line at constant speed
+  expect_lengths({{1, 0, 3}, {2, 0, 6}}, 0x1p-80, random);            // u^3
+  expect_lengths({{0, 1, -1}}, 0x1p-60, random);                      // there and back
+  expect_lengths({{1, 4, 4}, {0, -2, 2}}, 0x1p-60, random);           // a loop
+  expect_lengths({{0, 1, -1}, {1e-6, 1e-6, 1e-6}}, 0x1p-60, random);  // nearly a reversal
+}
+
+TEST(BallLength, of_a_point_is_zero) {
+  const auto point = segment<Ball>({{0, 0, 0}});
+  spline::SegmentLength<Ball> balls;
+  balls.assign(point, {}, {});
+  EXPECT_TRUE(balls.total().value.is_zero());
+}
+
+TEST(BallLength, holds_the_angles_of_turns) {
+  const auto at = [](auto zero) {
+    using S = decltype(zero);
+    const spline::Quaternion<S> a{S(0), S(0), S(0), S(1)}, b{S(0.5), S(0.5), S(0.5), S(0.5)};
+    const spline::Quaternion<S> c = normalized(spline::Quaternion<S>{S(0.5), S(-0.25), S(0.125), S(2.0)});
+    const spline::Quaternion<S> d = normalized(spline::Quaternion<S>{S(0.25), S(0.75), S(0.5), S(1.0)});
+    return spline::RotationSegment<S>(spline::RotationCurve::squad, {a, c, d, b});
+  };
+  const auto ball = at(Ball());
+  const auto exact = at(Float<40>(0));
+  const std::vector<std::size_t> metric{spline::turn_metric};
+  spline::SegmentLength<Ball> balls;
+  balls.assign({}, {&ball, 1}, metric);
+  spline::SegmentLength<Float<40>> floats;
+  floats.assign({}, {&exact, 1}, metric);
+  const auto near = [](const Float<40>& number, const Ball& held) {
+    const Float<40> middle = Float<40>(held.middle().hi) + Float<40>(held.middle().lo);
+    EXPECT_LE(Float<40>(abs(number - middle)), Float<40>(held.radius()));
+    EXPECT_LE(held.radius(), 0x1p-60);
+  };
+  near(floats.total().value, balls.total().value);
+  const spline::LocalParameter<Ball> third{Ball(0.375), Ball(-0.625)};
+  near(floats.to({Float<40>(0.375), Float<40>(-0.625)}).value, balls.to(third).value);
+  const Ball s(0.25);
+  spline::LocalParameter<Ball> place;
+  balls.places(Ball(), balls.total().value, {&s, 1}, {&place, 1});
+  near(floats.place(Float<40>(0), floats.total().value, Float<40>(0.25)).u, place.u);
+}
+
+}  // namespace
+}  // namespace tcb
