@@ -121,8 +121,11 @@ BallArc::Panel BallArc::panel(std::size_t half, double middle, double width) con
   return result;
 }
 
-/// Adds a panel that is smooth, or whose length is at most `negligible`; else its halves.
+/// Adds a panel that is smooth, or whose length is at most `negligible`; else its halves. A cusp takes some 100 panels;
+/// where there are far more, the coefficients have too few digits.
 void BallArc::add(const Panel& panel, double negligible) {
+  constexpr std::size_t most_panels = 1000;
+  if (panels_.size() > most_panels) throw Undecided();
   if (panel.is_smooth() || panel.length.most() <= negligible || panel.width < 0x1p-70) {
     panels_.push_back(panel);
     panels_.back().before = total_;

@@ -6,25 +6,31 @@
 #include <string_view>
 #include <utility>
 
+#include "read/csv/splitter.hpp"
 #include "schema/pose_formats.hpp"
 
 namespace tcb {
 namespace {
 
-/// The first line that is neither blank nor a comment; as much of it as there is.
+/// The first line that is neither blank nor a comment; as much of it as there is, up to the longest record.
 std::string first_record(Source<std::string>& bytes) {
   std::string text, line;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find('\n', begin);
-    line = text.substr(begin, end == std::string::npos ? end : end - begin);
-    const std::size_t at = line.find_first_not_of(" \t\r");
-    if (end != std::string::npos && at != std::string::npos && line[at] != '#') break;
-    if (end != std::string::npos) {
-      begin = end + 1;
+  for (std::size_t begin = 0, searched = 0;;) {
+    const std::size_t end = text.find('\n', searched);
+    const bool is_complete = end != std::string::npos;
+    if (is_complete) {
+      line = text.substr(begin, end - begin);
+      const std::size_t at = line.find_first_not_of(" \t\r");
+      if (at != std::string::npos && line[at] != '#') break;
+      begin = searched = end + 1;
       continue;
     }
-    std::optional<std::string> more = bytes();
-    if (!more) break;
+    searched = text.size();
+    std::optional<std::string> more = text.size() <= longest_record ? bytes() : std::nullopt;
+    if (!more) {
+      line = text.substr(begin);
+      break;
+    }
     text += *more;
   }
   bytes = preceded_by(std::move(text), std::move(bytes));

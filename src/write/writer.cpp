@@ -130,9 +130,11 @@ std::vector<std::string> Writer::texts(const Table& table) const {
       const bool counts = notation_ == TimeNotation::frames;
       Rational number = counts ? whole_frame(seconds, rate).value_or(frames) : seconds;
       if (whole_times_) number = floor(number + Rational(1, 2));
-      const Time time = nearest_time(number), with_nanoseconds = nearest_time(number, 9);
-      const bool has_all_digits = exact_time(with_nanoseconds) == number;
-      texts[i] = with_decimal(time_text(has_all_digits ? with_nanoseconds : time), marks_.decimal);
+      Time time = nearest_time(number);
+      if (const Time nanoseconds = nearest_time(number, 9); !order_.empty() && exact_time(nanoseconds) == number) {
+        time = nanoseconds;  // poses have them in seconds
+      }
+      texts[i] = with_decimal(time_text(time), marks_.decimal);
       continue;
     }
     const auto text = time_in_words(seconds, notation_, rate, decimals, dates_);
