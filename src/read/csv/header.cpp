@@ -169,6 +169,14 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
           std::ranges::any_of(words, [&](const std::string& word) { return has_meaning(word, options); }));
 }
 
+/// Throws: Error (data) if the first record has another number of cells than there are names, if there are any.
+void require_names_for_cells(const std::vector<std::string>& names, const FirstRecords::Record& row,
+                             const DelimitedHead& head) {
+  if (names.empty() || names.size() == row.cells.size()) return;
+  const auto unlike = head.is_of_format ? line_unlike_format : row_unlike_header;
+  throw unlike(row.cells.size(), names.size()).at({"", row.line, 1});
+}
+
 /// Throws: Error (data) if a column of text begins like a number in its first record.
 void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric,
                   const std::vector<std::string>& names) {
@@ -268,8 +276,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   FirstRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.head.empty();
-  const std::size_t lines = first.records.size() - (head.is_of_format ? 1 : 0);
-  if (lines == 0) throw columns.samples ? empty_samples() : empty_input();
+  if (first.records.size() == (head.is_of_format ? 1U : 0U)) throw columns.samples ? empty_samples() : empty_input();
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
   const bool header = options.delimited.header.value_or(is_header(first.records[0], head, columns.samples));
   std::size_t data = header ? 1 : 0;
@@ -285,10 +292,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     }
   }
   const auto& row = first.records[data];
-  if (!names.empty() && names.size() != row.cells.size()) {
-    const auto unlike = head.is_of_format ? line_unlike_format : row_unlike_header;
-    throw unlike(row.cells.size(), names.size()).at({"", row.line, 1});
-  }
+  require_names_for_cells(names, row, head);
   head.encoding = convert_names(names, position);
   head.names_quaternion = !columns.samples && name_quaternion(names);
   rest.assign(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk), first.chunks.end());

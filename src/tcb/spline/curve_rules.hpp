@@ -65,7 +65,7 @@ struct PositionChord {
   const std::vector<AngleChannel>& angles;
 
   working_t<S> operator()(std::size_t key, std::size_t channel) const {
-    const auto chord = exact_difference(keys.position(key + 1)[channel], keys.position(key)[channel]);
+    auto chord = exact_difference(keys.position(key + 1)[channel], keys.position(key)[channel]);
     for (const AngleChannel& angle : angles) {
       if (angle.channel == channel) return chord - nearest_turns<S>(chord, angle.degrees);
     }
