@@ -71,7 +71,7 @@ bool needs_all_channels(const TypedOptions& typed) {
 
 }  // namespace
 
-bool has_json_input(const TypedOptions& typed) {
+bool has_other_input_than_delimited(const TypedOptions& typed) {
   return typed.keys.input.format && format_of(*typed.keys.input.format).family != FormatFamily::delimited;
 }
 

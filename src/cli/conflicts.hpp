@@ -49,7 +49,8 @@ void require_no_conflict(const TypedOptions& typed);
 
 // Conditions on the values of options.
 
-bool has_json_input(const TypedOptions& typed);
+/// The format of the input is given, and is not delimited text.
+bool has_other_input_than_delimited(const TypedOptions& typed);
 /// The decimal mark is also the delimiter.
 bool has_one_comma_for_two(const TypedOptions& typed);
 /// The decimal mark also divides thousands.

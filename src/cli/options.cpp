@@ -155,7 +155,7 @@ constexpr OptionRow option_rows[] = {
      [](const Conflicts& of) {
        of.disable(
            {option::delimiter, option::header, option::no_header, option::comment, option::decimal, option::thousands},
-           "", has_json_input);
+           "", has_other_input_than_delimited);
      },
      input_format_names},
     {option::delimiter, "-d", "CHAR", input_group,

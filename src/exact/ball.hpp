@@ -94,7 +94,7 @@ class Ball {
 
   friend Ball ldexp(const Ball& a, int exponent) {
     const auto scaled = [&](double number) { return std::ldexp(number, exponent); };
-    return checked({scaled(a.middle_.hi), scaled(a.middle_.lo)}, scaled(a.radius_));
+    return checked({scaled(a.middle_.hi), scaled(a.middle_.lo)}, scaled(a.radius_) + (a.radius_ > 0 ? least : 0));
   }
   /// The exponent is that of the middle.
   friend Ball frexp(const Ball& a, int* exponent) {

@@ -24,8 +24,8 @@ Hermite hermite_at(double u, double duration) {
 template <class T, std::size_t channels>
 using PerChannel = std::conditional_t<channels == 0, std::vector<T>, std::array<T, channels>>;
 
-/// The fit of the channels of one group. `channels`: how many there are; 0: any number. The inner loops take half the
-/// time where it is known.
+/// The fit of the channels of one group. `channels`: how many there are, which makes the inner loops faster; 0: any
+/// number.
 template <std::size_t channels>
 class GroupFit {
  public:

@@ -1,10 +1,13 @@
 // Poses: options by which lines of poses are read as delimited text.
 #include "read/poses.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "read/csv/splitter.hpp"
 #include "schema/pose_formats.hpp"
@@ -53,22 +56,20 @@ std::size_t columns_in(std::string_view record, char delimiter) {
 InputOptions options_of_poses(FormatId format, Source<std::string>& bytes, InputOptions options) {
   const PoseFormat& poses = pose_format(format);
   const char delimiter = format_of(format).delimiter;
+  std::vector<std::string> names(poses.columns.begin(), poses.columns.end());
   const std::size_t columns = columns_in(first_record(bytes), delimiter);
-  std::string& head = options.delimited.head;
-  std::size_t named = 0;
-  for (const auto names : {poses.columns, poses.others}) {
-    for (const std::string_view name : names) {
-      if (names.data() == poses.others.data() && named >= columns) break;
-      head += (named++ == 0 ? "" : std::string(1, delimiter)) + std::string(name);
-    }
+  const std::size_t more = columns > names.size() ? std::min(columns - names.size(), poses.others.size()) : 0;
+  std::vector<RoleRequest>& roles = options.columns.roles;
+  RoleRequest unused{Role::unused, {}};
+  for (const std::string_view name : poses.others.first(more)) {
+    names.emplace_back(name);
+    const auto is_requested = [&](const RoleRequest& role) { return std::ranges::count(role.columns, name) > 0; };
+    if (std::ranges::none_of(roles, is_requested)) unused.columns.emplace_back(name);
   }
+  if (!unused.columns.empty()) roles.push_back(std::move(unused));
+  options.delimited.head = fmt::format("{}", fmt::join(names, std::string(1, delimiter)));
   options.delimited.delimiter = delimiter;
   options.delimited.header = true;
-  if (options.columns.roles.empty() && !poses.others.empty()) {
-    options.columns.roles.push_back({Role::unused, {poses.others.begin(), poses.others.end()}});
-    options.columns.roles.back().columns.resize(named - poses.columns.size());
-    if (named == poses.columns.size()) options.columns.roles.clear();
-  }
   if (poses.form == spline::RotationForm::matrix && options.rotation.requests.empty() && !options.rotation.none) {
     GivenRotation rotation;
     rotation.notation.form = poses.form;

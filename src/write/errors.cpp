@@ -23,10 +23,10 @@ Error text_in_poses(std::string_view column, std::string_view format) {
 
 Error not_a_pose(std::size_t positions, std::size_t rotations, std::string_view format) {
   return {Exit::data,
-          fmt::format("the curve has {} channels of position and {} rotations, but each row of {} is a "
-                      "pose; expected 3 channels and 1 rotation; choose them with {} and {}, or give "
+          fmt::format("each row of {} is a pose, but the curve has channels of position: {}, rotations: "
+                      "{}; expected 3 channels and 1 rotation; choose them with {} and {}, or give "
                       "another format, such as csv, to {}",
-                      positions, rotations, format, option::columns, option::rotation, option::output_format)};
+                      format, positions, rotations, option::columns, option::rotation, option::output_format)};
 }
 
 Error poses_without_unit_of_time(std::string_view column, std::string_view format) {

@@ -82,6 +82,7 @@ class Writer {
 
   /// The table with the cells of each row in the order of the columns.
   Table ordered(const Table& table) const;
+  /// Appends the text of the rows of a table.
   void append(std::string& out, const Layout& layout, const Table& table, bool first) const;
 
   const WriterOptions& options_;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fit/recordings.hpp"
+#include "stream/ordered_map.hpp"
 #include "tcb/spline/curve.hpp"
 #include "tcb/spline/window_segments.hpp"
 
@@ -51,6 +52,19 @@ TEST(Fit, is_within_the_tolerance) {
       }
     }
   }
+}
+
+TEST(Fit, of_a_long_recording_is_the_same_on_any_number_of_threads) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal(0, 0.01);
+  const Recording recording =
+      recording_of({[&](double t) { return std::sin(t) + normal(random); }}, 80'000, 0.01, 0.05);  // two parts
+  const auto one = fit(recording, times_of(recording), {.keys = FitKeys::hermite});
+  const ThreadPool pool(2);
+  const auto two = fit(recording, times_of(recording), {.keys = FitKeys::hermite, .threads = 2});
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(one->keys.positions, two->keys.positions);
+  EXPECT_LE(largest_distance(recording, two->keys), 1);
 }
 
 TEST(Fit, rotations_are_within_their_angle) {
