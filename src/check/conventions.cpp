@@ -104,10 +104,17 @@ bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
   return true;
 }
 
+/// Whether the keys have neither ease nor velocities nor missing positions, with which timing is always even.
+bool has_rules_alone(const KeptCurve& curve) {
+  return std::ranges::all_of(curve.blocks, [](const KeyBlock& block) {
+    return block.keys.eases.empty() && block.keys.velocities.empty() && !block.keys.is_sparse();
+  });
+}
+
 }  // namespace
 
 ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs& inputs) {
-  ComparedParts parts{false, false, {}};
+  ComparedParts parts{.positions = false};
   const Schema& keys = inputs.kept.schema;
   const std::vector<PositionCell> cells = position_cells(keys.channels.size(), rotation_columns(keys));
   bool rotations = false;
@@ -118,6 +125,7 @@ ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs&
   for (const KeptCurve& curve : inputs.kept.curves) {
     const CurveSpec spec = make_spec(merged(rules, curve.curve_info->settings));
     parts.closed = parts.closed || spec.closed;
+    parts.may_be_timed = parts.may_be_timed && has_rules_alone(curve);
     if (rotations && rules.rotation_curve) parts.rotation_curves = {spec.rules.rotation_rules.curve};
   }
   for (const auto& row : spline::rotation_curves) {
@@ -139,10 +147,23 @@ void add_with_curves(std::vector<Convention>& all, Convention convention, const 
   }
 }
 
+/// The presets with monotone timing.
+void add_timings(std::vector<Convention>& all, std::size_t orders, const ComparedParts& parts) {
+  for (const spline::PresetRow& row : spline::presets) {
+    if (row.timing == spline::Timing::even || !parts.may_be_timed) continue;
+    for (std::size_t order = 0; order < orders; ++order) {
+      Convention convention{row.tangents, row.ends, row.ends, false, order};
+      convention.timing = row.timing;
+      add_with_curves(all, convention, parts);
+    }
+  }
+}
+
 /// The presets whose rotations have other rules than positions.
 void add_presets(std::vector<Convention>& all, std::size_t orders, const ComparedParts& parts) {
-  for (const auto& [id, name, tangents, ends, product, rotations] : spline::presets) {
+  for (const auto& [id, name, tangents, ends, product, rotations, timing] : spline::presets) {
     const bool is_tried = std::ranges::count(parts.rotation_curves, rotations.curve) > 0;
+    if (timing != spline::Timing::even) continue;
     if (!parts.positions || !is_tried || (!rotations.tangents && !rotations.ends)) continue;
     const auto is_same = [&, like = std::tuple(tangents, ends, rotations)](const Convention& other) {
       if (!other.rotation_preset) return false;
@@ -172,6 +193,7 @@ std::vector<Convention> conventions(std::size_t orders, const ComparedParts& par
     }
   }
   add_presets(all, orders, parts);
+  add_timings(all, orders, parts);
   return all;
 }
 
@@ -198,6 +220,7 @@ CurveSettings settings_of(const Convention& convention, CurveSettings others, co
   others.tangents = {std::string(name_of(convention.tangents)), {option::tangents}};
   if (!parts.closed) others.ends = {ends_of(convention), {option::ends}};
   others.equal_speed = convention.equal_speed;
+  others.timing = convention.timing;
   if (convention.rotation_curve) {
     others.rotation_curve = {std::string(name_of(*convention.rotation_curve)), {option::rotation_curve}};
   }
@@ -224,7 +247,7 @@ bool has_rotations_of(const Convention& convention, const spline::PresetRow& pre
 }
 
 bool has_positions_of(const Convention& convention, const spline::PresetRow& preset, bool closed) {
-  return preset.tangents == convention.tangents &&
+  return preset.tangents == convention.tangents && preset.timing == convention.timing &&
          (closed || (preset.ends == convention.start && preset.ends == convention.end));
 }
 

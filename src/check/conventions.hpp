@@ -43,11 +43,13 @@ struct Convention {
   std::size_t order = 0;                                     ///< index into the distinct orders
   std::optional<spline::RotationCurve> rotation_curve = {};  ///< nothing: no rotations are compared
   std::optional<spline::Preset> rotation_preset = {};        ///< whose rules rotations have, if not those of positions
+  spline::Timing timing = spline::Timing::even;
 };
 
 /// What is compared.
 struct ComparedParts {
   bool closed = false;                                      ///< curves without ends
+  bool may_be_timed = true;                                 ///< keys can have monotone timing
   bool positions = true;                                    ///< numbers that are none of a rotation
   std::vector<spline::RotationCurve> rotation_curves = {};  ///< those that are tried; none: no rotations are compared
 };

@@ -124,6 +124,7 @@ std::string title(const Identification& found, const Candidate& candidate) {
   std::string text = fmt::format("tangents {}", name_of(convention.tangents));
   if (!found.parts.closed) text += ", ends " + ends_of(convention);
   if (convention.equal_speed) text += ", equal speed";
+  if (convention.timing != spline::Timing::even) text += fmt::format(", timing {}", name_of(convention.timing));
   if (convention.rotation_curve) text += fmt::format(", rotation curve {}", name_of(*convention.rotation_curve));
   if (convention.rotation_preset) text += fmt::format(", rotations as in {}", name_of(*convention.rotation_preset));
   return text + (order.is_plain() ? "" : ", T,C,B from " + order.name());
@@ -164,13 +165,15 @@ std::string same_orders(const Identification& found) {
 std::string row_json(const Identification& found, const Candidate& candidate, bool fits) {
   const Convention& convention = candidate.convention;
   const auto& [curve, preset] = std::pair(convention.rotation_curve, convention.rotation_preset);
-  std::string rotations = curve ? fmt::format("\"rotation_curve\":{},", json_text(name_of(*curve))) : "";
-  if (preset) rotations += fmt::format("\"rotations_as\":{},", json_text(name_of(*preset)));
+  std::string others = curve ? fmt::format("\"rotation_curve\":{},", json_text(name_of(*curve))) : "";
+  if (preset) others += fmt::format("\"rotations_as\":{},", json_text(name_of(*preset)));
+  if (convention.timing != spline::Timing::even)
+    others += fmt::format("\"timing\":{},", json_text(name_of(convention.timing)));
   return fmt::format(
       "{{\"fits\":{},\"tangents\":{},\"ends\":{},\"equal_speed\":{},{}\"order\":{},\"presets\":{},\"largest\":{},"
       "\"rows_off\":{}}}",
       fits, json_text(name_of(convention.tangents)), found.parts.closed ? "null" : json_text(ends_of(convention)),
-      convention.equal_speed, rotations, json_text(order_of(found, candidate).order.name()),
+      convention.equal_speed, others, json_text(order_of(found, candidate).order.name()),
       list_json(presets_of(convention, found.parts)), number_json(candidate.largest), candidate.rows_off);
 }
 

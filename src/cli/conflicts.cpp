@@ -143,7 +143,7 @@ bool has_no_format_of_reports(const TypedOptions& typed) {
 
 bool has_picture(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::picture; }
 bool has_no_picture(const TypedOptions& typed) { return !has_picture(typed); }
-bool has_poses(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::poses; }
+bool has_poses(const TypedOptions& typed) { return has_pose_rows(output_of(typed)); }
 bool has_binary_output(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::array; }
 bool has_no_header(const TypedOptions& typed) { return output_of(typed).family != FormatFamily::delimited; }
 bool has_fixed_delimiter(const TypedOptions& typed) { return typed.output.format != FormatId::csv; }

@@ -51,9 +51,11 @@ std::string manual_presets() {
   std::string out;
   for (const auto& row : presets) {
     const std::string rotations = rotation_rules_text(row.rotations);
-    out += fmt::format(".TP\n.B {}\n{}, {}: {}{}.\n", escaped(row.name), escaped(name_of(row.tangents)),
+    const bool is_even = row.timing == spline::Timing::even;
+    out += fmt::format(".TP\n.B {}\n{}, {}: {}{}{}.\n", escaped(row.name), escaped(name_of(row.tangents)),
                        escaped(name_of(row.ends)), escaped(row.product),
-                       rotations.empty() ? "" : escaped("; rotations: " + rotations));
+                       rotations.empty() ? "" : escaped("; rotations: " + rotations),
+                       is_even ? "" : fmt::format("; timing: {}", name_of(row.timing)));
   }
   return out;
 }

@@ -148,9 +148,9 @@ constexpr OptionRow option_rows[] = {
      }},
 
     {option::input_format, "-i", "FORMAT", input_group,
-     "The format of the input: @NAMES@ (ssv: separated by whitespace; tum, euroc and kitti: lines of poses). By "
-     "default it follows from the ending of the "
-     "file; without a known ending, text that begins with [ or { is JSON, and any other text is delimited",
+     "The format of the input: @NAMES@ (ssv: separated by whitespace; tum, euroc and kitti: lines of poses; nerfstudio: a camera path). By default it "
+     "follows from the ending of the file; without a known ending, text that begins with [ or { is JSON, and any other "
+     "text is delimited. JSON with keyframes near its beginning is a camera path",
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); },
      [](const Conflicts& of) {
        of.disable(
@@ -559,8 +559,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.files.outputs.file = text; },
      [](const Conflicts& of) { of.exclude({option::output_dir}); }},
     {option::output_format, "-f", "FORMAT", output_group,
-     "The format of the output: @NAMES@ (tum, euroc and kitti: lines of poses, npy: an array for NumPy, svg: a "
-     "picture); by default the format of FILE's "
+     "The format of the output: @NAMES@ (tum, euroc and kitti: lines of poses, nerfstudio: a camera path, npy: an "
+     "array for NumPy, svg: a picture); by default the format of FILE's "
      "ending, or else csv",
      "", name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); },
      [](const Conflicts& of) {

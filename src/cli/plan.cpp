@@ -108,7 +108,7 @@ KeyOptions keys_of(const TypedOptions& typed) {
   }
   if (typed.has(option::tcb) && keys.input.keys.tcb_scale == TcbScale::max3ds) {
     for (double* const value :
-         {&keys.input.keys.tcb.tension, &keys.input.keys.tcb.continuity, &keys.input.keys.tcb.bias}) {
+         {&keys.input.keys.tcb->tension, &keys.input.keys.tcb->continuity, &keys.input.keys.tcb->bias}) {
       *value = nearest_double(from_0_to_50(exact_time(Time(*value))));
     }
   }
@@ -125,7 +125,7 @@ bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& cho
 /// The fields of rows.
 std::vector<std::size_t> fields_of(const TypedOptions& typed) {
   if (has_poses(typed)) {
-    const bool has_times = pose_format(typed.output.format).unit.has_value();
+    const bool has_times = pose_format(typed.output.format).has_time_in_rows();
     return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
   }
   std::vector<std::size_t> chosen = typed.output.fields;

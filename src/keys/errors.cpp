@@ -202,6 +202,18 @@ Error equal_speed_with_velocities() {
                                   option::equal_speed, option::equal_speed)};
 }
 
+Error velocities_with_timing() {
+  return {Exit::data, fmt::format("the keys have velocities, which a preset with monotone timing would change; expected "
+                                  "one of the two; give another {}",
+                                  option::preset)};
+}
+
+Error ease_with_timing() {
+  return {Exit::data, fmt::format("the keys have ease, and the preset has monotone timing; expected one of the two; "
+                                  "give {}, or another {}",
+                                  option::no_ease, option::preset)};
+}
+
 Error incoming_velocity_missing(std::string_view channel) {
   return {Exit::data, fmt::format("the incoming velocity of channel {} is missing; expected a number at every key but "
                                   "the first; fill it in, or remove the row",

@@ -67,6 +67,15 @@ Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown) 
   });
 }
 
+Source<KeyBlock> with_rules_alone(Source<KeyBlock> blocks) {
+  return mapped(std::move(blocks), [](KeyBlock block) {
+    if (block.empty()) return block;
+    if (!block.keys.eases.empty()) throw ease_with_timing().at({"", block.line(0)});
+    if (!block.keys.velocities.empty()) throw velocities_with_timing().at({"", block.line(0)});
+    return block;
+  });
+}
+
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
   return mapped(std::move(blocks), [](KeyBlock block) {
     block.keys.eases.clear();

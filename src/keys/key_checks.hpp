@@ -20,6 +20,10 @@ enum class ShownTcbScale { from_0_to_50, percent };
 /// scale on which the product shows them.
 Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
 
+/// Passes keys on. Throws: Error (data) with the line of a key that has ease or velocities, which monotone timing would
+/// change.
+Source<KeyBlock> with_rules_alone(Source<KeyBlock> blocks);
+
 /// The keys without their ease.
 Source<KeyBlock> without_ease(Source<KeyBlock> blocks);
 

@@ -86,6 +86,7 @@ std::string short_rules(const RuleFacts& facts) {
   } else {
     words.push_back(fmt::format("tangents {}", name_of(rules.tangents)));
     if (!spec.closed) words.push_back(fmt::format("ends {}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
+    if (rules.timing != spline::Timing::even) words.push_back(fmt::format("timing {}", name_of(rules.timing)));
   }
   if (spec.closed) words.emplace_back("closed");
   if (rules.equal_speed) words.emplace_back("equal speed");

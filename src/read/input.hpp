@@ -22,6 +22,7 @@ struct InputFacts {
   std::string encoding = {};                                 ///< from which text was converted to UTF-8; empty: none
   bool names_quaternion = false;                             ///< as in DelimitedHead
   JsonShape shape = JsonShape::list;                         ///< of JSON
+  std::optional<spline::Tcb<double>> tcb = {};               ///< of all keys, as the file has it
   std::string comment = {};                                  ///< the prefix of its comment lines; empty: it has none
   std::vector<std::string> roles = {};                       ///< names of columns that shape a curve, such as tension
   std::vector<std::string> ignored = {};                     ///< names of columns without a role
@@ -35,6 +36,7 @@ struct Records {
   DateFormat dates = {};                    ///< of times that are dates
   std::optional<TimeUnit> epoch_unit = {};  ///< of times that seem to count from 1970
   std::optional<TextMarks> marks = {};      ///< of delimited text
+  std::string camera_path = {};             ///< as in Schema
   InputFacts facts = {};
   InputKeys keys = {};
 };

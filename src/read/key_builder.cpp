@@ -85,7 +85,7 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyU
       texts_(columns.texts()),
       decimals_(rules.keeps_decimals ? NumberOfKey::position + columns.channels.size() * kinds(columns) : 0) {
   block_.keys.channels = columns.channels.size();
-  block_.keys.common_tcb = rules.tcb;
+  block_.keys.common_tcb = rules.tcb.value_or(spline::Tcb<double>{});
   for (const Role role : {Role::velocity, Role::velocity_in}) {
     for (const std::size_t channel : channels_with(columns, role)) {
       block_.keys.given.resize(columns.channels.size());
@@ -103,7 +103,7 @@ void KeyBuilder::begin_key() {
   block_.keys.positions.resize(position_ + block_.keys.channels, nan);
   time_ = Time(nan);
   nanoseconds_ = nan;
-  tcb_ = rules_.tcb;
+  tcb_ = block_.keys.common_tcb;
   ease_ = {};
   if (has_channel_roles_) {
     std::ranges::fill(channel_tcbs_, spline::Tcb<double>{nan, nan, nan});

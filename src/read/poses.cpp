@@ -71,10 +71,7 @@ InputOptions options_of_poses(FormatId format, Source<std::string>& bytes, Input
   options.delimited.delimiter = delimiter;
   options.delimited.header = true;
   if (poses.form == spline::RotationForm::matrix && options.rotation.requests.empty() && !options.rotation.none) {
-    GivenRotation rotation;
-    rotation.notation.form = poses.form;
-    for (const std::string_view name : rotation_columns_of(poses)) rotation.columns.emplace_back(name);
-    options.rotation.requests.push_back(std::move(rotation));
+    options.rotation.requests.push_back(rotation_of(poses));
   }
   if (poses.unit && !options.units.time && !options.units.frame_rate) options.units.time = poses.unit;
   if (!poses.unit) options.columns.timeless = true;

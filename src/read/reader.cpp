@@ -12,6 +12,7 @@
 #include "read/csv/csv_reader.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/errors.hpp"
+#include "read/json/camera_path.hpp"
 #include "read/json/shapes.hpp"
 #include "read/poses.hpp"
 #include "schema/rotation_columns.hpp"
@@ -149,13 +150,23 @@ Source<std::string> without_mark(Source<std::string> bytes, std::string& encodin
 
 /// The format by the file's ending, or by the first byte that is not blank.
 FormatId detect(const std::string& path, const std::string& beginning) {
-  if (const auto format = find_input_format(path)) return *format;
+  const auto named = find_input_format(path);
+  if ((!named || *named == FormatId::json) && begins_camera_path(beginning).value_or(false)) return FormatId::nerfstudio;
+  if (named) return *named;
   const std::size_t at = beginning.find_first_not_of(" \t\r\n");
   const bool json = at != std::string::npos && (beginning[at] == '[' || beginning[at] == '{');
   return json ? FormatId::json : FormatId::csv;
 }
 
+/// The options, with what the format decides unless it is requested.
+InputOptions options_of(FormatId format, Source<std::string>& bytes, const InputOptions& given) {
+  const FormatFamily family = format_of(format).family;
+  if (family == FormatFamily::poses) return options_of_poses(format, bytes, given);
+  return family == FormatFamily::cameras ? options_of_camera_path(given) : given;
+}
+
 Records open_as(FormatId format, Source<std::string> bytes, InputOptions options) {
+  if (format_of(format).family == FormatFamily::cameras) return open_camera_path(std::move(bytes), options);
   if (format_of(format).family == FormatFamily::json) return open_json(std::move(bytes), options);
   std::optional<char>& delimiter = options.delimited.delimiter;
   if (!delimiter && format != FormatId::csv) delimiter = format_of(format).delimiter;  // csv: any, to be found
@@ -167,18 +178,19 @@ Records open_as(FormatId format, Source<std::string> bytes, InputOptions options
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& given) {
   std::string encoding;
   bytes = without_mark(decompressed(std::move(bytes)), encoding);
+  constexpr std::size_t most_before_list = 1UL << 20;  // of JSON
   std::string beginning;
-  for (bool blank = true; blank;) {
+  for (bool blank = true; blank || !begins_camera_path(beginning);) {
     auto more = bytes();
     if (!more) break;
-    blank = more->find_first_not_of(" \t\r\n") == std::string::npos;
+    blank = blank && more->find_first_not_of(" \t\r\n") == std::string::npos;
     beginning += *more;
     if (blank && beginning.size() > longest_record) throw at_first_byte(blank_beginning());
+    if (!blank && beginning.size() > most_before_list) break;
   }
   const FormatId format = given.format ? *given.format : detect(path, beginning);
   bytes = preceded_by(std::move(beginning), std::move(bytes));
-  const bool has_poses = format_of(format).family == FormatFamily::poses;
-  const InputOptions options = has_poses ? options_of_poses(format, bytes, given) : given;
+  const InputOptions options = options_of(format, bytes, given);
   Records records = open_as(format, std::move(bytes), options);
   const Columns& columns = records.columns;
   Input input{schema_of(columns, records.time_notation, records.dates), std::move(records.facts),
@@ -187,6 +199,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   if (!input.schema.time.unit) input.schema.time.epoch_unit = records.epoch_unit;
   input.schema.marks = records.marks;
+  input.schema.camera_path = std::move(records.camera_path);
   input.facts.format = format;
   if (!encoding.empty()) input.facts.encoding = encoding;
   input.facts.roles = columns.shape_roles();

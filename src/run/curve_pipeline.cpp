@@ -78,6 +78,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
   const auto shown_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset);
   if (shown_scale) blocks = within_tcb_scale(std::move(blocks), *shown_scale);
   if (!spec_.ease) blocks = without_ease(std::move(blocks));
+  if (spec_.rules.timing == spline::Timing::monotone) blocks = with_rules_alone(std::move(blocks));
   blocks = with_complete_velocities(std::move(blocks), channels_, spec_.rules.equal_speed);
   return checked(std::move(blocks), needs_.single_key ? 1 : least);
 }

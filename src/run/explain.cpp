@@ -83,7 +83,7 @@ Facts input_facts(const Input& input) {
 }
 
 /// What will be done with every curve of an input.
-Facts intentions(const ExplainJob& job, const Schema& schema) {
+Facts intentions(const ExplainJob& job, const Schema& schema, const std::optional<spline::Tcb<double>>& of_file) {
   const SamplingRequest& sampling = job.samples.request;
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
@@ -91,7 +91,7 @@ Facts intentions(const ExplainJob& job, const Schema& schema) {
   const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.keys.curves.duplicates);
   if (schema.time.is_given) add("duplicates", std::string(duplicates));
   if (job.keys.curves.sort) add("sort", "by time");
-  const spline::Tcb<double>& tcb = job.keys.input.keys.tcb;
+  const spline::Tcb<double> tcb = job.keys.input.keys.tcb.value_or(of_file.value_or(spline::Tcb<double>{}));
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
   for (const AngleColumn& angle : schema.angles) {
     add("angle", schema.channels[angle.channel] + (angle.degrees ? " in degrees" : " in radians"));
@@ -199,7 +199,7 @@ class Explainer {
     if (count_ == 0) {
       needs_ = in_words(pipeline.needs());
       append(intended_, rules_in_words(pipeline.facts()));
-      append(intended_, intentions(job_, input_.schema));
+      append(intended_, intentions(job_, input_.schema, input_.facts.tcb));
     }
     last_ = outcome_of(pipeline, curve);
     last_.ends_at_key = !job_.samples.request.to && !pipeline.facts().spec.closed;

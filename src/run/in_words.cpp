@@ -20,6 +20,7 @@ Facts rules_in_words(const RuleFacts& facts) {
   } else {
     words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
   }
+  if (rules.timing != spline::Timing::even) words.emplace_back("timing", std::string(name_of(rules.timing)));
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
   if (!rules.rotations.empty()) {
     const auto& [curve, tangents, ends] = rules.rotation_rules;

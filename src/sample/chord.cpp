@@ -217,7 +217,7 @@ double Chord::across(const std::vector<Powers>& expansion, double size, bool is_
   return distances.at_start(length_) <= limit2 ? distances.bound(length_, limit2, parts) : infinity;
 }
 
-/// In each part of the ease u = start + linear s + bent s^2, where s is linear in time.
+/// In each part of the warp u = start + b s + c s^2 + d s^3, where s is linear in time; with ease d = 0.
 double Chord::on_graph(const CurveSegment& segment, double low, double high) {
   int parts = most_parts;
   double found = 0, start = low;
@@ -227,10 +227,12 @@ double Chord::on_graph(const CurveSegment& segment, double low, double high) {
     if (!(end > start)) continue;
     const Time until = segment.warp.inverse({end, end - 1});
     const double duration = (until - passed).hi;
-    const double bent = segment.warp.second_derivative(((passed + until) * Time(0.5)).hi) * duration * duration / 2;
+    const double d = segment.warp.third_derivative() * duration * duration * duration / 6;
+    const double at_middle = segment.warp.second_derivative(((passed + until) * Time(0.5)).hi);
+    const double c = at_middle * duration * duration / 2 - 1.5 * d;
     expand(expansion_, segment, start);
-    found = std::max(
-        found, on_part_of_graph({end - start - bent, bent}, place(segment, passed), place(segment, until), parts));
+    found = std::max(found, on_part_of_graph({end - start - c - d, c, d}, place(segment, passed), place(segment, until),
+                                             parts));
     start = end;
     passed = until;
   }
@@ -243,18 +245,28 @@ double Chord::place(const CurveSegment& segment, const Time& passed) const {
   return ((segment.start - from_->t + passed * (segment.end - segment.start)) / (to_->t - from_->t)).hi;
 }
 
-/// Where u has these coefficients of s and s^2, and the chord is at `first` and `last` of its duration at the ends of
-/// s.
-double Chord::on_part_of_graph(const std::array<double, 2>& u, double first, double last, int& parts) const {
+/// Where u has these coefficients of s, s^2 and s^3, and the chord is at `first` and `last` of its duration at the ends
+/// of s.
+double Chord::on_part_of_graph(const std::array<double, 3>& u, double first, double last, int& parts) const {
   const auto [x0, x1, x2, x3] = expansion_[0];
-  const auto [b, c] = u;
+  const auto [b, c, d] = u;
   const double height = (to_->x[0] - from_->x[0]) * scale_;
-  Bernstein<7> gap = bernstein<7>({x0 - height * first, x1 * b - height * (last - first), x1 * c + x2 * b * b,
-                                   2 * x2 * b * c + x3 * b * b * b, x2 * c * c + 3 * x3 * b * b * c, 3 * x3 * b * c * c,
-                                   x3 * c * c * c});
-  const double above = upper_bound(gap, 0, parts);
-  for (double& number : gap) number = -number;
-  return square(upper_bound(gap, above, parts));
+  const std::array<double, 7> gap{x0 - height * first,
+                                  x1 * b - height * (last - first),
+                                  x1 * c + x2 * b * b,
+                                  2 * x2 * b * c + x3 * b * b * b,
+                                  x2 * c * c + 3 * x3 * b * b * c,
+                                  3 * x3 * b * c * c,
+                                  x3 * c * c * c};
+  const auto largest_square = [&parts](auto numbers) {
+    const double above = upper_bound(numbers, 0, parts);
+    for (double& number : numbers) number = -number;
+    return square(upper_bound(numbers, above, parts));
+  };
+  if (d == 0) return largest_square(bernstein<7>(gap));
+  return largest_square(bernstein<10>({gap[0], gap[1], gap[2], gap[3] + x1 * d, gap[4] + 2 * x2 * b * d,
+                                       gap[5] + d * (2 * x2 * c + 3 * x3 * b * b), gap[6] + d * (x2 * d + 6 * x3 * b * c),
+                                       3 * d * x3 * (c * c + b * d), 3 * d * d * x3 * c, d * d * d * x3}));
 }
 
 }  // namespace tcb

@@ -8,8 +8,8 @@
 //   2 [(1 - 2 s) (A + 2 B s + C s^2) + s (1 - s) (B + C s)]
 // with Bernstein coefficients A, A/3 + B, (2 C + B - A)/3, -(A + 2 B + C). If their signs change once there is one
 // maximum, by Descartes' rule. Otherwise, and for parts of the chord, |q|^2 is bounded as a polynomial of degree six.
-// A graph of one channel over time departs from the chord at equal times. With ease it is a polynomial of degree six of
-// time where the ease is one polynomial.
+// A graph of one channel over time departs from the chord at equal times. It is a polynomial of time: of degree six in
+// each part of an ease, of degree nine with monotone timing.
 #pragma once
 
 #include <array>
@@ -60,7 +60,7 @@ class Chord {
 
   void set_direction();
   double on_graph(const CurveSegment& segment, double low, double high);
-  double on_part_of_graph(const std::array<double, 2>& u, double first, double last, int& parts) const;
+  double on_part_of_graph(const std::array<double, 3>& u, double first, double last, int& parts) const;
   double place(const CurveSegment& segment, const Time& passed) const;
   double across(const std::vector<Powers>& expansion, double size, bool is_whole, double limit2);
 

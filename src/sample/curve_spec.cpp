@@ -148,6 +148,7 @@ CurveSpec make_spec(const CurveSettings& settings) {
   const bool is_open = settings.closed && !settings.closed->value;
   if (settings.period && is_open) throw period_of_open_curve(settings.closed->origin);
   spec.closed = settings.period || (settings.closed && settings.closed->value);
+  spec.rules.timing = settings.timing.value_or(preset.timing);
   if (settings.ends && spec.closed) {
     const SettingOrigin& closed = settings.closed ? settings.closed->origin : settings.period->origin;
     throw ends_of_closed_curve(settings.ends->origin, closed);
@@ -216,6 +217,7 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   set_metric(spec, settings, channels);
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
+    if (spec.rules.timing == spline::Timing::monotone) throw end_velocity_with_timing(settings.ends->origin);
     if (!rotations.empty()) throw end_velocity_of_rotation(settings.ends->origin);
     if (end->velocity.size() == channels.size()) continue;
     throw end_velocity_of_other_size(settings.ends->origin, end->velocity.size(), channels);

@@ -42,6 +42,12 @@ Error end_velocity_of_other_size(const SettingOrigin& ends, std::size_t numbers,
                                          numbers, channels.size(), listed(channels)));
 }
 
+Error end_velocity_with_timing(const SettingOrigin& ends) {
+  return about_setting(ends, fmt::format("the rule velocity gives a velocity, which a preset with monotone timing would "
+                                         "change; expected a different end rule; change it, or give another {}",
+                                         option::preset));
+}
+
 Error end_velocity_of_rotation(const SettingOrigin& ends) {
   return about_setting(ends, fmt::format("the rule velocity does not apply to rotations; expected a different end "
                                          "rule; change it, or give {} none to take rotations as plain channels",
@@ -207,6 +213,12 @@ Error ease_with_missing_cells() {
   return {Exit::data, fmt::format("some numbers were skipped by {} skip-cell, but ease_in and ease_out need a number "
                                   "in every channel; fill them in, or give {}",
                                   option::missing, option::no_ease)};
+}
+
+Error timing_with_missing_cells() {
+  return {Exit::data, fmt::format("some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a "
+                                  "number in every channel; fill them in, or give another {}",
+                                  option::missing, option::preset)};
 }
 
 Error tangents_beyond_doubles(std::string_view from, std::string_view to) {

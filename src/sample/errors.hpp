@@ -21,6 +21,7 @@ Error end_velocity_unexpected(const SettingOrigin& ends, std::string_view rule);
 Error end_velocity_not_a_number(const SettingOrigin& ends, std::string_view rule, std::string_view number);
 Error end_velocity_of_other_size(const SettingOrigin& ends, std::size_t numbers,
                                  const std::vector<std::string>& channels);
+Error end_velocity_with_timing(const SettingOrigin& ends);
 Error end_velocity_of_rotation(const SettingOrigin& ends);
 Error too_many_end_rules(const SettingOrigin& ends, std::size_t rules);
 /// `closed`: the setting that makes the curve closed.
@@ -61,6 +62,7 @@ Error no_period();
 Error seam_velocity_missing(std::string_view channel);
 Error channel_without_numbers(std::string_view channel);
 Error ease_with_missing_cells();
+Error timing_with_missing_cells();
 
 // Segments and their lengths. `from`, `to`: times.
 Error tangents_beyond_doubles(std::string_view from, std::string_view to);

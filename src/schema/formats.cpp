@@ -21,7 +21,7 @@ namespace {
 std::vector<std::string_view> endings(bool Format::*can) {
   std::vector<std::string_view> found;
   for (const Format& format : formats) {
-    if (format.*can) found.push_back(format.ending);
+    if (format.*can && std::ranges::count(found, format.ending) == 0) found.push_back(format.ending);
   }
   return found;
 }

@@ -16,13 +16,14 @@ struct TextMarks {
   bool crlf = false;     ///< lines end with CR and LF, not LF alone
 };
 
-enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, tum, euroc, kitti, npy, svg };
+enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, tum, euroc, kitti, nerfstudio, npy, svg };
 
 /// What formats have in common.
 enum class FormatFamily {
   delimited,  ///< lines of cells, with the names of the columns in one line above the rows
   json,       ///< an object for each row
   poses,      ///< lines of the numbers of poses, in fixed columns
+  cameras,    ///< a JSON object with keyframes, and in outputs with a camera for each row
   array,      ///< doubles, not their texts; it can hold neither other texts nor more than one table
   picture,    ///< curves and samples, without rows
 };
@@ -32,7 +33,7 @@ enum class FormatFamily {
 struct Format {
   FormatId id;
   std::string_view name;
-  std::string_view ending;  ///< of file names, with the point
+  std::string_view ending;  ///< of file names, with the point; that of another format does not name this one
   FormatFamily family;
   bool can_read;
   bool can_write;
@@ -42,7 +43,7 @@ struct Format {
 };
 
 /// All formats, in the order of FormatId. The first is the default for output.
-inline constexpr std::array<Format, 10> formats{{
+inline constexpr std::array<Format, 11> formats{{
     // id, name, ending, family, read, write, provenance, nests, delimiter
     {FormatId::csv, "csv", ".csv", FormatFamily::delimited, true, true, true, false, ','},
     {FormatId::tsv, "tsv", ".tsv", FormatFamily::delimited, true, true, true, false, '\t'},
@@ -52,11 +53,17 @@ inline constexpr std::array<Format, 10> formats{{
     {FormatId::tum, "tum", ".tum", FormatFamily::poses, true, true, false, false, ' '},
     {FormatId::euroc, "euroc", ".euroc", FormatFamily::poses, true, true, false, false, ','},
     {FormatId::kitti, "kitti", ".kitti", FormatFamily::poses, true, true, false, false, ' '},
+    {FormatId::nerfstudio, "nerfstudio", ".json", FormatFamily::cameras, true, true, false, false},
     {FormatId::npy, "npy", ".npy", FormatFamily::array, false, true, false, false},
     {FormatId::svg, "svg", ".svg", FormatFamily::picture, false, true, false, false},
 }};
 
 constexpr const Format& format_of(FormatId id) { return formats[static_cast<std::size_t>(id)]; }
+
+/// Rows are poses, in columns that the format decides.
+constexpr bool has_pose_rows(const Format& format) {
+  return format.family == FormatFamily::poses || format.family == FormatFamily::cameras;
+}
 
 /// The format with this name.
 constexpr std::optional<FormatId> find_format(std::string_view name) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,7 @@ inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }
 
 /// How cells become keys.
 struct KeyRules {
-  spline::Tcb<double> tcb = {};  ///< of keys that have none
+  std::optional<spline::Tcb<double>> tcb = {};  ///< of keys that have none; nothing: that of the file, or 0
   Missing missing = Missing::error;
   bool keeps_decimals = false;             ///< keys keep their numbers as written
   std::vector<std::string> signs = {};     ///< of missing cells, besides the common ones

@@ -15,10 +15,15 @@ constexpr std::array<std::string_view, 9> euroc_others{"velocity_x",  "velocity_
 constexpr std::array<std::string_view, 12> kitti_columns{"r11", "r12", "r13", "x",   "r21", "r22",
                                                          "r23", "y",   "r31", "r32", "r33", "z"};
 
+constexpr std::array<std::string_view, 13> camera_columns{"r11", "r12", "r13", "x",   "r21", "r22", "r23",
+                                                          "y",   "r31", "r32", "r33", "z",   "fov"};
+constexpr std::array<std::string_view, 1> camera_others{"render_time"};
+
 constexpr std::array pose_formats{
     PoseFormat{FormatId::tum, tum_columns, {}, spline::RotationForm::quaternion, TimeUnit::s, ""},
     PoseFormat{FormatId::euroc, euroc_columns, euroc_others, spline::RotationForm::quaternion, TimeUnit::ns,
                "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"},
+    PoseFormat{FormatId::nerfstudio, camera_columns, camera_others, spline::RotationForm::matrix, std::nullopt, ""},
     PoseFormat{FormatId::kitti, kitti_columns, {}, spline::RotationForm::matrix, std::nullopt, ""},
 };
 
@@ -38,6 +43,13 @@ const PoseFormat& pose_format(FormatId format) { return *std::ranges::find(pose_
 std::vector<std::string_view> rotation_columns_of(const PoseFormat& format) {
   const auto numbers = numbers_of(format.form);
   return {numbers.begin(), numbers.end()};
+}
+
+GivenRotation rotation_of(const PoseFormat& format) {
+  GivenRotation rotation;
+  rotation.notation.form = format.form;
+  for (const std::string_view name : rotation_columns_of(format)) rotation.columns.emplace_back(name);
+  return rotation;
 }
 
 }  // namespace tcb

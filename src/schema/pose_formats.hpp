@@ -10,18 +10,23 @@
 
 #include "numbers/time_notation.hpp"
 #include "schema/formats.hpp"
+#include "schema/rotation_options.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
 
-/// The columns of a format of poses: a time unless it has none, a position x, y, z, and a rotation.
+/// The columns of a format of poses: a time unless it has none, a position x, y, z, a rotation, and other channels by
+/// their names.
 struct PoseFormat {
   FormatId format;
   std::span<const std::string_view> columns;  ///< names, in order
-  std::span<const std::string_view> others;   ///< names of columns that may follow, of which none is read
+  std::span<const std::string_view> others;   ///< names of columns that may follow; of lines, none is read
   spline::RotationForm form;                  ///< of the rotation
   std::optional<TimeUnit> unit;               ///< of the times; nothing: there are none
   std::string_view head;                      ///< the line above the rows of an output; empty: none
+
+  /// Rows have a time, which cameras need for their rate.
+  bool has_time_in_rows() const { return unit || format == FormatId::nerfstudio; }
 };
 
 /// Requires: the family of the format is that of poses.
@@ -29,5 +34,8 @@ const PoseFormat& pose_format(FormatId format);
 
 /// The names of the columns of its rotation, in the order of the rotation's numbers.
 std::vector<std::string_view> rotation_columns_of(const PoseFormat& format);
+
+/// Its rotation, as keys give it.
+GivenRotation rotation_of(const PoseFormat& format);
 
 }  // namespace tcb

@@ -47,6 +47,7 @@ struct Schema {
   std::vector<AngleColumn> angles = {};  ///< which channels are angles
   std::vector<std::string> groups = {};  ///< names of the group columns
   std::vector<std::string> labels = {};  ///< names of the columns of labels
+  std::string camera_path = {};          ///< the members of a camera path besides its cameras, as JSON; empty: none
 };
 
 /// The columns of each rotation.

@@ -29,6 +29,12 @@ Error not_a_pose(std::size_t positions, std::size_t rotations, std::string_view 
                       format, positions, rotations, option::columns, option::rotation, option::output_format)};
 }
 
+Error channel_of_format_missing(std::string_view channel, std::string_view format) {
+  return {Exit::data, fmt::format("no channel is {}, which every row of {} has; expected a column of that name; add one, "
+                                  "or give another format to {}",
+                                  in_quotes(channel), format, option::output_format)};
+}
+
 Error poses_without_unit_of_time(std::string_view column, std::string_view format) {
   return {Exit::data, fmt::format("the times in column {} have no known unit, but those of {} are in nanoseconds; "
                                   "expected a unit; give {} s if they are seconds",

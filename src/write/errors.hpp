@@ -15,6 +15,7 @@ Error text_in_binary_format(std::string_view column, std::string_view format);
 Error text_in_poses(std::string_view column, std::string_view format);
 /// `positions`: the number of channels of the position.
 Error not_a_pose(std::size_t positions, std::size_t rotations, std::string_view format);
+Error channel_of_format_missing(std::string_view channel, std::string_view format);
 Error poses_without_unit_of_time(std::string_view column, std::string_view format);
 Error several_curves_in_one_table(std::string_view format);
 Error time_not_a_double(std::string_view time);

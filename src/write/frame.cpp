@@ -34,13 +34,14 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
     throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
                                 format_of(options.format).name);
   }
-  if (format_of(options.format).family == FormatFamily::poses && groups_ + columns.labels.size() > 0) {
+  if (has_pose_rows(format_of(options.format)) && groups_ + columns.labels.size() > 0) {
     throw text_in_poses(groups_ > 0 ? columns.groups.front() : columns.labels.front(), format_of(options.format).name);
   }
   std::vector<OutputColumn> all;
   for (const std::string& name : columns.names()) all.push_back({name});
   const auto layout = output_format(options.format).layout;
   all_ = layout(all, marks_, options.header);
+  if (options.cameras != nullptr) options.cameras->complete(all_);
   head_ = nested_ ? "{\"curves\":[\n" : (options.has_member ? "{\"rows\":" : "") + all_.head;
   if (format_of(options.format).family == FormatFamily::poses) head_ = pose_format(options.format).head;
   rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, marks_, options.header) : all_;

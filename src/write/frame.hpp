@@ -12,6 +12,7 @@
 #include "numbers/print_number.hpp"
 #include "sample/fields.hpp"
 #include "schema/formats.hpp"
+#include "write/camera_path.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -33,6 +34,7 @@ struct FrameOptions {
   Notation notation = {};
   bool has_member = false;              ///< in JSON: the output is an object, with another member after the rows
   std::optional<TextMarks> marks = {};  ///< of delimited text; nothing: those of the format
+  const CameraPath* cameras = nullptr;  ///< of a camera path
 };
 
 /// Everything around the numbers of the rows. The group of a curve is in cells of each of its rows, or in JSON in an

@@ -10,6 +10,7 @@
 
 #include "numbers/print_number.hpp"
 #include "schema/key_block.hpp"
+#include "write/camera_path.hpp"
 #include "write/errors.hpp"
 
 namespace tcb {
@@ -18,6 +19,7 @@ namespace {
 
 Layout json_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return json_layout(columns); }
 Layout jsonl_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return jsonl_layout(columns); }
+Layout camera_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return camera_layout(columns); }
 Layout npy_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return npy_layout(columns); }
 
 std::string delimited_cell(std::string_view text, char delimiter) {
@@ -39,6 +41,7 @@ constexpr std::array<OutputFormat, formats.size()> output_formats{{
     {delimited_layout, delimited_cell},
     {delimited_layout, delimited_cell},
     {delimited_layout, delimited_cell},
+    {camera_rows, nullptr},
     {npy_rows, nullptr, npy_head},
     {},  // a picture has no rows
 }};

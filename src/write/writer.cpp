@@ -56,7 +56,8 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     file_ = '"' + file;
   }
   const Format& format = format_of(options_.format);
-  const bool is_pose = format.family == FormatFamily::poses;
+  const bool is_pose = has_pose_rows(format);
+  cells_ = columns.numbers.size();
   if (is_pose) {
     order_ = pose_cells(pose_format(format.id), schema);
     std::vector<OutputColumn> numbers;
@@ -67,8 +68,9 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     columns_ = std::move(columns);
     marks_ = marks_for(schema);
     set_times(schema);
+    if (format.family == FormatFamily::cameras) cameras_ = std::make_unique<CameraPath>(schema.camera_path);
     frame_ = Frame(columns_, {format.id, !is_pose && options_.header.value_or(schema.named), options_.notation,
-                              format.nests && options_.provenance.has_value(), marks_});
+                              format.nests && options_.provenance.has_value(), marks_, cameras_.get()});
     recorder_.set_rules(std::move(rules));
     const std::string provenance = recorder_.before_rows(format.id);
     output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + frame_.head());
@@ -87,7 +89,7 @@ void Writer::begin_curve(std::vector<std::string> group) {
 
 void Writer::set_times(const Schema& schema) {
   const auto given = options_.time_notation;
-  if (format_of(options_.format).family == FormatFamily::poses) return set_times_of_poses(schema.time);
+  if (has_pose_rows(format_of(options_.format))) return set_times_of_poses(schema.time);
   if (!given) {
     if (format_of(options_.format).family != FormatFamily::array) notation_ = schema.time.notation;
     dates_ = schema.time.dates;
@@ -102,13 +104,13 @@ void Writer::set_times(const Schema& schema) {
 /// The times of poses are numbers in the unit of their format. Those without a known unit are taken as seconds.
 void Writer::set_times_of_poses(const TimeSchema& time) {
   const PoseFormat& format = pose_format(options_.format);
-  if (!format.unit) return;
+  if (!format.unit && cameras_ == nullptr) return;
   if (time.unit == TimeUnit::frames) throw times_without_rate(time.name);
-  whole_times_ = *format.unit == TimeUnit::ns;
+  whole_times_ = format.unit == TimeUnit::ns;
   if (!time.unit && time.notation == TimeNotation::seconds && whole_times_) {
     throw poses_without_unit_of_time(time.name, format_of(options_.format).name);
   }
-  unit_ = units_per_second(*format.unit) / units_per_second(time.unit.value_or(TimeUnit::s));
+  unit_ = units_per_second(format.unit.value_or(TimeUnit::s)) / units_per_second(time.unit.value_or(TimeUnit::s));
 }
 
 std::vector<std::string> Writer::texts(const Table& table) const {
@@ -117,7 +119,7 @@ std::vector<std::string> Writer::texts(const Table& table) const {
   if (marks_.decimal != '.') {
     for (std::string& text : texts) text = with_decimal(std::move(text), marks_.decimal);
   }
-  if (notation_ == TimeNotation::seconds && unit_ == 1) return texts;
+  if ((notation_ == TimeNotation::seconds && unit_ == 1) || cameras_ != nullptr) return texts;
   texts.resize(table.cells.size());
   const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
   const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
@@ -149,11 +151,11 @@ std::vector<std::string> Writer::texts(const Table& table) const {
 }
 
 Table Writer::ordered(const Table& table) const {
-  Table result = table;
-  for (std::size_t first = 0; first < table.cells.size(); first += order_.size()) {
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      result.cells[first + i] = table.cells[first + order_[i]];
-      if (!table.texts.empty()) result.texts[first + i] = table.texts[first + order_[i]];
+  Table result;
+  for (std::size_t first = 0; first < table.cells.size(); first += cells_) {
+    for (const std::size_t cell : order_) {
+      result.cells.push_back(table.cells[first + cell]);
+      if (!table.texts.empty()) result.texts.push_back(table.texts[first + cell]);
     }
   }
   return result;
@@ -162,6 +164,7 @@ Table Writer::ordered(const Table& table) const {
 void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
   const bool is_first = first && frame_.is_first();
   if (order_.empty()) return append_rows(out, layout, columns_.numbers, table.cells, texts(table), is_first);
+  if (cameras_ != nullptr) cameras_->add(table, cells_);
   const Table rows = ordered(table);
   append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
 }
@@ -195,7 +198,7 @@ void Writer::commit() {
   const std::string provenance = recorder_.after_rows(options_.format);
   const bool is_member = format_of(options_.format).nests;
   output_.write(is_member ? frame_.tail(provenance)
-                          : frame_.tail() + (marks_.crlf ? with_crlf(provenance) : provenance));
+                          : frame_.tail() + (cameras_ == nullptr ? "" : cameras_->tail(unit_)) + (marks_.crlf ? with_crlf(provenance) : provenance));
   if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
   output_.commit();
 }

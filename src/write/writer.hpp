@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -53,7 +54,7 @@ class Writer {
   /// Begins the rows of the next curve of the file.
   void begin_curve(std::vector<std::string> group);
 
-  /// The text of some rows. A pure function until the next begin_curve().
+  /// The text of some rows; from any thread until the next begin_curve().
   std::string print(const Table& table, bool first) const;
 
   /// The text of rows with labels.
@@ -88,7 +89,9 @@ class Writer {
   const WriterOptions& options_;
   Output output_;
   OutputColumns columns_;
+  std::size_t cells_ = 0;           ///< of a row, before they are ordered
   std::vector<std::size_t> order_;  ///< of the cells of rows: as in pose_cells(); empty: as they are
+  std::unique_ptr<CameraPath> cameras_;  ///< of a camera path
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
   TextMarks marks_;

@@ -145,6 +145,26 @@ TEST(BuildError, a_channel_needs_a_position_and_no_ease_where_one_is_missing) {
   EXPECT_EQ(error_with([](auto& keys, auto&) { keys.turns.resize(3); }).code, turns_count);
 }
 
+TEST(BuildError, monotone_timing_needs_every_position_and_neither_ease_nor_velocities) {
+  const auto with_timing = [](auto change) {
+    return error_with([&](auto& keys, auto& rules) {
+             rules.timing = Timing::monotone;
+             change(keys, rules);
+           }).code;
+  };
+  EXPECT_EQ(with_timing([](auto& keys, auto&) { keys.positions[2] = nan; }), timing_with_missing_positions);
+  EXPECT_EQ(with_timing([](auto& keys, auto&) { keys.eases.resize(5); }), timing_with_ease);
+  EXPECT_EQ(with_timing([](auto& keys, auto&) {
+              keys.velocities.resize(5);
+              keys.given = {true};
+            }),
+            timing_with_velocities);
+  EXPECT_EQ(with_timing([](auto&, auto& rules) {
+              rules.end = {EndRule::velocity, {1}};
+            }),
+            timing_with_velocities);
+}
+
 TEST(BuildError, equal_speed_needs_every_position) {
   const auto by_nan = error_with([](auto& keys, auto& rules) {
     keys.positions[2] = nan;

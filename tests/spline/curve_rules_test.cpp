@@ -28,8 +28,9 @@ TEST(CurveRules, converted_rules_have_every_member) {
   rules.rotations = {{{1, 2, 3, 4}, 0}};
   rules.rotation_rules = {RotationCurve::slerp, TangentRule::uniform, EndRule::mirror};
   rules.angles = {{5, true}};
+  rules.timing = Timing::monotone;
   const auto halves = [](double value) { return static_cast<float>(value / 2); };
-  const auto& [tangents, start, end, equal_speed, metric, rotations, own, angles] = converted<float>(rules, halves);
+  const auto& [tangents, start, end, equal_speed, metric, rotations, own, angles, timing] = converted<float>(rules, halves);
   EXPECT_EQ(tangents, TangentRule::synfig);
   EXPECT_EQ(start.rule, EndRule::velocity);
   EXPECT_EQ(start.velocity, (std::vector<float>{0.75F, 1}));
@@ -44,6 +45,7 @@ TEST(CurveRules, converted_rules_have_every_member) {
   ASSERT_EQ(angles.size(), 1U);
   EXPECT_EQ(angles[0].channel, 5U);
   EXPECT_TRUE(angles[0].degrees);
+  EXPECT_EQ(timing, Timing::monotone);
 }
 
 }  // namespace

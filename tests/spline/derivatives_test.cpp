@@ -43,6 +43,36 @@ TEST(Derivatives, follow_the_warp_of_an_ease) {
   }
 }
 
+TEST(Derivatives, of_all_orders_follow_a_cubic_warp) {
+  const auto cubics = polynomial({{1, 2, 3}});
+  const double a = 0.5, b = 1.25, h = 2;
+  const auto warp = Warp<double>::cubic(a, b);
+  std::array<double, 10> composed{}, power{1};  // x(w(v)), and w(v)^n
+  const std::array<double, 4> w{0, a, 3 - 2 * a - b, a + b - 2};
+  for (const double factor : {0.0, 1.0, 2.0, 3.0}) {
+    std::array<double, 10> next{};
+    for (std::size_t i = 0; i < composed.size(); ++i) {
+      composed[i] += factor * power[i];
+      for (std::size_t k = 0; k < w.size() && i + k < next.size(); ++k) next[i + k] += power[i] * w[k];
+    }
+    power = next;
+  }
+  for (const double v : {0.0, 0.25, 0.75, 1.0}) {
+    for (std::size_t order = 1; order <= 10; ++order) {
+      double expected = 0;
+      for (std::size_t i = order; i < composed.size(); ++i) {
+        double term = composed[i] * std::pow(v, static_cast<double>(i - order)) / std::pow(h, static_cast<double>(order));
+        for (std::size_t k = 0; k < order; ++k) term *= static_cast<double>(i - k);
+        expected += term;
+      }
+      const double found = time_derivative(order, cubics[0], warp.at(v, 1 - v), warp, v, h);
+      EXPECT_NEAR(found, expected, 1e-12 * std::max(1.0, std::abs(expected))) << order << " at " << v;
+    }
+    const auto of = derivatives_at(cubics, v, h, warp);
+    EXPECT_NEAR(of.jerk[0], time_derivative(3, cubics[0], warp.at(v, 1 - v), warp, v, h), 1e-12);
+  }
+}
+
 TEST(Shape, of_a_parabola) {
   for (const double u : {0.0, 0.3, 0.9}) {  // y = x^2: curvature 2 / (1 + 4 x^2)^1.5
     const auto of = derivatives_at(polynomial({{1, 0, 0}, {0, 1, 0}}), u);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 namespace tcb::spline {
@@ -37,6 +38,41 @@ TEST(Warp, inverse_and_derivatives_agree_with_differences) {
     EXPECT_EQ(warp.at(0, 1).u, 0);
     EXPECT_EQ(warp.at(1, 0).u, 1);
   }
+}
+
+TEST(CubicWarp, has_the_values_of_its_polynomial) {
+  const auto warp = Warp<double>::cubic(1.5, 0.25);
+  EXPECT_EQ(warp.at(0.5, 0.5).u, 0.65625);  // u (a + u (3 - 2a - b + u (a + b - 2)))
+  EXPECT_EQ(warp.at(0.25, 0.75).u, 0.25 * (1.5 + 0.25 * (-0.25 - 0.0625)));
+  EXPECT_EQ(warp.at(0.875, 0.125).w, -0.125 * (0.25 + 0.125 * (1 - 0.03125)));
+  EXPECT_TRUE(Warp<double>::cubic(1, 1).is_identity());
+}
+
+TEST(CubicWarp, inverse_and_derivatives_agree_with_it) {
+  for (const auto& [first, last] : {std::array{1.5, 0.25}, std::array{0., 3.}, std::array{0., 0.}, std::array{3., 3.}}) {
+    const auto warp = Warp<double>::cubic(first, last);
+    const auto at = [&](double x) { return warp.at(x, DoubleDouble(1) - DoubleDouble(x)); };
+    EXPECT_EQ(at(0).u, 0);
+    EXPECT_EQ(at(1).w, 0);
+    EXPECT_EQ(warp.first_derivative(0), first);
+    EXPECT_EQ(warp.first_derivative(1), last);
+    for (double u = 0.03125; u < 1; u += 0.0625) {
+      EXPECT_NEAR(warp.inverse(at(u)).hi, u, 1e-15 / std::min(1.0, warp.first_derivative(u)));
+      const double h = 0x1p-20;
+      EXPECT_NEAR(warp.first_derivative(u), (at(u + h).u - at(u - h).u) / (2 * h), 1e-5);
+      EXPECT_NEAR(warp.second_derivative(u), (warp.first_derivative(u + h) - warp.first_derivative(u - h)) / (2 * h),
+                  1e-5);
+      EXPECT_NEAR(warp.third_derivative(), (warp.second_derivative(u + h) - warp.second_derivative(u - h)) / (2 * h),
+                  1e-5);
+    }
+  }
+}
+
+TEST(CubicWarp, inverse_is_found_where_the_slope_is_0) {
+  const auto warp = Warp<double>::cubic(0, 0);  // 3 u^2 - 2 u^3
+  EXPECT_NEAR(warp.inverse({3e-20 - 2e-30, -1}).hi, 1e-10, 1e-24);
+  EXPECT_EQ(warp.inverse({0, -1}).hi, 0);
+  EXPECT_EQ(warp.inverse({1, 0}).hi, 1);
 }
 
 }  // namespace

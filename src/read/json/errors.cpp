@@ -238,6 +238,27 @@ Error time_in_other_notation(std::string_view time) {
                  in_quotes(time));
 }
 
+Error no_keyframes() {
+  return refused("the input has no keyframes; expected an object with a list \"keyframes\" that is not empty, as "
+                 "nerfstudio saves camera paths; give another {}",
+                 option::input_format);
+}
+
+Error matrix_is_text() {
+  return refused("the matrix is a text, as in files of nerfstudio before version 1, whose curve is another one; expected "
+                 "16 numbers; open the scene in a newer viewer, and save the camera path there");
+}
+
+Error last_row_of_matrix() {
+  return refused("the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row by row; correct "
+                 "it, or transpose the matrix");
+}
+
+Error transition_not_positive(std::string_view seconds) {
+  return refused("the transition takes {} seconds; expected a number above 0; correct it, or remove the keyframe",
+                 seconds);
+}
+
 Error no_setting(std::string_view suggestion) {
   return refused("there is no such setting; did you mean {}?", suggestion);
 }

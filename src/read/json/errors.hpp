@@ -75,6 +75,12 @@ Error also_in_tcb();
 Error no_such_time(std::string_view time);
 Error time_in_other_notation(std::string_view time);
 
+// Camera paths
+Error no_keyframes();
+Error matrix_is_text();
+Error last_row_of_matrix();
+Error transition_not_positive(std::string_view seconds);
+
 // Members around keys
 Error no_setting(std::string_view suggestion);
 Error setting_repeats();

@@ -20,9 +20,9 @@ constexpr std::size_t longest_name = 16;
 }  // namespace
 
 /// "curves[2]" and the path within it, or the latter alone.
-std::string JsonSplitter::path(const char* list) const {
-  if (shape_ != JsonShape::curves) return list;
-  return fmt::format("curves[{}]{}{}", curve_, *list == '\0' ? "" : ".", list);
+std::string JsonSplitter::path(std::string_view list) const {
+  if (shape_ != JsonShape::curves) return std::string(list);
+  return fmt::format("curves[{}]{}{}", curve_, list.empty() ? "" : ".", list);
 }
 
 bool JsonSplitter::scan_start() {
@@ -41,8 +41,9 @@ bool JsonSplitter::scan_start() {
 
 /// Begins a list, if the array that begins here is that of the keys or of the curves.
 bool JsonSplitter::begin_list() {
-  const bool keys = !has_list_ && (name_ == "keys" || name_ == "rows");
-  const bool curves = !shape_ && name_ == "curves";
+  const bool is_name = list_.empty() ? name_ == "keys" || name_ == "rows" : name_ == list_;
+  const bool keys = !has_list_ && is_name;
+  const bool curves = !shape_ && list_.empty() && name_ == "curves";
   if (keys || curves) begin_list_of(keys ? JsonShape::object : JsonShape::curves);
   return keys || curves;
 }
@@ -212,7 +213,7 @@ JsonPart JsonSplitter::cut_object(std::size_t end) {
 JsonPart JsonSplitter::cut_lines(std::size_t end) {
   JsonPart part{JsonPart::Kind::lines, scanner_.take(end)};
   part.chunk.first = std::exchange(records_cut_, records_);
-  part.chunk.path = path("keys");
+  part.chunk.path = path(list_.empty() ? "keys" : list_);
   return part;
 }
 
@@ -220,7 +221,7 @@ JsonPart JsonSplitter::cut_lines(std::size_t end) {
 std::optional<JsonPart> JsonSplitter::cut_elements(std::size_t end) {
   JsonPart part{JsonPart::Kind::elements, scanner_.take(end)};
   part.chunk.first = std::exchange(records_cut_, records_);
-  part.chunk.path = path("keys");
+  part.chunk.path = path(list_.empty() ? "keys" : list_);
   const bool is_empty_list = std::exchange(is_first_cut_, false) && is_list_closed_ && is_json_blank(part.chunk.text);
   if (is_list_closed_) {
     end_list();

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "read/chunk.hpp"
@@ -34,7 +35,9 @@ struct JsonPart {
 /// every fault.
 class JsonSplitter {
  public:
-  explicit JsonSplitter(Source<std::string> bytes) : scanner_(std::move(bytes)) {}
+  /// `list`: the name of the array of keys; empty: "keys" or "rows", also in an array "curves".
+  explicit JsonSplitter(Source<std::string> bytes, std::string_view list = {})
+      : scanner_(std::move(bytes)), list_(list) {}
 
   /// The next part: keys, or the object around the keys before. Nothing at the end.
   /// Throws: Error (data) for text after an array, for an array that is not closed, and for a key or the rest of an
@@ -67,10 +70,11 @@ class JsonSplitter {
   JsonPart cut_object(std::size_t end);
   std::optional<JsonPart> cut_rest();
   bool read_more();
-  std::string path(const char* list) const;
+  std::string path(std::string_view list) const;
   Error at_scanner(const Error& error) const { return error.at({"", scanner_.line, scanner_.column}); }
 
   JsonScanner scanner_;
+  std::string_view list_;
   Stage stage_ = Stage::start;
   std::optional<JsonShape> shape_;               ///< nothing: not known yet
   std::optional<std::size_t> boundary_;          ///< the end of the last whole record

@@ -33,6 +33,9 @@ enum class BuildErrorCode : std::uint8_t {
   position_not_finite,
   channel_without_positions,
   ease_with_missing_positions,
+  timing_with_missing_positions,
+  timing_with_ease,
+  timing_with_velocities,
   tcb_not_finite,
   common_tcb_not_finite,
   ease_out_of_range,
@@ -97,6 +100,11 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
      "every position in channel {channel} is missing; expected a key that has one"},
     {BuildErrorCode::ease_with_missing_positions,
      "some positions are missing, and the keys have eases; expected eases only where no position is missing"},
+    {BuildErrorCode::timing_with_missing_positions,
+     "some positions are missing, and the timing is monotone; expected such timing only where no position is missing"},
+    {BuildErrorCode::timing_with_ease, "the keys have eases, and the timing is monotone; expected one of them"},
+    {BuildErrorCode::timing_with_velocities,
+     "velocities are given, and the timing is monotone; expected such timing only with tangents by a rule"},
     {BuildErrorCode::tcb_not_finite, "tension, continuity or bias of key {key} is not finite; expected finite numbers"},
     {BuildErrorCode::common_tcb_not_finite,
      "the common tension, continuity or bias is not finite; expected finite numbers"},
@@ -395,6 +403,18 @@ std::optional<BuildError> find_metric_error(const CurveRules<S>& rules, const Ke
   return std::nullopt;
 }
 
+/// An error in the timing for these keys, if any.
+template <class S>
+std::optional<BuildError> find_timing_error(const CurveRules<S>& rules, const Keys<S>& keys, bool closed) {
+  using enum BuildErrorCode;
+  if (rules.timing == Timing::even) return std::nullopt;
+  if (!keys.eases.empty()) return BuildError{.code = timing_with_ease};
+  if (keys.is_sparse()) return BuildError{.code = timing_with_missing_positions};
+  const bool has_velocity = !closed && !(rules.start.velocity.empty() && rules.end.velocity.empty());
+  if (has_velocity || std::ranges::count(keys.given, true) > 0) return BuildError{.code = timing_with_velocities};
+  return std::nullopt;
+}
+
 /// An error in the rules for these keys, if any. A closed curve has no ends.
 template <class S>
 std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys<S>& keys, bool closed) {
@@ -411,6 +431,7 @@ std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys
   if (rules.equal_speed && std::ranges::count(keys.given, true) > 0) {
     return BuildError{.code = equal_speed_with_velocities};
   }
+  if (auto error = find_timing_error(rules, keys, closed)) return error;
   if (rules.equal_speed && keys.is_sparse()) return BuildError{.code = equal_speed_with_missing_positions};
   if (auto error = find_rotation_error(rules, keys)) return error;
   if (auto error = find_metric_error(rules, keys)) return error;

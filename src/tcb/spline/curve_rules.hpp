@@ -33,6 +33,7 @@ struct CurveRules {
   std::vector<KeyRotation> rotations = {};
   RotationRules rotation_rules = {};
   std::vector<AngleChannel> angles = {};
+  Timing timing = Timing::even;  ///< of all channels
 };
 
 /// Whether a channel is neither an angle nor a number of a rotation.
@@ -77,7 +78,7 @@ struct PositionChord {
 template <class S>
 CurveRules<S> rules_of(Preset preset) {
   const PresetRow& row = row_of(preset);
-  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotations};
+  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotations, {}, row.timing};
 }
 
 /// The rules at another scalar; `number` converts each of their numbers.
@@ -89,7 +90,7 @@ CurveRules<To> converted(const CurveRules<From>& rules, Number number) {
     return result;
   };
   return {rules.tangents, end(rules.start), end(rules.end),       rules.equal_speed,
-          rules.metric,   rules.rotations,  rules.rotation_rules, rules.angles};
+          rules.metric,   rules.rotations,  rules.rotation_rules, rules.angles,      rules.timing};
 }
 
 /// The rules that give the tangents of one rotation, whose numbers are then all channels.

@@ -39,23 +39,46 @@ LocalDerivatives<S> local_derivatives(const Cubic<S>& cubic, const LocalParamete
   return {first + x * (S(2) * second + x * (S(3) * cubic.d)), S(2) * second + S(6) * x * cubic.d, S(6) * cubic.d};
 }
 
+/// The derivative of X(w(t)) of any order from 1: F. Faa di Bruno's formula where w is quadratic, and what is added
+/// where it is cubic. `rate`, `change`, `third`: the derivatives of w by time.
+template <class S>
+S derivative_of_quadratic_warp(std::size_t order, const LocalDerivatives<S>& x, const S& rate, const S& change) {
+  switch (order) {
+    case 1: return x.d1 * rate;
+    case 2: return x.d2 * rate * rate + x.d1 * change;
+    case 3: return x.d3 * rate * rate * rate + S(3) * x.d2 * rate * change;
+    case 4: return S(6) * x.d3 * rate * rate * change + S(3) * x.d2 * change * change;
+    case 5: return S(15) * x.d3 * rate * change * change;
+    case 6: return S(15) * x.d3 * change * change * change;
+    default: return S(0);
+  }
+}
+template <class S>
+S derivative_of_cubic_term(std::size_t order, const LocalDerivatives<S>& x, const S& rate, const S& change,
+                           const S& third) {
+  switch (order) {
+    case 3: return x.d1 * third;
+    case 4: return S(4) * x.d2 * rate * third;
+    case 5: return S(10) * third * (x.d2 * change + x.d3 * rate * rate);
+    case 6: return S(10) * third * (x.d2 * third + S(6) * x.d3 * rate * change);
+    case 7: return S(35) * x.d3 * third * (S(2) * rate * third + S(3) * change * change);
+    case 8: return S(280) * x.d3 * change * third * third;
+    case 9: return S(280) * x.d3 * third * third * third;
+    default: return S(0);
+  }
+}
+
 /// The derivative of one channel by time, of any order from 1, at the place reached after the fraction u of the
-/// duration h: F. Faa di Bruno's formula for X(w(t/h)) with a quadratic w, so that it is 0 beyond the sixth.
+/// duration h. It is 0 beyond the ninth.
 template <class S>
 S time_derivative(std::size_t order, const Cubic<S>& cubic, const LocalParameter<S>& at, const Warp<S>& warp,
                   const S& u, const S& h) {
-  const auto [d1, d2, d3] = local_derivatives(cubic, at);
+  const LocalDerivatives<S> local = local_derivatives(cubic, at);
   const S rate = warp.first_derivative(u) / h;
   const S change = warp.second_derivative(u) / (h * h);
-  switch (order) {
-    case 1: return d1 * rate;
-    case 2: return d2 * rate * rate + d1 * change;
-    case 3: return d3 * rate * rate * rate + S(3) * d2 * rate * change;
-    case 4: return S(6) * d3 * rate * rate * change + S(3) * d2 * change * change;
-    case 5: return S(15) * d3 * rate * change * change;
-    case 6: return S(15) * d3 * change * change * change;
-    default: return S(0);
-  }
+  const S of_quadratic = derivative_of_quadratic_warp<S>(order, local, rate, change);
+  if (!warp.is_cubic()) return of_quadratic;
+  return of_quadratic + derivative_of_cubic_term<S>(order, local, rate, change, warp.third_derivative() / (h * h * h));
 }
 
 /// Sets the derivatives by time at the place reached after the fraction u of the duration h.
@@ -65,6 +88,7 @@ void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, cons
   using std::abs;
   const S rate = warp.first_derivative(u) / h;
   const S change = warp.second_derivative(u) / (h * h);
+  const S third = warp.is_cubic() ? S(warp.third_derivative() / (h * h * h)) : S(0);
   [[maybe_unused]] const S unit(0x1p-50);
   of.velocity.clear();
   of.acceleration.clear();
@@ -78,6 +102,7 @@ void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, cons
     of.velocity.push_back(d1 * rate);
     of.acceleration.push_back(d2 * rate * rate + d1 * change);
     of.jerk.push_back(d3 * rate * rate * rate + S(3) * d2 * rate * change);
+    if (warp.is_cubic()) of.jerk.back() += d1 * third;
     if constexpr (has_roots<S> && !bounds_errors<S>) {
       const S size1 = abs(first) + abs(x) * (S(2) * abs(second) + S(3) * abs(x * cubic.d));
       const S size2 = S(2) * abs(second) + S(6) * abs(x * cubic.d);

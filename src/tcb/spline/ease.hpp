@@ -1,73 +1,136 @@
-// Ease: a warp of the local parameter that lets a segment start and stop slowly.
+// Ease: a warp of the local parameter, so that a segment starts and stops slowly, or the speed of keys has no jumps.
 //
+// With ease:
 //   s = f + e; if s > 1, both are divided by s; k = 1/(2 - f - e)
 //   warped(u) = (k/f) u^2 for u < f,  k (2u - f) for u < 1 - e,  1 - (k/e)(1 - u)^2 beyond
 // with f the ease_out of the segment's first key and e the ease_in of its last.
 // Source: the behaviour of 3D Studio, 3ds Max and programs compatible with them.
+//
+// With monotone timing: the cubic with warped(0) = 0, warped(1) = 1, and slopes a and b there,
+//   warped(u) = u (a + u (3 - 2a - b + u (a + b - 2)))
+// which increases where a and b are in [0, 3].
 #pragma once
+
+#include <cmath>
+#include <cstdint>
 
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {
 
-/// The warp of one segment, with f + e at most 1; the identity where both are 0.
+/// The warp of one segment: that of ease, with f + e at most 1, or a cubic, or the identity.
 template <class S>
 class Warp {
  public:
+  using W = working_t<S>;
+
+  /// The identity.
   Warp() = default;
-  /// Requires: ease_out and ease_in in [0, 1].
-  Warp(const S& ease_out, const S& ease_in) : f_(ease_out), e_(ease_in) {
-    const W sum = f_ + e_;
+  /// That of ease; the identity where both are 0. Requires: ease_out and ease_in in [0, 1].
+  Warp(const S& ease_out, const S& ease_in) : first_(ease_out), last_(ease_in) {
+    if (first_ == W(0) && last_ == W(0)) return;
+    kind_ = Kind::ease;
+    const W sum = first_ + last_;
     if (sum > W(1)) {
-      f_ = f_ / sum;
-      e_ = e_ / sum;
+      first_ = first_ / sum;
+      last_ = last_ / sum;
     }
-    k_ = W(1) / (W(2) - f_ - e_);
+    k_ = W(1) / (W(2) - first_ - last_);
+  }
+  /// The cubic with these slopes at its ends; the identity where both are 1. Requires: both in [0, 3].
+  static Warp cubic(const W& first_slope, const W& last_slope) {
+    Warp warp;
+    warp.first_ = first_slope;
+    warp.last_ = last_slope;
+    warp.k_ = first_slope + last_slope - W(2);
+    if constexpr (bounds_errors<S>) {
+      warp.kind_ = Kind::cubic;  // whether a slope is 1 may be undecided
+    } else {
+      warp.kind_ = first_slope == W(1) && last_slope == W(1) ? Kind::identity : Kind::cubic;
+    }
+    return warp;
   }
 
-  bool is_identity() const { return f_ == W(0) && e_ == W(0); }
+  bool is_identity() const { return kind_ == Kind::identity; }
+  bool is_cubic() const { return kind_ == Kind::cubic; }
 
   /// The local parameter after the fraction u of the segment's duration. `left` is 1 - u.
-  LocalParameter<S> at(const working_t<S>& u, const working_t<S>& left) const {
+  LocalParameter<S> at(const W& u, const W& left) const {
     if (is_identity()) return u < left ? from_start<S>(u) : from_end<S>(left);
-    if (u < f_) return from_start<S>(k_ / f_ * u * u);
-    if (left > e_) return from_start<S>(k_ * (u + u - f_));
-    return from_end<S>(e_ == W(0) ? W(0) : k_ / e_ * left * left);
+    if (is_cubic()) return u < left ? from_start<S>(cubic_at(u, first_)) : from_end<S>(cubic_at(left, last_));
+    if (u < first_) return from_start<S>(k_ / first_ * u * u);
+    if (left > last_) return from_start<S>(k_ * (u + u - first_));
+    return from_end<S>(last_ == W(0) ? W(0) : k_ / last_ * left * left);
   }
 
   /// The inverse of at(): the fraction of the duration at a local parameter.
-  working_t<S> inverse(const LocalParameter<S>& place) const {
+  W inverse(const LocalParameter<S>& place) const {
     using std::sqrt;
-    const W u = place.near_start() ? W(place.u) : W(1) + W(place.w);
+    const bool near_start = place.near_start();
+    const W u = near_start ? W(place.u) : W(1) + W(place.w);
     if (is_identity()) return u;
-    const W left = place.near_start() ? W(1) - W(place.u) : W(-place.w);
-    if (u < k_ * f_) return sqrt(u * f_ / k_);
-    if (left > k_ * e_) return W(0.5) * (u / k_ + f_);
-    return W(1) - sqrt(left * e_ / k_);
+    const W left = near_start ? W(1) - W(place.u) : W(-place.w);
+    if (is_cubic()) {
+      return near_start ? root(u, first_) : W(1) - root(left, last_);
+    }
+    if (u < k_ * first_) return sqrt(u * first_ / k_);
+    if (left > k_ * last_) return W(0.5) * (u / k_ + first_);
+    return W(1) - sqrt(left * last_ / k_);
   }
 
-  /// The local parameters between which the warp is linear.
-  S end_of_first_part() const { return high_part<S>(k_ * f_); }
-  S start_of_last_part() const { return high_part<S>(W(1) - k_ * e_); }
+  /// The local parameters between which a warp of ease is linear. That of a cubic has one part.
+  S end_of_first_part() const { return is_cubic() ? S(1) : high_part<S>(k_ * first_); }
+  S start_of_last_part() const { return is_cubic() ? S(1) : high_part<S>(W(1) - k_ * last_); }
 
-  /// The first and second derivative of the warp after the fraction u of the duration.
+  /// The derivatives of the warp after the fraction u of the duration.
   S first_derivative(const S& u) const {
     if (is_identity()) return S(1);
-    const S f = high_part<S>(f_), e = high_part<S>(e_), k = high_part<S>(k_);
+    const S f = high_part<S>(first_), e = high_part<S>(last_), k = high_part<S>(k_);
+    const S left = S(1) - u;
+    if (is_cubic()) return left * (f + u * (S(6) - S(3) * f)) + e * u * (S(3) * u - S(2));
     if (u < f || f == S(1)) return S(2) * k / f * u;
-    return S(1) - u > e || e == S(0) ? S(2) * k : S(2) * k / e * (S(1) - u);
+    return left > e || e == S(0) ? S(2) * k : S(2) * k / e * left;
   }
   S second_derivative(const S& u) const {
     if (is_identity()) return S(0);
-    const S f = high_part<S>(f_), e = high_part<S>(e_), k = high_part<S>(k_);
+    const S f = high_part<S>(first_), e = high_part<S>(last_), k = high_part<S>(k_);
+    const S left = S(1) - u;
+    if (is_cubic()) return left * (S(6) - S(4) * f - S(2) * e) + u * (S(2) * f + S(4) * e - S(6));
     if (u < f || f == S(1)) return S(2) * k / f;
-    return S(1) - u > e || e == S(0) ? S(0) : S(-2) * k / e;
+    return left > e || e == S(0) ? S(0) : S(-2) * k / e;
   }
+  S third_derivative() const { return is_cubic() ? S(6) * high_part<S>(k_) : S(0); }
 
  private:
-  using W = working_t<S>;
+  enum class Kind : std::uint8_t { identity, ease, cubic };
 
-  W f_{0}, e_{0}, k_{0.5};
+  /// The cubic at a distance from the end where its slope is `slope`: how far it is from its value there.
+  W cubic_at(const W& distance, const W& slope) const {
+    return distance * (slope + distance * (W(1) - slope - k_ + distance * k_));
+  }
+
+  /// The distance at which the cubic has a value, by Newton's method, or by halves where that leaves the bracket. A
+  /// scalar with bounds on its errors refuses the last comparison.
+  W root(const W& value, const W& slope) const {
+    constexpr int most_steps = 2000;  // of halves, for a slope of 0 and any number of digits in use
+    W low(0), high(1), x = value;
+    for (int step = 0; step < most_steps; ++step) {
+      const W off = cubic_at(x, slope) - value;
+      if (off == W(0)) break;
+      (off < W(0) ? low : high) = x;
+      const W rate = slope + x * (W(2) * (W(1) - slope - k_) + W(3) * x * k_);
+      W next = rate > W(0) ? x - off / rate : low;
+      if (!(next > low && next < high)) next = W(0.5) * (low + high);
+      if (next == x || !(next > low && next < high)) break;
+      x = next;
+    }
+    return x;
+  }
+
+  W first_{0};  ///< with ease, f; of a cubic, the first slope
+  W last_{0};   ///< with ease, e; of a cubic, the last slope
+  W k_{0.5};    ///< of a cubic, the coefficient of u^3
+  Kind kind_ = Kind::identity;
 };
 
 /// The map from time to the local parameter of one segment: the elapsed fraction of the duration, warped, rounded once.

@@ -58,6 +58,7 @@ enum class Preset : std::uint8_t {
   lib3ds1,
   lib3ds2,
   splines,
+  nerfstudio,
   synfig,
   kb1984,
   wikipedia,
@@ -343,7 +344,12 @@ struct RotationRules {
   bool operator==(const RotationRules&) const = default;
 };
 
-/// A preset: the tangent rule, the end rule and the rules of rotations of a product, under one name.
+/// How the local parameter of a segment follows from time, where keys have no ease: evenly, or by the monotone cubic
+/// from the times of keys to their numbers, so that the speed of tangents without times has no jumps.
+/// See detail/time_slopes.hpp.
+enum class Timing : std::uint8_t { even, monotone };
+
+/// A preset: the tangent rule, the end rule, the rules of rotations and the timing of a product, under one name.
 struct PresetRow {
   Preset id;
   std::string_view name;
@@ -351,6 +357,7 @@ struct PresetRow {
   EndRule ends;
   std::string_view product;
   RotationRules rotations = {};
+  Timing timing = Timing::even;
 };
 
 /// Every preset; the first is the default.
@@ -399,6 +406,13 @@ inline constexpr std::array presets{
               EndRule::natural,
               "the Python package splines",
               {.curve = RotationCurve::casteljau}},
+    PresetRow{Preset::nerfstudio,
+              "nerfstudio",
+              TangentRule::uniform,
+              EndRule::natural,
+              "the camera paths of nerfstudio",
+              {.curve = RotationCurve::casteljau},
+              Timing::monotone},
     PresetRow{Preset::synfig, "synfig", TangentRule::synfig, EndRule::chord, "Synfig"},
     PresetRow{Preset::kb1984, "kb1984", TangentRule::kb1984, EndRule::half, "the paper of 1984 as printed"},
     PresetRow{Preset::wikipedia, "wikipedia", TangentRule::uniform, EndRule::half, "Wikipedia"},
@@ -423,6 +437,7 @@ constexpr std::string_view name_of(RotationCurve curve) {
   return rotation_curves[static_cast<std::size_t>(curve)].name;
 }
 constexpr std::string_view name_of(Preset preset) { return row_of(preset).name; }
+constexpr std::string_view name_of(Timing timing) { return timing == Timing::even ? "even" : "monotone"; }
 
 /// The rows of a table are in the order of their enumeration.
 template <class Table>

@@ -5,6 +5,7 @@
 
 #include "tcb/spline/detail/rotation_of_window.hpp"
 #include "tcb/spline/detail/tangents.hpp"
+#include "tcb/spline/detail/time_slopes.hpp"
 #include "tcb/spline/segments.hpp"
 #include "tcb/spline/window.hpp"
 
@@ -18,6 +19,7 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   const Keys<S>& keys = window.keys;
   const Tangents<S> tangents(window, rules);
   const PositionChord<S> chord{keys, rules.angles};
+  const TimeSlopes<S> time_slopes(window);
   Segments<S> result{keys.channels, {}, {}, {}};
   result.cubics.reserve((window.last_key() - window.first_key()) * keys.channels);
   for (std::size_t key = window.first_key(); key < window.last_key(); ++key) {
@@ -27,6 +29,7 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
                                        tangents.outgoing(key)[i], tangents.incoming(key + 1)[i]));
     }
     if (!keys.eases.empty()) result.warps.emplace_back(keys.eases[key].out, keys.eases[key + 1].in);
+    if (rules.timing == Timing::monotone) result.warps.push_back(time_slopes.warp(key));
   }
   result.times.push_back(keys.times[window.last_key()]);
   if constexpr (has_roots<S>) {

@@ -1,0 +1,71 @@
+// Camera path: the texts around the cameras of nerfstudio, and the rate of its frames.
+#include "write/camera_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "numbers/decimal_time.hpp"
+#include "numbers/rational.hpp"
+
+namespace tcb {
+namespace {
+
+/// The members that the viewer and the renderer need.
+constexpr const char* usual_members =
+    R"({"keyframes":[],"camera_type":"perspective","render_height":1080,"render_width":1920,"is_cycle":false,)"
+    R"("smoothness_value":0})";
+
+}  // namespace
+
+CameraPath::CameraPath(const std::string& members) {
+  auto all = nlohmann::ordered_json::parse(members.empty() ? usual_members : members);
+  const auto usual = nlohmann::ordered_json::parse(usual_members);
+  for (const auto& [name, value] : usual.items()) {
+    if (!all.contains(name)) all[name] = value;
+  }
+  const auto size = [&](const char* name) { return all[name].is_number() ? all[name].get<double>() : 0.0; };
+  const double height = size("render_height");
+  aspect_ = height > 0 ? size("render_width") / height : 1;
+  members_ = all.dump();
+}
+
+void CameraPath::complete(Layout& layout) const {
+  layout.head = members_.substr(0, members_.size() - 1) + ",\"camera_path\":[\n";
+  layout.row_end = fmt::format(",\"aspect\":{}}}", aspect_);
+}
+
+void CameraPath::add(const Table& rows, std::size_t cells_per_row) {
+  if (rows.cells.empty()) return;
+  const Cell first = rows.cells.front(), last = rows.cells[rows.cells.size() - cells_per_row];
+  const std::lock_guard lock(mutex_);
+  first_ = rows_ == 0 ? first : std::min(first_, first);
+  last_ = rows_ == 0 ? last : std::max(last_, last);
+  rows_ += rows.cells.size() / cells_per_row;
+}
+
+std::string CameraPath::tail(const Rational& unit) const {
+  const Rational duration = (exact_time(last_) - exact_time(first_)) * unit;
+  const Rational step = rows_ > 1 && duration > 0 ? duration / Rational(rows_ - 1) : Rational(1);
+  return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(1 / step),
+                     nearest_double(Rational(rows_) * step));
+}
+
+Layout camera_layout(const std::vector<OutputColumn>& columns) {
+  Layout layout;
+  layout.before.assign(columns.size(), ",");
+  layout.before.front() = "{\"camera_to_world\":[";
+  constexpr std::size_t of_matrix = 12;
+  for (std::size_t i = of_matrix; i < columns.size(); ++i) {
+    layout.before[i] = (i == of_matrix ? ",0,0,0,1]," : ",") + json_text(columns[i].name) + ":";
+  }
+  layout.row_end = "}";
+  layout.empty = "null";
+  layout.between_rows = ",\n";
+  layout.tail = "\n]";
+  layout.no_rows = "]";
+  return layout;
+}
+
+}  // namespace tcb
