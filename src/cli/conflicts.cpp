@@ -144,6 +144,10 @@ bool has_no_format_of_reports(const TypedOptions& typed) {
 bool has_picture(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::picture; }
 bool has_no_picture(const TypedOptions& typed) { return !has_picture(typed); }
 bool has_poses(const TypedOptions& typed) { return has_pose_rows(output_of(typed)); }
+bool has_scene(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::scene; }
+bool has_scene_of_other_form(const TypedOptions& typed) {
+  return has_scene(typed) && typed.form && *typed.form != field_of("hermite");
+}
 bool has_binary_output(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::array; }
 bool has_no_header(const TypedOptions& typed) { return output_of(typed).family != FormatFamily::delimited; }
 bool has_fixed_delimiter(const TypedOptions& typed) { return typed.output.format != FormatId::csv; }

@@ -83,6 +83,9 @@ bool has_binary_output(const TypedOptions& typed);
 bool has_no_header(const TypedOptions& typed);
 /// The rows of the output are poses.
 bool has_poses(const TypedOptions& typed);
+/// The output is an animation.
+bool has_scene(const TypedOptions& typed);
+bool has_scene_of_other_form(const TypedOptions& typed);
 /// The format has no delimiter, or its own.
 bool has_fixed_delimiter(const TypedOptions& typed);
 bool has_no_provenance(const TypedOptions& typed);

@@ -111,9 +111,9 @@ std::string help_text() {
 }
 
 std::string presets_text() {
-  std::string out = fmt::format("{:<10}{:<18}{:<16}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
+  std::string out = fmt::format("{:<11}{:<18}{:<16}{}\n", "PRESET", "TANGENTS", "ENDS", "AS IN");
   for (const auto& row : presets) {
-    out += fmt::format("{:<10}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends), row.product);
+    out += fmt::format("{:<11}{:<18}{:<16}{}\n", row.name, name_of(row.tangents), name_of(row.ends), row.product);
   }
   out +=
       "\nTANGENTS at a key between the chords D0 and D1 with the durations h0 and h1:\n"

@@ -211,6 +211,13 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) {
        to.keys.input.columns.roles.push_back({Role::group, column_list(text), option::group});
      }},
+    {option::only, "", "PATTERN,...", input_group,
+     "Reads only these tracks of a file with several objects: OBJECT or OBJECT/TRACK, where * is any text and ? any "
+     "character",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       for (const std::string_view pattern : split(text, ',')) to.keys.input.only.emplace_back(pattern);
+     }},
     {option::missing, "", "POLICY", input_group,
      "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips the "
      "key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",
@@ -575,6 +582,11 @@ constexpr OptionRow option_rows[] = {
        of.disable({option::fields, option::emit, option::fit, option::rotation_output, option::time_format,
                    option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
                   ", whose rows are poses", has_poses);
+       of.disable({option::fields, option::fit, option::rotation_output, option::digits, option::fixed,
+                   option::time_format, option::file_column, option::output_delimiter, option::output_decimal,
+                   option::like_input},
+                  ", which is an animation", has_scene);
+       of.disable({option::emit}, ", whose pieces have the form hermite", has_scene_of_other_form);
      },
      output_format_names},
     {option::plot, "", "", output_group,

@@ -28,6 +28,15 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   return generated_text(*typed.generated, typed.files.files);
 }
 
+/// An animation has the exact pieces of curves where no samples are requested.
+void set_exact_pieces(TypedOptions& typed) {
+  constexpr std::string_view form = "hermite";
+  typed.sampling.mode = Mode::emit;
+  typed.sampling.count = 1;
+  typed.form = field_of(form);
+  typed.set_text(option::emit, std::string(form));
+}
+
 }  // namespace
 
 Job parse(int argc, const char* const* argv) {
@@ -43,6 +52,7 @@ Job parse(int argc, const char* const* argv) {
     typed.files.other_inputs.push_back(provenance->from);
   }
   set_output_format(typed, provenance.has_value());
+  if (has_scene(typed) && has_no_sampling_option(typed)) set_exact_pieces(typed);
   require_no_conflict(typed);
   read_place_column(typed);
   if (typed.has(option::meta) && !provenance) provenance.emplace();
@@ -106,6 +116,10 @@ KeyOptions keys_of(const TypedOptions& typed) {
     keys.input.rotation.shown = {.form = pose_format(typed.output.format).form};
     keys.input.rotation.shown_by_format = true;
   }
+  if (has_scene(typed)) {
+    keys.input.rotation.shown = spline::RotationNotation{};
+    keys.input.rotation.shown_by_format = true;
+  }
   if (typed.has(option::tcb) && keys.input.keys.tcb_scale == TcbScale::max3ds) {
     for (double* const value :
          {&keys.input.keys.tcb->tension, &keys.input.keys.tcb->continuity, &keys.input.keys.tcb->bias}) {
@@ -127,6 +141,10 @@ std::vector<std::size_t> fields_of(const TypedOptions& typed) {
   if (has_poses(typed)) {
     const bool has_times = pose_format(typed.output.format).has_time_in_rows();
     return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
+  }
+  if (has_scene(typed)) {
+    if (typed.sampling.mode != Mode::emit) return {field_of("time"), field_of("position")};
+    return {field_of("start"), field_of("duration"), field_of("hermite")};
   }
   std::vector<std::size_t> chosen = typed.output.fields;
   if (typed.form) chosen.insert(chosen.begin(), {field_of("start"), field_of("duration"), *typed.form});

@@ -24,7 +24,8 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
   const KeyTraits& traits = keys.traits;
   const bool is_ordered = schema.time.is_given && !options.any_order;
   Source<KeyBlock> blocks = is_ordered ? with_time_digits(keys.blocks) : keys.blocks;
-  const bool by_text = !schema.groups.empty() && !traits.own_curves;
+  const bool is_grouped = traits.has_whole_curves && !options.sort;
+  const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
   if (traits.are_segments && options.sort) throw sort_of_segments();
   if (by_text || options.sort) {

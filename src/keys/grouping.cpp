@@ -111,6 +111,7 @@ class Groups {
     const std::size_t end = std::min(keys_.size(), next_ + most_keys);
     for (; next_ < end; ++next_) {
       const KeyReference& key = keys_[next_];
+      if (!block.has_shape_of(blocks_[key.block])) break;
       const bool begins = next_ == starts_[key.curve];
       if (begins && grouping_.own_curves) {
         if (!block.empty()) break;

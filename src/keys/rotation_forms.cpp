@@ -139,7 +139,7 @@ class Conversion {
         channels_(rotation.columns.channels),
         turn_(rotation.columns.turn),
         given_(rotation.given),
-        in_parent_(all.in_parent),
+        in_parent_(all.in_parent || rotation.given.in_parent),
         has_whole_turns_(all.curve == spline::RotationCurve::squad || all.curve == spline::RotationCurve::slerp) {}
 
   void convert(KeyBlock& block) {
@@ -220,7 +220,7 @@ std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotati
   std::vector<ConvertedRotation> converted;
   for (const auto& [columns, given, names] : rotations.rotations) {
     if (given.notation.is_quaternion()) continue;
-    converted.push_back({columns, given.notation, given.relative, rotations.in_parent});
+    converted.push_back({columns, given.notation, given.relative, rotations.in_parent || given.in_parent});
   }
   return converted;
 }

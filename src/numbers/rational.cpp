@@ -209,6 +209,10 @@ Rational floor(const Rational& value) {
 
 std::string whole_text(const Rational& whole) { return integer(whole).str(); }
 
+std::string ratio_text(const Rational& number) {
+  return whole_text(numerator(number)) + "/" + whole_text(denominator(number));
+}
+
 std::uint64_t whole_number(const Rational& whole) { return static_cast<std::uint64_t>(integer(whole)); }
 
 std::optional<Rational> parse_rational(std::string_view text) {

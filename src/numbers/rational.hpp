@@ -83,6 +83,9 @@ Rational denominator(const Rational& value);
 /// The digits of a whole number.
 std::string whole_text(const Rational& whole);
 
+/// A number as "p/q".
+std::string ratio_text(const Rational& number);
+
 /// A whole number as an integer. Requires: 0 <= whole < 2^64.
 std::uint64_t whole_number(const Rational& whole);
 

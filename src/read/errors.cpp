@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "option_names.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -72,6 +73,106 @@ Error time_in_other_notation(std::string_view column, std::string_view time) {
           fmt::format("{}: {} is not in the notation of the first time; expected all times in one notation; "
                       "convert it",
                       column, in_quotes(time))};
+}
+
+Error no_tracks() {
+  return {Exit::data, "the file has no tracks; expected an object with keys"};
+}
+
+Error only_constant_tracks(const std::vector<std::string>& tracks) {
+  return {Exit::data, fmt::format("no track has more than one key; expected one that changes; choose one of {} with {} to "
+                                  "read it all the same",
+                                  listed(tracks), option::only)};
+}
+
+Error no_such_track(std::string_view pattern, const std::vector<std::string>& tracks) {
+  return Error(Exit::usage, fmt::format("no object or track is {}; expected one of {}; correct it, where * is any text "
+                                        "and ? any character",
+                                        in_quotes(pattern), listed(tracks)))
+      .about(option::only);
+}
+
+Error file_without_tracks(std::string_view format) {
+  return Error(Exit::usage, fmt::format("a file in the format {} has no tracks of several objects; expected a scene, such "
+                                        "as .lws; remove the option, or choose columns with {}",
+                                        format, option::columns))
+      .about(option::only);
+}
+
+Error channel_without_key(std::string_view channel) {
+  return {Exit::data, fmt::format("channel {} has no key at this time, where other channels have one; expected a key in "
+                                  "every channel; give {} skip-cell",
+                                  in_quotes(channel), option::missing)};
+}
+
+Error times_of_track_repeat(std::string_view time) {
+  return {Exit::data, fmt::format("the key at {} seconds is not after the one before it; expected increasing times; "
+                                  "correct the file",
+                                  time)};
+}
+
+Error track_number_too_large(std::string_view number) {
+  return {Exit::data, fmt::format("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file",
+                                  number)};
+}
+
+Error tracks_differ(std::string_view first, std::string_view other) {
+  return Error(Exit::usage, fmt::format("{} has other channels than {}; expected tracks with the same channels; choose one "
+                                        "kind, such as */position",
+                                        in_quotes(other), in_quotes(first)))
+      .about(option::only);
+}
+
+Error number_of_track_not_finite() {
+  return {Exit::data, "a number of a key is infinite or no number; expected finite numbers; export the file again"};
+}
+
+Error chunk_too_short() {
+  return {Exit::data, "a chunk of the file is longer or shorter than its content; expected a whole .3ds file; copy or export "
+                      "it again"};
+}
+
+Error not_a_scene() {
+  return {Exit::data, fmt::format("the text is no scene of LightWave; expected LWSC or LWMO in its first line; give another "
+                                  "{}",
+                                  option::input_format)};
+}
+
+Error scene_ends_early() { return {Exit::data, "the scene ends within a motion; expected the rest; copy the file again"}; }
+
+Error scene_number_expected(std::string_view found) {
+  return {Exit::data, fmt::format("{} is no number of a key or a rate; expected a number; correct the file",
+                                  in_quotes(found))};
+}
+
+Error scene_count_expected(std::string_view found) {
+  return {Exit::data, fmt::format("{} is no count; expected a whole number; correct the file", in_quotes(found))};
+}
+
+Error scene_word_expected(std::string_view word, std::string_view found) {
+  return {Exit::data, fmt::format("{} is here; expected {}, as in a motion of LightWave; correct the file",
+                                  in_quotes(found), in_quotes(word))};
+}
+
+Error scene_key_count(std::size_t found, std::size_t expected) {
+  return {Exit::data, fmt::format("there are {} keys or values; expected {}, the count above them; correct the file", found,
+                                  expected)};
+}
+
+Error no_such_span(std::size_t number) {
+  return {Exit::data, fmt::format("the span of the key is of type {}; expected 0 to 4 (TCB, Hermite, Bezier 1D, linear, "
+                                  "stepped), in version 2 no Hermite; correct the file",
+                                  number)};
+}
+
+Error bezier_2d_span() {
+  return {Exit::data, "the span of the key is a Bezier 2D curve, which is no cubic in time; expected TCB, Hermite, Bezier "
+                      "1D, linear or stepped; change the key's curve in LightWave"};
+}
+
+Error step_too_short() {
+  return {Exit::data, "the step to the key is shorter than doubles can distinguish; expected keys that are farther apart; "
+                      "remove one of them"};
 }
 
 Error no_provenance() {

@@ -1,7 +1,10 @@
 // Errors of inputs in any format: what their bytes are, times that are not numbers, and earlier outputs.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "error.hpp"
 
@@ -25,6 +28,32 @@ Error no_such_time(std::string_view column, std::string_view time);
 /// A time has two columns, of seconds and of nanoseconds.
 Error time_parts_not_whole(std::string_view time);
 Error time_in_other_notation(std::string_view column, std::string_view time);
+
+// Tracks of files with several objects.
+Error no_tracks();
+Error only_constant_tracks(const std::vector<std::string>& tracks);
+Error no_such_track(std::string_view pattern, const std::vector<std::string>& tracks);
+Error file_without_tracks(std::string_view format);
+Error channel_without_key(std::string_view channel);
+Error times_of_track_repeat(std::string_view time);
+Error track_number_too_large(std::string_view number);
+
+Error tracks_differ(std::string_view first, std::string_view other);
+Error number_of_track_not_finite();
+
+// Files of 3D Studio.
+Error chunk_too_short();
+
+// Scenes of LightWave.
+Error not_a_scene();
+Error scene_ends_early();
+Error scene_number_expected(std::string_view found);
+Error scene_count_expected(std::string_view found);
+Error scene_word_expected(std::string_view word, std::string_view found);
+Error scene_key_count(std::size_t found, std::size_t expected);
+Error no_such_span(std::size_t number);
+Error bezier_2d_span();
+Error step_too_short();
 
 // Earlier outputs.
 Error no_provenance();

@@ -35,6 +35,7 @@ struct InputOptions {
   UnitOptions units = {};
   RotationOptions rotation = {};
   std::vector<Renaming> renamings = {};  ///< of columns in the output
+  std::vector<std::string> only = {};    ///< patterns of the tracks to read; empty: all
   unsigned threads = 1;                  ///< at most
 };
 

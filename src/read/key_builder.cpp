@@ -134,7 +134,7 @@ bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) 
   } else {
     number(column) = nearest_double(scaled);
   }
-  if (keeps_decimals()) keep_decimal(column, whole_text(numerator(scaled)) + "/" + whole_text(denominator(scaled)));
+  if (keeps_decimals()) keep_decimal(column, ratio_text(scaled));
   return true;
 }
 
@@ -143,7 +143,7 @@ bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_vi
   if (!seconds) return false;
   constexpr int as_many_as_it_has = 1;
   time_ = counts_frames(units_.notation) ? nearest_time(*seconds) : nearest_time(*seconds, as_many_as_it_has);
-  if (keeps_decimals()) keep_decimal(column, whole_text(numerator(*seconds)) + "/" + whole_text(denominator(*seconds)));
+  if (keeps_decimals()) keep_decimal(column, ratio_text(*seconds));
   return true;
 }
 
@@ -158,7 +158,7 @@ bool KeyBuilder::add_nanoseconds() {
   constexpr int decimals = 9;
   time_ = nearest_time(time, decimals);
   if (keeps_decimals())
-    decimals_[NumberOfKey::time] = whole_text(numerator(time)) + "/" + whole_text(denominator(time));
+    decimals_[NumberOfKey::time] = ratio_text(time);
   return true;
 }
 

@@ -14,7 +14,10 @@
 #include "read/errors.hpp"
 #include "read/json/camera_path.hpp"
 #include "read/json/shapes.hpp"
+#include "read/lightwave.hpp"
 #include "read/poses.hpp"
+#include "read/studio_3ds.hpp"
+#include "read/tracks.hpp"
 #include "schema/rotation_columns.hpp"
 #include "text/utf8.hpp"
 
@@ -150,6 +153,10 @@ Source<std::string> without_mark(Source<std::string> bytes, std::string& encodin
 
 /// The format by the file's ending, or by the first byte that is not blank.
 FormatId detect(const std::string& path, const std::string& beginning) {
+  constexpr std::size_t high_byte_of_size = 5;  // 0 below 16 MiB
+  const bool is_3ds = beginning.starts_with("MM") && beginning.size() > high_byte_of_size;
+  if (is_3ds && beginning[high_byte_of_size] == '\0') return FormatId::studio_3ds;
+  if (beginning.starts_with("LWSC") || beginning.starts_with("LWMO")) return FormatId::lws;
   const auto named = find_input_format(path);
   if ((!named || *named == FormatId::json) && begins_camera_path(beginning).value_or(false)) return FormatId::nerfstudio;
   if (named) return *named;
@@ -161,12 +168,16 @@ FormatId detect(const std::string& path, const std::string& beginning) {
 /// The options, with what the format decides unless it is requested.
 InputOptions options_of(FormatId format, Source<std::string>& bytes, const InputOptions& given) {
   const FormatFamily family = format_of(format).family;
+  if (family == FormatFamily::tracks) return options_of_tracks(format, given);
+  if (!given.only.empty()) throw file_without_tracks(format_of(format).name);
   if (family == FormatFamily::poses) return options_of_poses(format, bytes, given);
   return family == FormatFamily::cameras ? options_of_camera_path(given) : given;
 }
 
 Records open_as(FormatId format, Source<std::string> bytes, InputOptions options) {
   if (format_of(format).family == FormatFamily::cameras) return open_camera_path(std::move(bytes), options);
+  if (format == FormatId::studio_3ds) return open_3ds(std::move(bytes), options);
+  if (format == FormatId::lws) return open_lightwave(std::move(bytes), options);
   if (format_of(format).family == FormatFamily::json) return open_json(std::move(bytes), options);
   std::optional<char>& delimiter = options.delimited.delimiter;
   if (!delimiter && format != FormatId::csv) delimiter = format_of(format).delimiter;  // csv: any, to be found
@@ -195,7 +206,9 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   const Columns& columns = records.columns;
   Input input{schema_of(columns, records.time_notation, records.dates), std::move(records.facts),
               std::move(records.keys)};
-  if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, options.rotation);
+  RotationOptions rotation = options.rotation;
+  if (records.rotation && rotation.requests.empty() && !rotation.none) rotation.requests.push_back(*records.rotation);
+  if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   if (!input.schema.time.unit) input.schema.time.epoch_unit = records.epoch_unit;
   input.schema.marks = records.marks;

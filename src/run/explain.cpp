@@ -66,7 +66,7 @@ Facts input_facts(const Input& input) {
     add("decimal", std::string(1, marks->decimal));
     const bool is_of_format = format_of(input.facts.format).family == FormatFamily::poses;
     add("header", input.schema.named && !is_of_format ? "yes" : "no");
-  } else {
+  } else if (format.family == FormatFamily::json) {
     add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
   }
   if (!input.keys.traits.own_curves) list("group", input.schema.groups);
@@ -78,6 +78,8 @@ Facts input_facts(const Input& input) {
   list("position", positions);
   for (const std::string& role : input.facts.roles) add(role, "in a column");
   list("carry", input.schema.labels);
+  list("tracks with other channels", input.facts.other_tracks);
+  list("tracks with one key", input.facts.constant_tracks);
   list("ignored", input.facts.ignored);
   return facts;
 }

@@ -86,6 +86,8 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (!chosen && options.input.renamings.empty() && are_found_by_elimination(input)) {
     add(positions_by_elimination(input.schema.channels));
   }
+  if (!input.facts.other_tracks.empty()) add(other_tracks_left_out(input.facts.other_tracks));
+  if (!input.facts.constant_tracks.empty()) add(constant_tracks_left_out(input.facts.constant_tracks));
   if (!input.facts.ignored.empty()) {
     add(chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));
   }

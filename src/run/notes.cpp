@@ -49,6 +49,19 @@ Note index_is_time() { return {"the index of the table is taken as the time", tr
 
 Note no_time_column() { return {"there is no time column; the times of the keys are 0, 1, 2, ..."}; }
 
+Note channels_in_extras(const std::vector<std::string>& names) {
+  return {fmt::format("in the extras of the animation, as they are no translation, rotation or scale: {}", listed(names)),
+          true};
+}
+
+Note other_tracks_left_out(const std::vector<std::string>& names) {
+  return {fmt::format("left out, as they have other channels: {}; {} reads them", listed(names), option::only), true};
+}
+
+Note constant_tracks_left_out(const std::vector<std::string>& names) {
+  return {fmt::format("left out, as they have a single key: {}; {} reads them", listed(names), option::only), true};
+}
+
 Note ignored_columns(const std::vector<std::string>& names) {
   return {fmt::format("ignored: {}; {} gives them roles, as in carry=NAME or position=NAME:NAME", listed(names),
                       option::columns),

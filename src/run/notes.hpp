@@ -31,6 +31,9 @@ Note names_of_quaternion();
 /// The index of a table in JSON is not a count of its rows, and no column is the time.
 Note index_is_time();
 Note no_time_column();
+Note channels_in_extras(const std::vector<std::string>& names);
+Note other_tracks_left_out(const std::vector<std::string>& names);
+Note constant_tracks_left_out(const std::vector<std::string>& names);
 Note ignored_columns(const std::vector<std::string>& names);
 /// Columns that are ignored as the positions were chosen.
 Note unchosen_columns(const std::vector<std::string>& names);

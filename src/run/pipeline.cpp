@@ -12,6 +12,7 @@
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
+#include "run/notes.hpp"
 #include "run/progress.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
@@ -69,6 +70,7 @@ class FileRun {
     }
     if (curve_info_ == nullptr) {
       writer_.begin(input.schema, live_, preset_in_words(pipeline_->facts()), shown_name(path_));
+      if (const auto others = writer_.channels_in_extras(); !others.empty()) notes_.add(channels_in_extras(others));
     }
     curve_info_ = curve.curve_info;
     writer_.begin_curve(curve.group);

@@ -36,6 +36,7 @@ struct GivenRotation {
   std::vector<std::string> columns = {};   ///< names of those of its numbers
   std::vector<std::size_t> channels = {};  ///< those of its numbers, in keys as they are read
   bool normalize = false;                  ///< a quaternion of any norm, or the rotation nearest to a matrix
+  bool in_parent = false;                  ///< if relative, in the frame outside that of the key before
 };
 
 /// A channel that is an angle.

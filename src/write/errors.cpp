@@ -47,6 +47,46 @@ Error several_curves_in_one_table(std::string_view format) {
                                   format, option::output_format)};
 }
 
+Error no_target_of_node(const std::vector<std::string>& channels) {
+  return {Exit::data, fmt::format("the channels are {}; expected three of a translation, one rotation, or sx, sy and sz "
+                                  "of a scale; choose others with {}, or give another format to {}",
+                                  listed(channels), option::columns, option::output_format)};
+}
+
+Error no_target_of_track(std::string_view track) {
+  return {Exit::data, fmt::format("the track {} is neither a position nor a scale; expected one of these in an animation; "
+                                  "choose others with {}",
+                                  in_quotes(track), option::only)};
+}
+
+Error several_curves_of_node(std::string_view name) {
+  return {Exit::data, fmt::format("there is more than one curve of {}; expected one for each node of an animation; give "
+                                  "another format, such as csv, to {}",
+                                  in_quotes(name), option::output_format)};
+}
+
+Error time_before_start_of_animation(double seconds) {
+  return {Exit::data, fmt::format("a keyframe is at {} seconds; expected times from 0 on, as animations have them; shift "
+                                  "the times of the keys",
+                                  seconds)};
+}
+
+Error times_not_in_single_precision(double seconds) {
+  return {Exit::data, fmt::format("the keyframe at {} seconds has the time of the one before it in single precision; "
+                                  "expected times that differ there; give fewer samples, or times nearer to 0",
+                                  seconds)};
+}
+
+Error number_beyond_single_precision(double number) {
+  return {Exit::data, fmt::format("{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the "
+                                  "keys down",
+                                  number)};
+}
+
+Error animation_without_rows() {
+  return {Exit::data, "a curve has no row in the range; expected one at least; give a longer range"};
+}
+
 Error time_not_a_double(std::string_view time) {
   return {Exit::data, fmt::format("time {} has more digits than a double holds; expected a double, or a text format; "
                                   "give another format, such as csv, to {}",

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "error.hpp"
 
@@ -18,6 +19,17 @@ Error not_a_pose(std::size_t positions, std::size_t rotations, std::string_view 
 Error channel_of_format_missing(std::string_view channel, std::string_view format);
 Error poses_without_unit_of_time(std::string_view column, std::string_view format);
 Error several_curves_in_one_table(std::string_view format);
+
+// Animations.
+Error no_target_of_node(const std::vector<std::string>& channels);
+Error no_target_of_track(std::string_view track);
+Error several_curves_of_node(std::string_view name);
+Error time_before_start_of_animation(double seconds);
+Error times_not_in_single_precision(double seconds);
+Error number_beyond_single_precision(double number);
+Error animation_without_rows();
+
+// Times and marks.
 Error time_not_a_double(std::string_view time);
 Error time_not_in_notation(std::string_view time, std::string_view notation);
 Error input_without_marks();

@@ -34,6 +34,10 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
     throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
                                 format_of(options.format).name);
   }
+  const bool is_scene = format_of(options.format).family == FormatFamily::scene;
+  if (is_scene && !columns.labels.empty()) {
+    throw text_in_binary_format(columns.labels.front(), format_of(options.format).name);
+  }
   if (has_pose_rows(format_of(options.format)) && groups_ + columns.labels.size() > 0) {
     throw text_in_poses(groups_ > 0 ? columns.groups.front() : columns.labels.front(), format_of(options.format).name);
   }
@@ -43,6 +47,7 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
   all_ = layout(all, marks_, options.header);
   if (options.cameras != nullptr) options.cameras->complete(all_);
   head_ = nested_ ? "{\"curves\":[\n" : (options.has_member ? "{\"rows\":" : "") + all_.head;
+  if (is_scene) head_.clear();
   if (format_of(options.format).family == FormatFamily::poses) head_ = pose_format(options.format).head;
   rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, marks_, options.header) : all_;
   const auto labels_begin = rows_.before.begin() + signed_size(numbers_ + (nested_ ? 0 : groups_));

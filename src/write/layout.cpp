@@ -42,6 +42,9 @@ constexpr std::array<OutputFormat, formats.size()> output_formats{{
     {delimited_layout, delimited_cell},
     {delimited_layout, delimited_cell},
     {camera_rows, nullptr},
+    {},  // tracks are not written
+    {},
+    {npy_rows, nullptr},
     {npy_rows, nullptr, npy_head},
     {},  // a picture has no rows
 }};

@@ -56,6 +56,13 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     file_ = '"' + file;
   }
   const Format& format = format_of(options_.format);
+  if (format.family == FormatFamily::scene) {
+    if (scene_ == nullptr) {
+      scene_ = std::make_unique<GltfScene>(std::ranges::count(options_.fields, field_of("time")) == 0);
+    }
+    scene_->begin(schema);
+    columns.groups.clear();
+  }
   const bool is_pose = has_pose_rows(format);
   cells_ = columns.numbers.size();
   if (is_pose) {
@@ -81,6 +88,7 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
 }
 
 void Writer::begin_curve(std::vector<std::string> group) {
+  if (scene_ != nullptr) return scene_->begin_curve(group);
   if (options_.file_column) group.insert(group.begin(), file_);
   const std::string text = frame_.begin(group, group_ == group);
   if (!text.empty()) output_.write(text);
@@ -187,14 +195,23 @@ std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) 
 void Writer::write(const Source<std::string>& rows) {
   bool any = false;
   while (const std::optional<std::string> text = rows()) {
-    output_.write(*text);
+    if (scene_ != nullptr) {
+      scene_->add(*text);
+    } else {
+      output_.write(*text);
+    }
     bytes_ += text->size();
     any = any || !text->empty();
   }
   if (any) frame_.set_written();
 }
 
+std::vector<std::string> Writer::channels_in_extras() const {
+  return scene_ == nullptr ? std::vector<std::string>{} : scene_->other_channels();
+}
+
 void Writer::commit() {
+  if (scene_ != nullptr) output_.write(scene_->text());
   const std::string provenance = recorder_.after_rows(options_.format);
   const bool is_member = format_of(options_.format).nests;
   output_.write(is_member ? frame_.tail(provenance)

@@ -15,6 +15,7 @@
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
 #include "write/frame.hpp"
+#include "write/gltf.hpp"
 #include "write/labels.hpp"
 #include "write/provenance.hpp"
 
@@ -50,6 +51,9 @@ class Writer {
   /// Begins the rows of the next file; `rules` are those of its first curve. Throws: Error (data) where they have
   /// other columns than the rows before. `file` is for a column of files.
   void begin(const Schema& schema, bool live, Facts rules, const std::string& file = {});
+
+  /// Names of channels that the format has no place for besides its extras.
+  std::vector<std::string> channels_in_extras() const;
 
   /// Begins the rows of the next curve of the file.
   void begin_curve(std::vector<std::string> group);
@@ -92,6 +96,7 @@ class Writer {
   std::size_t cells_ = 0;           ///< of a row, before they are ordered
   std::vector<std::size_t> order_;  ///< of the cells of rows: as in pose_cells(); empty: as they are
   std::unique_ptr<CameraPath> cameras_;  ///< of a camera path
+  std::unique_ptr<GltfScene> scene_;     ///< of an animation
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
   TextMarks marks_;

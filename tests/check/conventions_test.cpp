@@ -73,9 +73,10 @@ TEST(Conventions, have_settings_and_presets) {
 
 TEST(Conventions, of_rotations_have_a_curve_and_the_rules_that_presets_give_them) {
   using enum RotationCurve;
-  const ComparedParts both{false, true, {squad, casteljau}}, turns{false, false, {squad, slerp}};
-  EXPECT_EQ(conventions(1, both).size(), 2U * 7 * 9 * 2 + 3) << "vtk, 3dsmax as nel, cryengine";
-  EXPECT_EQ(conventions(2, turns).size(), 2U * 2 * 7 * 9 + 1) << "slerp has no tangents";
+  const ComparedParts both{.rotation_curves = {squad, casteljau}};
+  const ComparedParts turns{.positions = false, .rotation_curves = {squad, slerp}};
+  EXPECT_EQ(conventions(1, both).size(), 2U * 7 * 9 * 2 + 3 + 2) << "vtk, 3dsmax as nel, cryengine, nerfstudio";
+  EXPECT_EQ(conventions(2, turns).size(), 2U * 2 * 7 * 9 + 1 + 2) << "slerp has no tangents";
   const Convention nel{
       TangentRule::interval_c, EndRule::natural_tension, EndRule::natural_tension, false, 0, squad, Preset::nel};
   EXPECT_THAT(presets_of(nel, both), ElementsAre("3dsmax", "nel"));

@@ -30,7 +30,7 @@ void add(KeyBuilder& keys, double time, bool has_x = true) {
 }
 
 KeyBlock three(Missing missing) {
-  KeyBuilder keys(columns, {{0.5, 0, 0}, missing});
+  KeyBuilder keys(columns, {.tcb = spline::Tcb<double>{0.5, 0, 0}, .missing = missing});
   add(keys, 1);
   add(keys, 2, false);
   add(keys, 3);

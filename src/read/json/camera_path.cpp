@@ -259,10 +259,6 @@ std::vector<WrittenNumber> numbers_of(Keyframe& keyframe, const PathOfCameras& p
   return numbers;
 }
 
-std::string as_decimal(const Rational& number) {
-  return whole_text(numerator(number)) + "/" + whole_text(denominator(number));
-}
-
 /// Adds a keyframe to the keys.
 void add_key(KeyBuilder& keys, Keyframe& keyframe, const PathOfCameras& path, const Columns& columns,
              const Rational& seconds) {
@@ -271,7 +267,7 @@ void add_key(KeyBuilder& keys, Keyframe& keyframe, const PathOfCameras& path, co
   for (Error& fault : keyframe.faults) keys.add_fault(std::move(fault));
   for (std::size_t i = 0; i < columns.cells.size() && i <= numbers.size(); ++i) {
     const Columns::Column& column = columns.cells[i];
-    const std::string decimal = i == 0 ? as_decimal(seconds) : numbers[i - 1].decimal;
+    const std::string decimal = i == 0 ? ratio_text(seconds) : numbers[i - 1].decimal;
     if (column.role == Role::time) {
       keys.set_time(i == 0 ? nearest_time(seconds) : parse_time(decimal).value_or(Time(numbers[i - 1].value)));
     } else if (i > 0 && (column.role == Role::position || is_of_channel(column.role))) {
@@ -332,7 +328,7 @@ Records open_camera_path(Source<std::string> bytes, const InputOptions& options)
   info.settings.closed = {path.is_cycle, {"is_cycle", path.position}};
   if (path.is_cycle) {
     const Rational period = seconds + transition_to(path.keyframes.front(), path);
-    info.settings.period = {as_decimal(period), {"is_cycle", path.position}};
+    info.settings.period = {ratio_text(period), {"is_cycle", path.position}};
   }
   records.facts.shape = JsonShape::object;
   records.camera_path = std::move(path.members);

@@ -365,10 +365,10 @@ struct PresetRow {
 ///   Python package splines and VTK (vtkQuaternionInterpolator, which has no T, C, B); of 3ds Max, those of NeL and
 ///   CryEngine, which read its keys.
 inline constexpr std::array presets{
-    PresetRow{Preset::gte, "gte", TangentRule::velocity, EndRule::half, "Geometric Tools Engine since 2022-08"},
+    PresetRow{Preset::gte, "gte", TangentRule::velocity, EndRule::half, "Geometric Tools (GTE) since 2022-08"},
     PresetRow{Preset::fbx, "fbx", TangentRule::velocity, EndRule::one_sided, "FBX, MotionBuilder"},
     PresetRow{Preset::gte2021, "gte2021", TangentRule::interval, EndRule::one_sided,
-              "Geometric Tools Engine until 2022-01"},
+              "Geometric Tools (GTE) until 2022-01"},
     PresetRow{Preset::wildmagic, "wildmagic", TangentRule::interval, EndRule::one_sided, "Wild Magic"},
     PresetRow{Preset::lightwave, "lightwave", TangentRule::interval, EndRule::lightwave,
               "LightWave 3D; give times in seconds"},

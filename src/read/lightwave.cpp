@@ -1,0 +1,394 @@
+// LightWave: the motions of scenes (.lws) and of motion files (.mot) as keys.
+#include "read/lightwave.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "numbers/parse_number.hpp"
+#include "read/errors.hpp"
+#include "read/tracks.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+enum class Span { tcb, hermite, bezier, linear, stepped, bezier2 };
+
+/// A key of an envelope.
+struct EnvelopeKey {
+  TrackNumber value, time;
+  Span span = Span::tcb;
+  TrackNumber tension, continuity, bias;
+  TrackNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
+  std::uint64_t line = 0;
+};
+using Envelope = std::vector<EnvelopeKey>;
+
+/// The lines of a text as words.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : text_(text) {}
+
+  /// Reads the next line that is not blank; false at the end.
+  bool next() {
+    while (!text_.empty()) {
+      const std::size_t end = std::min(text_.find('\n'), text_.size());
+      line_ = text_.substr(0, end);
+      text_.remove_prefix(std::min(end + 1, text_.size()));
+      ++number_;
+      const std::size_t first = line_.find_first_not_of(" \t\r");
+      if (first == std::string_view::npos) continue;
+      line_ = line_.substr(first, line_.find_last_not_of(" \t\r") + 1 - first);
+      words_.clear();
+      for (std::size_t at = 0; at < line_.size();) {
+        const std::size_t stop = std::min(line_.find_first_of(" \t", at), line_.size());
+        words_.push_back(line_.substr(at, stop - at));
+        at = std::min(line_.find_first_not_of(" \t", stop), line_.size());
+      }
+      return true;
+    }
+    words_.clear();
+    return false;
+  }
+  void require_next() {
+    if (!next()) throw scene_ends_early().at({"", number_ + 1, 0});
+  }
+
+  const std::vector<std::string_view>& words() const { return words_; }
+  std::string_view word(std::size_t i) const { return i < words_.size() ? words_[i] : ""; }
+  /// The line from a word on.
+  std::string_view from_word(std::size_t i) const {
+    return i < words_.size() ? line_.substr(static_cast<std::size_t>(words_[i].data() - line_.data())) : "";
+  }
+  std::uint64_t number() const { return number_; }
+  Error at(const Error& error) const { return error.at({"", number_, 0}); }
+
+  TrackNumber number_in(std::size_t i) const {
+    const auto value = parse_number(word(i));
+    if (!value) throw at(scene_number_expected(word(i)));
+    return {*value, std::string(word(i))};
+  }
+  std::size_t count_in(std::size_t i) const {
+    std::size_t count = 0;
+    const std::string_view text = word(i);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc() || end != text.data() + text.size()) throw at(scene_count_expected(text));
+    return count;
+  }
+
+ private:
+  std::string_view text_, line_;
+  std::vector<std::string_view> words_;
+  std::uint64_t number_ = 0;
+};
+
+/// The velocities of the keys of a channel whose spans are not all TCB.
+class Velocities {
+ public:
+  explicit Velocities(const Envelope& keys) : keys_(keys) {}
+
+  /// Of the segment before key i, at its end.
+  Rational incoming(std::size_t i) const {
+    const Rational h = duration(i - 1);
+    if (keys_[i].span == Span::linear) return chord(i - 1) / h;
+    return tangent_in(i) / h;
+  }
+  /// Of the segment after key i, at its start.
+  Rational outgoing(std::size_t i) const {
+    const Rational h = duration(i);
+    if (keys_[i + 1].span == Span::linear) return chord(i) / h;
+    return tangent_out(i) / h;
+  }
+
+ private:
+  Rational duration(std::size_t i) const { return exact_number(keys_[i + 1].time) - exact_number(keys_[i].time); }
+  Rational chord(std::size_t i) const { return exact_number(keys_[i + 1].value) - exact_number(keys_[i].value); }
+  static Rational at_end(const Rational& h) { return h / (h + Rational(1, 3600)); }
+
+  Rational tangent_in(std::size_t i) const {
+    const EnvelopeKey& key = keys_[i];
+    const bool is_last = i + 1 == keys_.size();
+    if (key.span == Span::hermite || key.span == Span::bezier) return exact_number(key.incoming);
+    const Rational loose = Rational(1) - exact_number(key.tension), c = exact_number(key.continuity);
+    const Rational own = loose * (1 - c) * (1 + exact_number(key.bias)) * chord(i - 1);
+    if (is_last) return own * at_end(duration(i - 1));
+    const Rational next = loose * (1 + c) * (1 - exact_number(key.bias)) * chord(i);
+    return (own + next) * duration(i - 1) / (duration(i - 1) + duration(i));
+  }
+  Rational tangent_out(std::size_t i) const {
+    const EnvelopeKey& key = keys_[i];
+    if (key.span == Span::hermite || key.span == Span::bezier) return exact_number(key.outgoing);
+    if (key.span == Span::stepped) return Rational(0);
+    const bool is_linear = key.span == Span::linear;
+    const Rational loose = is_linear ? Rational(1) : Rational(1) - exact_number(key.tension);
+    const Rational c = is_linear ? Rational(0) : exact_number(key.continuity);
+    const Rational b = is_linear ? Rational(0) : exact_number(key.bias);
+    const Rational own = loose * (1 - c) * (1 - b) * chord(i);
+    if (i == 0) return own * at_end(duration(i));
+    const Rational before = loose * (1 + c) * (1 + b) * chord(i - 1);
+    return (before + own) * duration(i) / (duration(i - 1) + duration(i));
+  }
+
+  const Envelope& keys_;
+};
+
+/// The double before a time.
+Rational just_before(const Rational& time) {
+  return Rational(std::nextafter(nearest_double(time), -std::numeric_limits<double>::infinity()));
+}
+
+/// The keys of a channel.
+TrackChannel channel_of(std::string_view name, const Envelope& keys) {
+  TrackChannel channel{std::string(name)};
+  const auto is_tcb = [](const EnvelopeKey& key) { return key.span == Span::tcb; };
+  channel.has_velocities = keys.size() > 1 && !std::ranges::all_of(keys, is_tcb);
+  const Velocities velocities(keys);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const EnvelopeKey& key = keys[i];
+    TrackKey result;
+    result.time = key.time;
+    result.value = key.value;
+    result.tension = key.tension;
+    result.continuity = key.continuity;
+    result.bias = key.bias;
+    result.line = key.line;
+    if (!channel.has_velocities) {
+      channel.keys.push_back(std::move(result));
+      continue;
+    }
+    const bool is_step = i > 0 && key.span == Span::stepped;
+    const bool begins_step = i + 1 < keys.size() && keys[i + 1].span == Span::stepped;
+    if (is_step) {
+      TrackKey end = channel.keys.back();
+      const Rational time = exact_number(key.time), before = just_before(time);
+      end.time = {nearest_double(before), ratio_text(before)};
+      if (before <= exact_number(channel.keys.back().time)) throw step_too_short().at({"", key.line, 0});
+      end.velocity_in = track_number(Rational(0));
+      const Rational jump = exact_number(key.value) - exact_number(end.value);
+      end.velocity_out = result.velocity_in = track_number(jump / (time - before));
+      channel.keys.push_back(std::move(end));
+    } else if (i > 0) {
+      result.velocity_in = track_number(velocities.incoming(i));
+    }
+    if (i + 1 < keys.size()) {
+      result.velocity_out = track_number(begins_step ? Rational(0) : velocities.outgoing(i));
+    }
+    channel.keys.push_back(std::move(result));
+  }
+  return channel;
+}
+
+/// Reads the motions of a scene.
+class Scene {
+ public:
+  explicit Scene(std::string_view text) : lines_(text) {}
+
+  std::vector<Track> read() {
+    lines_.require_next();
+    const bool is_motion = lines_.word(0) == "LWMO";
+    if (!is_motion && lines_.word(0) != "LWSC") throw lines_.at(not_a_scene());
+    lines_.require_next();
+    version_ = lines_.count_in(0);
+    if (is_motion) name_object("motion");
+    if (is_motion) read_motion();
+    while (lines_.next()) read_keyword();
+    return std::move(tracks_);
+  }
+
+ private:
+  /// Objects of the same name are numbered, as in LightWave.
+  void name_object(std::string_view name) {
+    const std::size_t number = ++names_[std::string(name)];
+    object_ = number == 1 ? std::string(name) : fmt::format("{} ({})", name, number);
+  }
+
+  /// The name of a file without its folders and its ending.
+  static std::string_view stem(std::string_view path) {
+    path.remove_prefix(std::min(path.find_last_of("/\\:") + 1, path.size()));
+    return path.substr(0, path.rfind('.'));
+  }
+
+  bool has_number(std::size_t word) const {
+    constexpr std::size_t digits = 8;
+    const std::string_view text = lines_.word(word);
+    return text.size() == digits && text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+  }
+
+  void read_keyword() {
+    const std::string_view keyword = lines_.word(0);
+    if (keyword == "FramesPerSecond") {
+      frame_rate_ = lines_.number_in(1);
+      if (!(frame_rate_.value > 0)) throw lines_.at(scene_number_expected(lines_.word(1)));
+    } else if (keyword == "LoadObjectLayer") {
+      name_object(stem(lines_.from_word(has_number(2) ? 3 : 2)));
+    } else if (keyword == "LoadObject") {
+      name_object(stem(lines_.from_word(1)));
+    } else if (keyword == "AddNullObject") {
+      name_object(lines_.from_word(has_number(1) ? 2 : 1));
+    } else if (keyword == "LightName" || keyword == "CameraName" || keyword == "BoneName") {
+      name_object(lines_.from_word(1));
+    } else if (keyword == "AddLight" || keyword == "AddCamera" || keyword == "AddBone") {
+      object_ = keyword.substr(3);  // until its name follows
+    } else if (keyword == "ObjectMotion" || keyword == "LightMotion" || keyword == "CameraMotion" ||
+               keyword == "BoneMotion") {
+      if (object_.empty()) name_object(keyword.substr(0, keyword.size() - 6));
+      read_motion();
+    }
+  }
+
+  void read_motion() {
+    constexpr std::array<std::string_view, 3> names{"position", "rotation", "scale"};
+    constexpr std::array<std::string_view, 3> channels{"x", "y", "z"};
+    const std::vector<Envelope> envelopes = version_ >= 3 ? read_channels() : read_old_channels();
+    for (std::size_t first = 0; first + 3 <= envelopes.size() && first < 9; first += 3) {
+      Track track{object_, std::string(names[first / 3])};
+      for (std::size_t i = 0; i < 3; ++i) {
+        try {
+          track.channels.push_back(channel_of(channels[i], envelopes[first + i]));
+        } catch (const Error& error) {
+          throw error.about(fmt::format("{}/{}", object_, names[first / 3]));
+        }
+      }
+      track.settings.preset = {std::string(spline::name_of(spline::Preset::lightwave)), {"preset", {"", 1, 1}}};
+      tracks_.push_back(std::move(track));
+    }
+  }
+
+  std::vector<Envelope> read_channels() {
+    lines_.require_next();
+    if (lines_.word(0) != "NumChannels") throw lines_.at(scene_word_expected("NumChannels", lines_.word(0)));
+    const std::size_t count = lines_.count_in(1);
+    std::vector<Envelope> envelopes;
+    for (std::size_t i = 0; i < count; ++i) {
+      lines_.require_next();
+      if (lines_.word(0) != "Channel") throw lines_.at(scene_word_expected("Channel", lines_.word(0)));
+      envelopes.push_back(read_envelope());
+    }
+    return envelopes;
+  }
+
+  Envelope read_envelope() {
+    lines_.require_next();
+    if (lines_.word(0) != "{" || lines_.word(1) != "Envelope") {
+      throw lines_.at(scene_word_expected("{ Envelope", lines_.from_word(0)));
+    }
+    lines_.require_next();
+    const std::size_t count = lines_.count_in(0);
+    Envelope keys;
+    for (lines_.require_next(); lines_.word(0) != "}"; lines_.require_next()) {
+      if (lines_.word(0) == "{") throw lines_.at(scene_word_expected("Key", lines_.from_word(0)));
+      if (lines_.word(0) == "Key") keys.push_back(read_key(1));
+    }
+    if (keys.size() != count) throw lines_.at(scene_key_count(keys.size(), count));
+    require_order(keys);
+    return keys;
+  }
+
+  /// A key: value, time, span, T, C, B, and since version 3 three numbers more.
+  EnvelopeKey read_key(std::size_t first) const {
+    EnvelopeKey key;
+    key.value = lines_.number_in(first);
+    key.time = lines_.number_in(first + 1);
+    key.span = span_of(lines_.count_in(first + 2));
+    key.tension = lines_.number_in(first + 3);
+    key.continuity = lines_.number_in(first + 4);
+    key.bias = lines_.number_in(first + 5);
+    key.line = lines_.number();
+    const bool has_tangents = key.span == Span::hermite || key.span == Span::bezier;
+    if (has_tangents) key.incoming = lines_.number_in(first + 6);
+    if (has_tangents) key.outgoing = lines_.number_in(first + 7);
+    return key;
+  }
+
+  Span span_of(std::size_t number) const {
+    constexpr std::size_t tcb_of_version_2 = 2;
+    if (version_ == 2 && number == tcb_of_version_2) return Span::tcb;
+    if (number > static_cast<std::size_t>(Span::bezier2)) throw lines_.at(no_such_span(number));
+    const auto span = static_cast<Span>(number);
+    if (span == Span::bezier2) throw lines_.at(bezier_2d_span());
+    if (version_ == 2 && (span == Span::hermite)) throw lines_.at(no_such_span(number));
+    return span;
+  }
+
+  void require_order(const Envelope& keys) const {
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      if (exact_number(keys[i - 1].time) < exact_number(keys[i].time)) continue;
+      throw times_of_track_repeat(keys[i].time.decimal).about(object_).at({"", keys[i].line, 0});
+    }
+  }
+
+  /// Version 2 has the keys of each channel, version 1 keys of all channels by frames.
+  std::vector<Envelope> read_old_channels() {
+    lines_.require_next();
+    const std::size_t channels = lines_.count_in(0);
+    constexpr std::size_t most_channels = 1000;
+    if (channels > most_channels) throw lines_.at(scene_count_expected(lines_.word(0)));
+    std::vector<Envelope> envelopes(channels);
+    if (version_ == 1) {
+      lines_.require_next();
+      const std::size_t keys = lines_.count_in(0);
+      for (std::size_t i = 0; i < keys; ++i) read_whole_key(envelopes);
+    } else {
+      for (Envelope& envelope : envelopes) {
+        lines_.require_next();
+        const std::size_t keys = lines_.count_in(0);
+        for (std::size_t i = 0; i < keys; ++i) {
+          lines_.require_next();
+          envelope.push_back(read_key(0));
+        }
+      }
+    }
+    std::ranges::for_each(envelopes, [this](const Envelope& keys) { require_order(keys); });
+    return envelopes;
+  }
+
+  /// A line of the values of all channels, and a line of the frame, whether the span is linear, and T, C, B.
+  void read_whole_key(std::vector<Envelope>& envelopes) {
+    std::vector<TrackNumber> values;
+    while (values.size() < envelopes.size()) {
+      lines_.require_next();
+      for (std::size_t i = 0; i < lines_.words().size(); ++i) values.push_back(lines_.number_in(i));
+    }
+    if (values.size() != envelopes.size()) throw lines_.at(scene_key_count(values.size(), envelopes.size()));
+    lines_.require_next();
+    EnvelopeKey key;
+    const TrackNumber frame = lines_.number_in(0);
+    key.time = track_number(exact_number(frame) / exact_number(frame_rate_));
+    key.span = lines_.count_in(1) != 0 ? Span::linear : Span::tcb;
+    key.tension = lines_.number_in(2);
+    key.continuity = lines_.number_in(3);
+    key.bias = lines_.number_in(4);
+    key.line = lines_.number();
+    for (std::size_t i = 0; i < envelopes.size(); ++i) {
+      key.value = values[i];
+      envelopes[i].push_back(key);
+    }
+  }
+
+  Lines lines_;
+  std::size_t version_ = 0;
+  TrackNumber frame_rate_{30, "30"};  ///< of scenes that do not give one
+  std::string object_;                ///< the current one
+  std::map<std::string, std::size_t> names_;
+  std::vector<Track> tracks_;
+};
+
+}  // namespace
+
+Records open_lightwave(Source<std::string> bytes, const InputOptions& options) {
+  std::string text;
+  while (const std::optional<std::string> part = bytes()) text += *part;
+  return records_of_tracks(Scene(text).read(), "t", options);
+}
+
+}  // namespace tcb

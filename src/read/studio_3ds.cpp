@@ -1,0 +1,200 @@
+// 3D Studio: the keyframe tracks of .3ds files as keys.
+#include "read/studio_3ds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "read/errors.hpp"
+#include "read/tracks.hpp"
+
+namespace tcb {
+namespace {
+
+/// The numbers of chunks.
+enum ChunkId : std::uint16_t {
+  main_chunk = 0x4D4D,
+  keyframes = 0xB000,
+  first_node = 0xB001,
+  camera_target = 0xB004,
+  light_target = 0xB006,
+  last_node = 0xB007,
+  node_header = 0xB010,
+  instance_name = 0xB011,
+};
+
+/// A track that is read.
+struct TrackKind {
+  std::uint16_t chunk;
+  std::string_view name;
+  std::vector<std::string_view> channels;
+};
+const std::array<TrackKind, 8> kinds{{
+    {0xB020, "position", {"x", "y", "z"}},
+    {0xB021, "rotation", {"angle", "axis_x", "axis_y", "axis_z"}},
+    {0xB022, "scale", {"x", "y", "z"}},
+    {0xB023, "fov", {"fov"}},
+    {0xB024, "roll", {"roll"}},
+    {0xB025, "color", {"red", "green", "blue"}},
+    {0xB027, "hotspot", {"hotspot"}},
+    {0xB028, "falloff", {"falloff"}},
+}};
+
+/// Bytes of a file, from which little-endian numbers are read.
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
+
+  std::size_t left() const { return bytes_.size(); }
+  std::string_view take(std::size_t size) {
+    if (size > bytes_.size()) throw chunk_too_short();
+    const std::string_view taken = bytes_.substr(0, size);
+    bytes_.remove_prefix(size);
+    return taken;
+  }
+  std::uint32_t word(std::size_t size = 2) {
+    std::uint32_t value = 0;
+    const std::string_view bytes = take(size);
+    for (std::size_t i = 0; i < size; ++i) value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << 8 * i;
+    return value;
+  }
+  float single() {
+    const auto value = std::bit_cast<float>(word(4));
+    if (!std::isfinite(value)) throw number_of_track_not_finite();
+    return value;
+  }
+  /// A text that ends with a zero.
+  std::string_view name() {
+    const std::size_t end = bytes_.find('\0');
+    if (end == std::string_view::npos) throw chunk_too_short();
+    const std::string_view name = take(end);
+    (void)take(1);
+    return name;
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+/// Calls f(number, bytes) for each chunk.
+template <class F>
+void each_chunk(std::string_view chunks, F f) {
+  for (Bytes bytes(chunks); bytes.left() > 0;) {
+    constexpr std::uint32_t head = 6;
+    const auto id = static_cast<std::uint16_t>(bytes.word());
+    const std::uint32_t size = bytes.word(4);
+    if (size < head) throw chunk_too_short();
+    f(id, bytes.take(size - head));
+  }
+}
+
+TrackNumber number_of(float value) { return track_number(Rational(static_cast<double>(value))); }
+
+/// Reads the nodes of a file.
+class Nodes {
+ public:
+  std::vector<Track> read(std::string_view file) {
+    each_chunk(file, [this](std::uint16_t id, std::string_view content) {
+      if (id == main_chunk) each_chunk(content, [this](std::uint16_t inner, std::string_view part) { read_part(inner, part); });
+    });
+    return std::move(tracks_);
+  }
+
+ private:
+  void read_part(std::uint16_t id, std::string_view content) {
+    if (id != keyframes) return;
+    each_chunk(content, [this](std::uint16_t node, std::string_view part) {
+      if (node >= first_node && node <= last_node) read_node(node, part);
+    });
+  }
+
+  void read_node(std::uint16_t node, std::string_view content) {
+    std::string name, instance;
+    each_chunk(content, [&](std::uint16_t id, std::string_view part) {
+      if (id == node_header) name = Bytes(part).name();
+      if (id == instance_name) instance = Bytes(part).name();
+    });
+    const bool is_dummy = name == "$$$DUMMY" && !instance.empty();
+    if (is_dummy) name = instance;
+    const bool is_target = node == camera_target || node == light_target;
+    const std::size_t number = ++names_[(is_target ? "target " : "") + name];
+    if (number > 1) name += fmt::format(" ({})", number);
+    each_chunk(content, [&](std::uint16_t id, std::string_view part) {
+      const auto kind = std::ranges::find(kinds, id, &TrackKind::chunk);
+      if (kind == kinds.end()) return;
+      const std::string_view track = is_target && kind->name == "position" ? "target" : kind->name;
+      try {
+        add_track(name, track, *kind, part);
+      } catch (const Error& error) {
+        throw error.about(fmt::format("{}/{}", name, track));
+      }
+    });
+  }
+
+  void add_track(const std::string& object, std::string_view name, const TrackKind& kind, std::string_view content) {
+    Bytes bytes(content);
+    constexpr std::uint32_t loops = 2;
+    const std::uint32_t flags = bytes.word();
+    (void)bytes.take(8);  // unused
+    const std::uint32_t count = bytes.word(4);
+    Track track{object, std::string(name)};
+    for (const std::string_view channel : kind.channels) track.channels.push_back({std::string(channel)});
+    const bool is_rotation = kind.name == "rotation";
+    if (is_rotation) {
+      track.rotation = GivenRotation{.notation = {.form = spline::RotationForm::axis_angle},
+                                     .relative = true,
+                                     .columns = {"axis_x", "axis_y", "axis_z", "angle"},
+                                     .in_parent = true};
+    }
+    for (std::uint32_t i = 0; i < count; ++i) add_key(track, bytes, is_rotation);
+    if (count == 0) return;
+    track.settings.preset = {std::string(spline::name_of(spline::Preset::lib3ds1)), {"preset", {"", 1, 0}}};
+    const auto repeats = [](const TrackChannel& channel) {
+      return channel.keys.front().value.value == channel.keys.back().value.value;
+    };
+    if ((flags & loops) != 0 && count > 2 && !is_rotation && std::ranges::all_of(track.channels, repeats)) {
+      track.settings.closed = {true, {"loop", {"", 1, 0}}};
+    }
+    tracks_.push_back(std::move(track));
+  }
+
+  static void add_key(Track& track, Bytes& bytes, bool is_rotation) {
+    TrackKey key;
+    key.time = track_number(Rational(static_cast<double>(bytes.word(4))));
+    key.time.decimal = fmt::format("{}", key.time.value);
+    const std::uint32_t flags = bytes.word();
+    for (unsigned bit = 0; bit < 5; ++bit) {
+      if ((flags >> bit & 1U) == 0) continue;
+      const std::array<TrackNumber*, 5> numbers{&key.tension, &key.continuity, &key.bias, &key.ease_in, &key.ease_out};
+      *numbers.at(bit) = number_of(bytes.single());
+      track.has_ease = track.has_ease || bit >= 3;
+    }
+    for (TrackChannel& channel : track.channels) {
+      const float value = bytes.single();
+      key.value = number_of(is_rotation && channel.name == "angle" ? -value : value);
+      channel.keys.push_back(key);
+    }
+  }
+
+  std::map<std::string, std::size_t> names_;
+  std::vector<Track> tracks_;
+};
+
+}  // namespace
+
+Records open_3ds(Source<std::string> bytes, const InputOptions& options) {
+  std::string file;
+  while (const std::optional<std::string> part = bytes()) file += *part;
+  return records_of_tracks(Nodes().read(file), "frame", options);
+}
+
+}  // namespace tcb

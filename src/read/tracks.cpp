@@ -1,0 +1,268 @@
+// Tracks: the animated values of a file with several objects, as keys of curves.
+#include "read/tracks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "numbers/decimal_time.hpp"
+#include "numbers/parse_number.hpp"
+#include "read/errors.hpp"
+#include "read/key_builder.hpp"
+#include "schema/columns.hpp"
+#include "schema/units.hpp"
+#include "text/glob.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::string_view object_name = "object", track_name = "track";
+
+std::string path_of(const Track& track) { return track.object + "/" + track.name; }
+
+bool is_chosen(const Track& track, std::string_view pattern) {
+  return matches(path_of(track), pattern) || matches(track.object, pattern);
+}
+
+std::vector<std::string> paths_of(const std::vector<Track>& tracks) {
+  std::vector<std::string> paths;
+  for (const Track& track : tracks) paths.push_back(path_of(track));
+  return paths;
+}
+
+std::vector<std::string> names_of(const Track& track) {
+  std::vector<std::string> names;
+  for (const TrackChannel& channel : track.channels) names.push_back(channel.name);
+  return names;
+}
+
+/// Removes the tracks that are not read; those that are left out without a choice are named in `facts`.
+void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns, InputFacts& facts) {
+  for (const std::string& pattern : patterns) {
+    if (std::ranges::any_of(tracks, [&](const Track& track) { return is_chosen(track, pattern); })) continue;
+    throw no_such_track(pattern, paths_of(tracks));
+  }
+  std::vector<Track> chosen;
+  for (Track& track : tracks) {
+    const auto is_wanted = [&](const std::string& pattern) { return is_chosen(track, pattern); };
+    if (patterns.empty() && track.is_constant()) {
+      facts.constant_tracks.push_back(path_of(track));
+    } else if (patterns.empty() || std::ranges::any_of(patterns, is_wanted)) {
+      chosen.push_back(std::move(track));
+    }
+  }
+  const std::vector<std::string> names = chosen.empty() ? std::vector<std::string>{} : names_of(chosen.front());
+  const auto has_other_channels = [&](const Track& track) { return names_of(track) != names; };
+  for (const Track& track : chosen) {
+    if (!has_other_channels(track)) continue;
+    if (!patterns.empty()) throw tracks_differ(path_of(chosen.front()), path_of(track));
+    facts.other_tracks.push_back(path_of(track));
+  }
+  std::erase_if(chosen, has_other_channels);
+  if (chosen.empty()) throw facts.constant_tracks.empty() ? no_tracks() : only_constant_tracks(facts.constant_tracks);
+  tracks = std::move(chosen);
+}
+
+/// The names of the columns of a track. A channel has columns of velocities where the file decides these, else of
+/// tension, continuity and bias.
+std::vector<std::string> header_of(const Track& track, const std::string& time) {
+  std::vector<std::string> names{time, std::string(object_name), std::string(track_name)};
+  for (const TrackChannel& channel : track.channels) names.push_back(channel.name);
+  if (track.has_ease) {
+    for (const Role role : {Role::ease_in, Role::ease_out}) names.emplace_back(role_name(role));
+  }
+  for (const TrackChannel& channel : track.channels) {
+    using enum Role;
+    const auto roles = channel.has_velocities ? std::vector{velocity_in, velocity_out}
+                                              : std::vector{channel_tension, channel_continuity, channel_bias};
+    for (const Role role : roles) names.push_back(role_name(ChannelRole{role, channel.name}));
+  }
+  return names;
+}
+
+Columns columns_of(const Track& track, const std::string& time, const InputOptions& options) {
+  const std::vector<std::string> header = header_of(track, time);
+  std::vector<bool> numeric(header.size(), true);
+  numeric[1] = numeric[2] = false;
+  std::vector<RoleRequest> requests = options.columns.roles;
+  if (std::ranges::count(requests, Role::group, &RoleRequest::role) == 0) {
+    requests.push_back({Role::group, {std::string(object_name), std::string(track_name)}});
+  }
+  return find_columns(header, numeric, requests, options.columns.timeless);
+}
+
+/// Builds the keys of one track.
+class TrackKeys {
+ public:
+  TrackKeys(const Track& track, const std::string& time, const InputOptions& options)
+      : track_(track),
+        columns_(columns_of(track, time, options)),
+        keys_(columns_, options.keys, units_of_keys(options.units, columns_, "")),
+        next_(track.channels.size()) {}
+
+  const Columns& columns() const { return columns_; }
+
+  KeyBlock build() {
+    while (const TrackKey* const first = first_key()) add(*first);
+    return keys_.finish();
+  }
+
+ private:
+  const TrackKey* key_of(std::size_t channel) const {
+    const auto& keys = track_.channels[channel].keys;
+    return next_[channel] < keys.size() ? &keys[next_[channel]] : nullptr;
+  }
+
+  /// The first of the next keys of all channels.
+  const TrackKey* first_key() const {
+    const TrackKey* first = nullptr;
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      const TrackKey* const key = key_of(i);
+      if (key != nullptr && (first == nullptr || is_before(*key, *first))) first = key;
+    }
+    return first;
+  }
+  static bool is_before(const TrackKey& a, const TrackKey& b) {
+    return a.time.value != b.time.value ? a.time.value < b.time.value : exact_number(a.time) < exact_number(b.time);
+  }
+  static bool is_same(const TrackKey& a, const TrackKey& b) {
+    return a.time.decimal == b.time.decimal || (!is_before(a, b) && !is_before(b, a));
+  }
+
+  /// Adds the key of all channels that have one at the time of the first of them.
+  void add(const TrackKey& first) {
+    keys_.begin_key();
+    std::uint64_t line = 0;
+    for (const Columns::Column& column : columns_.cells) {
+      switch (column.role) {
+        case Role::time: add_time(column, first); break;
+        case Role::group: keys_.set_text(column, '"' + text_of(column)); break;
+        case Role::ease_in: add_number(column, first.ease_in, first); break;
+        case Role::ease_out: add_number(column, first.ease_out, first); break;
+        case Role::position:
+        case Role::channel_tension:
+        case Role::channel_continuity:
+        case Role::channel_bias:
+        case Role::velocity_in:
+        case Role::velocity_out: {
+          const TrackKey* const key = key_at(column, first);
+          if (key != nullptr && line == 0) line = key->line;
+          if (const TrackNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role)) {
+            add_number(column, *number, *key);
+          } else if (!keys_.miss(column)) {
+            throw channel_without_key(columns_.channels[column.channel]).about(path_of(track_)).at({"", line, 0});
+          }
+          break;
+        }
+        default: break;
+      }
+    }
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      const TrackKey* const key = key_of(i);
+      if (key == nullptr || !is_same(*key, first)) continue;
+      ++next_[i];
+      const TrackKey* const after = key_of(i);
+      if (after != nullptr && !is_before(first, *after)) {
+        throw times_of_track_repeat(after->time.decimal).about(path_of(track_)).at({"", after->line, 0});
+      }
+    }
+    if (keys_.end_key()) keys_.set_position(line, 0);
+  }
+
+  /// The text of a column of groups.
+  std::string text_of(const Columns::Column& column) const {
+    const auto index = static_cast<std::size_t>(&column - columns_.cells.data());
+    return index == 1 ? track_.object : track_.name;
+  }
+
+  void add_time(const Columns::Column& column, const TrackKey& key) {
+    const bool is_ratio = key.time.decimal.find('/') != std::string::npos;
+    keys_.set_time(is_ratio ? nearest_time(exact_number(key.time)) : parse_time(key.time.decimal).value_or(Time(key.time.value)));
+    add_decimal(column, key.time, key);
+  }
+
+  void add_number(const Columns::Column& column, const TrackNumber& number, const TrackKey& key) {
+    keys_.number(column) = number.value;
+    add_decimal(column, number, key);
+  }
+
+  void add_decimal(const Columns::Column& column, const TrackNumber& number, const TrackKey& key) {
+    if (keys_.keeps_decimals()) keys_.keep_decimal(column, number.decimal);
+    if (keys_.scales() && !keys_.scale(column, number.decimal)) {
+      throw track_number_too_large(number.decimal).about(path_of(track_)).at({"", key.line, 0});
+    }
+  }
+
+  const TrackKey* key_at(const Columns::Column& column, const TrackKey& first) const {
+    const std::string& name = columns_.channels[column.channel];
+    const auto found = std::ranges::find(track_.channels, name, &TrackChannel::name);
+    const TrackKey* const key = key_of(static_cast<std::size_t>(found - track_.channels.begin()));
+    return key != nullptr && is_same(*key, first) ? key : nullptr;
+  }
+
+  static const TrackNumber* number_of(const TrackKey& key, Role role) {
+    switch (role) {
+      case Role::position: return &key.value;
+      case Role::channel_tension: return &key.tension;
+      case Role::channel_continuity: return &key.continuity;
+      case Role::channel_bias: return &key.bias;
+      case Role::velocity_in: return key.velocity_in ? &*key.velocity_in : nullptr;
+      default: return key.velocity_out ? &*key.velocity_out : nullptr;
+    }
+  }
+
+  const Track& track_;
+  const Columns columns_;
+  KeyBuilder keys_;
+  std::vector<std::size_t> next_;  ///< the number of the next key of each channel
+};
+
+}  // namespace
+
+TrackNumber track_number(const Rational& exact) {
+  if (!within_doubles(exact)) throw track_number_too_large(ratio_text(exact));
+  return {nearest_double(exact), ratio_text(exact)};
+}
+
+Rational exact_number(const TrackNumber& number) {
+  return parse_rational(number.decimal).value_or(Rational(number.value));
+}
+
+bool Track::is_constant() const {
+  return std::ranges::all_of(channels, [](const TrackChannel& channel) { return channel.keys.size() < 2; });
+}
+
+InputOptions options_of_tracks(FormatId format, InputOptions options) {
+  const bool has_seconds = format != FormatId::studio_3ds;
+  if (has_seconds && !options.units.time && !options.units.frame_rate) options.units.time = TimeUnit::s;
+  if (options.keys.missing == Missing::error) options.keys.missing = Missing::skip_cell;
+  return options;
+}
+
+Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options) {
+  Records records;
+  choose(tracks, options.only, records.facts);
+  std::deque<KeyBlock> blocks;
+  for (const Track& track : tracks) {
+    TrackKeys keys(track, time, options);
+    if (blocks.empty()) records.columns = keys.columns();
+    blocks.push_back(keys.build());
+    blocks.back().curve_info = std::make_shared<const CurveInfo>(CurveInfo{track.settings});
+  }
+  records.rotation = tracks.front().rotation;
+  records.keys.curve_info.settings = tracks.front().settings;
+  records.keys.traits.has_whole_curves = true;
+  records.keys.blocks = [blocks = std::move(blocks)]() mutable -> std::optional<KeyBlock> {
+    if (blocks.empty()) return std::nullopt;
+    KeyBlock block = std::move(blocks.front());
+    blocks.pop_front();
+    return block;
+  };
+  return records;
+}
+
+}  // namespace tcb

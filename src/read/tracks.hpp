@@ -1,0 +1,68 @@
+// Tracks: the animated values of a file with several objects, as keys of curves.
+//
+// The formats of products are read into tracks, one for each position, rotation, scale or other value of an object.
+// Each track is a curve, with the object and the track as its groups. Its channels may have keys at different times,
+// and tension, continuity and bias of their own.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numbers/rational.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
+#include "schema/curve_settings.hpp"
+#include "schema/rotation_options.hpp"
+#include "tcb/spline/key.hpp"
+
+namespace tcb {
+
+/// A number, and its decimal or ratio, which is exact.
+struct TrackNumber {
+  double value = 0;
+  std::string decimal = "0";
+};
+
+/// The number nearest to a ratio. Throws: Error (data) beyond the doubles.
+TrackNumber track_number(const Rational& exact);
+Rational exact_number(const TrackNumber& number);
+
+/// A key of one channel.
+struct TrackKey {
+  TrackNumber time;
+  TrackNumber value;
+  TrackNumber tension, continuity, bias;
+  TrackNumber ease_in, ease_out;  ///< the same in all channels of a track
+  std::optional<TrackNumber> velocity_in = {}, velocity_out = {};  ///< per unit of time, where the file decides them
+  std::uint64_t line = 0;                                          ///< in the file; 0: it has no lines
+};
+
+/// The keys of a channel in order.
+struct TrackChannel {
+  std::string name;
+  std::vector<TrackKey> keys = {};
+  bool has_velocities = false;  ///< the file decides all velocities
+};
+
+struct Track {
+  std::string object, name;
+  std::vector<TrackChannel> channels = {};
+  bool has_ease = false;
+  CurveSettings settings = {};
+  std::optional<GivenRotation> rotation = {};  ///< that channels are
+
+  bool is_constant() const;  ///< it has a single key in each channel
+};
+
+/// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames as in the
+/// format, unless something else is requested.
+InputOptions options_of_tracks(FormatId format, InputOptions options);
+
+/// The tracks that are chosen, as keys. Without a choice, those that are constant and those with other channels than the
+/// first are left out. `time` is the name of the times. Throws: Error (data) where no track is left, where chosen ones
+/// differ in their channels, and where two keys of a channel have the same time.
+Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options);
+
+}  // namespace tcb

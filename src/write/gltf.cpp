@@ -1,0 +1,248 @@
+// glTF: an animation whose nodes move along curves.
+#include "write/gltf.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/base64.hpp"
+#include "schema/texts.hpp"
+#include "write/errors.hpp"
+
+namespace tcb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view track_column = "track";
+constexpr std::size_t numbers_of_piece = 4;  // of a channel: position and velocity at both ends
+
+/// The place of a channel among those of a scale; 3: it is none.
+std::size_t axis_of_scale(std::string_view name) {
+  constexpr std::array<std::string_view, 3> names{"sx", "sy", "sz"}, long_names{"scale_x", "scale_y", "scale_z"};
+  const auto place = [&](const auto& all) { return std::ranges::find(all, name) - all.begin(); };
+  return static_cast<std::size_t>(std::min(place(names), place(long_names)));
+}
+
+/// Writes arrays into one buffer, and describes them.
+class Buffer {
+ public:
+  /// The number of the accessor of an array.
+  std::size_t add(const std::vector<float>& values, std::size_t components) {
+    constexpr int single_precision = 5126;
+    constexpr std::array<const char*, 5> types{"", "SCALAR", "", "VEC3", "VEC4"};
+    views_.push_back(Json{{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", values.size() * sizeof(float)}});
+    Json accessor{{"bufferView", views_.size() - 1},
+                  {"componentType", single_precision},
+                  {"count", values.size() / components},
+                  {"type", types.at(components)}};
+    if (components == 1) {
+      accessor["min"] = {values.front()};
+      accessor["max"] = {values.back()};
+    }
+    accessors_.push_back(std::move(accessor));
+    for (const float value : values) {
+      const auto bits = std::bit_cast<std::uint32_t>(value);
+      for (unsigned shift = 0; shift < 32; shift += 8) bytes_ += static_cast<char>(bits >> shift & 0xFFU);
+    }
+    return accessors_.size() - 1;
+  }
+
+  void describe(Json& file) const {
+    file["accessors"] = accessors_;
+    file["bufferViews"] = views_;
+    file["buffers"] = {Json{{"byteLength", bytes_.size()},
+                            {"uri", "data:application/octet-stream;base64," + in_base64(bytes_)}}};
+  }
+
+ private:
+  std::string bytes_;
+  Json accessors_ = Json::array(), views_ = Json::array();
+};
+
+}  // namespace
+
+void GltfScene::begin(const Schema& schema) {
+  schema_ = schema;
+  if (schema.time.unit) seconds_ = nearest_double(Rational(1) / units_per_second(*schema.time.unit));
+  const std::vector<RotationColumns> rotations = rotation_columns(schema);
+  Target translation{"translation", {}}, scale{"scale", std::vector<std::size_t>(3, schema.channels.size())};
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    const std::size_t axis = axis_of_scale(schema.channels[i]);
+    if (axis < scale.channels.size()) {
+      scale.channels[axis] = i;
+    } else if (!spline::is_in_rotation(rotations, i)) {
+      (translation.channels.size() < 3 ? translation.channels : others).push_back(i);
+    }
+  }
+  targets_.clear();
+  if (translation.channels.size() == 3) {
+    targets_.push_back(translation);
+  } else {
+    others.insert(others.begin(), translation.channels.begin(), translation.channels.end());
+  }
+  const bool is_tracks = !schema.groups.empty() && schema.groups.back() == track_column;
+  if (rotations.size() > 1 || (is_tracks && targets_.empty())) throw no_target_of_node(schema.channels);
+  if (!rotations.empty()) {
+    targets_.push_back({"rotation", {rotations[0].channels.begin(), rotations[0].channels.end()}});
+  }
+  const auto missing = std::ranges::count(scale.channels, schema.channels.size());
+  if (missing == 0) targets_.push_back(scale);
+  if (missing == 1 || missing == 2) {
+    for (const std::size_t channel : scale.channels) {
+      if (channel < schema.channels.size()) others.push_back(channel);
+    }
+  }
+  if (targets_.empty()) throw no_target_of_node(schema.channels);
+  std::ranges::sort(others);
+  other_channels_ = others;
+  others_.clear();
+  for (const std::size_t channel : others) others_.push_back(schema.channels[channel]);
+}
+
+std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& track) const {
+  std::vector<Target> targets = targets_;
+  targets.resize(1);
+  if (track == "position") return targets;
+  if (track != "scale") throw no_target_of_track(track);
+  targets.front().path = "scale";
+  return targets;
+}
+
+void GltfScene::begin_curve(const std::vector<std::string>& group) {
+  end_pieces();
+  std::vector<std::string> texts = contents(group);
+  const bool is_track = !schema_.groups.empty() && schema_.groups.back() == track_column;
+  std::vector<Target> targets = targets_;
+  if (is_track) {
+    targets = targets_of_track(texts.back());
+    texts.pop_back();
+  }
+  std::string name = texts.empty() ? "curve" : fmt::format("{}", fmt::join(texts, " "));
+  const auto has_path = [&](const Node& node) {
+    return node.name == name && node.targets.front().path == targets.front().path;
+  };
+  if (std::ranges::any_of(nodes_, has_path)) throw several_curves_of_node(name);
+  nodes_.push_back({std::move(name), {}, std::move(targets), std::vector<std::vector<double>>(other_channels_.size())});
+}
+
+void GltfScene::add(std::string_view rows) {
+  const std::size_t channels = schema_.channels.size();
+  std::vector<double> row(are_pieces_ ? 2 + numbers_of_piece * channels : 1 + channels);
+  for (std::size_t at = 0; at < rows.size();) {
+    for (double& number : row) {
+      std::uint64_t bits = 0;
+      for (unsigned shift = 0; shift < 64; shift += 8) {
+        bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(rows[at++])) << shift;
+      }
+      number = std::bit_cast<double>(bits);
+    }
+    if (are_pieces_) {
+      add_piece(row);
+    } else {
+      add_sample(row);
+    }
+  }
+}
+
+void GltfScene::add_time(double time) {
+  const double seconds = time * seconds_;
+  const auto rounded = static_cast<float>(seconds);
+  std::vector<float>& times = nodes_.back().times;
+  if (seconds < 0) throw time_before_start_of_animation(seconds);
+  if (!times.empty() && !(rounded > times.back())) throw times_not_in_single_precision(seconds);
+  times.push_back(rounded);
+}
+
+void GltfScene::add_number(Target& target, double number) {
+  if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max())) {
+    throw number_beyond_single_precision(number);
+  }
+  target.values.push_back(static_cast<float>(number));
+}
+
+void GltfScene::add_sample(const std::vector<double>& row) {
+  Node& node = nodes_.back();
+  add_time(row[0]);
+  for (Target& target : node.targets) {
+    for (const std::size_t channel : target.channels) add_number(target, row[1 + channel]);
+  }
+  for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(row[1 + other_channels_[i]]);
+}
+
+void GltfScene::add_piece(const std::vector<double>& row) {
+  Node& node = nodes_.back();
+  const auto number = [](const std::vector<double>& piece, std::size_t channel, std::size_t i) {
+    return piece[2 + numbers_of_piece * channel + i];
+  };
+  add_time(row[0]);
+  for (Target& target : node.targets) {
+    for (const std::size_t channel : target.channels) {
+      add_number(target, last_piece_.empty() ? 0 : number(last_piece_, channel, 3) / seconds_);
+    }
+    for (const std::size_t channel : target.channels) add_number(target, number(row, channel, 0));
+    for (const std::size_t channel : target.channels) add_number(target, number(row, channel, 1) / seconds_);
+  }
+  for (std::size_t i = 0; i < other_channels_.size(); ++i) {
+    node.others[i].push_back(number(row, other_channels_[i], 0));
+  }
+  last_piece_ = row;
+}
+
+/// Adds the keyframe at the end of the last piece.
+void GltfScene::end_pieces() {
+  const std::vector<double> last = std::exchange(last_piece_, {});
+  if (last.empty()) return;
+  std::vector<double> end(last.size());
+  end[0] = last[0] + last[1];
+  for (std::size_t at = 2; at < last.size(); at += numbers_of_piece) end[at] = last[at + 2];
+  last_piece_ = last;
+  add_piece(end);
+  last_piece_.clear();
+}
+
+std::string GltfScene::text() {
+  end_pieces();
+  Buffer buffer;
+  Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
+  std::vector<std::string> names;
+  for (const Node& node : nodes_) {
+    if (node.times.empty()) throw animation_without_rows();
+    const auto known = std::ranges::find(names, node.name);
+    const auto number = static_cast<std::size_t>(known - names.begin());
+    if (known == names.end()) {
+      names.push_back(node.name);
+      nodes.push_back(Json{{"name", node.name}});
+      numbers.push_back(number);
+    }
+    const std::size_t times = buffer.add(node.times, 1);
+    for (const Target& target : node.targets) {
+      channels.push_back(Json{{"sampler", samplers.size()}, {"target", Json{{"node", number}, {"path", target.path}}}});
+      samplers.push_back(Json{{"input", times},
+                              {"interpolation", are_pieces_ ? "CUBICSPLINE" : "LINEAR"},
+                              {"output", buffer.add(target.values, target.channels.size())}});
+    }
+    for (std::size_t i = 0; i < others_.size(); ++i) extras[node.name][others_[i]] = node.others[i];
+  }
+  if (nodes_.empty()) throw animation_without_rows();
+  Json animation{{"channels", channels}, {"samplers", samplers}};
+  if (!extras.is_null()) animation["extras"] = extras;
+  Json file{{"asset", Json{{"version", "2.0"}, {"generator", "tcbsample"}}},
+            {"scene", 0},
+            {"scenes", Json::array({Json{{"nodes", numbers}}})},
+            {"nodes", nodes},
+            {"animations", Json::array({animation})}};
+  buffer.describe(file);
+  return file.dump() + "\n";
+}
+
+}  // namespace tcb
