@@ -52,7 +52,7 @@ const std::map<std::string, std::set<std::string>> allowed{
 /// Package -> the rooms or files that may include it.
 const std::map<std::string, std::vector<std::string>> packages{
     {"numbers/large_rational.hpp", {"numbers/rational.cpp", "exact/"}},
-    {"nlohmann", {"read/json/"}},
+    {"nlohmann", {"read/json/", "write/camera_path.cpp", "write/gltf.cpp"}},
     {"boost", {"numbers/rational.cpp", "numbers/large_rational.hpp", "exact/"}},
     {"fast_float", {"numbers/"}},
     {"CLI", {"cli/"}},

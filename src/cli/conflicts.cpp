@@ -148,6 +148,10 @@ bool has_scene(const TypedOptions& typed) { return output_of(typed).family == Fo
 bool has_scene_of_other_form(const TypedOptions& typed) {
   return has_scene(typed) && typed.form && *typed.form != field_of("hermite");
 }
+bool has_pieces(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::pieces; }
+bool has_samples_in_pieces(const TypedOptions& typed) {
+  return has_pieces(typed) && (typed.sampling.mode != Mode::emit || *typed.form != field_of("poly8"));
+}
 bool has_binary_output(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::array; }
 bool has_no_header(const TypedOptions& typed) { return output_of(typed).family != FormatFamily::delimited; }
 bool has_fixed_delimiter(const TypedOptions& typed) { return typed.output.format != FormatId::csv; }

@@ -85,6 +85,9 @@ bool has_no_header(const TypedOptions& typed);
 bool has_poses(const TypedOptions& typed);
 /// The output is an animation.
 bool has_scene(const TypedOptions& typed);
+/// The output has lines of polynomials.
+bool has_pieces(const TypedOptions& typed);
+bool has_samples_in_pieces(const TypedOptions& typed);
 bool has_scene_of_other_form(const TypedOptions& typed);
 /// The format has no delimiter, or its own.
 bool has_fixed_delimiter(const TypedOptions& typed);

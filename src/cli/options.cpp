@@ -148,9 +148,9 @@ constexpr OptionRow option_rows[] = {
      }},
 
     {option::input_format, "-i", "FORMAT", input_group,
-     "The format of the input: @NAMES@ (ssv: separated by whitespace; tum, euroc and kitti: lines of poses; nerfstudio: a camera path). By default it "
-     "follows from the ending of the file; without a known ending, text that begins with [ or { is JSON, and any other "
-     "text is delimited. JSON with keyframes near its beginning is a camera path",
+     "The format of the input: @NAMES@; see tcbsample-input(5). By default it follows from the first bytes and the "
+     "ending "
+     "of the file; other text is JSON where it begins with [ or {, else delimited",
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); },
      [](const Conflicts& of) {
        of.disable(
@@ -212,9 +212,8 @@ constexpr OptionRow option_rows[] = {
        to.keys.input.columns.roles.push_back({Role::group, column_list(text), option::group});
      }},
     {option::only, "", "PATTERN,...", input_group,
-     "Reads only these tracks of a file with several objects: OBJECT or OBJECT/TRACK, where * is any text and ? any "
-     "character",
-     "", other, recorded,
+     "Reads only these tracks of a file with several objects: OBJECT or OBJECT/TRACK, with * and ?", "", other,
+     recorded,
      [](Typed& to, Text text) {
        for (const std::string_view pattern : split(text, ',')) to.keys.input.only.emplace_back(pattern);
      }},
@@ -566,10 +565,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.files.outputs.file = text; },
      [](const Conflicts& of) { of.exclude({option::output_dir}); }},
     {option::output_format, "-f", "FORMAT", output_group,
-     "The format of the output: @NAMES@ (tum, euroc and kitti: lines of poses, nerfstudio: a camera path, npy: an "
-     "array for NumPy, svg: a picture); by default the format of FILE's "
-     "ending, or else csv",
-     "", name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); },
+     "The format of the output: @NAMES@; see tcbsample-output(5). By default it is that of FILE's ending, or csv", "",
+     name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); },
      [](const Conflicts& of) {
        of.exclude({option::plot});
        disable_options_without_picture(of);
@@ -582,11 +579,15 @@ constexpr OptionRow option_rows[] = {
        of.disable({option::fields, option::emit, option::fit, option::rotation_output, option::time_format,
                    option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
                   ", whose rows are poses", has_poses);
-       of.disable({option::fields, option::fit, option::rotation_output, option::digits, option::fixed,
-                   option::time_format, option::file_column, option::output_delimiter, option::output_decimal,
-                   option::like_input},
-                  ", which is an animation", has_scene);
+       of.disable(
+           {option::fields, option::fit, option::rotation_output, option::digits, option::fixed, option::time_format,
+            option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
+           ", which is an animation", has_scene);
        of.disable({option::emit}, ", whose pieces have the form hermite", has_scene_of_other_form);
+       of.disable({option::fields, option::fit, option::rotation_output, option::hex, option::time_format,
+                   option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
+                  ", whose rows are polynomials", has_pieces);
+       of.disable(sampling_options, ", whose rows have the form poly8", has_samples_in_pieces);
      },
      output_format_names},
     {option::plot, "", "", output_group,

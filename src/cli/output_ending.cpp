@@ -28,7 +28,8 @@ void set_output_format(TypedOptions& typed, bool earlier) {
   if (!named || (is_report && *named != FormatId::json)) return;
   const std::string_view name = format_of(*named).name, chosen = format_of(typed.output.format).name;
   if (typed.has(option::output_format) || typed.has(option::plot) || earlier) {
-    if (format_of(*named).ending != format_of(typed.output.format).ending) throw output_of_other_format(path, name, chosen);
+    if (format_of(*named).ending != format_of(typed.output.format).ending)
+      throw output_of_other_format(path, name, chosen);
     return;
   }
   if (*named == formats[0].id) return;  // as without the ending

@@ -28,9 +28,8 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   return generated_text(*typed.generated, typed.files.files);
 }
 
-/// An animation has the exact pieces of curves where no samples are requested.
-void set_exact_pieces(TypedOptions& typed) {
-  constexpr std::string_view form = "hermite";
+/// An output of pieces has the exact ones where no samples are requested.
+void set_exact_pieces(TypedOptions& typed, std::string_view form) {
   typed.sampling.mode = Mode::emit;
   typed.sampling.count = 1;
   typed.form = field_of(form);
@@ -52,7 +51,8 @@ Job parse(int argc, const char* const* argv) {
     typed.files.other_inputs.push_back(provenance->from);
   }
   set_output_format(typed, provenance.has_value());
-  if (has_scene(typed) && has_no_sampling_option(typed)) set_exact_pieces(typed);
+  if (has_no_sampling_option(typed) && has_scene(typed)) set_exact_pieces(typed, "hermite");
+  if (has_no_sampling_option(typed) && has_pieces(typed)) set_exact_pieces(typed, "poly8");
   require_no_conflict(typed);
   read_place_column(typed);
   if (typed.has(option::meta) && !provenance) provenance.emplace();
@@ -142,6 +142,7 @@ std::vector<std::size_t> fields_of(const TypedOptions& typed) {
     const bool has_times = pose_format(typed.output.format).has_time_in_rows();
     return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
   }
+  if (has_pieces(typed)) return {field_of("duration"), field_of("poly8")};
   if (has_scene(typed)) {
     if (typed.sampling.mode != Mode::emit) return {field_of("time"), field_of("position")};
     return {field_of("start"), field_of("duration"), field_of("hermite")};

@@ -203,15 +203,23 @@ Error equal_speed_with_velocities() {
 }
 
 Error velocities_with_timing() {
-  return {Exit::data, fmt::format("the keys have velocities, which a preset with monotone timing would change; expected "
-                                  "one of the two; give another {}",
-                                  option::preset)};
+  return {Exit::data,
+          fmt::format("the keys have velocities, which a preset with monotone timing would change; expected "
+                      "one of the two; give another {}",
+                      option::preset)};
 }
 
 Error ease_with_timing() {
   return {Exit::data, fmt::format("the keys have ease, and the preset has monotone timing; expected one of the two; "
                                   "give {}, or another {}",
                                   option::no_ease, option::preset)};
+}
+
+Error missing_cells_with_timing() {
+  return {Exit::data,
+          fmt::format("some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a "
+                      "number in every channel; fill them in, or give another {}",
+                      option::missing, option::preset)};
 }
 
 Error incoming_velocity_missing(std::string_view channel) {

@@ -59,6 +59,7 @@ Error half_turn_between_angles(std::string_view column, std::uint64_t other_line
 Error equal_speed_with_velocities();
 Error velocities_with_timing();
 Error ease_with_timing();
+Error missing_cells_with_timing();
 Error incoming_velocity_missing(std::string_view channel);
 Error outgoing_velocity_missing(std::string_view channel);
 

@@ -72,6 +72,7 @@ Source<KeyBlock> with_rules_alone(Source<KeyBlock> blocks) {
     if (block.empty()) return block;
     if (!block.keys.eases.empty()) throw ease_with_timing().at({"", block.line(0)});
     if (!block.keys.velocities.empty()) throw velocities_with_timing().at({"", block.line(0)});
+    if (block.keys.is_sparse()) throw missing_cells_with_timing().at({"", block.line(0)});
     return block;
   });
 }

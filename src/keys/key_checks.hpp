@@ -20,8 +20,8 @@ enum class ShownTcbScale { from_0_to_50, percent };
 /// scale on which the product shows them.
 Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
 
-/// Passes keys on. Throws: Error (data) with the line of a key that has ease or velocities, which monotone timing would
-/// change.
+/// Passes keys on. Throws: Error (data) about keys with ease, velocities or missing positions, which monotone timing
+/// does not have.
 Source<KeyBlock> with_rules_alone(Source<KeyBlock> blocks);
 
 /// The keys without their ease.

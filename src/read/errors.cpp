@@ -29,10 +29,6 @@ Error table_in_other_format(std::string_view format, std::string_view function) 
                       format, function)};
 }
 
-Error input_is_npy() {
-  return {Exit::data, "this is a NumPy file; expected text; convert it, for example with numpy.savetxt"};
-}
-
 Error text_not_in_utf8(std::string_view encoding) {
   return {Exit::data,
           fmt::format("the text is in {}; expected UTF-8; convert it, for example with iconv -f {} -t UTF-8", encoding,
@@ -75,14 +71,20 @@ Error time_in_other_notation(std::string_view column, std::string_view time) {
                       column, in_quotes(time))};
 }
 
-Error no_tracks() {
-  return {Exit::data, "the file has no tracks; expected an object with keys"};
+Error options_of_text(std::string_view format) {
+  return Error(Exit::usage,
+               fmt::format("{}, {}, {}, {}, {} and {} have no effect on an input in the format {}; remove them",
+                           option::delimiter, option::header, option::no_header, option::comment, option::decimal,
+                           option::thousands, format));
 }
 
+Error no_tracks() { return {Exit::data, "the file has no tracks; expected an object with keys"}; }
+
 Error only_constant_tracks(const std::vector<std::string>& tracks) {
-  return {Exit::data, fmt::format("no track has more than one key; expected one that changes; choose one of {} with {} to "
-                                  "read it all the same",
-                                  listed(tracks), option::only)};
+  return {Exit::data,
+          fmt::format("no track has more than one key; expected one that changes; choose one of {} with {} to "
+                      "read it all the same",
+                      listed(tracks), option::only)};
 }
 
 Error no_such_track(std::string_view pattern, const std::vector<std::string>& tracks) {
@@ -93,16 +95,18 @@ Error no_such_track(std::string_view pattern, const std::vector<std::string>& tr
 }
 
 Error file_without_tracks(std::string_view format) {
-  return Error(Exit::usage, fmt::format("a file in the format {} has no tracks of several objects; expected a scene, such "
-                                        "as .lws; remove the option, or choose columns with {}",
-                                        format, option::columns))
+  return Error(Exit::usage,
+               fmt::format("a file in the format {} has no tracks of several objects; expected a scene, such "
+                           "as .lws; remove the option, or choose columns with {}",
+                           format, option::columns))
       .about(option::only);
 }
 
 Error channel_without_key(std::string_view channel) {
-  return {Exit::data, fmt::format("channel {} has no key at this time, where other channels have one; expected a key in "
-                                  "every channel; give {} skip-cell",
-                                  in_quotes(channel), option::missing)};
+  return {Exit::data,
+          fmt::format("channel {} has no key at this time, where other channels have one; expected a key in "
+                      "every channel; give {} skip-cell",
+                      in_quotes(channel), option::missing)};
 }
 
 Error times_of_track_repeat(std::string_view time) {
@@ -112,14 +116,16 @@ Error times_of_track_repeat(std::string_view time) {
 }
 
 Error track_number_too_large(std::string_view number) {
-  return {Exit::data, fmt::format("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file",
-                                  number)};
+  return {
+      Exit::data,
+      fmt::format("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file", number)};
 }
 
 Error tracks_differ(std::string_view first, std::string_view other) {
-  return Error(Exit::usage, fmt::format("{} has other channels than {}; expected tracks with the same channels; choose one "
-                                        "kind, such as */position",
-                                        in_quotes(other), in_quotes(first)))
+  return Error(Exit::usage,
+               fmt::format("{} has other channels than {}; expected tracks with the same channels; choose one "
+                           "kind, such as */position",
+                           in_quotes(other), in_quotes(first)))
       .about(option::only);
 }
 
@@ -128,24 +134,69 @@ Error number_of_track_not_finite() {
 }
 
 Error chunk_too_short() {
-  return {Exit::data, "a chunk of the file is longer or shorter than its content; expected a whole .3ds file; copy or export "
-                      "it again"};
+  return {Exit::data,
+          "a chunk of the file is longer or shorter than its content; expected a whole .3ds file; copy or export "
+          "it again"};
 }
 
-Error not_a_scene() {
-  return {Exit::data, fmt::format("the text is no scene of LightWave; expected LWSC or LWMO in its first line; give another "
-                                  "{}",
+Error not_an_npy() {
+  return {Exit::data, fmt::format("the file is no array of NumPy; expected one that numpy.save wrote; give another {}",
                                   option::input_format)};
 }
 
-Error scene_ends_early() { return {Exit::data, "the scene ends within a motion; expected the rest; copy the file again"}; }
-
-Error scene_number_expected(std::string_view found) {
-  return {Exit::data, fmt::format("{} is no number of a key or a rate; expected a number; correct the file",
-                                  in_quotes(found))};
+Error npy_ends_early() {
+  return {Exit::data, "the array ends early; expected as many rows as its header has; save it again"};
 }
 
-Error scene_count_expected(std::string_view found) {
+Error npy_header_unknown(std::string_view text) {
+  return {Exit::data,
+          fmt::format("the header of the array has {}; expected that of versions 1 to 3 of the format; save the "
+                      "array again with numpy.save",
+                      in_quotes(text))};
+}
+
+Error npy_column_not_a_number(std::string_view column, std::string_view type) {
+  return {Exit::data, fmt::format("the array{} is of type {}; expected floats of 32 or 64 bits, integers or booleans; "
+                                  "convert it, as with array.astype(float)",
+                                  column.empty() ? "" : fmt::format(" has column {}, which", in_quotes(column)), type)};
+}
+
+Error npy_of_other_shape(std::size_t dimensions, bool is_structured) {
+  return {Exit::data,
+          fmt::format("the {}array has {} dimensions; expected {}; change its shape, as with numpy.column_stack",
+                      is_structured ? "structured " : "", dimensions, is_structured ? "1" : "2, a row for each key")};
+}
+
+Error not_an_ase() {
+  return {Exit::data,
+          fmt::format("the text is no ASCII export of 3ds Max; expected *3DSMAX_ASCIIEXPORT in its first line; "
+                      "give another {}",
+                      option::input_format)};
+}
+
+Error bezier_controller() {
+  return {Exit::data,
+          "the controller has Bezier keys, whose tangents have no documented unit; expected TCB or linear keys, or "
+          "samples; change the controller in 3ds Max, or export samples"};
+}
+
+Error not_a_scene() {
+  return {Exit::data,
+          fmt::format("the text is no scene of LightWave; expected LWSC or LWMO in its first line; give another "
+                      "{}",
+                      option::input_format)};
+}
+
+Error file_ends_early() {
+  return {Exit::data, "the file ends within an object; expected the rest; copy the file again"};
+}
+
+Error number_of_file_expected(std::string_view found) {
+  return {Exit::data,
+          fmt::format("{} is no number of a key or a rate; expected a number; correct the file", in_quotes(found))};
+}
+
+Error count_of_file_expected(std::string_view found) {
   return {Exit::data, fmt::format("{} is no count; expected a whole number; correct the file", in_quotes(found))};
 }
 
@@ -155,24 +206,27 @@ Error scene_word_expected(std::string_view word, std::string_view found) {
 }
 
 Error scene_key_count(std::size_t found, std::size_t expected) {
-  return {Exit::data, fmt::format("there are {} keys or values; expected {}, the count above them; correct the file", found,
-                                  expected)};
+  return {Exit::data, fmt::format("there are {} keys or values; expected {}, the count above them; correct the file",
+                                  found, expected)};
 }
 
 Error no_such_span(std::size_t number) {
-  return {Exit::data, fmt::format("the span of the key is of type {}; expected 0 to 4 (TCB, Hermite, Bezier 1D, linear, "
-                                  "stepped), in version 2 no Hermite; correct the file",
-                                  number)};
+  return {Exit::data,
+          fmt::format("the span of the key is of type {}; expected 0 to 4 (TCB, Hermite, Bezier 1D, linear, "
+                      "stepped), in version 2 no Hermite; correct the file",
+                      number)};
 }
 
 Error bezier_2d_span() {
-  return {Exit::data, "the span of the key is a Bezier 2D curve, which is no cubic in time; expected TCB, Hermite, Bezier "
-                      "1D, linear or stepped; change the key's curve in LightWave"};
+  return {Exit::data,
+          "the span of the key is a Bezier 2D curve, which is no cubic in time; expected TCB, Hermite, Bezier "
+          "1D, linear or stepped; change the key's curve in LightWave"};
 }
 
 Error step_too_short() {
-  return {Exit::data, "the step to the key is shorter than doubles can distinguish; expected keys that are farther apart; "
-                      "remove one of them"};
+  return {Exit::data,
+          "the step to the key is shorter than doubles can distinguish; expected keys that are farther apart; "
+          "remove one of them"};
 }
 
 Error no_provenance() {

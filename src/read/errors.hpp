@@ -15,7 +15,6 @@ Error compressed_input(std::string_view compression, std::string_view command);
 Error input_in_other_format(std::string_view format);
 /// `function` of pandas reads it.
 Error table_in_other_format(std::string_view format, std::string_view function);
-Error input_is_npy();
 Error text_not_in_utf8(std::string_view encoding);
 Error two_byte_order_marks();
 Error blank_beginning();
@@ -28,6 +27,9 @@ Error no_such_time(std::string_view column, std::string_view time);
 /// A time has two columns, of seconds and of nanoseconds.
 Error time_parts_not_whole(std::string_view time);
 Error time_in_other_notation(std::string_view column, std::string_view time);
+
+// Formats that are not text.
+Error options_of_text(std::string_view format);
 
 // Tracks of files with several objects.
 Error no_tracks();
@@ -44,11 +46,24 @@ Error number_of_track_not_finite();
 // Files of 3D Studio.
 Error chunk_too_short();
 
+// NumPy arrays.
+Error not_an_npy();
+Error npy_ends_early();
+Error npy_header_unknown(std::string_view text);
+Error npy_column_not_a_number(std::string_view column, std::string_view type);
+Error npy_of_other_shape(std::size_t dimensions, bool is_structured);
+
+// Texts of products.
+Error file_ends_early();
+Error number_of_file_expected(std::string_view found);
+Error count_of_file_expected(std::string_view found);
+
+// ASCII exports of 3ds Max.
+Error not_an_ase();
+Error bezier_controller();
+
 // Scenes of LightWave.
 Error not_a_scene();
-Error scene_ends_early();
-Error scene_number_expected(std::string_view found);
-Error scene_count_expected(std::string_view found);
 Error scene_word_expected(std::string_view word, std::string_view found);
 Error scene_key_count(std::size_t found, std::size_t expected);
 Error no_such_span(std::size_t number);

@@ -25,6 +25,7 @@ struct InputFacts {
   std::optional<spline::Tcb<double>> tcb = {};               ///< of all keys, as the file has it
   std::string comment = {};                                  ///< the prefix of its comment lines; empty: it has none
   std::vector<std::string> roles = {};                       ///< names of columns that shape a curve, such as tension
+  bool is_recording = false;                                 ///< keys are samples; their columns shape no curve
   std::vector<std::string> constant_tracks = {};             ///< names of tracks that are left out as they never change
   std::vector<std::string> other_tracks = {};                ///< names of those left out as they have other channels
   std::vector<std::string> ignored = {};                     ///< names of columns without a role
@@ -35,9 +36,9 @@ struct InputFacts {
 struct Records {
   Columns columns;
   TimeNotation time_notation = TimeNotation::seconds;
-  DateFormat dates = {};                    ///< of times that are dates
-  std::optional<TimeUnit> epoch_unit = {};  ///< of times that seem to count from 1970
-  std::optional<TextMarks> marks = {};      ///< of delimited text
+  DateFormat dates = {};                       ///< of times that are dates
+  std::optional<TimeUnit> epoch_unit = {};     ///< of times that seem to count from 1970
+  std::optional<TextMarks> marks = {};         ///< of delimited text
   std::optional<GivenRotation> rotation = {};  ///< that columns are by the format
   std::string camera_path = {};                ///< as in Schema
   InputFacts facts = {};

@@ -157,8 +157,7 @@ bool KeyBuilder::add_nanoseconds() {
   const Rational time = seconds + Rational(static_cast<std::int64_t>(nanoseconds_)) / nanoseconds_of_second;
   constexpr int decimals = 9;
   time_ = nearest_time(time, decimals);
-  if (keeps_decimals())
-    decimals_[NumberOfKey::time] = ratio_text(time);
+  if (keeps_decimals()) decimals_[NumberOfKey::time] = ratio_text(time);
   return true;
 }
 

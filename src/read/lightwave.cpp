@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -14,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "numbers/parse_number.hpp"
 #include "read/errors.hpp"
+#include "read/text_lines.hpp"
 #include "read/tracks.hpp"
 #include "text/suggest.hpp"
 
@@ -33,64 +32,6 @@ struct EnvelopeKey {
   std::uint64_t line = 0;
 };
 using Envelope = std::vector<EnvelopeKey>;
-
-/// The lines of a text as words.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : text_(text) {}
-
-  /// Reads the next line that is not blank; false at the end.
-  bool next() {
-    while (!text_.empty()) {
-      const std::size_t end = std::min(text_.find('\n'), text_.size());
-      line_ = text_.substr(0, end);
-      text_.remove_prefix(std::min(end + 1, text_.size()));
-      ++number_;
-      const std::size_t first = line_.find_first_not_of(" \t\r");
-      if (first == std::string_view::npos) continue;
-      line_ = line_.substr(first, line_.find_last_not_of(" \t\r") + 1 - first);
-      words_.clear();
-      for (std::size_t at = 0; at < line_.size();) {
-        const std::size_t stop = std::min(line_.find_first_of(" \t", at), line_.size());
-        words_.push_back(line_.substr(at, stop - at));
-        at = std::min(line_.find_first_not_of(" \t", stop), line_.size());
-      }
-      return true;
-    }
-    words_.clear();
-    return false;
-  }
-  void require_next() {
-    if (!next()) throw scene_ends_early().at({"", number_ + 1, 0});
-  }
-
-  const std::vector<std::string_view>& words() const { return words_; }
-  std::string_view word(std::size_t i) const { return i < words_.size() ? words_[i] : ""; }
-  /// The line from a word on.
-  std::string_view from_word(std::size_t i) const {
-    return i < words_.size() ? line_.substr(static_cast<std::size_t>(words_[i].data() - line_.data())) : "";
-  }
-  std::uint64_t number() const { return number_; }
-  Error at(const Error& error) const { return error.at({"", number_, 0}); }
-
-  TrackNumber number_in(std::size_t i) const {
-    const auto value = parse_number(word(i));
-    if (!value) throw at(scene_number_expected(word(i)));
-    return {*value, std::string(word(i))};
-  }
-  std::size_t count_in(std::size_t i) const {
-    std::size_t count = 0;
-    const std::string_view text = word(i);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (error != std::errc() || end != text.data() + text.size()) throw at(scene_count_expected(text));
-    return count;
-  }
-
- private:
-  std::string_view text_, line_;
-  std::vector<std::string_view> words_;
-  std::uint64_t number_ = 0;
-};
 
 /// The velocities of the keys of a channel whose spans are not all TCB.
 class Velocities {
@@ -228,7 +169,7 @@ class Scene {
     const std::string_view keyword = lines_.word(0);
     if (keyword == "FramesPerSecond") {
       frame_rate_ = lines_.number_in(1);
-      if (!(frame_rate_.value > 0)) throw lines_.at(scene_number_expected(lines_.word(1)));
+      if (!(frame_rate_.value > 0)) throw lines_.at(number_of_file_expected(lines_.word(1)));
     } else if (keyword == "LoadObjectLayer") {
       name_object(stem(lines_.from_word(has_number(2) ? 3 : 2)));
     } else if (keyword == "LoadObject") {
@@ -332,7 +273,7 @@ class Scene {
     lines_.require_next();
     const std::size_t channels = lines_.count_in(0);
     constexpr std::size_t most_channels = 1000;
-    if (channels > most_channels) throw lines_.at(scene_count_expected(lines_.word(0)));
+    if (channels > most_channels) throw lines_.at(count_of_file_expected(lines_.word(0)));
     std::vector<Envelope> envelopes(channels);
     if (version_ == 1) {
       lines_.require_next();
@@ -375,7 +316,7 @@ class Scene {
     }
   }
 
-  Lines lines_;
+  TextLines lines_;
   std::size_t version_ = 0;
   TrackNumber frame_rate_{30, "30"};  ///< of scenes that do not give one
   std::string object_;                ///< the current one

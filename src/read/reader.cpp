@@ -9,12 +9,14 @@
 
 #include "io/compression.hpp"
 #include "io/encoding.hpp"
+#include "read/ase.hpp"
 #include "read/csv/csv_reader.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/errors.hpp"
 #include "read/json/camera_path.hpp"
 #include "read/json/shapes.hpp"
 #include "read/lightwave.hpp"
+#include "read/npy.hpp"
 #include "read/poses.hpp"
 #include "read/studio_3ds.hpp"
 #include "read/tracks.hpp"
@@ -122,10 +124,7 @@ bool may_begin_other_format(std::string_view beginning) {
 }
 
 /// Throws: Error (data) for what is not text.
-void require_bytes(std::string_view beginning) {
-  if (beginning.starts_with("\x93NUMPY")) throw at_first_byte(input_is_npy());
-  require_known_format(beginning);
-}
+void require_bytes(std::string_view beginning) { require_known_format(beginning); }
 
 /// The text in UTF-8 without a byte order mark; `encoding` gets the name of another encoding. Throws: Error (data) for
 /// two marks.
@@ -153,12 +152,15 @@ Source<std::string> without_mark(Source<std::string> bytes, std::string& encodin
 
 /// The format by the file's ending, or by the first byte that is not blank.
 FormatId detect(const std::string& path, const std::string& beginning) {
+  if (beginning.starts_with("\x93NUMPY")) return FormatId::npy;
   constexpr std::size_t high_byte_of_size = 5;  // 0 below 16 MiB
   const bool is_3ds = beginning.starts_with("MM") && beginning.size() > high_byte_of_size;
   if (is_3ds && beginning[high_byte_of_size] == '\0') return FormatId::studio_3ds;
+  if (beginning.starts_with("*3DSMAX_ASCIIEXPORT")) return FormatId::ase;
   if (beginning.starts_with("LWSC") || beginning.starts_with("LWMO")) return FormatId::lws;
   const auto named = find_input_format(path);
-  if ((!named || *named == FormatId::json) && begins_camera_path(beginning).value_or(false)) return FormatId::nerfstudio;
+  if ((!named || *named == FormatId::json) && begins_camera_path(beginning).value_or(false))
+    return FormatId::nerfstudio;
   if (named) return *named;
   const std::size_t at = beginning.find_first_not_of(" \t\r\n");
   const bool json = at != std::string::npos && (beginning[at] == '[' || beginning[at] == '{');
@@ -175,10 +177,15 @@ InputOptions options_of(FormatId format, Source<std::string>& bytes, const Input
 }
 
 Records open_as(FormatId format, Source<std::string> bytes, InputOptions options) {
-  if (format_of(format).family == FormatFamily::cameras) return open_camera_path(std::move(bytes), options);
+  const FormatFamily family = format_of(format).family;
+  if (family == FormatFamily::cameras) return open_camera_path(std::move(bytes), options);
+  if (family == FormatFamily::json) return open_json(std::move(bytes), options);
+  const bool is_text = family != FormatFamily::tracks && family != FormatFamily::array;
+  if (!is_text && options.delimited != DelimitedOptions{}) throw options_of_text(format_of(format).name);
   if (format == FormatId::studio_3ds) return open_3ds(std::move(bytes), options);
+  if (format == FormatId::ase) return open_ase(std::move(bytes), options);
   if (format == FormatId::lws) return open_lightwave(std::move(bytes), options);
-  if (format_of(format).family == FormatFamily::json) return open_json(std::move(bytes), options);
+  if (format == FormatId::npy) bytes = text_of_npy(std::move(bytes), options);
   std::optional<char>& delimiter = options.delimited.delimiter;
   if (!delimiter && format != FormatId::csv) delimiter = format_of(format).delimiter;  // csv: any, to be found
   return open_delimited(std::move(bytes), options);
@@ -215,7 +222,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   input.schema.camera_path = std::move(records.camera_path);
   input.facts.format = format;
   if (!encoding.empty()) input.facts.encoding = encoding;
-  input.facts.roles = columns.shape_roles();
+  if (!input.facts.is_recording) input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
   input.facts.likely_rotation = columns.likely_rotation;
   KeyTraits& traits = input.keys.traits;

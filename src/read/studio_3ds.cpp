@@ -64,7 +64,8 @@ class Bytes {
   std::uint32_t word(std::size_t size = 2) {
     std::uint32_t value = 0;
     const std::string_view bytes = take(size);
-    for (std::size_t i = 0; i < size; ++i) value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << 8 * i;
+    for (std::size_t i = 0; i < size; ++i)
+      value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << 8 * i;
     return value;
   }
   float single() {
@@ -104,7 +105,8 @@ class Nodes {
  public:
   std::vector<Track> read(std::string_view file) {
     each_chunk(file, [this](std::uint16_t id, std::string_view content) {
-      if (id == main_chunk) each_chunk(content, [this](std::uint16_t inner, std::string_view part) { read_part(inner, part); });
+      if (id == main_chunk)
+        each_chunk(content, [this](std::uint16_t inner, std::string_view part) { read_part(inner, part); });
     });
     return std::move(tracks_);
   }

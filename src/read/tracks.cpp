@@ -11,6 +11,7 @@
 
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
+#include "numbers/print_number.hpp"
 #include "read/errors.hpp"
 #include "read/key_builder.hpp"
 #include "schema/columns.hpp"
@@ -167,7 +168,9 @@ class TrackKeys {
       ++next_[i];
       const TrackKey* const after = key_of(i);
       if (after != nullptr && !is_before(first, *after)) {
-        throw times_of_track_repeat(after->time.decimal).about(path_of(track_)).at({"", after->line, 0});
+        throw times_of_track_repeat(time_text(nearest_time(exact_number(after->time))))
+            .about(path_of(track_))
+            .at({"", after->line, 0});
       }
     }
     if (keys_.end_key()) keys_.set_position(line, 0);
@@ -181,7 +184,8 @@ class TrackKeys {
 
   void add_time(const Columns::Column& column, const TrackKey& key) {
     const bool is_ratio = key.time.decimal.find('/') != std::string::npos;
-    keys_.set_time(is_ratio ? nearest_time(exact_number(key.time)) : parse_time(key.time.decimal).value_or(Time(key.time.value)));
+    keys_.set_time(is_ratio ? nearest_time(exact_number(key.time))
+                            : parse_time(key.time.decimal).value_or(Time(key.time.value)));
     add_decimal(column, key.time, key);
   }
 
@@ -253,6 +257,7 @@ Records records_of_tracks(std::vector<Track> tracks, const std::string& time, co
     blocks.push_back(keys.build());
     blocks.back().curve_info = std::make_shared<const CurveInfo>(CurveInfo{track.settings});
   }
+  records.facts.is_recording = std::ranges::all_of(tracks, &Track::is_recording);
   records.rotation = tracks.front().rotation;
   records.keys.curve_info.settings = tracks.front().settings;
   records.keys.traits.has_whole_curves = true;

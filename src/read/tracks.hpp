@@ -34,7 +34,7 @@ struct TrackKey {
   TrackNumber time;
   TrackNumber value;
   TrackNumber tension, continuity, bias;
-  TrackNumber ease_in, ease_out;  ///< the same in all channels of a track
+  TrackNumber ease_in, ease_out;                                   ///< the same in all channels of a track
   std::optional<TrackNumber> velocity_in = {}, velocity_out = {};  ///< per unit of time, where the file decides them
   std::uint64_t line = 0;                                          ///< in the file; 0: it has no lines
 };
@@ -50,19 +50,20 @@ struct Track {
   std::string object, name;
   std::vector<TrackChannel> channels = {};
   bool has_ease = false;
+  bool is_recording = false;  ///< its keys are samples, between which it is straight
   CurveSettings settings = {};
   std::optional<GivenRotation> rotation = {};  ///< that channels are
 
   bool is_constant() const;  ///< it has a single key in each channel
 };
 
-/// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames as in the
-/// format, unless something else is requested.
+/// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames as in
+/// the format, unless something else is requested.
 InputOptions options_of_tracks(FormatId format, InputOptions options);
 
-/// The tracks that are chosen, as keys. Without a choice, those that are constant and those with other channels than the
-/// first are left out. `time` is the name of the times. Throws: Error (data) where no track is left, where chosen ones
-/// differ in their channels, and where two keys of a channel have the same time.
+/// The tracks that are chosen, as keys. Without a choice, those that are constant and those with other channels than
+/// the first are left out. `time` is the name of the times. Throws: Error (data) where no track is left, where chosen
+/// ones differ in their channels, and where two keys of a channel have the same time.
 Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options);
 
 }  // namespace tcb

@@ -50,8 +50,9 @@ Note index_is_time() { return {"the index of the table is taken as the time", tr
 Note no_time_column() { return {"there is no time column; the times of the keys are 0, 1, 2, ..."}; }
 
 Note channels_in_extras(const std::vector<std::string>& names) {
-  return {fmt::format("in the extras of the animation, as they are no translation, rotation or scale: {}", listed(names)),
-          true};
+  return {
+      fmt::format("in the extras of the animation, as they are no translation, rotation or scale: {}", listed(names)),
+      true};
 }
 
 Note other_tracks_left_out(const std::vector<std::string>& names) {

@@ -231,8 +231,8 @@ double Chord::on_graph(const CurveSegment& segment, double low, double high) {
     const double at_middle = segment.warp.second_derivative(((passed + until) * Time(0.5)).hi);
     const double c = at_middle * duration * duration / 2 - 1.5 * d;
     expand(expansion_, segment, start);
-    found = std::max(found, on_part_of_graph({end - start - c - d, c, d}, place(segment, passed), place(segment, until),
-                                             parts));
+    found = std::max(
+        found, on_part_of_graph({end - start - c - d, c, d}, place(segment, passed), place(segment, until), parts));
     start = end;
     passed = until;
   }
@@ -264,9 +264,9 @@ double Chord::on_part_of_graph(const std::array<double, 3>& u, double first, dou
     return square(upper_bound(numbers, above, parts));
   };
   if (d == 0) return largest_square(bernstein<7>(gap));
-  return largest_square(bernstein<10>({gap[0], gap[1], gap[2], gap[3] + x1 * d, gap[4] + 2 * x2 * b * d,
-                                       gap[5] + d * (2 * x2 * c + 3 * x3 * b * b), gap[6] + d * (x2 * d + 6 * x3 * b * c),
-                                       3 * d * x3 * (c * c + b * d), 3 * d * d * x3 * c, d * d * d * x3}));
+  return largest_square(bernstein<10>(
+      {gap[0], gap[1], gap[2], gap[3] + x1 * d, gap[4] + 2 * x2 * b * d, gap[5] + d * (2 * x2 * c + 3 * x3 * b * b),
+       gap[6] + d * (x2 * d + 6 * x3 * b * c), 3 * d * x3 * (c * c + b * d), 3 * d * d * x3 * c, d * d * d * x3}));
 }
 
 }  // namespace tcb

@@ -14,7 +14,6 @@ Error curve_error(const spline::BuildError& error, const KeyStore& keys, const s
   switch (error.code) {
     case channel_without_positions: return channel_without_numbers(channels[error.channel]);
     case ease_with_missing_positions: return ease_with_missing_cells();
-    case timing_with_missing_positions: return tcb::timing_with_missing_cells();
     case closed_too_few_keys: return too_few_closed_keys();
     case period_missing: return no_period();
     case period_not_finite:

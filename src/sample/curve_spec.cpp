@@ -125,6 +125,7 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
     settings.preset = of_input.preset;
     fill(settings.tangents, of_input.tangents);
     fill(settings.ends, of_input.ends);
+    fill(settings.rotation_curve, of_input.rotation_curve);
   }
   if (!closed_given) {
     settings.closed = of_input.closed;

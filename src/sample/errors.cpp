@@ -43,9 +43,10 @@ Error end_velocity_of_other_size(const SettingOrigin& ends, std::size_t numbers,
 }
 
 Error end_velocity_with_timing(const SettingOrigin& ends) {
-  return about_setting(ends, fmt::format("the rule velocity gives a velocity, which a preset with monotone timing would "
-                                         "change; expected a different end rule; change it, or give another {}",
-                                         option::preset));
+  return about_setting(ends,
+                       fmt::format("the rule velocity gives a velocity, which a preset with monotone timing would "
+                                   "change; expected a different end rule; change it, or give another {}",
+                                   option::preset));
 }
 
 Error end_velocity_of_rotation(const SettingOrigin& ends) {
@@ -142,8 +143,8 @@ Error pieces_of_other_form() {
 
 Error pieces_of_rotations(std::string_view curve) {
   return {Exit::data, fmt::format("the rotation curve {} has no cubics to print as pieces; expected components; give "
-                                  "{} components, or {} none",
-                                  curve, option::rotation_curve, option::rotation)};
+                                  "{} components, {} none, or samples instead, as with {}",
+                                  curve, option::rotation_curve, option::rotation, option::count)};
 }
 
 Error field_without_rotations(std::string_view field) {
@@ -213,12 +214,6 @@ Error ease_with_missing_cells() {
   return {Exit::data, fmt::format("some numbers were skipped by {} skip-cell, but ease_in and ease_out need a number "
                                   "in every channel; fill them in, or give {}",
                                   option::missing, option::no_ease)};
-}
-
-Error timing_with_missing_cells() {
-  return {Exit::data, fmt::format("some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a "
-                                  "number in every channel; fill them in, or give another {}",
-                                  option::missing, option::preset)};
 }
 
 Error tangents_beyond_doubles(std::string_view from, std::string_view to) {

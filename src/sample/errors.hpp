@@ -62,7 +62,6 @@ Error no_period();
 Error seam_velocity_missing(std::string_view channel);
 Error channel_without_numbers(std::string_view channel);
 Error ease_with_missing_cells();
-Error timing_with_missing_cells();
 
 // Segments and their lengths. `from`, `to`: times.
 Error tangents_beyond_doubles(std::string_view from, std::string_view to);

@@ -40,7 +40,7 @@ struct CurveSettings {
   std::optional<TextSetting> metric;  ///< names or numbers of channels, separated by commas
   std::optional<TextSetting> rotation_curve = {};
   std::optional<spline::Preset> rotation_preset = {};  ///< whose rules of rotations replace tangents and ends for these
-  std::optional<spline::Timing> timing = {};  ///< nothing: that of the preset
+  std::optional<spline::Timing> timing = {};           ///< nothing: that of the preset
   bool equal_speed = false;
   bool no_ease = false;
 };

@@ -16,7 +16,24 @@ struct TextMarks {
   bool crlf = false;     ///< lines end with CR and LF, not LF alone
 };
 
-enum class FormatId : std::size_t { csv, tsv, ssv, json, jsonl, tum, euroc, kitti, nerfstudio, lws, studio_3ds, gltf, npy, svg };
+enum class FormatId : std::size_t {
+  csv,
+  tsv,
+  ssv,
+  json,
+  jsonl,
+  tum,
+  euroc,
+  kitti,
+  nerfstudio,
+  lws,
+  studio_3ds,
+  ase,
+  gltf,
+  crazyswarm,
+  npy,
+  svg
+};
 
 /// What formats have in common.
 enum class FormatFamily {
@@ -26,6 +43,7 @@ enum class FormatFamily {
   cameras,    ///< a JSON object with keyframes, and in outputs with a camera for each row
   tracks,     ///< the values of several objects over time, as the scenes of products have them
   scene,      ///< an animation of nodes
+  pieces,     ///< lines of polynomials, one for each piece of a path of x, y, z and yaw
   array,      ///< doubles, not their texts; it can hold neither other texts nor more than one table
   picture,    ///< curves and samples, without rows
 };
@@ -45,7 +63,7 @@ struct Format {
 };
 
 /// All formats, in the order of FormatId. The first is the default for output.
-inline constexpr std::array<Format, 14> formats{{
+inline constexpr std::array<Format, 16> formats{{
     // id, name, ending, family, read, write, provenance, nests, delimiter
     {FormatId::csv, "csv", ".csv", FormatFamily::delimited, true, true, true, false, ','},
     {FormatId::tsv, "tsv", ".tsv", FormatFamily::delimited, true, true, true, false, '\t'},
@@ -58,8 +76,10 @@ inline constexpr std::array<Format, 14> formats{{
     {FormatId::nerfstudio, "nerfstudio", ".json", FormatFamily::cameras, true, true, false, false},
     {FormatId::lws, "lws", ".lws", FormatFamily::tracks, true, false, false, false},
     {FormatId::studio_3ds, "3ds", ".3ds", FormatFamily::tracks, true, false, false, false},
+    {FormatId::ase, "ase", ".ase", FormatFamily::tracks, true, false, false, false},
     {FormatId::gltf, "gltf", ".gltf", FormatFamily::scene, false, true, false, false},
-    {FormatId::npy, "npy", ".npy", FormatFamily::array, false, true, false, false},
+    {FormatId::crazyswarm, "crazyswarm", ".csv", FormatFamily::pieces, false, true, false, false, ','},
+    {FormatId::npy, "npy", ".npy", FormatFamily::array, true, true, false, false},
     {FormatId::svg, "svg", ".svg", FormatFamily::picture, false, true, false, false},
 }};
 
@@ -86,13 +106,13 @@ std::vector<std::string_view> input_endings();
 std::vector<std::string_view> output_endings();
 
 /// Endings of what is no output of ours, so that none gets such a name: compressed files, tables, scenes, pictures.
-inline constexpr std::array<std::string_view, 57> other_endings{
-    ".bz2",  ".xz",   ".lz4",  ".br",      ".z",    ".zip",    ".7z",      ".rar",     ".tar",   ".tgz", ".xls",
-    ".xlsx", ".xlsm", ".ods",  ".numbers", ".db",   ".sqlite", ".parquet", ".feather", ".arrow", ".orc", ".avro",
-    ".h5",   ".hdf5", ".nc",   ".mat",     ".npz",  ".pkl",    ".pickle",  ".bag",     ".mcap",  ".xml", ".yaml",
-    ".yml",  ".toml", ".html", ".htm",     ".pdf",  ".png",    ".jpg",     ".jpeg",    ".gif",   ".mp4", ".bvh",
-    ".fbx",  ".glb",  ".usd",     ".usda", ".usdc",   ".usdz",    ".abc",     ".dae",   ".obj", ".blend",
-    ".lws",  ".mot",  ".3ds",
+inline constexpr std::array<std::string_view, 58> other_endings{
+    ".bz2",  ".xz",   ".lz4",  ".br",    ".z",       ".zip",  ".7z",     ".rar",     ".tar",     ".tgz",
+    ".xls",  ".xlsx", ".xlsm", ".ods",   ".numbers", ".db",   ".sqlite", ".parquet", ".feather", ".arrow",
+    ".orc",  ".avro", ".h5",   ".hdf5",  ".nc",      ".mat",  ".npz",    ".pkl",     ".pickle",  ".bag",
+    ".mcap", ".xml",  ".yaml", ".yml",   ".toml",    ".html", ".htm",    ".pdf",     ".png",     ".jpg",
+    ".jpeg", ".gif",  ".mp4",  ".bvh",   ".fbx",     ".glb",  ".usd",    ".usda",    ".usdc",    ".usdz",
+    ".abc",  ".dae",  ".obj",  ".blend", ".lws",     ".mot",  ".3ds",    ".ase",
 };
 
 /// The format that can be written and whose ending the path has, in upper or lower case, before that of compressed

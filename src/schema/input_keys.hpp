@@ -12,12 +12,12 @@ namespace tcb {
 
 /// What later stages have to expect of the keys of an input.
 struct KeyTraits {
-  bool own_curves = false;     ///< blocks have the beginnings of curves, and their information
+  bool own_curves = false;        ///< blocks have the beginnings of curves, and their information
   bool has_whole_curves = false;  ///< the keys of a curve follow each other, and its first block has its information
-  bool are_segments = false;   ///< the keys are the two ends of each segment, not yet joined
-  bool may_break = false;      ///< a curve may end before the input does
-  bool may_miss = false;       ///< positions may be missing
-  bool has_tcb_scale = false;  ///< the scale of tension, continuity and bias is given
+  bool are_segments = false;      ///< the keys are the two ends of each segment, not yet joined
+  bool may_break = false;         ///< a curve may end before the input does
+  bool may_miss = false;          ///< positions may be missing
+  bool has_tcb_scale = false;     ///< the scale of tension, continuity and bias is given
 
   // What may distinguish curves where times decrease:
   std::vector<Mark> marks = {};            ///< columns without a role

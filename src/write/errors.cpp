@@ -30,9 +30,10 @@ Error not_a_pose(std::size_t positions, std::size_t rotations, std::string_view 
 }
 
 Error channel_of_format_missing(std::string_view channel, std::string_view format) {
-  return {Exit::data, fmt::format("no channel is {}, which every row of {} has; expected a column of that name; add one, "
-                                  "or give another format to {}",
-                                  in_quotes(channel), format, option::output_format)};
+  return {Exit::data,
+          fmt::format("no channel is {}, which every row of {} has; expected a column of that name; add one, "
+                      "or give another format to {}",
+                      in_quotes(channel), format, option::output_format)};
 }
 
 Error poses_without_unit_of_time(std::string_view column, std::string_view format) {
@@ -47,28 +48,39 @@ Error several_curves_in_one_table(std::string_view format) {
                                   format, option::output_format)};
 }
 
+Error no_path_with_yaw(const std::vector<std::string>& channels) {
+  return {Exit::data,
+          fmt::format("the channels are {}; expected three of a position, and yaw if there is a fourth; choose "
+                      "them with {}, as in position=x:y:z:yaw",
+                      listed(channels), option::columns)};
+}
+
 Error no_target_of_node(const std::vector<std::string>& channels) {
-  return {Exit::data, fmt::format("the channels are {}; expected three of a translation, one rotation, or sx, sy and sz "
-                                  "of a scale; choose others with {}, or give another format to {}",
-                                  listed(channels), option::columns, option::output_format)};
+  return {Exit::data,
+          fmt::format("the channels are {}; expected three of a translation, one rotation, or sx, sy and sz "
+                      "of a scale; choose others with {}, or give another format to {}",
+                      listed(channels), option::columns, option::output_format)};
 }
 
 Error no_target_of_track(std::string_view track) {
-  return {Exit::data, fmt::format("the track {} is neither a position nor a scale; expected one of these in an animation; "
-                                  "choose others with {}",
-                                  in_quotes(track), option::only)};
+  return {Exit::data,
+          fmt::format("the track {} is neither a position nor a scale; expected one of these in an animation; "
+                      "choose others with {}",
+                      in_quotes(track), option::only)};
 }
 
 Error several_curves_of_node(std::string_view name) {
-  return {Exit::data, fmt::format("there is more than one curve of {}; expected one for each node of an animation; give "
-                                  "another format, such as csv, to {}",
-                                  in_quotes(name), option::output_format)};
+  return {Exit::data,
+          fmt::format("there is more than one curve of {}; expected one for each node of an animation; give "
+                      "another format, such as csv, to {}",
+                      in_quotes(name), option::output_format)};
 }
 
 Error time_before_start_of_animation(double seconds) {
-  return {Exit::data, fmt::format("a keyframe is at {} seconds; expected times from 0 on, as animations have them; shift "
-                                  "the times of the keys",
-                                  seconds)};
+  return {Exit::data,
+          fmt::format("a keyframe is at {} seconds; expected times from 0 on, as animations have them; shift "
+                      "the times of the keys",
+                      seconds)};
 }
 
 Error times_not_in_single_precision(double seconds) {
@@ -78,9 +90,10 @@ Error times_not_in_single_precision(double seconds) {
 }
 
 Error number_beyond_single_precision(double number) {
-  return {Exit::data, fmt::format("{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the "
-                                  "keys down",
-                                  number)};
+  return {Exit::data,
+          fmt::format("{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the "
+                      "keys down",
+                      number)};
 }
 
 Error animation_without_rows() {

@@ -19,6 +19,7 @@ Error not_a_pose(std::size_t positions, std::size_t rotations, std::string_view 
 Error channel_of_format_missing(std::string_view channel, std::string_view format);
 Error poses_without_unit_of_time(std::string_view column, std::string_view format);
 Error several_curves_in_one_table(std::string_view format);
+Error no_path_with_yaw(const std::vector<std::string>& channels);
 
 // Animations.
 Error no_target_of_node(const std::vector<std::string>& channels);

@@ -34,6 +34,11 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
     throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
                                 format_of(options.format).name);
   }
+  const bool is_pieces = format_of(options.format).family == FormatFamily::pieces;
+  if (is_pieces && groups_ + columns.labels.size() > 0) {
+    throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
+                                format_of(options.format).name);
+  }
   const bool is_scene = format_of(options.format).family == FormatFamily::scene;
   if (is_scene && !columns.labels.empty()) {
     throw text_in_binary_format(columns.labels.front(), format_of(options.format).name);

@@ -59,8 +59,8 @@ class Buffer {
   void describe(Json& file) const {
     file["accessors"] = accessors_;
     file["bufferViews"] = views_;
-    file["buffers"] = {Json{{"byteLength", bytes_.size()},
-                            {"uri", "data:application/octet-stream;base64," + in_base64(bytes_)}}};
+    file["buffers"] = {
+        Json{{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + in_base64(bytes_)}}};
   }
 
  private:
@@ -119,7 +119,6 @@ std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& tr
 }
 
 void GltfScene::begin_curve(const std::vector<std::string>& group) {
-  end_pieces();
   std::vector<std::string> texts = contents(group);
   const bool is_track = !schema_.groups.empty() && schema_.groups.back() == track_column;
   std::vector<Target> targets = targets_;
@@ -147,19 +146,26 @@ void GltfScene::add(std::string_view rows) {
       number = std::bit_cast<double>(bits);
     }
     if (are_pieces_) {
-      add_piece(row);
+      pieces_.insert(pieces_.end(), row.begin(), row.end());
     } else {
       add_sample(row);
     }
   }
 }
 
+/// Adds a time. One that single precision does not distinguish from the time before, as at a step, gets the next
+/// number.
 void GltfScene::add_time(double time) {
   const double seconds = time * seconds_;
-  const auto rounded = static_cast<float>(seconds);
-  std::vector<float>& times = nodes_.back().times;
   if (seconds < 0) throw time_before_start_of_animation(seconds);
-  if (!times.empty() && !(rounded > times.back())) throw times_not_in_single_precision(seconds);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  auto rounded = static_cast<float>(seconds);
+  std::vector<float>& times = nodes_.back().times;
+  if (!times.empty() && !(rounded > times.back())) {
+    const bool is_step = are_pieces_ && rounded == times.back();
+    if (!is_step) throw times_not_in_single_precision(seconds);
+    rounded = std::nextafter(rounded, infinity);
+  }
   times.push_back(rounded);
 }
 
@@ -179,39 +185,37 @@ void GltfScene::add_sample(const std::vector<double>& row) {
   for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(row[1 + other_channels_[i]]);
 }
 
-void GltfScene::add_piece(const std::vector<double>& row) {
+/// Adds the keyframes of the curve's pieces. Their tangents are those of the cubics as functions of the part of their
+/// duration, which single precision rounds.
+void GltfScene::end_curve() {
+  const std::vector<double> rows = std::exchange(pieces_, {});
+  if (rows.empty()) return;
   Node& node = nodes_.back();
-  const auto number = [](const std::vector<double>& piece, std::size_t channel, std::size_t i) {
-    return piece[2 + numbers_of_piece * channel + i];
+  const std::size_t size = 2 + numbers_of_piece * schema_.channels.size(), pieces = rows.size() / size;
+  const auto number = [&](std::size_t piece, std::size_t channel, std::size_t i) {
+    return rows[piece * size + 2 + numbers_of_piece * channel + i];
   };
-  add_time(row[0]);
-  for (Target& target : node.targets) {
-    for (const std::size_t channel : target.channels) {
-      add_number(target, last_piece_.empty() ? 0 : number(last_piece_, channel, 3) / seconds_);
+  for (std::size_t i = 0; i < pieces; ++i) add_time(rows[i * size]);
+  add_time(rows[(pieces - 1) * size] + rows[(pieces - 1) * size + 1]);
+  const auto tangent = [&](std::size_t piece, std::size_t channel, std::size_t i) {
+    const double duration = static_cast<double>(node.times[piece + 1]) - static_cast<double>(node.times[piece]);
+    return number(piece, channel, i) * rows[piece * size + 1] / duration;
+  };
+  for (std::size_t key = 0; key <= pieces; ++key) {
+    const bool is_first = key == 0, is_last = key == pieces;
+    const auto position = [&](std::size_t channel) {
+      return is_last ? number(key - 1, channel, 2) : number(key, channel, 0);
+    };
+    for (Target& target : node.targets) {
+      for (const std::size_t channel : target.channels) add_number(target, is_first ? 0 : tangent(key - 1, channel, 3));
+      for (const std::size_t channel : target.channels) add_number(target, position(channel));
+      for (const std::size_t channel : target.channels) add_number(target, is_last ? 0 : tangent(key, channel, 1));
     }
-    for (const std::size_t channel : target.channels) add_number(target, number(row, channel, 0));
-    for (const std::size_t channel : target.channels) add_number(target, number(row, channel, 1) / seconds_);
+    for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(position(other_channels_[i]));
   }
-  for (std::size_t i = 0; i < other_channels_.size(); ++i) {
-    node.others[i].push_back(number(row, other_channels_[i], 0));
-  }
-  last_piece_ = row;
-}
-
-/// Adds the keyframe at the end of the last piece.
-void GltfScene::end_pieces() {
-  const std::vector<double> last = std::exchange(last_piece_, {});
-  if (last.empty()) return;
-  std::vector<double> end(last.size());
-  end[0] = last[0] + last[1];
-  for (std::size_t at = 2; at < last.size(); at += numbers_of_piece) end[at] = last[at + 2];
-  last_piece_ = last;
-  add_piece(end);
-  last_piece_.clear();
 }
 
 std::string GltfScene::text() {
-  end_pieces();
   Buffer buffer;
   Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
   std::vector<std::string> names;

@@ -6,7 +6,7 @@
 //   rotation     a rotation, as a quaternion
 //   scale        channels sx, sy, sz or scale_x, scale_y, scale_z; of a track, those of "scale"
 // Numbers of all other channels are in the "extras" of the animation. Arrays have single precision, as the format
-// requires.
+// requires; of two times that it does not distinguish, as at a step, the second is the next number.
 // Source: Khronos Group, "glTF 2.0 Specification".
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace tcb {
 
-/// Gathers the rows of curves, some 32 bytes for each row of a pose.
+/// Gathers the rows of curves, some 32 bytes for each sample of a pose, and three times as many for a piece.
 class GltfScene {
  public:
   /// `are_pieces`: rows are a start, a duration, and four numbers for each channel; else a time and a position.
@@ -35,6 +35,9 @@ class GltfScene {
   /// Adds rows, as the bytes of doubles, the lowest first. Throws: Error (data) for times before 0, for those that
   /// single precision does not distinguish, and for numbers beyond it.
   void add(std::string_view rows);
+
+  /// Ends the rows of a curve. Throws: as add().
+  void end_curve();
 
   /// Names of channels that have no target.
   const std::vector<std::string>& other_channels() const { return others_; }
@@ -58,8 +61,6 @@ class GltfScene {
 
   std::vector<Target> targets_of_track(const std::string& track) const;
   void add_sample(const std::vector<double>& row);
-  void add_piece(const std::vector<double>& row);
-  void end_pieces();
   void add_time(double time);
   static void add_number(Target& target, double number);
 
@@ -69,7 +70,7 @@ class GltfScene {
   std::vector<Target> targets_;  ///< of nodes that are no tracks
   std::vector<std::size_t> other_channels_;
   std::vector<std::string> others_;
-  std::vector<double> last_piece_;
+  std::vector<double> pieces_;  ///< of the current curve, row after row
   std::vector<Node> nodes_;
 };
 

@@ -20,6 +20,9 @@ namespace {
 Layout json_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return json_layout(columns); }
 Layout jsonl_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return jsonl_layout(columns); }
 Layout camera_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return camera_layout(columns); }
+Layout piece_rows(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool) {
+  return piece_layout(columns, marks);
+}
 Layout npy_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return npy_layout(columns); }
 
 std::string delimited_cell(std::string_view text, char delimiter) {
@@ -44,7 +47,9 @@ constexpr std::array<OutputFormat, formats.size()> output_formats{{
     {camera_rows, nullptr},
     {},  // tracks are not written
     {},
+    {},
     {npy_rows, nullptr},
+    {piece_rows, delimited_cell},
     {npy_rows, nullptr, npy_head},
     {},  // a picture has no rows
 }};
@@ -198,6 +203,22 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMark
   }
   if (header) layout.head += layout.row_end;
   if (marks.delimiter == ' ') layout.empty = "NA";  // between blanks, an empty text would not be a cell
+  return layout;
+}
+
+Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks) {
+  constexpr std::size_t coefficients = 8, with_yaw = 1 + 4 * coefficients;
+  Layout layout = delimited_layout(columns, marks, true);
+  if (columns.size() == with_yaw) return layout;
+  layout.head.pop_back();
+  layout.row_end.clear();
+  for (std::size_t i = 0; i < coefficients; ++i) {
+    layout.head += fmt::format(",yaw^{}", i);
+    layout.row_end += ",0";
+  }
+  layout.head += '\n';
+  layout.row_end += '\n';
+  layout.divider.clear();
   return layout;
 }
 

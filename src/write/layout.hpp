@@ -46,6 +46,10 @@ std::string json_text(std::string_view text);
 /// Rows of delimited text, below the names if there is a header.
 Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header);
 
+/// Lines of a duration and eight coefficients for each of x, y, z and yaw, which is 0 where there is no such channel.
+/// Source: the class Trajectory of Crazyswarm, which reads such files.
+Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks);
+
 /// An array of objects, one per line.
 Layout json_layout(const std::vector<OutputColumn>& columns);
 

@@ -39,6 +39,13 @@ std::string with_crlf(std::string_view text) {
   return result;
 }
 
+/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw.
+void require_path_with_yaw(const Schema& schema) {
+  const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
+  if (schema.channels.size() != 3 && !has_yaw) throw no_path_with_yaw(schema.channels);
+  if (!schema.rotations.empty()) throw no_path_with_yaw(schema.channels);
+}
+
 }  // namespace
 
 TextMarks Writer::marks_for(const Schema& schema) const {
@@ -63,6 +70,7 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     scene_->begin(schema);
     columns.groups.clear();
   }
+  if (format.family == FormatFamily::pieces) require_path_with_yaw(schema);
   const bool is_pose = has_pose_rows(format);
   cells_ = columns.numbers.size();
   if (is_pose) {
@@ -204,6 +212,7 @@ void Writer::write(const Source<std::string>& rows) {
     any = any || !text->empty();
   }
   if (any) frame_.set_written();
+  if (scene_ != nullptr) scene_->end_curve();
 }
 
 std::vector<std::string> Writer::channels_in_extras() const {
@@ -215,7 +224,8 @@ void Writer::commit() {
   const std::string provenance = recorder_.after_rows(options_.format);
   const bool is_member = format_of(options_.format).nests;
   output_.write(is_member ? frame_.tail(provenance)
-                          : frame_.tail() + (cameras_ == nullptr ? "" : cameras_->tail(unit_)) + (marks_.crlf ? with_crlf(provenance) : provenance));
+                          : frame_.tail() + (cameras_ == nullptr ? "" : cameras_->tail(unit_)) +
+                                (marks_.crlf ? with_crlf(provenance) : provenance));
   if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
   output_.commit();
 }

@@ -142,13 +142,13 @@ TEST(Values, forms_of_pieces_have_their_number_of_coefficients) {
 TEST(Values, formats_are_those_that_can_be_read_or_written) {
   EXPECT_EQ(input_format("jsonl"), FormatId::jsonl);
   EXPECT_EQ(output_format("npy"), FormatId::npy);
-  EXPECT_EQ(stepped_refusal({"-i", "npy"}),
-            "--input-format: \"npy\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, "
-            "kitti");
+  EXPECT_EQ(stepped_refusal({"-i", "gltf"}),
+            "--input-format: \"gltf\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, "
+            "kitti, nerfstudio, lws, 3ds, ase, npy");
   EXPECT_EQ(
       stepped_refusal({"-f", "xml"}),
       "--output-format: \"xml\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, kitti, "
-      "npy, svg");
+      "nerfstudio, gltf, crazyswarm, npy, svg");
 }
 
 TEST(Values, names_come_from_the_tables) {

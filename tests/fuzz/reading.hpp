@@ -31,7 +31,8 @@ inline Source<std::string> pieces(std::string_view text, std::size_t size) {
 /// Keys as text, one per line, with the breaks of curves between them, and the checks that hold for each.
 class ShownKeys {
  public:
-  ShownKeys(std::uint64_t lines, bool may_miss) : lines_(lines), may_miss_(may_miss) {}
+  /// `lines`: of the text; nothing: it has none.
+  ShownKeys(std::optional<std::uint64_t> lines, bool may_miss) : lines_(lines), may_miss_(may_miss) {}
 
   void add(const KeyBlock& block) {
     if (block.curve_info)
@@ -61,7 +62,7 @@ class ShownKeys {
   void add_key(const KeyBlock& block, std::size_t i) {
     const spline::Keys<double>& keys = block.keys;
     text_ += fmt::format("{}:{}", block.line(i), block.text_position(i).column);
-    require(block.line(i) >= 1 && block.line(i) <= lines_, "a key on no line", text_);
+    require(!lines_ || (block.line(i) >= 1 && block.line(i) <= *lines_), "a key on no line", text_);
     if (!keys.times.empty()) {
       add_number(keys.times.at(i).hi);
       add_number(keys.times.at(i).lo);
@@ -82,7 +83,7 @@ class ShownKeys {
     text_ += '\n';
   }
 
-  std::uint64_t lines_;
+  std::optional<std::uint64_t> lines_;
   bool may_miss_;
   std::string text_;
   std::uint64_t skipped_ = 0;
@@ -96,7 +97,9 @@ struct Reading {
 };
 
 inline Reading read(std::string_view text, const InputOptions& options, std::size_t piece) {
-  const auto lines = static_cast<std::uint64_t>(std::ranges::count(text, '\n')) + 1;
+  const bool is_binary = options.format == FormatId::studio_3ds || options.format == FormatId::npy;
+  std::optional<std::uint64_t> lines;
+  if (!is_binary) lines = static_cast<std::uint64_t>(std::ranges::count(text, '\n')) + 1;
   try {
     const Input input = open_input("f", pieces(text, piece), options);
     std::string found;
@@ -116,7 +119,7 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
   } catch (const Error& error) {
     const std::string refusal = error_text(error.in("f"));
     require_refusal(refusal, "f");
-    const bool there = error.position().line <= lines && error.position().column <= text.size() + 1;
+    const bool there = !lines || (error.position().line <= *lines + 1 && error.position().column <= text.size() + 1);
     require(there, "a place that is not there", refusal);
     return {refusal, true};
   }

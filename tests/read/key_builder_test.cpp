@@ -38,7 +38,7 @@ KeyBlock three(Missing missing) {
 }
 
 TEST(KeyBuilder, cells_become_numbers_and_texts_by_their_roles) {
-  KeyBuilder keys(columns, {{0.5, 0, 0}});
+  KeyBuilder keys(columns, {.tcb = spline::Tcb<double>{0.5, 0, 0}});
   keys.begin_key();
   keys.number(columns.cells[4]) = -1;
   keys.set_text(columns.cells[5], "\"label");
@@ -61,7 +61,7 @@ TEST(KeyBuilder, cells_become_numbers_and_texts_by_their_roles) {
 TEST(KeyBuilder, channels_without_tension_of_their_own_have_the_common_one) {
   const Columns with_own =
       find_columns(std::vector<std::string>{"t", "x", "tension_y", "y", "T", "bias_x"}, std::vector<bool>(6, true), {});
-  KeyRules rules{{0.5, 0.25, 0.125}};
+  KeyRules rules{.tcb = spline::Tcb<double>{0.5, 0.25, 0.125}};
   rules.keeps_decimals = true;
   KeyBuilder keys(with_own, rules);
   const auto set = [&](std::size_t cell, double value, const char* decimal) {

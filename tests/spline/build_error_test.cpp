@@ -150,7 +150,8 @@ TEST(BuildError, monotone_timing_needs_every_position_and_neither_ease_nor_veloc
     return error_with([&](auto& keys, auto& rules) {
              rules.timing = Timing::monotone;
              change(keys, rules);
-           }).code;
+           })
+        .code;
   };
   EXPECT_EQ(with_timing([](auto& keys, auto&) { keys.positions[2] = nan; }), timing_with_missing_positions);
   EXPECT_EQ(with_timing([](auto& keys, auto&) { keys.eases.resize(5); }), timing_with_ease);
@@ -159,10 +160,7 @@ TEST(BuildError, monotone_timing_needs_every_position_and_neither_ease_nor_veloc
               keys.given = {true};
             }),
             timing_with_velocities);
-  EXPECT_EQ(with_timing([](auto&, auto& rules) {
-              rules.end = {EndRule::velocity, {1}};
-            }),
-            timing_with_velocities);
+  EXPECT_EQ(with_timing([](auto&, auto& rules) { rules.end = {EndRule::velocity, {1}}; }), timing_with_velocities);
 }
 
 TEST(BuildError, equal_speed_needs_every_position) {

@@ -30,7 +30,8 @@ TEST(CurveRules, converted_rules_have_every_member) {
   rules.angles = {{5, true}};
   rules.timing = Timing::monotone;
   const auto halves = [](double value) { return static_cast<float>(value / 2); };
-  const auto& [tangents, start, end, equal_speed, metric, rotations, own, angles, timing] = converted<float>(rules, halves);
+  const auto& [tangents, start, end, equal_speed, metric, rotations, own, angles, timing] =
+      converted<float>(rules, halves);
   EXPECT_EQ(tangents, TangentRule::synfig);
   EXPECT_EQ(start.rule, EndRule::velocity);
   EXPECT_EQ(start.velocity, (std::vector<float>{0.75F, 1}));

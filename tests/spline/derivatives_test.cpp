@@ -61,7 +61,8 @@ TEST(Derivatives, of_all_orders_follow_a_cubic_warp) {
     for (std::size_t order = 1; order <= 10; ++order) {
       double expected = 0;
       for (std::size_t i = order; i < composed.size(); ++i) {
-        double term = composed[i] * std::pow(v, static_cast<double>(i - order)) / std::pow(h, static_cast<double>(order));
+        double term =
+            composed[i] * std::pow(v, static_cast<double>(i - order)) / std::pow(h, static_cast<double>(order));
         for (std::size_t k = 0; k < order; ++k) term *= static_cast<double>(i - k);
         expected += term;
       }

@@ -49,7 +49,8 @@ TEST(CubicWarp, has_the_values_of_its_polynomial) {
 }
 
 TEST(CubicWarp, inverse_and_derivatives_agree_with_it) {
-  for (const auto& [first, last] : {std::array{1.5, 0.25}, std::array{0., 3.}, std::array{0., 0.}, std::array{3., 3.}}) {
+  for (const auto& [first, last] :
+       {std::array{1.5, 0.25}, std::array{0., 3.}, std::array{0., 0.}, std::array{3., 3.}}) {
     const auto warp = Warp<double>::cubic(first, last);
     const auto at = [&](double x) { return warp.at(x, DoubleDouble(1) - DoubleDouble(x)); };
     EXPECT_EQ(at(0).u, 0);

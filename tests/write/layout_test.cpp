@@ -20,7 +20,8 @@ namespace {
 TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
   const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
   for (const Format& format : formats) {
-    if (!format.can_read || !format.can_write || format.family == FormatFamily::poses) continue;
+    const bool has_names = format.family == FormatFamily::delimited || format.family == FormatFamily::json;
+    if (!format.can_read || !format.can_write || !has_names) continue;
     const Layout layout = output_format(format.id).layout(columns, {format.delimiter}, true);
     std::string text = layout.head;
     append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);

@@ -41,7 +41,8 @@ struct Keyframe {
   std::vector<Error> faults = {};
 
   Error at(const Error& error, std::string_view member) const {
-    return error.about(fmt::format("{}[{}].{}", keyframe_list, number, member)).at({"", position.line, position.column});
+    return error.about(fmt::format("{}[{}].{}", keyframe_list, number, member))
+        .at({"", position.line, position.column});
   }
 };
 
@@ -119,11 +120,11 @@ class KeyframeReader : public MemberReader {
   }
   bool on_array_end() override {
     if (member() != "matrix" || element() == matrix_size) return true;
-    return fault(json::array_size(element(), matrix_size));
+    return fault(json::matrix_size(element()));
   }
   bool on_key_end() override {
     const Keyframe& keyframe = found.back();
-    if (std::ranges::count(seen_, "matrix") == 0) add(at_key(json::member_missing("matrix", false)));
+    if (std::ranges::count(seen_, "matrix") == 0) add(at_key(json::matrix_missing()));
     if (keyframe.matrix.size() < matrix_size || !keyframe.faults.empty()) return true;
     const auto is_number = [&](std::size_t i, double value) { return keyframe.matrix[i].value == value; };
     const bool is_pose = is_number(12, 0) && is_number(13, 0) && is_number(14, 0) && is_number(15, 1);
@@ -176,8 +177,8 @@ class AroundReader : public MemberReader {
 /// A camera path as it is written.
 struct PathOfCameras {
   std::vector<Keyframe> keyframes;
-  WrittenNumber tension, transition;   ///< of all keyframes, and of those that have no own
-  std::optional<WrittenNumber> fov;    ///< of keyframes that have none
+  WrittenNumber tension, transition;  ///< of all keyframes, and of those that have no own
+  std::optional<WrittenNumber> fov;   ///< of keyframes that have none
   bool is_cycle = false;
   bool has_render_times = false;
   TextPosition position;
@@ -221,7 +222,8 @@ PathOfCameras read_camera_path(Source<std::string> bytes) {
   path.transition = settings.transition.value_or(WrittenNumber{usual_transition, "0.5"});
   path.fov = settings.fov;
   path.is_cycle = settings.is_cycle;
-  path.has_render_times = std::ranges::any_of(path.keyframes, [](const Keyframe& one) { return one.render_time.has_value(); });
+  path.has_render_times =
+      std::ranges::any_of(path.keyframes, [](const Keyframe& one) { return one.render_time.has_value(); });
   path.members = members_of(text);
   return path;
 }
@@ -251,7 +253,7 @@ std::vector<WrittenNumber> numbers_of(Keyframe& keyframe, const PathOfCameras& p
   if (keyframe.matrix.size() < matrix_size) return numbers;
   for (const std::size_t i : {3U, 7U, 11U, 0U, 1U, 2U, 4U, 5U, 6U, 8U, 9U, 10U}) numbers.push_back(keyframe.matrix[i]);
   const auto add = [&](const std::optional<WrittenNumber>& number, std::string_view member) {
-    if (!number) keyframe.faults.push_back(keyframe.at(json::number_missing("null", false), member));
+    if (!number) keyframe.faults.push_back(keyframe.at(json::number_of_keyframe_missing(member), member));
     numbers.push_back(number.value_or(WrittenNumber{}));
   };
   add(keyframe.fov ? keyframe.fov : path.fov, "fov");
@@ -295,7 +297,8 @@ std::optional<bool> begins_camera_path(std::string_view beginning) {
   if (nested == std::string_view::npos) return std::nullopt;
   const std::string_view members = beginning.substr(0, nested);
   const std::size_t name = members.rfind('"', members.find_last_not_of(" \t\r\n:"));
-  return beginning[nested] == '[' && name != std::string_view::npos && members.substr(0, name + 1).ends_with("\"keyframes\"");
+  return beginning[nested] == '[' && name != std::string_view::npos &&
+         members.substr(0, name + 1).ends_with("\"keyframes\"");
 }
 
 InputOptions options_of_camera_path(InputOptions options) {

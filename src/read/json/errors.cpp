@@ -239,19 +239,36 @@ Error time_in_other_notation(std::string_view time) {
 }
 
 Error no_keyframes() {
-  return refused("the input has no keyframes; expected an object with a list \"keyframes\" that is not empty, as "
-                 "nerfstudio saves camera paths; give another {}",
-                 option::input_format);
+  return refused(
+      "the input has no keyframes; expected an object with a list \"keyframes\" that is not empty, as "
+      "nerfstudio saves camera paths; give another {}",
+      option::input_format);
 }
 
 Error matrix_is_text() {
-  return refused("the matrix is a text, as in files of nerfstudio before version 1, whose curve is another one; expected "
-                 "16 numbers; open the scene in a newer viewer, and save the camera path there");
+  return refused(
+      "the matrix is a text, as in files of nerfstudio before version 1, whose curve is another one; expected "
+      "16 numbers; open the scene in a newer viewer, and save the camera path there");
 }
 
 Error last_row_of_matrix() {
-  return refused("the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row by row; correct "
-                 "it, or transpose the matrix");
+  return refused(
+      "the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row by row; correct "
+      "it, or transpose the matrix");
+}
+
+Error matrix_missing() {
+  return refused(
+      "the keyframe has no matrix; expected a 4 x 4 matrix of 16 numbers, row by row; add it, or remove the "
+      "keyframe");
+}
+
+Error matrix_size(std::size_t found) {
+  return refused("the matrix has {}; expected 16, row by row; correct it", counted(found, "number"));
+}
+
+Error number_of_keyframe_missing(std::string_view member) {
+  return refused("the keyframe has no {}; expected a number in every keyframe; add it", member);
 }
 
 Error transition_not_positive(std::string_view seconds) {

@@ -79,6 +79,9 @@ Error time_in_other_notation(std::string_view time);
 Error no_keyframes();
 Error matrix_is_text();
 Error last_row_of_matrix();
+Error matrix_missing();
+Error matrix_size(std::size_t found);
+Error number_of_keyframe_missing(std::string_view member);
 Error transition_not_positive(std::string_view seconds);
 
 // Members around keys

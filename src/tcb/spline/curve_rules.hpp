@@ -89,8 +89,8 @@ CurveRules<To> converted(const CurveRules<From>& rules, Number number) {
     std::ranges::transform(choice.velocity, std::back_inserter(result.velocity), number);
     return result;
   };
-  return {rules.tangents, end(rules.start), end(rules.end),       rules.equal_speed,
-          rules.metric,   rules.rotations,  rules.rotation_rules, rules.angles,      rules.timing};
+  return {rules.tangents,  end(rules.start),     end(rules.end), rules.equal_speed, rules.metric,
+          rules.rotations, rules.rotation_rules, rules.angles,   rules.timing};
 }
 
 /// The rules that give the tangents of one rotation, whose numbers are then all channels.

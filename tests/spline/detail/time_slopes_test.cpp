@@ -47,10 +47,8 @@ TEST(TimeSlopes, are_those_of_pchip) {
 }
 
 TEST(TimeSlopes, are_not_below_0_at_an_end) {
-  expect_values(window_of({0, 5, 5.5, 6}, false), {{0.25, 0.001691489361702128},
-                                                   {1, 0.029106382978723408},
-                                                   {4.5, 0.7824255319148936},
-                                                   {5.75, 2.5}});
+  expect_values(window_of({0, 5, 5.5, 6}, false),
+                {{0.25, 0.001691489361702128}, {1, 0.029106382978723408}, {4.5, 0.7824255319148936}, {5.75, 2.5}});
 }
 
 TEST(TimeSlopes, take_the_neighbours_of_a_closed_curve) {

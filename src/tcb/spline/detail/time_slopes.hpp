@@ -1,9 +1,9 @@
 // Time slopes: the slopes at keys of the monotone cubic from the times of keys to their numbers.
 //
-// With h0, h1 the durations before and after a key, the slope is 3 (h0 + h1)/(h0^2 + 4 h0 h1 + h1^2), a weighted harmonic
-// mean. At an end, with h0 the duration of its segment and h1 that of the next one, it is that of the parabola through
-// three keys, ((2 h0 + h1)/h0 - h0/h1)/(h0 + h1), but at least 0.
-// Source: F. N. Fritsch, J. Butland, "A method for constructing local monotone piecewise cubic interpolants", 1984; for
+// With h0, h1 the durations before and after a key, the slope is 3 (h0 + h1)/(h0^2 + 4 h0 h1 + h1^2), a weighted
+// harmonic mean. At an end, with h0 the duration of its segment and h1 that of the next one, it is that of the parabola
+// through three keys, ((2 h0 + h1)/h0 - h0/h1)/(h0 + h1), but at least 0. Source: F. N. Fritsch, J. Butland, "A method
+// for constructing local monotone piecewise cubic interpolants", 1984; for
 //   the ends, the behaviour of PchipInterpolator of SciPy.
 #pragma once
 

@@ -1,0 +1,163 @@
+// ASE: the controllers of objects in the ASCII export of 3ds Max as keys.
+#include "read/ase.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "read/errors.hpp"
+#include "read/text_lines.hpp"
+#include "read/tracks.hpp"
+
+namespace tcb {
+namespace {
+
+/// A line of a key: its first word, the track, and its numbers after the time.
+struct AseKeyLine {
+  std::string_view word, track;
+  std::size_t numbers;  ///< of the value
+  bool is_tcb;
+};
+constexpr std::array key_lines{
+    AseKeyLine{"*CONTROL_TCB_POS_KEY", "position", 3, true}, AseKeyLine{"*CONTROL_POS_KEY", "position", 3, false},
+    AseKeyLine{"*CONTROL_POS_SAMPLE", "position", 3, false}, AseKeyLine{"*CONTROL_TCB_ROT_KEY", "rotation", 4, true},
+    AseKeyLine{"*CONTROL_ROT_KEY", "rotation", 4, false},    AseKeyLine{"*CONTROL_ROT_SAMPLE", "rotation", 4, false},
+    AseKeyLine{"*CONTROL_TCB_SCALE_KEY", "scale", 7, true},  AseKeyLine{"*CONTROL_SCALE_KEY", "scale", 7, false},
+    AseKeyLine{"*CONTROL_SCALE_SAMPLE", "scale", 7, false},  AseKeyLine{"*CONTROL_TCB_FLOAT_KEY", "value", 1, true},
+    AseKeyLine{"*CONTROL_FLOAT_KEY", "value", 1, false},     AseKeyLine{"*CONTROL_FLOAT_SAMPLE", "value", 1, false},
+    AseKeyLine{"*CONTROL_TCB_POINT3_KEY", "color", 3, true}, AseKeyLine{"*CONTROL_POINT3_KEY", "color", 3, false},
+    AseKeyLine{"*CONTROL_POINT3_SAMPLE", "color", 3, false},
+};
+
+/// Gives straight spans to the keys of a channel.
+void make_linear(TrackChannel& channel) {
+  channel.has_velocities = channel.keys.size() > 1;
+  for (std::size_t i = 0; i + 1 < channel.keys.size(); ++i) {
+    TrackKey &key = channel.keys[i], &next = channel.keys[i + 1];
+    const Rational h = exact_number(next.time) - exact_number(key.time);
+    if (!(h > 0)) return;  // an error that is found later
+    key.velocity_out = next.velocity_in = track_number((exact_number(next.value) - exact_number(key.value)) / h);
+  }
+}
+
+/// Reads the objects of an export.
+class AseExport {
+ public:
+  explicit AseExport(std::string_view text) : lines_(text) {}
+
+  std::vector<Track> read() {
+    lines_.require_next();
+    if (lines_.word(0) != "*3DSMAX_ASCIIEXPORT") throw lines_.at(not_an_ase());
+    while (lines_.next()) read_line();
+    end_track();
+    return std::move(tracks_);
+  }
+
+ private:
+  void read_line() {
+    const std::string_view word = lines_.word(0);
+    if (word == "*SCENE_FRAMESPEED") {
+      rate_ = positive(1);
+    } else if (word == "*SCENE_TICKSPERFRAME") {
+      ticks_ = positive(1);
+    } else if (word == "*NODE_NAME") {
+      name_object();
+    } else if (word.find("BEZIER") != std::string_view::npos && word.ends_with("_KEY")) {
+      throw lines_.at(bezier_controller()).about(object_);
+    } else if (word.starts_with("*CONTROL_") && lines_.words().back() == "{") {
+      end_track();  // the keys of a controller follow
+    } else if (const auto line = std::ranges::find(key_lines, word, &AseKeyLine::word); line != key_lines.end()) {
+      read_key(*line);
+    }
+  }
+
+  TrackNumber positive(std::size_t word) const {
+    const TrackNumber number = lines_.number_in(word);
+    if (!(number.value > 0)) throw lines_.at(number_of_file_expected(lines_.word(word)));
+    return number;
+  }
+
+  /// The name of a node, which is in quotes. It is repeated in the animation of the node.
+  void name_object() {
+    std::string_view name = lines_.from_word(1);
+    if (name.size() > 1 && name.starts_with('"') && name.ends_with('"')) name = name.substr(1, name.size() - 2);
+    end_track();
+    object_ = name;
+  }
+
+  void read_key(const AseKeyLine& line) {
+    if (!track_ || track_->name != line.track || is_tcb_ != line.is_tcb) begin_track(line);
+    TrackKey key;
+    key.line = lines_.number();
+    key.time = track_number(exact_number(lines_.number_in(1)) / exact_number(ticks_) / exact_number(rate_));
+    std::size_t next = 2 + line.numbers;
+    if (line.is_tcb) {
+      for (TrackNumber* const number : {&key.tension, &key.continuity, &key.bias, &key.ease_in, &key.ease_out}) {
+        *number = lines_.number_in(next++);
+      }
+      track_->has_ease = track_->has_ease || key.ease_in.value != 0 || key.ease_out.value != 0;
+    }
+    for (std::size_t i = 0; i < track_->channels.size(); ++i) {
+      key.value = lines_.number_in(2 + i);
+      if (track_->rotation && i == angle) key.value = track_number(-exact_number(key.value));
+      track_->channels[i].keys.push_back(key);
+    }
+  }
+
+  void begin_track(const AseKeyLine& line) {
+    end_track();
+    static const std::map<std::string_view, std::vector<std::string>> channels{
+        {"rotation", {"axis_x", "axis_y", "axis_z", "angle"}},
+        {"value", {"value"}},
+        {"color", {"red", "green", "blue"}}};
+    const auto found = channels.find(line.track);
+    const auto names = found == channels.end() ? std::vector<std::string>{"x", "y", "z"} : found->second;
+    track_ = Track{object_, std::string(line.track)};
+    is_tcb_ = line.is_tcb;
+    for (const std::string& name : names) track_->channels.push_back({name});
+    track_->is_recording = line.word.ends_with("_SAMPLE");
+    track_->settings.preset = {std::string(spline::name_of(spline::Preset::max3ds)),
+                               {"preset", {"", lines_.number(), 0}}};
+    if (line.track != "rotation") return;
+    track_->rotation = GivenRotation{
+        .notation = {.form = spline::RotationForm::axis_angle}, .relative = true, .columns = names, .in_parent = true};
+    if (!is_tcb_) {
+      track_->settings.rotation_curve = {std::string(name_of(spline::RotationCurve::slerp)), {"rotation_curve", {}}};
+    }
+  }
+
+  void end_track() {
+    if (!track_) return;
+    Track track = *std::exchange(track_, std::nullopt);
+    if (!is_tcb_ && !track.rotation) std::ranges::for_each(track.channels, make_linear);
+    const std::size_t number = ++names_[track.object + "/" + track.name];
+    if (number > 1) track.object += fmt::format(" ({})", number);
+    tracks_.push_back(std::move(track));
+  }
+
+  static constexpr std::size_t angle = 3;  ///< among the numbers of a rotation
+
+  TextLines lines_;
+  TrackNumber rate_{30, "30"}, ticks_{160, "160"};  ///< frames per second, ticks per frame
+  std::string object_;
+  bool is_tcb_ = false;
+  std::optional<Track> track_;  ///< the current one
+  std::map<std::string, std::size_t> names_;
+  std::vector<Track> tracks_;
+};
+
+}  // namespace
+
+Records open_ase(Source<std::string> bytes, const InputOptions& options) {
+  std::string text;
+  while (const std::optional<std::string> part = bytes()) text += *part;
+  return records_of_tracks(AseExport(text).read(), "t", options);
+}
+
+}  // namespace tcb

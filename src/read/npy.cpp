@@ -1,0 +1,279 @@
+// NumPy arrays: the rows of .npy files as lines of delimited text.
+#include "read/npy.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "numbers/print_number.hpp"
+#include "read/errors.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr char delimiter = '\t';
+
+/// Bytes that are read as needed.
+class NpyBytes {
+ public:
+  explicit NpyBytes(Source<std::string> source) : source_(std::move(source)) {}
+
+  /// The next bytes, as many as requested or all that are left.
+  std::string take(std::size_t size) {
+    while (buffer_.size() < size) {
+      std::optional<std::string> more = source_();
+      if (!more) break;
+      buffer_ += *more;
+    }
+    std::string taken = buffer_.substr(0, size);
+    buffer_.erase(0, taken.size());
+    return taken;
+  }
+  std::string take_all(std::size_t size) {
+    std::string taken = take(size);
+    if (taken.size() < size) throw npy_ends_early();
+    return taken;
+  }
+
+ private:
+  Source<std::string> source_;
+  std::string buffer_;
+};
+
+/// The numbers of a column.
+struct NpyColumn {
+  std::string name;
+  char kind = 'f';  ///< f: float, i: integer, u: unsigned, b: boolean
+  std::size_t size = 8;
+  bool is_big = false;     ///< the highest byte first
+  std::size_t offset = 0;  ///< in a row
+};
+
+/// The description of an array.
+struct NpyArray {
+  std::vector<NpyColumn> columns;
+  std::uint64_t rows = 0;
+  std::size_t row_size = 0;
+  bool is_structured = false;
+  bool is_fortran = false;  ///< column after column
+};
+
+/// Reads the dictionary of a header.
+class NpyHeader {
+ public:
+  explicit NpyHeader(std::string_view text) : text_(text) {}
+
+  NpyArray read() {
+    NpyArray array;
+    std::vector<std::uint64_t> shape;
+    expect('{');
+    while (!skip('}')) {
+      const std::string name = string();
+      expect(':');
+      if (name == "descr") {
+        read_columns(array);
+      } else if (name == "fortran_order") {
+        array.is_fortran = word() == "True";
+      } else if (name == "shape") {
+        shape = numbers();
+      } else {
+        refuse();
+      }
+      (void)skip(',');
+    }
+    set_shape(array, shape);
+    return array;
+  }
+
+ private:
+  [[noreturn]] void refuse() const { throw npy_header_unknown(text_.substr(at_, 20)); }
+
+  void blanks() { at_ = std::min(text_.find_first_not_of(" \n", at_), text_.size()); }
+  bool skip(char c) {
+    blanks();
+    if (at_ == text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  void expect(char c) {
+    if (!skip(c)) refuse();
+  }
+  std::string string() {
+    blanks();
+    const char quote = at_ < text_.size() ? text_[at_] : '\0';
+    const std::size_t end = text_.find(quote, at_ + 1);
+    if ((quote != '\'' && quote != '"') || end == std::string_view::npos) refuse();
+    const std::string value(text_.substr(at_ + 1, end - at_ - 1));
+    at_ = end + 1;
+    return value;
+  }
+  std::string_view word() {
+    blanks();
+    const std::size_t end = std::min(text_.find_first_not_of("TrueFals", at_), text_.size());
+    return text_.substr(std::exchange(at_, end), end - at_);
+  }
+  std::vector<std::uint64_t> numbers() {
+    std::vector<std::uint64_t> values;
+    expect('(');
+    while (!skip(')')) {
+      blanks();
+      std::uint64_t value = 0;
+      const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+      if (error != std::errc()) refuse();
+      at_ = static_cast<std::size_t>(end - text_.data());
+      values.push_back(value);
+      (void)skip(',');
+    }
+    return values;
+  }
+
+  void read_columns(NpyArray& array) {
+    blanks();
+    array.is_structured = skip('[');
+    if (!array.is_structured) return array.columns.push_back(column("", string()));
+    while (!skip(']')) {
+      expect('(');
+      const std::string name = string();
+      expect(',');
+      array.columns.push_back(column(name, string()));
+      if (skip(',') && !skip(')')) throw npy_column_not_a_number(name, "an array");
+      (void)skip(')');
+      (void)skip(',');
+    }
+    for (NpyColumn& one : array.columns) one.offset = std::exchange(array.row_size, array.row_size + one.size);
+  }
+
+  static NpyColumn column(const std::string& name, const std::string& type) {
+    NpyColumn column{name};
+    const std::size_t size = type.size() == 3 ? static_cast<std::size_t>(type[2] - '0') : 0;
+    column.is_big = type.starts_with('>');
+    column.kind = type.size() == 3 ? type[1] : '\0';
+    column.size = size;
+    const bool is_float = column.kind == 'f' && (size == 4 || size == 8);
+    const bool is_whole =
+        (column.kind == 'i' || column.kind == 'u') && (size == 1 || size == 2 || size == 4 || size == 8);
+    if (!is_float && !is_whole && !(column.kind == 'b' && size == 1)) throw npy_column_not_a_number(name, type);
+    if (name.find_first_of("\t\r\n\"") != std::string::npos) throw npy_column_not_a_number(name, "a name with tabs");
+    return column;
+  }
+
+  static void set_shape(NpyArray& array, const std::vector<std::uint64_t>& shape) {
+    constexpr std::uint64_t most_columns = 1'000'000;
+    const std::size_t dimensions = array.is_structured ? 1 : 2;
+    const bool is_good = !array.columns.empty() && shape.size() == dimensions &&
+                         (array.is_structured || (shape[1] > 0 && shape[1] <= most_columns));
+    if (!is_good) throw npy_of_other_shape(shape.size(), array.is_structured);
+    array.rows = shape[0];
+    if (array.is_structured) return;
+    array.columns.resize(shape[1], array.columns.front());
+    for (NpyColumn& one : array.columns) one.offset = std::exchange(array.row_size, array.row_size + one.size);
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+void append(std::string& out, const NpyColumn& column, const char* bytes) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < column.size; ++i) {
+    const std::size_t place = column.is_big ? column.size - 1 - i : i;
+    bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[place])) << 8 * i;
+  }
+  if (column.kind == 'f') {
+    const double value = column.size == 8 ? std::bit_cast<double>(bits)
+                                          : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    if (value == value) return append_number(out, value);
+    out += "nan";
+    return;
+  }
+  const std::size_t unused = 64 - 8 * column.size;
+  const auto is_signed = static_cast<std::int64_t>(bits << unused) >> unused;
+  out += column.kind == 'i' ? std::to_string(is_signed) : std::to_string(bits);
+}
+
+/// The lines of rows that are read one after the other.
+class NpyRows {
+ public:
+  NpyRows(NpyArray array, NpyBytes bytes) : array_(std::move(array)), bytes_(std::move(bytes)) {
+    if (array_.is_fortran) set_columns();
+  }
+
+  std::optional<std::string> operator()() {
+    if (row_ == array_.rows) return std::nullopt;
+    constexpr std::uint64_t most_rows = 1024;
+    const std::uint64_t rows = std::min(most_rows, array_.rows - row_);
+    const std::string block = array_.is_fortran ? "" : bytes_.take_all(rows * array_.row_size);
+    std::string text;
+    for (std::uint64_t i = 0; i < rows; ++i) {
+      for (std::size_t k = 0; k < array_.columns.size(); ++k) {
+        if (k > 0) text += delimiter;
+        append(
+            text, array_.columns[k],
+            array_.is_fortran ? in_column(row_ + i, k) : block.data() + i * array_.row_size + array_.columns[k].offset);
+      }
+      text += '\n';
+    }
+    row_ += rows;
+    return text;
+  }
+
+ private:
+  /// Reads whole columns, as many bytes as there are.
+  void set_columns() {
+    const std::size_t size = array_.columns.front().size;
+    constexpr std::size_t part = 1UL << 20;
+    while (true) {
+      const std::string more = bytes_.take(part);
+      columns_ += more;
+      if (more.size() < part) break;
+    }
+    if (array_.rows > columns_.size() / size || columns_.size() / size / array_.columns.size() < array_.rows) {
+      throw npy_ends_early();
+    }
+  }
+  const char* in_column(std::uint64_t row, std::size_t column) const {
+    return columns_.data() + (column * array_.rows + row) * array_.columns.front().size;
+  }
+
+  NpyArray array_;
+  NpyBytes bytes_;
+  std::string columns_;  ///< in Fortran order
+  std::uint64_t row_ = 0;
+};
+
+}  // namespace
+
+Source<std::string> text_of_npy(Source<std::string> source, InputOptions& options) {
+  NpyBytes bytes(std::move(source));
+  constexpr std::size_t magic = 6;
+  const std::string head = bytes.take_all(magic + 2);
+  if (!head.starts_with("\x93NUMPY")) throw not_an_npy();
+  const auto version = static_cast<unsigned char>(head[magic]);
+  if (version < 1 || version > 3) throw npy_header_unknown(std::to_string(version));
+  const std::string length = bytes.take_all(version == 1 ? 2 : 4);
+  std::size_t size = 0;
+  for (std::size_t i = length.size(); i-- > 0;) size = size << 8 | static_cast<unsigned char>(length[i]);
+  constexpr std::size_t longest_header = 1UL << 24;
+  if (size > longest_header) throw npy_header_unknown(std::to_string(size));
+  const std::string header = bytes.take_all(size);
+  NpyArray array = NpyHeader(header).read();
+  options.delimited = {};
+  options.delimited.delimiter = delimiter;
+  options.delimited.header = array.is_structured;
+  options.delimited.comment.clear();
+  std::string names;
+  for (const NpyColumn& column : array.columns) {
+    if (array.is_structured) names += (names.empty() ? "" : std::string(1, delimiter)) + column.name;
+  }
+  Source<std::string> rows = NpyRows(std::move(array), std::move(bytes));
+  return names.empty() ? rows : preceded_by(names + "\n", std::move(rows));
+}
+
+}  // namespace tcb
