@@ -18,7 +18,7 @@
 namespace tcb {
 namespace {
 
-constexpr char delimiter = '\t';
+constexpr char npy_delimiter = '\t';
 
 /// Bytes that are read as needed.
 class NpyBytes {
@@ -213,7 +213,7 @@ class NpyRows {
     std::string text;
     for (std::uint64_t i = 0; i < rows; ++i) {
       for (std::size_t k = 0; k < array_.columns.size(); ++k) {
-        if (k > 0) text += delimiter;
+        if (k > 0) text += npy_delimiter;
         append(
             text, array_.columns[k],
             array_.is_fortran ? in_column(row_ + i, k) : block.data() + i * array_.row_size + array_.columns[k].offset);
@@ -265,12 +265,12 @@ Source<std::string> text_of_npy(Source<std::string> source, InputOptions& option
   const std::string header = bytes.take_all(size);
   NpyArray array = NpyHeader(header).read();
   options.delimited = {};
-  options.delimited.delimiter = delimiter;
+  options.delimited.delimiter = npy_delimiter;
   options.delimited.header = array.is_structured;
   options.delimited.comment.clear();
   std::string names;
   for (const NpyColumn& column : array.columns) {
-    if (array.is_structured) names += (names.empty() ? "" : std::string(1, delimiter)) + column.name;
+    if (array.is_structured) names += (names.empty() ? "" : std::string(1, npy_delimiter)) + column.name;
   }
   Source<std::string> rows = NpyRows(std::move(array), std::move(bytes));
   return names.empty() ? rows : preceded_by(names + "\n", std::move(rows));

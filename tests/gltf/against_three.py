@@ -63,7 +63,8 @@ def compare(what, text, to_gltf, to_rows):
         (node,) = nodes.values()
         groups = [(("x", "y", "z"), node["position"])]
         if "qx" in row:
-            groups.append((("qx", "qy", "qz", "qw"), node["quaternion"]))
+            size = sum(x * x for x in node["quaternion"]) ** 0.5  # which older versions of three.js do not make 1
+            groups.append((("qx", "qy", "qz", "qw"), [x / size for x in node["quaternion"]]))
         for names, got in groups:
             want = [float(row[name]) for name in names]
             sign = -1 if len(names) == 4 and sum(a * b for a, b in zip(got, want)) < 0 else 1
