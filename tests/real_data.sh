@@ -27,3 +27,24 @@ if command -v python3 >/dev/null; then
   "$program" -q --step 0.01 "$tum" | unit qx qy qz qw
   "$program" -q --step 5000000 "$euroc" | unit 'q_RS_x []' 'q_RS_y []' 'q_RS_z []' 'q_RS_w []'
 fi
+
+# LightWave wrote its own tangents into its scene: the two last numbers but one of each key of the moving channel.
+scene=$folder/lws/move_x.lws
+slopes() { "$program" -q --per-segment 1 --fields time,velocity --side "$1" "$scene" | sed 1d | cut -d, -f3,4; }
+awk '/^Channel 0/ { n = 1 } n == 1 && $1 == "Key" { print $3, $8, $9 } /^Channel 1/ { exit }' "$scene" |
+  awk -v left="$(slopes left)" -v right="$(slopes right)" '
+    BEGIN { split(left, into, "\n"); split(right, out, "\n") }
+    { time[NR] = $1; incoming[NR] = $2; outgoing[NR] = $3 }
+    function differs(slope, tangent, h) { d = slope - tangent / h; return d > 4e-16 * 10 || d < -4e-16 * 10 }
+    END {
+      for (i = 1; i <= NR; ++i) {
+        split(into[i], a, ","); split(out[i], b, ",")
+        if (i > 1 && differs(a[2], incoming[i], time[i] - time[i - 1])) { print "incoming tangent of key", i; exit 1 }
+        if (i < NR && differs(b[2], outgoing[i], time[i + 1] - time[i])) { print "outgoing tangent of key", i; exit 1 }
+      }
+      if (NR != 3) exit 1
+    }'
+check "old scene" "$("$program" -q --per-segment 1 "$folder/lws/move_x_oldformat_56.lws" | tail -1)" "simple_cube,position,1.333333,-2.374866,-0.04,0"
+
+# The camera of a .3ds file moves between its four keys.
+check "camera" "$("$program" -q --only Camera01/position --per-segment 1 "$folder/3ds/TargetCameraAnim.3ds" | sed 1d | cut -d, -f3 | tr '\n' ' ')" "0 30 60 90 "

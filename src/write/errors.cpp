@@ -55,6 +55,13 @@ Error no_path_with_yaw(const std::vector<std::string>& channels) {
                       listed(channels), option::columns)};
 }
 
+Error durations_not_in_seconds(std::string_view unit) {
+  return {Exit::data,
+          fmt::format("the times are in {}, but the durations of polynomials are in seconds; expected times in "
+                      "seconds; convert them, or give {} where they are frames",
+                      unit, option::input_fps)};
+}
+
 Error no_target_of_node(const std::vector<std::string>& channels) {
   return {Exit::data,
           fmt::format("the channels are {}; expected three of a translation, one rotation, or sx, sy and sz "

@@ -20,6 +20,7 @@ Error channel_of_format_missing(std::string_view channel, std::string_view forma
 Error poses_without_unit_of_time(std::string_view column, std::string_view format);
 Error several_curves_in_one_table(std::string_view format);
 Error no_path_with_yaw(const std::vector<std::string>& channels);
+Error durations_not_in_seconds(std::string_view unit);
 
 // Animations.
 Error no_target_of_node(const std::vector<std::string>& channels);

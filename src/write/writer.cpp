@@ -39,11 +39,13 @@ std::string with_crlf(std::string_view text) {
   return result;
 }
 
-/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw.
+/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
 void require_path_with_yaw(const Schema& schema) {
   const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
   if (schema.channels.size() != 3 && !has_yaw) throw no_path_with_yaw(schema.channels);
   if (!schema.rotations.empty()) throw no_path_with_yaw(schema.channels);
+  const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
+  if (unit != TimeUnit::s) throw durations_not_in_seconds(row_of(unit).name);
 }
 
 }  // namespace
