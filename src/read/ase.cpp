@@ -78,7 +78,7 @@ class AseExport {
   }
 
   TrackNumber positive(std::size_t word) const {
-    const TrackNumber number = lines_.number_in(word);
+    TrackNumber number = lines_.number_in(word);
     if (!(number.value > 0)) throw lines_.at(number_of_file_expected(lines_.word(word)));
     return number;
   }
@@ -154,9 +154,8 @@ class AseExport {
 
 }  // namespace
 
-Records open_ase(Source<std::string> bytes, const InputOptions& options) {
-  std::string text;
-  while (const std::optional<std::string> part = bytes()) text += *part;
+Records open_ase(const Source<std::string>& bytes, const InputOptions& options) {
+  const std::string text = whole_file(bytes);
   return records_of_tracks(AseExport(text).read(), "t", options);
 }
 

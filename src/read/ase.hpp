@@ -15,6 +15,6 @@
 namespace tcb {
 
 /// Opens a file, which is kept while it is read. Throws: Error (data).
-Records open_ase(Source<std::string> bytes, const InputOptions& options);
+Records open_ase(const Source<std::string>& bytes, const InputOptions& options);
 
 }  // namespace tcb

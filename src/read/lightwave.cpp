@@ -326,9 +326,8 @@ class Scene {
 
 }  // namespace
 
-Records open_lightwave(Source<std::string> bytes, const InputOptions& options) {
-  std::string text;
-  while (const std::optional<std::string> part = bytes()) text += *part;
+Records open_lightwave(const Source<std::string>& bytes, const InputOptions& options) {
+  const std::string text = whole_file(bytes);
   return records_of_tracks(Scene(text).read(), "t", options);
 }
 

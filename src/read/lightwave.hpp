@@ -21,6 +21,6 @@
 namespace tcb {
 
 /// Opens a scene, whose text is kept while it is read. Throws: Error (data).
-Records open_lightwave(Source<std::string> bytes, const InputOptions& options);
+Records open_lightwave(const Source<std::string>& bytes, const InputOptions& options);
 
 }  // namespace tcb

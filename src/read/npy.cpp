@@ -110,7 +110,7 @@ class NpyHeader {
     const char quote = at_ < text_.size() ? text_[at_] : '\0';
     const std::size_t end = text_.find(quote, at_ + 1);
     if ((quote != '\'' && quote != '"') || end == std::string_view::npos) refuse();
-    const std::string value(text_.substr(at_ + 1, end - at_ - 1));
+    std::string value(text_.substr(at_ + 1, end - at_ - 1));
     at_ = end + 1;
     return value;
   }
@@ -250,19 +250,19 @@ class NpyRows {
 
 }  // namespace
 
-Source<std::string> text_of_npy(Source<std::string> source, InputOptions& options) {
-  NpyBytes bytes(std::move(source));
+Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options) {
+  NpyBytes input(std::move(bytes));
   constexpr std::size_t magic = 6;
-  const std::string head = bytes.take_all(magic + 2);
+  const std::string head = input.take_all(magic + 2);
   if (!head.starts_with("\x93NUMPY")) throw not_an_npy();
   const auto version = static_cast<unsigned char>(head[magic]);
   if (version < 1 || version > 3) throw npy_header_unknown(std::to_string(version));
-  const std::string length = bytes.take_all(version == 1 ? 2 : 4);
+  const std::string length = input.take_all(version == 1 ? 2 : 4);
   std::size_t size = 0;
   for (std::size_t i = length.size(); i-- > 0;) size = size << 8 | static_cast<unsigned char>(length[i]);
   constexpr std::size_t longest_header = 1UL << 24;
   if (size > longest_header) throw npy_header_unknown(std::to_string(size));
-  const std::string header = bytes.take_all(size);
+  const std::string header = input.take_all(size);
   NpyArray array = NpyHeader(header).read();
   options.delimited = {};
   options.delimited.delimiter = npy_delimiter;
@@ -272,7 +272,7 @@ Source<std::string> text_of_npy(Source<std::string> source, InputOptions& option
   for (const NpyColumn& column : array.columns) {
     if (array.is_structured) names += (names.empty() ? "" : std::string(1, npy_delimiter)) + column.name;
   }
-  Source<std::string> rows = NpyRows(std::move(array), std::move(bytes));
+  Source<std::string> rows = NpyRows(std::move(array), std::move(input));
   return names.empty() ? rows : preceded_by(names + "\n", std::move(rows));
 }
 

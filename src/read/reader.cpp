@@ -182,9 +182,9 @@ Records open_as(FormatId format, Source<std::string> bytes, InputOptions options
   if (family == FormatFamily::json) return open_json(std::move(bytes), options);
   const bool is_text = family != FormatFamily::tracks && family != FormatFamily::array;
   if (!is_text && options.delimited != DelimitedOptions{}) throw options_of_text(format_of(format).name);
-  if (format == FormatId::studio_3ds) return open_3ds(std::move(bytes), options);
-  if (format == FormatId::ase) return open_ase(std::move(bytes), options);
-  if (format == FormatId::lws) return open_lightwave(std::move(bytes), options);
+  if (format == FormatId::studio_3ds) return open_3ds(bytes, options);
+  if (format == FormatId::ase) return open_ase(bytes, options);
+  if (format == FormatId::lws) return open_lightwave(bytes, options);
   if (format == FormatId::npy) bytes = text_of_npy(std::move(bytes), options);
   std::optional<char>& delimiter = options.delimited.delimiter;
   if (!delimiter && format != FormatId::csv) delimiter = format_of(format).delimiter;  // csv: any, to be found

@@ -193,9 +193,8 @@ class Nodes {
 
 }  // namespace
 
-Records open_3ds(Source<std::string> bytes, const InputOptions& options) {
-  std::string file;
-  while (const std::optional<std::string> part = bytes()) file += *part;
+Records open_3ds(const Source<std::string>& bytes, const InputOptions& options) {
+  const std::string file = whole_file(bytes);
   return records_of_tracks(Nodes().read(file), "frame", options);
 }
 

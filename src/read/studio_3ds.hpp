@@ -16,6 +16,6 @@
 namespace tcb {
 
 /// Opens a file, which is kept while it is read. Throws: Error (data).
-Records open_3ds(Source<std::string> bytes, const InputOptions& options);
+Records open_3ds(const Source<std::string>& bytes, const InputOptions& options);
 
 }  // namespace tcb

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -31,7 +32,7 @@ bool is_chosen(const Track& track, std::string_view pattern) {
 
 std::vector<std::string> paths_of(const std::vector<Track>& tracks) {
   std::vector<std::string> paths;
-  for (const Track& track : tracks) paths.push_back(path_of(track));
+  std::ranges::transform(tracks, std::back_inserter(paths), path_of);
   return paths;
 }
 
@@ -234,6 +235,12 @@ TrackNumber track_number(const Rational& exact) {
 
 Rational exact_number(const TrackNumber& number) {
   return parse_rational(number.decimal).value_or(Rational(number.value));
+}
+
+std::string whole_file(const Source<std::string>& bytes) {
+  std::string file;
+  while (const std::optional<std::string> part = bytes()) file += *part;
+  return file;
 }
 
 bool Track::is_constant() const {

@@ -15,6 +15,7 @@
 #include "read/input_options.hpp"
 #include "schema/curve_settings.hpp"
 #include "schema/rotation_options.hpp"
+#include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
 
 namespace tcb {
@@ -56,6 +57,9 @@ struct Track {
 
   bool is_constant() const;  ///< it has a single key in each channel
 };
+
+/// All bytes of a file, as a scene is kept while it is read.
+std::string whole_file(const Source<std::string>& bytes);
 
 /// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames as in
 /// the format, unless something else is requested.

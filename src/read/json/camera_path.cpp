@@ -242,7 +242,7 @@ Rational transition_to(Keyframe& keyframe, const PathOfCameras& path) {
   const bool is_own = keyframe.has_own_transition && keyframe.transition;
   const WrittenNumber& number = is_own ? *keyframe.transition : path.transition;
   const std::string_view member = is_own ? "override_transition_sec" : "default_transition_sec";
-  const Rational seconds = parse_rational(number.decimal).value_or(Rational(number.value));
+  Rational seconds = parse_rational(number.decimal).value_or(Rational(number.value));
   if (!(seconds > 0)) keyframe.faults.push_back(keyframe.at(json::transition_not_positive(number.decimal), member));
   return seconds;
 }
