@@ -143,8 +143,8 @@ std::string presets_text() {
     if (!rules.empty()) out += fmt::format("{:<12}{}\n", row.name, rules);
   }
   out +=
-      "\nTIMING is even, except that u follows from time by the monotone cubic (PCHIP) from\n"
-      "the times of keys to their numbers with:\n";
+      "\nTIMING is even, except that u follows from time by the monotone cubic (PCHIP)\n"
+      "  from the times of keys to their numbers with:\n";
   for (const auto& row : presets) {
     if (row.timing != spline::Timing::even) out += fmt::format("{}\n", row.name);
   }

@@ -42,7 +42,7 @@ void make_linear(TrackChannel& channel) {
     TrackKey &key = channel.keys[i], &next = channel.keys[i + 1];
     const Rational h = exact_number(next.time) - exact_number(key.time);
     if (!(h > 0)) return;  // an error that is found later
-    key.velocity_out = next.velocity_in = track_number((exact_number(next.value) - exact_number(key.value)) / h);
+    key.velocity_out = next.velocity_in = written_number((exact_number(next.value) - exact_number(key.value)) / h);
   }
 }
 
@@ -77,8 +77,8 @@ class AseExport {
     }
   }
 
-  TrackNumber positive(std::size_t word) const {
-    TrackNumber number = lines_.number_in(word);
+  WrittenNumber positive(std::size_t word) const {
+    WrittenNumber number = lines_.number_in(word);
     if (!(number.value > 0)) throw lines_.at(number_of_file_expected(lines_.word(word)));
     return number;
   }
@@ -95,17 +95,17 @@ class AseExport {
     if (!track_ || track_->name != line.track || is_tcb_ != line.is_tcb) begin_track(line);
     TrackKey key;
     key.line = lines_.number();
-    key.time = track_number(exact_number(lines_.number_in(1)) / exact_number(ticks_) / exact_number(rate_));
+    key.time = written_number(exact_number(lines_.number_in(1)) / exact_number(ticks_) / exact_number(rate_));
     std::size_t next = 2 + line.numbers;
     if (line.is_tcb) {
-      for (TrackNumber* const number : {&key.tension, &key.continuity, &key.bias, &key.ease_in, &key.ease_out}) {
+      for (WrittenNumber* const number : {&key.tension, &key.continuity, &key.bias, &key.ease_in, &key.ease_out}) {
         *number = lines_.number_in(next++);
       }
       track_->has_ease = track_->has_ease || key.ease_in.value != 0 || key.ease_out.value != 0;
     }
     for (std::size_t i = 0; i < track_->channels.size(); ++i) {
       key.value = lines_.number_in(2 + i);
-      if (track_->rotation && i == angle) key.value = track_number(-exact_number(key.value));
+      if (track_->rotation && i == angle) key.value = written_number(-exact_number(key.value));
       track_->channels[i].keys.push_back(key);
     }
   }
@@ -144,7 +144,7 @@ class AseExport {
   static constexpr std::size_t angle = 3;  ///< among the numbers of a rotation
 
   TextLines lines_;
-  TrackNumber rate_{30, "30"}, ticks_{160, "160"};  ///< frames per second, ticks per frame
+  WrittenNumber rate_{30, "30"}, ticks_{160, "160"};  ///< frames per second, ticks per frame
   std::string object_;
   bool is_tcb_ = false;
   std::optional<Track> track_;  ///< the current one

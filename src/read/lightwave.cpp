@@ -25,10 +25,10 @@ enum class Span { tcb, hermite, bezier, linear, stepped, bezier2 };
 
 /// A key of an envelope.
 struct EnvelopeKey {
-  TrackNumber value, time;
+  WrittenNumber value, time;
   Span span = Span::tcb;
-  TrackNumber tension, continuity, bias;
-  TrackNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
+  WrittenNumber tension, continuity, bias;
+  WrittenNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
   std::uint64_t line = 0;
 };
 using Envelope = std::vector<EnvelopeKey>;
@@ -114,15 +114,15 @@ TrackChannel channel_of(std::string_view name, const Envelope& keys) {
       const Rational time = exact_number(key.time), before = just_before(time);
       end.time = {nearest_double(before), ratio_text(before)};
       if (before <= exact_number(channel.keys.back().time)) throw step_too_short().at({"", key.line, 0});
-      end.velocity_in = track_number(Rational(0));
+      end.velocity_in = written_number(Rational(0));
       const Rational jump = exact_number(key.value) - exact_number(end.value);
-      end.velocity_out = result.velocity_in = track_number(jump / (time - before));
+      end.velocity_out = result.velocity_in = written_number(jump / (time - before));
       channel.keys.push_back(std::move(end));
     } else if (i > 0) {
-      result.velocity_in = track_number(velocities.incoming(i));
+      result.velocity_in = written_number(velocities.incoming(i));
     }
     if (i + 1 < keys.size()) {
-      result.velocity_out = track_number(begins_step ? Rational(0) : velocities.outgoing(i));
+      result.velocity_out = written_number(begins_step ? Rational(0) : velocities.outgoing(i));
     }
     channel.keys.push_back(std::move(result));
   }
@@ -295,7 +295,7 @@ class Scene {
 
   /// A line of the values of all channels, and a line of the frame, whether the span is linear, and T, C, B.
   void read_whole_key(std::vector<Envelope>& envelopes) {
-    std::vector<TrackNumber> values;
+    std::vector<WrittenNumber> values;
     while (values.size() < envelopes.size()) {
       lines_.require_next();
       for (std::size_t i = 0; i < lines_.words().size(); ++i) values.push_back(lines_.number_in(i));
@@ -303,8 +303,8 @@ class Scene {
     if (values.size() != envelopes.size()) throw lines_.at(scene_key_count(values.size(), envelopes.size()));
     lines_.require_next();
     EnvelopeKey key;
-    const TrackNumber frame = lines_.number_in(0);
-    key.time = track_number(exact_number(frame) / exact_number(frame_rate_));
+    const WrittenNumber frame = lines_.number_in(0);
+    key.time = written_number(exact_number(frame) / exact_number(frame_rate_));
     key.span = lines_.count_in(1) != 0 ? Span::linear : Span::tcb;
     key.tension = lines_.number_in(2);
     key.continuity = lines_.number_in(3);
@@ -318,8 +318,8 @@ class Scene {
 
   TextLines lines_;
   std::size_t version_ = 0;
-  TrackNumber frame_rate_{30, "30"};  ///< of scenes that do not give one
-  std::string object_;                ///< the current one
+  WrittenNumber frame_rate_{30, "30"};  ///< of scenes that do not give one
+  std::string object_;                  ///< the current one
   std::map<std::string, std::size_t> names_;
   std::vector<Track> tracks_;
 };

@@ -123,14 +123,11 @@ bool may_begin_other_format(std::string_view beginning) {
   });
 }
 
-/// Throws: Error (data) for what is not text.
-void require_bytes(std::string_view beginning) { require_known_format(beginning); }
-
 /// The text in UTF-8 without a byte order mark; `encoding` gets the name of another encoding. Throws: Error (data) for
 /// two marks.
 Source<std::string> without_mark(Source<std::string> bytes, std::string& encoding) {
   std::string beginning;
-  constexpr std::size_t enough = 6;              // for require_bytes()
+  constexpr std::size_t enough = 6;              // for require_known_format(), and for detect()
   constexpr std::size_t enough_of_archive = 64;  // for archive_name()
   while (beginning.size() < enough || (beginning.starts_with("PK\x03\x04") && beginning.size() < enough_of_archive) ||
          may_begin_other_format(beginning)) {
@@ -138,7 +135,7 @@ Source<std::string> without_mark(Source<std::string> bytes, std::string& encodin
     if (!more) break;
     beginning += *more;
   }
-  require_bytes(beginning);
+  require_known_format(beginning);
   encoding = encoding_of_mark(beginning);
   if (!encoding.empty()) {
     auto text = in_utf8(preceded_by(std::move(beginning), std::move(bytes)), encoding);
@@ -156,7 +153,7 @@ FormatId detect(const std::string& path, const std::string& beginning) {
   constexpr std::size_t high_byte_of_size = 5;  // 0 below 16 MiB
   const bool is_3ds = beginning.starts_with("MM") && beginning.size() > high_byte_of_size;
   if (is_3ds && beginning[high_byte_of_size] == '\0') return FormatId::studio_3ds;
-  if (beginning.starts_with("*3DSMAX_ASCIIEXPORT")) return FormatId::ase;
+  if (beginning.starts_with("*3DSMA")) return FormatId::ase;
   if (beginning.starts_with("LWSC") || beginning.starts_with("LWMO")) return FormatId::lws;
   const auto named = find_input_format(path);
   if ((!named || *named == FormatId::json) && begins_camera_path(beginning).value_or(false))

@@ -98,7 +98,7 @@ void each_chunk(std::string_view chunks, F f) {
   }
 }
 
-TrackNumber number_of(float value) { return track_number(Rational(static_cast<double>(value))); }
+WrittenNumber number_of(float value) { return written_number(Rational(static_cast<double>(value))); }
 
 /// Reads the nodes of a file.
 class Nodes {
@@ -171,12 +171,13 @@ class Nodes {
 
   static void add_key(Track& track, Bytes& bytes, bool is_rotation) {
     TrackKey key;
-    key.time = track_number(Rational(static_cast<double>(bytes.word(4))));
+    key.time = written_number(Rational(static_cast<double>(bytes.word(4))));
     key.time.decimal = fmt::format("{}", key.time.value);
     const std::uint32_t flags = bytes.word();
     for (unsigned bit = 0; bit < 5; ++bit) {
       if ((flags >> bit & 1U) == 0) continue;
-      const std::array<TrackNumber*, 5> numbers{&key.tension, &key.continuity, &key.bias, &key.ease_in, &key.ease_out};
+      const std::array<WrittenNumber*, 5> numbers{&key.tension, &key.continuity, &key.bias, &key.ease_in,
+                                                  &key.ease_out};
       *numbers.at(bit) = number_of(bytes.single());
       track.has_ease = track.has_ease || bit >= 3;
     }

@@ -38,7 +38,7 @@ std::string_view TextLines::from_word(std::size_t i) const {
   return i < words_.size() ? line_.substr(static_cast<std::size_t>(words_[i].data() - line_.data())) : "";
 }
 
-TrackNumber TextLines::number_in(std::size_t i) const {
+WrittenNumber TextLines::number_in(std::size_t i) const {
   const auto value = parse_number(word(i));
   if (!value) throw at(number_of_file_expected(word(i)));
   return {*value, std::string(word(i))};

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "error.hpp"
-#include "read/tracks.hpp"
+#include "read/written_number.hpp"
 
 namespace tcb {
 
@@ -29,7 +29,7 @@ class TextLines {
   Error at(const Error& error) const { return error.at({"", number_, 0}); }
 
   /// A word as a number or a count. Throws: Error (data) for another one.
-  TrackNumber number_in(std::size_t i) const;
+  WrittenNumber number_in(std::size_t i) const;
   std::size_t count_in(std::size_t i) const;
 
  private:

@@ -153,7 +153,7 @@ class TrackKeys {
         case Role::velocity_out: {
           const TrackKey* const key = key_at(column, first);
           if (key != nullptr && line == 0) line = key->line;
-          if (const TrackNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role)) {
+          if (const WrittenNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role)) {
             add_number(column, *number, *key);
           } else if (!keys_.miss(column)) {
             throw channel_without_key(columns_.channels[column.channel]).about(path_of(track_)).at({"", line, 0});
@@ -190,12 +190,12 @@ class TrackKeys {
     add_decimal(column, key.time, key);
   }
 
-  void add_number(const Columns::Column& column, const TrackNumber& number, const TrackKey& key) {
+  void add_number(const Columns::Column& column, const WrittenNumber& number, const TrackKey& key) {
     keys_.number(column) = number.value;
     add_decimal(column, number, key);
   }
 
-  void add_decimal(const Columns::Column& column, const TrackNumber& number, const TrackKey& key) {
+  void add_decimal(const Columns::Column& column, const WrittenNumber& number, const TrackKey& key) {
     if (keys_.keeps_decimals()) keys_.keep_decimal(column, number.decimal);
     if (keys_.scales() && !keys_.scale(column, number.decimal)) {
       throw track_number_too_large(number.decimal).about(path_of(track_)).at({"", key.line, 0});
@@ -209,7 +209,7 @@ class TrackKeys {
     return key != nullptr && is_same(*key, first) ? key : nullptr;
   }
 
-  static const TrackNumber* number_of(const TrackKey& key, Role role) {
+  static const WrittenNumber* number_of(const TrackKey& key, Role role) {
     switch (role) {
       case Role::position: return &key.value;
       case Role::channel_tension: return &key.tension;
@@ -228,13 +228,9 @@ class TrackKeys {
 
 }  // namespace
 
-TrackNumber track_number(const Rational& exact) {
+WrittenNumber written_number(const Rational& exact) {
   if (!within_doubles(exact)) throw track_number_too_large(ratio_text(exact));
   return {nearest_double(exact), ratio_text(exact)};
-}
-
-Rational exact_number(const TrackNumber& number) {
-  return parse_rational(number.decimal).value_or(Rational(number.value));
 }
 
 std::string whole_file(const Source<std::string>& bytes) {

@@ -13,6 +13,7 @@
 #include "numbers/rational.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
+#include "read/written_number.hpp"
 #include "schema/curve_settings.hpp"
 #include "schema/rotation_options.hpp"
 #include "stream/source.hpp"
@@ -20,24 +21,17 @@
 
 namespace tcb {
 
-/// A number, and its decimal or ratio, which is exact.
-struct TrackNumber {
-  double value = 0;
-  std::string decimal = "0";
-};
-
 /// The number nearest to a ratio. Throws: Error (data) beyond the doubles.
-TrackNumber track_number(const Rational& exact);
-Rational exact_number(const TrackNumber& number);
+WrittenNumber written_number(const Rational& exact);
 
 /// A key of one channel.
 struct TrackKey {
-  TrackNumber time;
-  TrackNumber value;
-  TrackNumber tension, continuity, bias;
-  TrackNumber ease_in, ease_out;                                   ///< the same in all channels of a track
-  std::optional<TrackNumber> velocity_in = {}, velocity_out = {};  ///< per unit of time, where the file decides them
-  std::uint64_t line = 0;                                          ///< in the file; 0: it has no lines
+  WrittenNumber time;
+  WrittenNumber value;
+  WrittenNumber tension, continuity, bias;
+  WrittenNumber ease_in, ease_out;                                   ///< the same in all channels of a track
+  std::optional<WrittenNumber> velocity_in = {}, velocity_out = {};  ///< per unit of time, where the file decides them
+  std::uint64_t line = 0;                                            ///< in the file; 0: it has no lines
 };
 
 /// The keys of a channel in order.

@@ -71,7 +71,7 @@ Error no_target_of_node(const std::vector<std::string>& channels) {
 
 Error no_target_of_track(std::string_view track) {
   return {Exit::data,
-          fmt::format("the track {} is neither a position nor a scale; expected one of these in an animation; "
+          fmt::format("the track {} is no position, rotation or scale that a node has; expected one of these; "
                       "choose others with {}",
                       in_quotes(track), option::only)};
 }

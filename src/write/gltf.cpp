@@ -23,7 +23,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view track_column = "track";
-constexpr std::size_t numbers_of_piece = 4;  // of a channel: position and velocity at both ends
+constexpr std::string_view target_track = "target";  // what a camera looks at: a node of its own
+constexpr std::size_t numbers_of_piece = 4;          // of a channel: position and velocity at both ends
 
 /// The place of a channel among those of a scale; 3: it is none.
 std::size_t axis_of_scale(std::string_view name) {
@@ -90,8 +91,7 @@ void GltfScene::begin(const Schema& schema) {
   } else {
     others.insert(others.begin(), translation.channels.begin(), translation.channels.end());
   }
-  const bool is_tracks = !schema.groups.empty() && schema.groups.back() == track_column;
-  if (rotations.size() > 1 || (is_tracks && targets_.empty())) throw no_target_of_node(schema.channels);
+  if (rotations.size() > 1) throw no_target_of_node(schema.channels);
   if (!rotations.empty()) {
     targets_.push_back({"rotation", {rotations[0].channels.begin(), rotations[0].channels.end()}});
   }
@@ -110,9 +110,9 @@ void GltfScene::begin(const Schema& schema) {
 }
 
 std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& track) const {
-  std::vector<Target> targets = targets_;
-  targets.resize(1);
-  if (track == "position") return targets;
+  std::vector<Target> targets{targets_.front()};
+  const bool is_rotation = targets.front().path == "rotation";
+  if (is_rotation || track == "position" || track == target_track) return targets;
   if (track != "scale") throw no_target_of_track(track);
   targets.front().path = "scale";
   return targets;
@@ -124,7 +124,7 @@ void GltfScene::begin_curve(const std::vector<std::string>& group) {
   std::vector<Target> targets = targets_;
   if (is_track) {
     targets = targets_of_track(texts.back());
-    texts.pop_back();
+    if (texts.back() != target_track) texts.pop_back();
   }
   std::string name = texts.empty() ? "curve" : fmt::format("{}", fmt::join(texts, " "));
   const auto has_path = [&](const Node& node) {

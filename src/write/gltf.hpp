@@ -2,7 +2,7 @@
 //
 // Rows of samples are LINEAR keyframes, rows of pieces exact CUBICSPLINE keyframes with tangents on both sides. A curve
 // is a node, with these targets:
-//   translation  three channels, the first that are nothing else; of a track, those of "position"
+//   translation  three channels, the first that are nothing else; of a track, those of "position" and "target"
 //   rotation     a rotation, as a quaternion
 //   scale        channels sx, sy, sz or scale_x, scale_y, scale_z; of a track, those of "scale"
 // Numbers of all other channels are in the "extras" of the animation. Arrays have single precision, as the format

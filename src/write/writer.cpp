@@ -66,6 +66,7 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
   }
   const Format& format = format_of(options_.format);
   if (format.family == FormatFamily::scene) {
+    if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
     if (scene_ == nullptr) {
       scene_ = std::make_unique<GltfScene>(std::ranges::count(options_.fields, field_of("time")) == 0);
     }

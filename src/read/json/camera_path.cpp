@@ -17,6 +17,7 @@
 #include "read/json/object_reader.hpp"
 #include "read/json/splitter.hpp"
 #include "read/key_builder.hpp"
+#include "read/written_number.hpp"
 #include "schema/pose_formats.hpp"
 
 namespace tcb {
@@ -24,12 +25,6 @@ namespace {
 
 constexpr std::string_view keyframe_list = "keyframes";
 constexpr std::size_t matrix_size = 16;  // 4 x 4, row by row
-
-/// A number, and its decimal.
-struct WrittenNumber {
-  double value = 0;
-  std::string decimal = {};
-};
 
 /// A keyframe as it is written, and what is wrong with it.
 struct Keyframe {
@@ -242,7 +237,7 @@ Rational transition_to(Keyframe& keyframe, const PathOfCameras& path) {
   const bool is_own = keyframe.has_own_transition && keyframe.transition;
   const WrittenNumber& number = is_own ? *keyframe.transition : path.transition;
   const std::string_view member = is_own ? "override_transition_sec" : "default_transition_sec";
-  Rational seconds = parse_rational(number.decimal).value_or(Rational(number.value));
+  Rational seconds = exact_number(number);
   if (!(seconds > 0)) keyframe.faults.push_back(keyframe.at(json::transition_not_positive(number.decimal), member));
   return seconds;
 }
