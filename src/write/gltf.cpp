@@ -46,8 +46,8 @@ class Buffer {
                   {"count", values.size() / components},
                   {"type", types.at(components)}};
     if (components == 1) {
-      accessor["min"] = {values.front()};
-      accessor["max"] = {values.back()};
+      accessor["min"] = Json::array({values.front()});
+      accessor["max"] = Json::array({values.back()});
     }
     accessors_.push_back(std::move(accessor));
     for (const float value : values) {
@@ -60,8 +60,10 @@ class Buffer {
   void describe(Json& file) const {
     file["accessors"] = accessors_;
     file["bufferViews"] = views_;
-    file["buffers"] = {
-        Json{{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + in_base64(bytes_)}}};
+    Json buffer;
+    buffer["byteLength"] = bytes_.size();
+    buffer["uri"] = "data:application/octet-stream;base64," + in_base64(bytes_);
+    file["buffers"] = Json::array({buffer});  // compilers differ in the meaning of {buffer}
   }
 
  private:
