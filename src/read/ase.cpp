@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "read/errors.hpp"
+#include "read/product_errors.hpp"
 #include "read/text_lines.hpp"
 #include "read/tracks.hpp"
 
@@ -37,13 +37,15 @@ constexpr std::array key_lines{
 
 /// Gives straight spans to the keys of a channel.
 void make_linear(TrackChannel& channel) {
-  channel.has_velocities = channel.keys.size() > 1;
+  require_increasing_times(channel);
+  std::vector<TrackSpan> spans;
   for (std::size_t i = 0; i + 1 < channel.keys.size(); ++i) {
-    TrackKey &key = channel.keys[i], &next = channel.keys[i + 1];
-    const Rational h = exact_number(next.time) - exact_number(key.time);
-    if (!(h > 0)) return;  // an error that is found later
-    key.velocity_out = next.velocity_in = written_number((exact_number(next.value) - exact_number(key.value)) / h);
+    const TrackKey &key = channel.keys[i], &next = channel.keys[i + 1];
+    const Rational slope =
+        (exact_number(next.value) - exact_number(key.value)) / (exact_number(next.time) - exact_number(key.time));
+    spans.push_back({TrackSpan::Kind::cubic, slope, slope});
   }
+  if (!spans.empty()) set_spans(channel, spans);
 }
 
 /// Reads the objects of an export.
@@ -135,7 +137,11 @@ class AseExport {
   void end_track() {
     if (!track_) return;
     Track track = *std::exchange(track_, std::nullopt);
-    if (!is_tcb_ && !track.rotation) std::ranges::for_each(track.channels, make_linear);
+    try {
+      if (!is_tcb_ && !track.rotation) std::ranges::for_each(track.channels, make_linear);
+    } catch (const Error& error) {
+      throw error.about(fmt::format("{}/{}", track.object, track.name));
+    }
     const std::size_t number = ++names_[track.object + "/" + track.name];
     if (number > 1) track.object += fmt::format(" ({})", number);
     tracks_.push_back(std::move(track));

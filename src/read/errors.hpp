@@ -31,20 +31,8 @@ Error time_in_other_notation(std::string_view column, std::string_view time);
 // Formats that are not text.
 Error options_of_text(std::string_view format);
 
-// Tracks of files with several objects.
-Error no_tracks();
-Error only_constant_tracks(const std::vector<std::string>& tracks);
-Error no_such_track(std::string_view pattern, const std::vector<std::string>& tracks);
+// Files without tracks.
 Error file_without_tracks(std::string_view format);
-Error channel_without_key(std::string_view channel);
-Error times_of_track_repeat(std::string_view time);
-Error track_number_too_large(std::string_view number);
-
-Error tracks_differ(std::string_view first, std::string_view other);
-Error number_of_track_not_finite();
-
-// Files of 3D Studio.
-Error chunk_too_short();
 
 // NumPy arrays.
 Error not_an_npy();
@@ -52,23 +40,6 @@ Error npy_ends_early();
 Error npy_header_unknown(std::string_view text);
 Error npy_column_not_a_number(std::string_view column, std::string_view type);
 Error npy_of_other_shape(std::size_t dimensions, bool is_structured);
-
-// Texts of products.
-Error file_ends_early();
-Error number_of_file_expected(std::string_view found);
-Error count_of_file_expected(std::string_view found);
-
-// ASCII exports of 3ds Max.
-Error not_an_ase();
-Error bezier_controller();
-
-// Scenes of LightWave.
-Error not_a_scene();
-Error scene_word_expected(std::string_view word, std::string_view found);
-Error scene_key_count(std::size_t found, std::size_t expected);
-Error no_such_span(std::size_t number);
-Error bezier_2d_span();
-Error step_too_short();
 
 // Earlier outputs.
 Error no_provenance();

@@ -5,21 +5,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "read/errors.hpp"
+#include "read/product_errors.hpp"
 #include "read/text_lines.hpp"
 #include "read/tracks.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
+
+/// The extrapolation of a behavior by its number, or nothing; reset (0) goes to the value 0.
+constexpr std::array<std::string_view, 6> behaviors{"", "hold", "repeat", "oscillate", "offset", "linear"};
 
 enum class Span { tcb, hermite, bezier, linear, stepped, bezier2 };
 
@@ -31,12 +32,15 @@ struct EnvelopeKey {
   WrittenNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
   std::uint64_t line = 0;
 };
-using Envelope = std::vector<EnvelopeKey>;
+struct Envelope {
+  std::vector<EnvelopeKey> keys = {};
+  std::size_t before = 0, after = 0;  ///< behaviors
+};
 
 /// The velocities of the keys of a channel whose spans are not all TCB.
 class Velocities {
  public:
-  explicit Velocities(const Envelope& keys) : keys_(keys) {}
+  explicit Velocities(const std::vector<EnvelopeKey>& keys) : keys_(keys) {}
 
   /// Of the segment before key i, at its end.
   Rational incoming(std::size_t i) const {
@@ -80,52 +84,36 @@ class Velocities {
     return (before + own) * duration(i) / (duration(i - 1) + duration(i));
   }
 
-  const Envelope& keys_;
+  const std::vector<EnvelopeKey>& keys_;
 };
 
-/// The double before a time.
-Rational just_before(const Rational& time) {
-  return Rational(std::nextafter(nearest_double(time), -std::numeric_limits<double>::infinity()));
-}
-
 /// The keys of a channel.
-TrackChannel channel_of(std::string_view name, const Envelope& keys) {
+TrackChannel channel_of_envelope(std::string_view name, const Envelope& envelope) {
+  const std::vector<EnvelopeKey>& keys = envelope.keys;
   TrackChannel channel{std::string(name)};
-  const auto is_tcb = [](const EnvelopeKey& key) { return key.span == Span::tcb; };
-  channel.has_velocities = keys.size() > 1 && !std::ranges::all_of(keys, is_tcb);
-  const Velocities velocities(keys);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const EnvelopeKey& key = keys[i];
-    TrackKey result;
-    result.time = key.time;
-    result.value = key.value;
-    result.tension = key.tension;
-    result.continuity = key.continuity;
-    result.bias = key.bias;
-    result.line = key.line;
-    if (!channel.has_velocities) {
-      channel.keys.push_back(std::move(result));
-      continue;
-    }
-    const bool is_step = i > 0 && key.span == Span::stepped;
-    const bool begins_step = i + 1 < keys.size() && keys[i + 1].span == Span::stepped;
-    if (is_step) {
-      TrackKey end = channel.keys.back();
-      const Rational time = exact_number(key.time), before = just_before(time);
-      end.time = {nearest_double(before), ratio_text(before)};
-      if (before <= exact_number(channel.keys.back().time)) throw step_too_short().at({"", key.line, 0});
-      end.velocity_in = written_number(Rational(0));
-      const Rational jump = exact_number(key.value) - exact_number(end.value);
-      end.velocity_out = result.velocity_in = written_number(jump / (time - before));
-      channel.keys.push_back(std::move(end));
-    } else if (i > 0) {
-      result.velocity_in = written_number(velocities.incoming(i));
-    }
-    if (i + 1 < keys.size()) {
-      result.velocity_out = written_number(begins_step ? Rational(0) : velocities.outgoing(i));
-    }
-    channel.keys.push_back(std::move(result));
+  channel.before = behaviors[envelope.before];
+  channel.after = behaviors[envelope.after];
+  for (const EnvelopeKey& key : keys) {
+    channel.keys.push_back({.time = key.time,
+                            .value = key.value,
+                            .tension = key.tension,
+                            .continuity = key.continuity,
+                            .bias = key.bias,
+                            .line = key.line});
   }
+  require_increasing_times(channel);
+  if (std::ranges::all_of(keys, [](const EnvelopeKey& key) { return key.span == Span::tcb; })) return channel;
+  if (keys.size() < 2) return channel;
+  const auto bezier = std::ranges::find(keys, Span::bezier2, &EnvelopeKey::span);
+  if (bezier != keys.end()) throw bezier_2d_span().at({"", bezier->line, 0});
+  const Velocities velocities(keys);
+  std::vector<TrackSpan> spans;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const bool is_step = keys[i + 1].span == Span::stepped;
+    spans.push_back(is_step ? TrackSpan{TrackSpan::Kind::holds_first}
+                            : TrackSpan{TrackSpan::Kind::cubic, velocities.outgoing(i), velocities.incoming(i + 1)});
+  }
+  set_spans(channel, spans);
   return channel;
 }
 
@@ -195,9 +183,9 @@ class Scene {
       Track track{object_, std::string(names[first / 3])};
       for (std::size_t i = 0; i < 3; ++i) {
         try {
-          track.channels.push_back(channel_of(channels[i], envelopes[first + i]));
+          track.channels.push_back(channel_of_envelope(channels[i], envelopes[first + i]));
         } catch (const Error& error) {
-          throw error.about(fmt::format("{}/{}", object_, names[first / 3]));
+          track.failure = error.about(fmt::format("{}/{}", object_, names[first / 3]));
         }
       }
       track.settings.preset = {std::string(spline::name_of(spline::Preset::lightwave)), {"preset", {"", 1, 1}}};
@@ -225,14 +213,24 @@ class Scene {
     }
     lines_.require_next();
     const std::size_t count = lines_.count_in(0);
-    Envelope keys;
+    Envelope envelope;
+    std::vector<EnvelopeKey>& keys = envelope.keys;
     for (lines_.require_next(); lines_.word(0) != "}"; lines_.require_next()) {
       if (lines_.word(0) == "{") throw lines_.at(scene_word_expected("Key", lines_.from_word(0)));
       if (lines_.word(0) == "Key") keys.push_back(read_key(1));
+      if (lines_.word(0) == "Behaviors") {
+        envelope.before = behavior_in(1);
+        envelope.after = behavior_in(2);
+      }
     }
     if (keys.size() != count) throw lines_.at(scene_key_count(keys.size(), count));
-    require_order(keys);
-    return keys;
+    return envelope;
+  }
+
+  std::size_t behavior_in(std::size_t word) const {
+    const std::size_t number = lines_.count_in(word);
+    if (number >= behaviors.size()) throw lines_.at(no_such_behavior(number));
+    return number;
   }
 
   /// A key: value, time, span, T, C, B, and since version 3 three numbers more.
@@ -256,16 +254,8 @@ class Scene {
     if (version_ == 2 && number == tcb_of_version_2) return Span::tcb;
     if (number > static_cast<std::size_t>(Span::bezier2)) throw lines_.at(no_such_span(number));
     const auto span = static_cast<Span>(number);
-    if (span == Span::bezier2) throw lines_.at(bezier_2d_span());
     if (version_ == 2 && (span == Span::hermite)) throw lines_.at(no_such_span(number));
     return span;
-  }
-
-  void require_order(const Envelope& keys) const {
-    for (std::size_t i = 1; i < keys.size(); ++i) {
-      if (exact_number(keys[i - 1].time) < exact_number(keys[i].time)) continue;
-      throw times_of_track_repeat(keys[i].time.decimal).about(object_).at({"", keys[i].line, 0});
-    }
   }
 
   /// Version 2 has the keys of each channel, version 1 keys of all channels by frames.
@@ -285,11 +275,10 @@ class Scene {
         const std::size_t keys = lines_.count_in(0);
         for (std::size_t i = 0; i < keys; ++i) {
           lines_.require_next();
-          envelope.push_back(read_key(0));
+          envelope.keys.push_back(read_key(0));
         }
       }
     }
-    std::ranges::for_each(envelopes, [this](const Envelope& keys) { require_order(keys); });
     return envelopes;
   }
 
@@ -312,7 +301,7 @@ class Scene {
     key.line = lines_.number();
     for (std::size_t i = 0; i < envelopes.size(); ++i) {
       key.value = values[i];
-      envelopes[i].push_back(key);
+      envelopes[i].keys.push_back(key);
     }
   }
 

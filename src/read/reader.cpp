@@ -13,11 +13,13 @@
 #include "read/csv/csv_reader.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/errors.hpp"
+#include "read/fbx/scene.hpp"
 #include "read/json/camera_path.hpp"
 #include "read/json/shapes.hpp"
 #include "read/lightwave.hpp"
 #include "read/npy.hpp"
 #include "read/poses.hpp"
+#include "read/product_errors.hpp"
 #include "read/studio_3ds.hpp"
 #include "read/tracks.hpp"
 #include "schema/rotation_columns.hpp"
@@ -79,8 +81,6 @@ constexpr std::array other_formats{
     OtherFormat{"#usda"sv, "a USD scene (.usda)"},
     OtherFormat{"PXR-USDC"sv, "a USD scene (.usdc)"},
     OtherFormat{"glTF"sv, "a glTF scene (.glb)"},
-    OtherFormat{"Kaydara FBX"sv, "an FBX scene"},
-    OtherFormat{"; FBX"sv, "an FBX scene"},
     OtherFormat{"//Maya ASCII"sv, "a Maya scene"},
     OtherFormat{"BLENDER"sv, "a Blender file"},
     OtherFormat{"Ogawa"sv, "an Alembic scene"},
@@ -109,6 +109,7 @@ void require_known_format(std::string_view beginning) {
                        beginning.find("\"accessors\"") != std::string::npos;
   if (is_gltf) throw at_first_byte(input_in_other_format("a glTF scene"));
   beginning.remove_prefix(text);
+  if (beginning.starts_with("Kaydara FBX")) throw at_first_byte(binary_fbx());
   const auto other = std::ranges::find_if(other_formats, begins);
   if (other != other_formats.end()) throw at_first_byte(input_in_other_format(other->name));
 }
@@ -154,6 +155,7 @@ FormatId detect(const std::string& path, const std::string& beginning) {
   const bool is_3ds = beginning.starts_with("MM") && beginning.size() > high_byte_of_size;
   if (is_3ds && beginning[high_byte_of_size] == '\0') return FormatId::studio_3ds;
   if (beginning.starts_with("*3DSMA")) return FormatId::ase;
+  if (beginning.starts_with("; FBX")) return FormatId::fbx;
   if (beginning.starts_with("LWSC") || beginning.starts_with("LWMO")) return FormatId::lws;
   const auto named = find_input_format(path);
   if ((!named || *named == FormatId::json) && begins_camera_path(beginning).value_or(false))
@@ -181,6 +183,7 @@ Records open_as(FormatId format, Source<std::string> bytes, InputOptions options
   if (!is_text && options.delimited != DelimitedOptions{}) throw options_of_text(format_of(format).name);
   if (format == FormatId::studio_3ds) return open_3ds(bytes, options);
   if (format == FormatId::ase) return open_ase(bytes, options);
+  if (format == FormatId::fbx) return open_fbx(bytes, options);
   if (format == FormatId::lws) return open_lightwave(bytes, options);
   if (format == FormatId::npy) bytes = text_of_npy(std::move(bytes), options);
   std::optional<char>& delimiter = options.delimited.delimiter;

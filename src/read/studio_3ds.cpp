@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "read/errors.hpp"
+#include "read/product_errors.hpp"
 #include "read/tracks.hpp"
 
 namespace tcb {

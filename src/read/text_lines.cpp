@@ -6,7 +6,7 @@
 #include <string>
 
 #include "numbers/parse_number.hpp"
-#include "read/errors.hpp"
+#include "read/product_errors.hpp"
 
 namespace tcb {
 

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -13,8 +15,8 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
-#include "read/errors.hpp"
 #include "read/key_builder.hpp"
+#include "read/product_errors.hpp"
 #include "schema/columns.hpp"
 #include "schema/units.hpp"
 #include "text/glob.hpp"
@@ -57,6 +59,9 @@ void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns
       chosen.push_back(std::move(track));
     }
   }
+  for (const Track& track : chosen) {
+    if (track.failure) throw *track.failure;
+  }
   const std::vector<std::string> names = chosen.empty() ? std::vector<std::string>{} : names_of(chosen.front());
   const auto has_other_channels = [&](const Track& track) { return names_of(track) != names; };
   for (const Track& track : chosen) {
@@ -95,6 +100,39 @@ Columns columns_of(const Track& track, const std::string& time, const InputOptio
     requests.push_back({Role::group, {std::string(object_name), std::string(track_name)}});
   }
   return find_columns(header, numeric, requests, options.columns.timeless);
+}
+
+/// The extrapolation of a track, or nothing.
+std::string_view extrapolation_of(const Track& track) {
+  const auto changes = [](const TrackChannel& channel) { return channel.keys.size() > 1; };
+  const auto first = std::ranges::find_if(track.channels, changes);
+  if (first == track.channels.end()) return "";
+  const auto is_same = [&](const TrackChannel& channel) {
+    if (!changes(channel)) return true;
+    const bool has_same_range = channel.keys.front().time.decimal == first->keys.front().time.decimal &&
+                                channel.keys.back().time.decimal == first->keys.back().time.decimal;
+    const bool is_of_range = first->before != "hold";
+    return channel.before == first->before && channel.after == first->before && (has_same_range || !is_of_range);
+  };
+  return std::ranges::all_of(track.channels, is_same) ? first->before : "";
+}
+
+/// Adds a key for the step from the last key of a channel to the next one, which get their velocities.
+void add_step(TrackChannel& channel, TrackKey& second, TrackSpan::Kind kind) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  TrackKey& first = channel.keys.back();
+  const bool holds_first = kind == TrackSpan::Kind::holds_first;
+  const Rational from = exact_number(first.time), to = exact_number(second.time);
+  const Rational between(holds_first ? std::nextafter(nearest_double(to), -infinity)
+                                     : std::nextafter(nearest_double(from), infinity));
+  if (between <= from || between >= to) throw step_too_short().at({"", second.line, 0});
+  const Rational jump = exact_number(second.value) - exact_number(first.value);
+  const WrittenNumber none, velocity = written_number(jump / (holds_first ? to - between : between - from));
+  TrackKey middle = holds_first ? first : second;
+  middle.time = {nearest_double(between), ratio_text(between)};
+  first.velocity_out = middle.velocity_in = holds_first ? none : velocity;
+  middle.velocity_out = second.velocity_in = holds_first ? velocity : none;
+  channel.keys.push_back(std::move(middle));
 }
 
 /// Builds the keys of one track.
@@ -233,6 +271,32 @@ WrittenNumber written_number(const Rational& exact) {
   return {nearest_double(exact), ratio_text(exact)};
 }
 
+void require_increasing_times(const TrackChannel& channel) {
+  for (std::size_t i = 1; i < channel.keys.size(); ++i) {
+    const TrackKey& key = channel.keys[i];
+    const Rational time = exact_number(key.time);
+    if (exact_number(channel.keys[i - 1].time) < time) continue;
+    throw times_of_track_repeat(time_text(nearest_time(time))).at({"", key.line, 0});
+  }
+}
+
+void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans) {
+  std::vector<TrackKey> keys = std::exchange(channel.keys, {});
+  channel.has_velocities = true;
+  channel.keys.push_back(std::move(keys.front()));
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    TrackKey& second = keys[i + 1];
+    TrackKey& first = channel.keys.back();
+    if (spans[i].kind == TrackSpan::Kind::cubic) {
+      first.velocity_out = written_number(spans[i].start);
+      second.velocity_in = written_number(spans[i].end);
+    } else {
+      add_step(channel, second, spans[i].kind);
+    }
+    channel.keys.push_back(std::move(second));
+  }
+}
+
 std::string whole_file(const Source<std::string>& bytes) {
   std::string file;
   while (const std::optional<std::string> part = bytes()) file += *part;
@@ -240,7 +304,8 @@ std::string whole_file(const Source<std::string>& bytes) {
 }
 
 bool Track::is_constant() const {
-  return std::ranges::all_of(channels, [](const TrackChannel& channel) { return channel.keys.size() < 2; });
+  const auto has_one_key = [](const TrackChannel& channel) { return channel.keys.size() < 2; };
+  return !failure && std::ranges::all_of(channels, has_one_key);
 }
 
 InputOptions options_of_tracks(FormatId format, InputOptions options) {
@@ -254,7 +319,9 @@ Records records_of_tracks(std::vector<Track> tracks, const std::string& time, co
   Records records;
   choose(tracks, options.only, records.facts);
   std::deque<KeyBlock> blocks;
-  for (const Track& track : tracks) {
+  for (Track& track : tracks) {
+    const std::string_view extrapolation = extrapolation_of(track);
+    if (!extrapolation.empty()) track.settings.extrapolate = {std::string(extrapolation), {"extrapolate", {"", 1, 1}}};
     TrackKeys keys(track, time, options);
     if (blocks.empty()) records.columns = keys.columns();
     blocks.push_back(keys.build());

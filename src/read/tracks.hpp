@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "error.hpp"
 #include "numbers/rational.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
@@ -28,8 +30,8 @@ WrittenNumber written_number(const Rational& exact);
 struct TrackKey {
   WrittenNumber time;
   WrittenNumber value;
-  WrittenNumber tension, continuity, bias;
-  WrittenNumber ease_in, ease_out;                                   ///< the same in all channels of a track
+  WrittenNumber tension = {}, continuity = {}, bias = {};
+  WrittenNumber ease_in = {}, ease_out = {};                         ///< the same in all channels of a track
   std::optional<WrittenNumber> velocity_in = {}, velocity_out = {};  ///< per unit of time, where the file decides them
   std::uint64_t line = 0;                                            ///< in the file; 0: it has no lines
 };
@@ -39,7 +41,27 @@ struct TrackChannel {
   std::string name;
   std::vector<TrackKey> keys = {};
   bool has_velocities = false;  ///< the file decides all velocities
+  /// The extrapolations before and after the keys, or nothing where the file does not decide them.
+  std::string_view before = {}, after = {};
 };
+
+/// The curve between two keys where the file decides it: a cubic in time, or a step.
+struct TrackSpan {
+  enum class Kind {
+    cubic,
+    holds_first,   ///< the first value up to the double before the second time
+    holds_second,  ///< the second value from the double after the first time
+  };
+  Kind kind = Kind::cubic;
+  Rational start = Rational(0), end = Rational(0);  ///< velocities of a cubic
+};
+
+/// Throws: Error (data).
+void require_increasing_times(const TrackChannel& channel);
+
+/// Gives the keys of a channel the velocities of the spans between them, and adds keys for steps. Throws: Error (data)
+/// for a step that no double is within.
+void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans);
 
 struct Track {
   std::string object, name;
@@ -48,6 +70,7 @@ struct Track {
   bool is_recording = false;  ///< its keys are samples, between which it is straight
   CurveSettings settings = {};
   std::optional<GivenRotation> rotation = {};  ///< that channels are
+  std::optional<Error> failure = {};           ///< why its curve is not read
 
   bool is_constant() const;  ///< it has a single key in each channel
 };
@@ -60,8 +83,9 @@ std::string whole_file(const Source<std::string>& bytes);
 InputOptions options_of_tracks(FormatId format, InputOptions options);
 
 /// The tracks that are chosen, as keys. Without a choice, those that are constant and those with other channels than
-/// the first are left out. `time` is the name of the times. Throws: Error (data) where no track is left, where chosen
-/// ones differ in their channels, and where two keys of a channel have the same time.
+/// the first are left out. `time` is the name of the times. A track has an extrapolation where all channels that change
+/// have it at both sides. Throws: Error (data) where no track is left, where one of them is not read, where chosen ones
+/// differ in their channels, and where two keys of a channel have the same time.
 Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options);
 
 }  // namespace tcb

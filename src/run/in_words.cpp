@@ -22,6 +22,9 @@ Facts rules_in_words(const RuleFacts& facts) {
   }
   if (rules.timing != spline::Timing::even) words.emplace_back("timing", std::string(name_of(rules.timing)));
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
+  if (facts.spec.extrapolation != Extrapolation::error) {
+    words.emplace_back("extrapolation", std::string(name_of(facts.spec.extrapolation)));
+  }
   if (!rules.rotations.empty()) {
     const auto& [curve, tangents, ends] = rules.rotation_rules;
     words.emplace_back("rotation curve", std::string(name_of(curve)));

@@ -127,6 +127,7 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
     fill(settings.ends, of_input.ends);
     fill(settings.rotation_curve, of_input.rotation_curve);
   }
+  fill(settings.extrapolate, of_input.extrapolate);
   if (!closed_given) {
     settings.closed = of_input.closed;
     settings.period = of_input.period;

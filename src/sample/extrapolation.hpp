@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 #include "numbers/rational.hpp"
@@ -17,12 +18,16 @@ struct NamedExtrapolation {
   Extrapolation kind;
 };
 
-/// Every extrapolation by name; the first is the default.
+/// Every extrapolation by name, in the order of the enumeration; the first is the default.
 inline constexpr std::array extrapolations{
     NamedExtrapolation{"error", Extrapolation::error},   NamedExtrapolation{"hold", Extrapolation::hold},
     NamedExtrapolation{"linear", Extrapolation::linear}, NamedExtrapolation{"repeat", Extrapolation::repeat},
     NamedExtrapolation{"offset", Extrapolation::offset}, NamedExtrapolation{"oscillate", Extrapolation::oscillate},
 };
+
+constexpr std::string_view name_of(Extrapolation kind) {
+  return extrapolations[static_cast<std::size_t>(kind)].name;
+}
 
 /// The relation of a time outside the curve to one inside.
 template <class S>

@@ -29,6 +29,7 @@ enum class FormatId : std::size_t {
   lws,
   studio_3ds,
   ase,
+  fbx,
   gltf,
   crazyswarm,
   npy,
@@ -63,7 +64,7 @@ struct Format {
 };
 
 /// All formats, in the order of FormatId. The first is the default for output.
-inline constexpr std::array<Format, 16> formats{{
+inline constexpr std::array<Format, 17> formats{{
     // id, name, ending, family, read, write, provenance, nests, delimiter
     {FormatId::csv, "csv", ".csv", FormatFamily::delimited, true, true, true, false, ','},
     {FormatId::tsv, "tsv", ".tsv", FormatFamily::delimited, true, true, true, false, '\t'},
@@ -77,6 +78,7 @@ inline constexpr std::array<Format, 16> formats{{
     {FormatId::lws, "lws", ".lws", FormatFamily::tracks, true, false, false, false},
     {FormatId::studio_3ds, "3ds", ".3ds", FormatFamily::tracks, true, false, false, false},
     {FormatId::ase, "ase", ".ase", FormatFamily::tracks, true, false, false, false},
+    {FormatId::fbx, "fbx", ".fbx", FormatFamily::tracks, true, false, false, false},
     {FormatId::gltf, "gltf", ".gltf", FormatFamily::scene, false, true, false, false},
     {FormatId::crazyswarm, "crazyswarm", ".csv", FormatFamily::pieces, false, true, false, false, ','},
     {FormatId::npy, "npy", ".npy", FormatFamily::array, true, true, false, false},

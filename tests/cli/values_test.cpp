@@ -144,7 +144,7 @@ TEST(Values, formats_are_those_that_can_be_read_or_written) {
   EXPECT_EQ(output_format("npy"), FormatId::npy);
   EXPECT_EQ(stepped_refusal({"-i", "gltf"}),
             "--input-format: \"gltf\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, "
-            "kitti, nerfstudio, lws, 3ds, ase, npy");
+            "kitti, nerfstudio, lws, 3ds, ase, fbx, npy");
   EXPECT_EQ(
       stepped_refusal({"-f", "xml"}),
       "--output-format: \"xml\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, kitti, "

@@ -1,0 +1,312 @@
+// FBX: the animation of a scene in an ASCII file of FBX (versions 6 and 7) as keys.
+#include "read/fbx/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "read/fbx/curve.hpp"
+#include "read/fbx/nodes.hpp"
+#include "read/product_errors.hpp"
+#include "read/tracks.hpp"
+
+namespace tcb {
+namespace {
+
+/// A property of FBX, its name in version 6, and the track.
+struct PropertyRow {
+  std::string_view property, old_property, track;
+};
+constexpr std::array properties{
+    PropertyRow{"Lcl Translation", "T", "position"},
+    PropertyRow{"Lcl Rotation", "R", "rotation"},
+    PropertyRow{"Lcl Scaling", "S", "scale"},
+};
+
+std::string track_of_property(std::string_view property) {
+  const auto row = std::ranges::find(properties, property, &PropertyRow::property);
+  return std::string(row == properties.end() ? property : row->track);
+}
+
+/// The name of an object without its class, as in "Model::Cube".
+std::string_view name_without_class(std::string_view name) {
+  const std::size_t at = name.find("::");
+  return at == std::string_view::npos ? name : name.substr(at + 2);
+}
+
+/// The name of a channel: x, y, z, or as the file has it, with "d|" before it in version 7.
+std::string channel_name(std::string_view name) {
+  if (name.starts_with("d|")) name.remove_prefix(2);
+  if (name == "X" || name == "Y" || name == "Z") return {static_cast<char>(name[0] - 'X' + 'x')};
+  return std::string(name);
+}
+
+/// A track while its channels are collected.
+struct OpenTrack {
+  struct Channel {
+    std::string name;
+    WrittenNumber constant = {};  ///< where it has no keys
+    FbxCurve curve = {};
+
+    bool has_keys() const { return !curve.keys.empty(); }
+  };
+  std::string object, name;
+  std::string layer = {};  ///< the take and the layer
+  std::vector<Channel> channels = {};
+  std::optional<Error> failure = {};  ///< why it is not read
+
+  /// Appends a channel; one of the same name is returned.
+  Channel& channel(std::string_view called) {
+    const std::string wanted = channel_name(called);
+    const auto found = std::ranges::find(channels, wanted, &Channel::name);
+    return found != channels.end() ? *found : channels.emplace_back(Channel{wanted});
+  }
+  std::string path() const { return object + "/" + name; }
+
+  /// It changes, or is not read.
+  bool is_animated() const { return failure || std::ranges::any_of(channels, &Channel::has_keys); }
+
+  Track finish() const {
+    Track track{object, name};
+    track.settings.preset = {std::string(spline::name_of(spline::Preset::fbx)), {"preset", {"", 1, 1}}};
+    track.failure = failure;
+    if (failure) return track;
+    const auto first = std::ranges::find_if(channels, &Channel::has_keys);
+    for (const Channel& channel : channels) {
+      const FbxCurve constant{{FbxKey{first->curve.keys.front().time, channel.constant}}};
+      try {
+        track.channels.push_back(channel_of(channel.name, channel.has_keys() ? channel.curve : constant));
+      } catch (const Error& error) {
+        track.failure = error.about(path() + "/" + channel.name);
+      }
+    }
+    return track;
+  }
+};
+
+/// The objects and connections of version 7.
+class Objects {
+ public:
+  Objects(const FbxNode& file, const FbxHead& head) : head_(head) {
+    for (const FbxNode& objects : file.children) {
+      if (objects.name != "Objects") continue;
+      for (const FbxNode& object : objects.children) add(object);
+    }
+    if (const FbxNode* const connections = file.find("Connections")) {
+      for (const FbxNode& connection : connections->children) connect(connection);
+    }
+  }
+
+  std::vector<OpenTrack> tracks() const {
+    std::vector<OpenTrack> tracks;
+    for (const Object* const node : curve_nodes_) {
+      for (const Link& link : node->parents) {
+        if (link.property.empty() || link.object->kind() == "AnimationLayer") continue;
+        OpenTrack track{object_name(*link.object), track_of_property(link.property), layer_of(*node)};
+        add_channels(track, *node);
+        tracks.push_back(std::move(track));
+      }
+    }
+    return tracks;
+  }
+
+ private:
+  struct Object;
+  /// A connection to an object, or to a property of it.
+  struct Link {
+    const Object* object;
+    std::string_view property;
+  };
+  struct Object {
+    const FbxNode* node = nullptr;
+    std::string_view name = {};
+    std::vector<Link> parents = {}, children = {};
+
+    std::string_view kind() const { return node->name; }
+    /// The first object of a kind that it is connected to.
+    const Object* parent(std::string_view wanted) const {
+      const auto found = std::ranges::find(parents, wanted, [](const Link& link) { return link.object->kind(); });
+      return found == parents.end() ? nullptr : found->object;
+    }
+  };
+
+  void add(const FbxNode& node) {
+    FbxValues values(node);
+    if (values.at_end()) return;
+    const std::string_view id = values.next();
+    Object& object = objects_[id];
+    if (object.node == nullptr && node.name == "AnimationCurveNode") curve_nodes_.push_back(&object);
+    object.node = &node;
+    object.name = values.at_end() ? "" : name_without_class(values.next());
+  }
+
+  void connect(const FbxNode& node) {
+    FbxValues values(node);
+    if (node.name != "C" || values.at_end()) return;
+    values.next();  // OO or OP
+    const auto child = objects_.find(values.next()), parent = objects_.find(values.next());
+    if (child == objects_.end() || parent == objects_.end()) return;  // the root, or what is not in the file
+    const std::string_view property = values.at_end() ? "" : values.next();
+    child->second.parents.push_back({&parent->second, property});
+    parent->second.children.push_back({&child->second, property});
+  }
+
+  /// Attributes, such as those of a camera, and what has no name have the name of their model.
+  static std::string object_name(const Object& object) {
+    const Object* const model = object.parent("Model");
+    const bool has_own_name = !object.name.empty() && object.kind() != "NodeAttribute";
+    const std::string_view name = has_own_name || model == nullptr ? object.name : model->name;
+    return std::string(name.empty() ? object.kind() : name);
+  }
+
+  static std::string layer_of(const Object& node) {
+    const Object* const layer = node.parent("AnimationLayer");
+    if (layer == nullptr) return "";
+    const Object* const take = layer->parent("AnimationStack");
+    return take == nullptr ? std::string(layer->name) : fmt::format("{}, {}", take->name, layer->name);
+  }
+
+  void add_channels(OpenTrack& track, const Object& node) const {
+    if (const FbxNode* const list = node.node->find("Properties70")) {
+      for (const FbxNode& property : list->children) {
+        FbxValues values(property);
+        if (values.at_end()) continue;
+        const std::string_view name = values.next();
+        if (!name.starts_with("d|")) continue;
+        for (int skipped = 0; skipped < 3; ++skipped) values.next();  // types and flags
+        if (!values.at_end()) track.channel(name).constant = values.next_number();
+      }
+    }
+    for (const Link& link : node.children) {
+      if (link.object->kind() != "AnimationCurve" || link.property.empty()) continue;
+      try {
+        track.channel(link.property).curve = read_curve(*link.object->node, head_);
+      } catch (const Error& error) {
+        track.failure = error.about(track.path());
+      }
+    }
+  }
+
+  const FbxHead head_;
+  std::map<std::string_view, Object> objects_;  ///< by number
+  std::vector<const Object*> curve_nodes_;
+};
+
+/// The takes of version 6: channels within channels of models.
+class Takes {
+ public:
+  Takes(const FbxNode& file, const FbxHead& head) : file_(file), head_(head) {}
+
+  std::vector<OpenTrack> tracks() {
+    if (const FbxNode* const takes = file_.find("Takes")) {
+      for (const FbxNode& take : takes->children) {
+        if (take.name == "Take") read_take(take);
+      }
+    }
+    return std::move(tracks_);
+  }
+
+ private:
+  void read_take(const FbxNode& take) {
+    const std::string_view name = FbxValues(take).next();
+    for (const FbxNode& model : take.children) {
+      if (model.children.empty()) continue;
+      FbxValues values(model);
+      if (values.at_end()) continue;
+      OpenTrack track{std::string(name_without_class(values.next())), "", std::string(name)};
+      for (const FbxNode& channel : model.children) read_channel(channel, track);
+    }
+  }
+
+  /// A channel has keys, or channels that have keys, or is Transform with T, R and S.
+  void read_channel(const FbxNode& node, const OpenTrack& model) {
+    if (node.name != "Channel") return;
+    const std::string_view name = FbxValues(node).next();
+    if (name == "Transform") {
+      for (const FbxNode& channel : node.children) read_channel(channel, model);
+      return;
+    }
+    OpenTrack track = model;
+    const auto row = std::ranges::find(properties, name, &PropertyRow::old_property);
+    track.name = row == properties.end() ? name : row->track;
+    try {
+      const FbxNode* const nested = node.find("Channel");
+      if (nested == nullptr) add_keys(track, name, node);
+      for (const FbxNode& channel : node.children) {
+        if (channel.name == "Channel") add_keys(track, FbxValues(channel).next(), channel);
+      }
+    } catch (const Error& error) {
+      track.failure = error.about(track.path());
+    }
+    tracks_.push_back(std::move(track));
+  }
+
+  void add_keys(OpenTrack& track, std::string_view name, const FbxNode& node) const {
+    OpenTrack::Channel& channel = track.channel(name);
+    channel.curve = read_old_curve(node, head_);
+    if (const FbxNode* const constant = node.find("Default")) channel.constant = FbxValues(*constant).next_number();
+  }
+
+  const FbxNode& file_;
+  const FbxHead head_;
+  std::vector<OpenTrack> tracks_;
+};
+
+FbxHead read_head(const FbxNode& file) {
+  const FbxNode* const node = file.find("FBXHeaderExtension");
+  if (node == nullptr || node->find("FBXVersion") == nullptr) throw not_an_fbx().at({"", 1, 1});
+  FbxHead head;
+  const FbxNode& version = node->child("FBXVersion");
+  head.version = FbxValues(version).next_integer();
+  constexpr std::int64_t first_version = 6000, last_version = 7999;
+  if (head.version < first_version || head.version > last_version) {
+    throw no_such_fbx_version(head.version).at({"", version.line, 0});
+  }
+  // Source: the definition of time codes in the FBX SDK 2020. Files without it have the default.
+  constexpr std::int64_t first_header = 1004, default_definition = 127, ticks_of_others = 141'120'000;
+  const FbxNode* const header = node->find("FBXHeaderVersion");
+  const FbxNode* const flags = node->find("OtherFlags");
+  if (header != nullptr && flags != nullptr && FbxValues(*header).next_integer() >= first_header) {
+    const FbxNode* const definition = flags->find("TCDefinition");
+    if (definition != nullptr && FbxValues(*definition).next_integer() != default_definition) {
+      head.ticks_per_second = ticks_of_others;
+    }
+  }
+  return head;
+}
+
+/// The names of objects and tracks become distinct: takes and layers where several drive a property, then numbers.
+void name_apart(std::vector<OpenTrack>& tracks) {
+  std::map<std::string, std::size_t> count, number;
+  for (const OpenTrack& track : tracks) ++count[track.path()];
+  for (OpenTrack& track : tracks) {
+    if (count[track.path()] > 1 && !track.layer.empty()) track.name += fmt::format(" ({})", track.layer);
+    const std::size_t nth = ++number[track.path()];
+    if (nth > 1) track.object += fmt::format(" ({})", nth);
+  }
+}
+
+}  // namespace
+
+Records open_fbx(const Source<std::string>& bytes, const InputOptions& options) {
+  const std::string text = whole_file(bytes);
+  const FbxNode file = parse_fbx(text);
+  const FbxHead head = read_head(file);
+  constexpr std::int64_t first_with_connections = 7000;
+  std::vector<OpenTrack> found =
+      head.version >= first_with_connections ? Objects(file, head).tracks() : Takes(file, head).tracks();
+  std::erase_if(found, [](const OpenTrack& track) { return !track.is_animated(); });
+  name_apart(found);
+  std::vector<Track> tracks;
+  std::ranges::transform(found, std::back_inserter(tracks), &OpenTrack::finish);
+  return records_of_tracks(std::move(tracks), "t", options);
+}
+
+}  // namespace tcb
