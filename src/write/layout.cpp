@@ -48,11 +48,16 @@ constexpr std::array<OutputFormat, formats.size()> output_formats{{
     {},  // tracks are not written
     {},
     {},
+    {},
     {npy_rows, nullptr},
     {piece_rows, delimited_cell},
     {npy_rows, nullptr, npy_head},
     {},  // a picture has no rows
 }};
+static_assert(std::ranges::all_of(formats, [](const Format& format) {
+  const bool has_rows = format.can_write && format.family != FormatFamily::picture;
+  return has_rows == (output_formats[static_cast<std::size_t>(format.id)].layout != nullptr);
+}));
 
 }  // namespace
 

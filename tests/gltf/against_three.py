@@ -1,12 +1,13 @@
 """Animations as three.js plays them: against_three.py PROGRAM [SEED].
 
 Exact pieces of every preset, of cycles, of rotations by components, and samples are written as glTF, read by three.js,
-and compared with the rows of --count, within 1e-6 of their size: the arrays have single precision. Exit 77: there is no
-three.js or no node.
+and compared with the rows of --count, within 1e-6 of their size: the arrays have single precision. Rotations between
+samples of --tolerance are within its angle. Exit 77: there is no three.js or no node.
 """
 import csv
 import io
 import json
+import math
 import random
 import shutil
 import subprocess
@@ -55,6 +56,27 @@ def played(gltf, times):
         return [json.loads(line) for line in done.stdout.splitlines()]
 
 
+def angle_between(a, b):
+    """Of two rotations, in degrees, from their quaternions, which need not have the length 1."""
+    a, b = ([x / math.hypot(*q) for x in q] for q in (a, b))
+    chord = min(math.dist(a, b), math.dist(a, [-x for x in b]))
+    return math.degrees(4 * math.asin(chord / 2))
+
+
+def compare_angles(what, text, degrees):
+    """Samples within a distance and an angle: the rotations between them are within that angle."""
+    global failures, compared
+    gltf = run("--tolerance", f"0.01,{degrees}deg", "-f", "gltf", text=text)
+    rows = list(csv.DictReader(io.StringIO(run("--count", "501", text=text))))
+    for row, nodes in zip(rows, played(gltf, [row["t"] for row in rows]), strict=True):
+        (node,) = nodes.values()
+        angle = angle_between(node["quaternion"], [float(row[name]) for name in ("qx", "qy", "qz", "qw")])
+        compared += 1
+        if angle > degrees + 1e-4:  # quaternions have single precision
+            failures += 1
+            print(f"{what} at {row['t']}: {angle} degrees\n{text}", file=sys.stderr)
+
+
 def compare(what, text, to_gltf, to_rows):
     global failures, compared
     gltf = run(*to_gltf, "-f", "gltf", text=text)
@@ -83,5 +105,6 @@ for preset in presets:
 compare("closed", keys(), ["--closed", "--period", "20"], ["--closed", "--period", "20", "-n", "23"])
 compare("components", keys(True), ["--rotation-curve", "components"], ["--rotation-curve", "components", "-n", "23"])
 compare("samples of rotations", keys(True), ["--count", "19"], ["--count", "19"])
+compare_angles("rotations within an angle", keys(True), 0.5)
 print(f"{compared} numbers, {failures} rows differ")
 sys.exit(1 if failures else 0)
