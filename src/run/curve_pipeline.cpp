@@ -22,10 +22,13 @@
 namespace tcb {
 namespace {
 
-/// Also checks the settings of the input, even those that the command line replaces.
-CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, const Schema& schema) {
+/// Also checks the settings of the input, even those that the command line replaces. The extrapolation of an input
+/// matters only for samples that may be outside the keys.
+CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const Schema& schema,
+                  const SamplingRequest& request) {
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
   (void)make_spec(of_input, schema.channels, rotations, schema.angles);
+  if (!may_leave_curve(request)) of_input.extrapolate.reset();
   return make_spec(merged(settings, of_input), schema.channels, rotations, schema.angles);
 }
 
@@ -34,7 +37,7 @@ CurveSpec spec_of(const CurveSettings& settings, const CurveSettings& of_input, 
 CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits,
                              const CurveInfo& curve_info)
     : request_(request.samples),
-      spec_(spec_of(request.rules, curve_info.settings, schema)),
+      spec_(spec_of(request.rules, curve_info.settings, schema, request.samples)),
       golden_(request.golden),
       timed_(schema.time.is_given),
       may_be_timed_(schema.time.may_be_first_channel),

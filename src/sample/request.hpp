@@ -87,6 +87,13 @@ constexpr bool by_length(Mode mode) {
 /// The rows of a segment do not depend on the other segments.
 constexpr bool by_segment(Mode mode) { return mode == Mode::per_segment || mode == Mode::emit; }
 
+/// Samples may be before the first key or after the last one.
+inline bool may_leave_curve(const SamplingRequest& request) {
+  const bool has_range = request.from.has_value() || request.to.has_value();
+  const bool is_inside = by_length(request.mode) || by_segment(request.mode) || request.mode == Mode::tolerance;
+  return request.mode == Mode::at || (has_range && !is_inside);
+}
+
 /// The curve's last key, or its length, must be known before the first row.
 inline bool needs_end(const SamplingRequest& request) {
   const bool steps = request.mode == Mode::step || request.mode == Mode::arc_step;

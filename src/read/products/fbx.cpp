@@ -1,5 +1,5 @@
 // FBX: the animation of a scene in an ASCII file of FBX (versions 6 and 7) as keys.
-#include "read/fbx/scene.hpp"
+#include "read/products/fbx.hpp"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "read/fbx/curve.hpp"
-#include "read/fbx/nodes.hpp"
-#include "read/product_errors.hpp"
-#include "read/tracks.hpp"
+#include "read/products/errors.hpp"
+#include "read/products/fbx_curve.hpp"
+#include "read/products/fbx_nodes.hpp"
+#include "read/products/tracks.hpp"
 
 namespace tcb {
 namespace {

@@ -1,5 +1,5 @@
 // LightWave: the motions of scenes (.lws) and of motion files (.mot) as keys.
-#include "read/lightwave.hpp"
+#include "read/products/lightwave.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "read/product_errors.hpp"
-#include "read/text_lines.hpp"
-#include "read/tracks.hpp"
+#include "read/products/errors.hpp"
+#include "read/products/text_lines.hpp"
+#include "read/products/tracks.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

@@ -1,5 +1,5 @@
 // FBX nodes: the text of an FBX file as a tree.
-#include "read/fbx/nodes.hpp"
+#include "read/products/fbx_nodes.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
-#include "read/product_errors.hpp"
+#include "read/products/errors.hpp"
 
 namespace tcb {
 namespace {

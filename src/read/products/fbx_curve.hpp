@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "read/fbx/nodes.hpp"
-#include "read/tracks.hpp"
+#include "read/products/fbx_nodes.hpp"
+#include "read/products/tracks.hpp"
 
 namespace tcb {
 

@@ -1,5 +1,5 @@
 // Tracks: the animated values of a file with several objects, as keys of curves.
-#include "read/tracks.hpp"
+#include "read/products/tracks.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "read/key_builder.hpp"
-#include "read/product_errors.hpp"
+#include "read/products/errors.hpp"
 #include "schema/columns.hpp"
 #include "schema/units.hpp"
 #include "text/glob.hpp"

@@ -1,5 +1,5 @@
 // Errors of files of products: their tracks, and what cannot be read from them.
-#include "read/product_errors.hpp"
+#include "read/products/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // ASE: the controllers of objects in the ASCII export of 3ds Max as keys.
-#include "read/ase.hpp"
+#include "read/products/ase.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "read/product_errors.hpp"
-#include "read/text_lines.hpp"
-#include "read/tracks.hpp"
+#include "read/products/errors.hpp"
+#include "read/products/text_lines.hpp"
+#include "read/products/tracks.hpp"
 
 namespace tcb {
 namespace {

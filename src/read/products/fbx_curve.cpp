@@ -1,5 +1,5 @@
 // FBX curves: the keys of an animation curve of FBX as keys of a channel.
-#include "read/fbx/curve.hpp"
+#include "read/products/fbx_curve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "read/product_errors.hpp"
+#include "read/products/errors.hpp"
 
 namespace tcb {
 namespace {

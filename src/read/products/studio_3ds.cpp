@@ -1,5 +1,5 @@
 // 3D Studio: the keyframe tracks of .3ds files as keys.
-#include "read/studio_3ds.hpp"
+#include "read/products/studio_3ds.hpp"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "read/product_errors.hpp"
-#include "read/tracks.hpp"
+#include "read/products/errors.hpp"
+#include "read/products/tracks.hpp"
 
 namespace tcb {
 namespace {
