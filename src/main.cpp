@@ -4,6 +4,7 @@
 #include <new>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "check/compare_job.hpp"
 #include "cli/plan.hpp"
@@ -11,7 +12,7 @@
 #include "error.hpp"
 #include "fit/fit_job.hpp"
 #include "io/atomic_output.hpp"
-#include "io/input_file.hpp"
+#include "io/system.hpp"
 #include "io/terminal.hpp"
 #include "plot/plot_job.hpp"
 #include "run/explain.hpp"
@@ -42,7 +43,7 @@ struct Run {
   tcb::Exit operator()(const tcb::CompareJob& job) const { return tcb::compare(job); }
 };
 
-tcb::Exit run(int argc, char** argv) {
+tcb::Exit run(int argc, const char* const* argv) {
   const bool colored = tcb::colors_messages(tcb::color_of(argc, argv));
   try {
     return std::visit(Run(), tcb::parse(argc, argv));
@@ -58,7 +59,10 @@ tcb::Exit run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  tcb::keep_standard_streams();
+  tcb::system::keep_standard_streams();
   tcb::end_when_interrupted();
-  return static_cast<int>(run(argc, argv));
+  const std::vector<std::string> texts = tcb::system::arguments(argc, argv);
+  std::vector<const char*> words;
+  for (const std::string& text : texts) words.push_back(text.c_str());
+  return static_cast<int>(run(static_cast<int>(words.size()), words.data()));
 }

@@ -1,8 +1,6 @@
 // Plan: from arguments to typed options, and from these to the job of a product.
 #include "cli/plan.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 
 #include "cli/errors.hpp"
@@ -13,6 +11,7 @@
 #include "cli/provenance_options.hpp"
 #include "cli/read_options.hpp"
 #include "cli/values.hpp"
+#include "io/system.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 #include "schema/pose_formats.hpp"
@@ -40,7 +39,7 @@ void set_exact_pieces(TypedOptions& typed, std::string_view form) {
 
 Job parse(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (words.empty() && ::isatty(STDIN_FILENO) != 0) return PrintText{usage_text(), Exit::usage};
+  if (words.empty() && system::is_terminal(system::standard_input)) return PrintText{usage_text(), Exit::usage};
   TypedOptions typed = read_options(words);
   if (typed.wants_text()) return PrintText{asked_text(typed, words)};
   std::optional<ProvenanceRequest> provenance;
@@ -173,7 +172,7 @@ std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
 /// Throws: Error (usage) for rows that a terminal cannot show.
 WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   const bool to_terminal =
-      typed.files.outputs.file == "-" && !typed.files.outputs.folder && ::isatty(STDOUT_FILENO) != 0;
+      typed.files.outputs.file == "-" && !typed.files.outputs.folder && system::is_terminal(system::standard_output);
   if (to_terminal && format_of(typed.output.format).family == FormatFamily::array) {
     throw binary_to_terminal();
   }
@@ -185,8 +184,9 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
 }
 
 Verbosity verbosity_of(const TypedOptions& typed) {
-  const bool quiet = typed.has(option::quiet), terminal = ::isatty(STDERR_FILENO) != 0;
-  const bool to_file = typed.has(option::output) || typed.has(option::output_dir) || ::isatty(STDOUT_FILENO) == 0;
+  const bool quiet = typed.has(option::quiet), terminal = system::is_terminal(system::standard_error);
+  const bool to_file =
+      typed.has(option::output) || typed.has(option::output_dir) || !system::is_terminal(system::standard_output);
   const bool by_default = to_file && !typed.has(option::no_progress) && !quiet;
   const bool progress = terminal && (typed.has(option::progress) || by_default);
   return {quiet, terminal && !quiet, progress, colors_messages(typed.color)};

@@ -1,7 +1,6 @@
 // Atomic outputs: standard output, and files that appear under their names when they are complete.
 #pragma once
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,9 +60,8 @@ class Output {
   std::string path_;
   OutputTarget open_;
   std::string pending_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> spool_{nullptr,
-                                                         std::fclose};  ///< all bytes, until the first ones are final
-  std::optional<Compressor> compressor_ = {};                           ///< of the bytes, by the ending of the path
+  std::unique_ptr<OutputTarget> spool_;        ///< all bytes, until the first ones are final
+  std::optional<Compressor> compressor_ = {};  ///< of the bytes, by the ending of the path
   bool live_ = false;
 };
 

@@ -2,8 +2,6 @@
 #include "io/compression.hpp"
 
 #include <zlib.h>
-#include <zstd.h>
-#include <zstd_errors.h>
 
 #include <algorithm>
 #include <new>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "io/errors.hpp"
+#include "io/zstandard.hpp"
 #include "text/file_ending.hpp"
 
 namespace tcb {
@@ -22,13 +21,6 @@ constexpr std::string_view skippable_magic = "\x2A\x4D\x18";  ///< after a first
 constexpr int gzip_window = 15 + 16;                          ///< the largest, in the format of gzip
 
 Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
-
-/// What is left of compressed bytes, and where decompressed ones go.
-struct Buffers {
-  std::string_view in;
-  std::string out;
-  std::size_t size = 0;  ///< of `out` that is filled
-};
 
 /// Members of a gzip file, one after another; zeros after the last are padding.
 class Gunzip {
@@ -66,34 +58,6 @@ class Gunzip {
 
  private:
   z_stream stream_{};
-  bool ended_ = false;
-};
-
-/// Frames of a Zstandard file, one after another.
-class Unzstd {
- public:
-  static constexpr std::string_view name = "Zstandard";
-
-  Unzstd() : stream_(ZSTD_createDStream(), ZSTD_freeDStream) {
-    if (stream_ == nullptr) throw std::bad_alloc();
-  }
-
-  bool ended() const { return ended_; }
-
-  bool step(Buffers& buffers) {
-    ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
-    ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
-    const std::size_t result = ZSTD_decompressStream(stream_.get(), &out, &in);
-    if (ZSTD_getErrorCode(result) == ZSTD_error_frameParameter_windowTooLarge) throw zstandard_window_too_large();
-    if (ZSTD_isError(result) != 0) return false;
-    buffers.in.remove_prefix(in.pos);
-    buffers.size = out.pos;
-    ended_ = result == 0;
-    return true;
-  }
-
- private:
-  std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream_;
   bool ended_ = false;
 };
 
@@ -163,19 +127,11 @@ Source<std::string> decompressed(Source<std::string> bytes) {
 
 struct Compressor::State {
   z_stream gzip{};
-  std::unique_ptr<ZSTD_CStream, std::size_t (*)(ZSTD_CStream*)> zstandard{nullptr, ZSTD_freeCStream};
+  std::optional<Zstd> zstandard = {};
 
   /// Compresses some bytes; false: nothing is left to do.
   bool step(Buffers& buffers, bool last) {
-    if (zstandard != nullptr) {
-      ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
-      ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
-      const std::size_t left = ZSTD_compressStream2(zstandard.get(), &out, &in, last ? ZSTD_e_end : ZSTD_e_continue);
-      if (ZSTD_isError(left) != 0) throw std::bad_alloc();
-      buffers.in.remove_prefix(in.pos);
-      buffers.size = out.pos;
-      return !buffers.in.empty() || (last && left > 0);
-    }
+    if (zstandard) return zstandard->step(buffers, last);
     gzip.next_in = bytes_of(buffers.in.data());
     gzip.avail_in = static_cast<uInt>(buffers.in.size());
     gzip.next_out = bytes_of(buffers.out.data() + buffers.size);
@@ -189,9 +145,7 @@ struct Compressor::State {
 
 Compressor::Compressor(Compression compression) : state_(std::make_unique<State>()) {
   if (compression == Compression::zstandard) {
-    state_->zstandard.reset(ZSTD_createCStream());
-    if (state_->zstandard == nullptr) throw std::bad_alloc();
-    (void)ZSTD_CCtx_setParameter(state_->zstandard.get(), ZSTD_c_checksumFlag, 1);
+    state_->zstandard.emplace();
     return;
   }
   constexpr int memory = 8;            // zlib's default
@@ -202,7 +156,7 @@ Compressor::Compressor(Compression compression) : state_(std::make_unique<State>
 }
 
 Compressor::~Compressor() {
-  if (state_->zstandard == nullptr) deflateEnd(&state_->gzip);
+  if (!state_->zstandard) deflateEnd(&state_->gzip);
 }
 
 std::string Compressor::add(std::string_view bytes, bool last) {

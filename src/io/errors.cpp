@@ -46,6 +46,12 @@ Error zstandard_window_too_large() {
           "decompress the file with zstd -d --long=31 first"};
 }
 
+Error no_zstandard() {
+  return {Exit::usage,
+          "this build of the program has no Zstandard (.zst); expected gzip (.gz) or no compression; convert the input "
+          "with zstd -d, or give the output another ending"};
+}
+
 Error cannot_write(std::string_view reason) { return {Exit::usage, fmt::format("cannot be written: {}", reason)}; }
 
 Error cannot_create_folder(std::string_view reason) {

@@ -22,6 +22,8 @@ Error not_in_encoding(std::string_view encoding);
 Error compressed_data_damaged(std::string_view compression);
 Error compressed_data_cut(std::string_view compression);
 Error zstandard_window_too_large();
+/// In a build without libzstd.
+Error no_zstandard();
 
 // Writing.
 Error cannot_write(std::string_view reason);

@@ -1,15 +1,11 @@
-// Input files: their bytes as they arrive, what kind of file a path is, and SHA-256 of bytes.
-//
-// Source: FIPS 180-4; computed by Nettle.
+// Input files: their bytes as they arrive, and what kind of file a path is.
 #pragma once
 
-#include <sys/stat.h>
-
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "io/system.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -17,9 +13,6 @@ namespace tcb {
 /// The bytes of a file in parts as they arrive, each at most 256 KiB; "-" is standard input.
 /// Throws: Error (usage) if it cannot be opened or read, or changes in the meantime.
 Source<std::string> read_file(const std::string& path);
-
-/// Opens standard streams that the caller closed, such that their use fails, so that no other file takes their numbers.
-void keep_standard_streams();
 
 /// The name of a file for messages.
 std::string shown_name(const std::string& path);
@@ -40,28 +33,7 @@ class ChangeWatch {
 
  private:
   std::string path_;
-  std::optional<struct stat> before_;
-};
-
-/// Whether a failed read or write has to be repeated, by errno; waits until it may succeed.
-/// `events`: those of poll() to wait for.
-bool is_to_repeat(int descriptor, short events);
-
-class Sha256 {
- public:
-  Sha256();
-  Sha256(Sha256&&) noexcept;
-  Sha256& operator=(Sha256&&) noexcept;
-  ~Sha256();
-
-  void add(std::string_view bytes);
-
-  /// The checksum of all bytes so far, in 64 hexadecimal digits; the next bytes begin a new one.
-  std::string digest();
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::optional<system::FileStatus> before_;
 };
 
 }  // namespace tcb

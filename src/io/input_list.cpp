@@ -1,9 +1,6 @@
 // Input lists: files that are named, listed, or found in folders, and the path of the output of each.
 #include "io/input_list.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -12,6 +9,7 @@
 
 #include "io/errors.hpp"
 #include "io/input_file.hpp"
+#include "io/system.hpp"
 #include "text/file_ending.hpp"
 #include "text/utf8.hpp"
 
@@ -19,11 +17,6 @@ namespace tcb {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<struct stat> status_of(const std::string& path) {
-  struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
-}
 
 /// In bytes; systems allow less.
 constexpr std::size_t longest_name = 65536;
@@ -72,15 +65,15 @@ bool is_input(std::string_view path, const InputListOptions& options) {
 /// The files below a folder, sorted, except those below the output folder.
 void append_folder(Inputs& inputs, const std::string& folder, const InputListOptions& options) {
   std::error_code error;
-  const auto inside = static_cast<std::uint32_t>((fs::path(folder) / "").native().size());
+  const auto inside = static_cast<std::uint32_t>((fs::path(folder) / "").string().size());
   const std::size_t begin = inputs.files.size();
   fs::recursive_directory_iterator entry(folder, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code none;
     if (entry->is_directory(none)) {
       if (fs::equivalent(entry->path(), *options.outputs.folder, none)) entry.disable_recursion_pending();
-    } else if (is_or_should_be_regular(*entry) && is_input(entry->path().native(), options)) {
-      inputs.files.push_back({entry->path().native(), inside});
+    } else if (is_or_should_be_regular(*entry) && is_input(entry->path().string(), options)) {
+      inputs.files.push_back({entry->path().string(), inside});
     } else {
       ++inputs.others;
     }
@@ -95,14 +88,15 @@ class RealPaths {
  public:
   std::string of(const std::string& path) {
     std::error_code none;
-    std::string folder = fs::path(path).parent_path();
+    std::string folder = fs::path(path).parent_path().string();
     if (folder != folder_ || real_folder_.empty()) {
       real_folder_ = fs::weakly_canonical(folder.empty() ? "." : folder, none);
       if (none) real_folder_ = folder;
       folder_ = std::move(folder);
     }
     const fs::path target = fs::is_symlink(path, none) ? fs::canonical(path, none) : fs::path();
-    return target.empty() ? real_folder_ / fs::path(path).filename() : target;  // a link without a target is replaced
+    const bool is_replaced = target.empty();  // also a link without a target
+    return (is_replaced ? real_folder_ / fs::path(path).filename() : target).string();
   }
 
  private:
@@ -130,13 +124,12 @@ void require_distinct_outputs(const std::vector<InputFile>& files, const OutputP
 }
 
 /// The identity of the file at a path, however the path is spelled.
-using Identity = std::pair<dev_t, ino_t>;
+using Identity = std::pair<std::uint64_t, std::uint64_t>;
 
 /// Nothing for standard input, pipes and devices, and where there is no file.
 std::optional<Identity> identity_of(const std::string& path) {
-  const auto status = path == "-" ? std::nullopt : status_of(path);
-  if (!status || !S_ISREG(status->st_mode)) return std::nullopt;
-  return Identity(status->st_dev, status->st_ino);
+  const auto status = path == "-" ? std::nullopt : system::status_of(path);
+  return status && status->is_regular ? std::optional(status->identity) : std::nullopt;
 }
 
 /// Throws: Error (usage) if an output would replace an input.
@@ -155,18 +148,15 @@ void require_not_over_inputs(const std::vector<InputFile>& files, const std::vec
 
 /// Sets the sizes of the files, and whether their outputs are newer. Returns the sorted identities of all inputs.
 std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOptions& options) {
-  const auto newer = [](const timespec& a, const timespec& b) {
-    return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
-  };
   std::vector<Identity> identities;
   for (InputFile& file : files) {
-    const auto status = file.path == "-" ? std::nullopt : status_of(file.path);
-    if (!status || !S_ISREG(status->st_mode)) continue;
-    file.size = static_cast<std::uintmax_t>(status->st_size);
-    identities.emplace_back(status->st_dev, status->st_ino);
+    const auto status = file.path == "-" ? std::nullopt : system::status_of(file.path);
+    if (!status || !status->is_regular) continue;
+    file.size = status->size;
+    identities.push_back(status->identity);
     if (!options.update) continue;
-    const auto output = status_of(output_path(file, options.outputs));
-    file.is_current = output && !newer(status->st_mtim, output->st_mtim);
+    const auto output = system::status_of(output_path(file, options.outputs));
+    file.is_current = output && status->modified <= output->modified;
   }
   std::vector<std::string> others = options.other_inputs;
   if (!options.list.empty()) others.push_back(options.list);
@@ -188,8 +178,8 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs) {
   if (file.path == "-") throw standard_input_without_name();
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
-  return (fs::path(*outputs.folder) / below / fs::path(without_compression(kept.native())).stem()) +=
-         outputs.suffix + std::string(outputs.ending);
+  const fs::path stem = fs::path(without_compression(kept.string())).stem();
+  return (fs::path(*outputs.folder) / below / stem).string() + outputs.suffix + std::string(outputs.ending);
 }
 
 void require_no_input_replaced(const std::string& output, const std::vector<std::string>& inputs) {
@@ -197,18 +187,6 @@ void require_no_input_replaced(const std::string& output, const std::vector<std:
   for (const std::string& input : inputs) {
     if (there && identity_of(input) == there) throw output_is_input(output).in(input);
   }
-}
-
-void make_older(const std::string& path, const std::string& than) {
-  const auto newer = status_of(than);
-  if (!newer) return;
-  timespec time = newer->st_mtim;
-  if (--time.tv_nsec < 0) {
-    time.tv_nsec = 999'999'999;
-    --time.tv_sec;
-  }
-  const std::array times{timespec{0, UTIME_OMIT}, time};
-  (void)::utimensat(AT_FDCWD, path.c_str(), times.data(), 0);
 }
 
 Inputs find_inputs(const InputListOptions& options) {

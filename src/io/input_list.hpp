@@ -53,7 +53,4 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs);
 /// Throws: Error (usage), naming the input, if the output would replace one of these inputs.
 void require_no_input_replaced(const std::string& output, const std::vector<std::string>& inputs);
 
-/// Makes a file older than another one, so that it does not count as current. Does nothing if one of them is gone.
-void make_older(const std::string& path, const std::string& than);
-
 }  // namespace tcb

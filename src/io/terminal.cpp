@@ -1,14 +1,13 @@
 // Terminals: a line that is erased when the program is interrupted, and colors of messages.
 #include "io/terminal.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
 
 #include "error.hpp"
+#include "io/system.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -39,8 +38,8 @@ void end_interrupted() {
   const std::size_t size = std::min(line_width + echoed, blanks.size() - 2);
   blanks.fill(' ');
   blanks[0] = blanks[size + 1] = '\r';
-  if (line_width > 0) (void)!::write(STDERR_FILENO, blanks.data(), size + 2);
-  ::_exit(static_cast<int>(Exit::interrupted));
+  if (line_width > 0) (void)system::write(system::standard_error, {blanks.data(), size + 2});
+  system::end_now(static_cast<int>(Exit::interrupted));
 }
 
 bool colors_messages(ColorWhen when) {
@@ -48,7 +47,7 @@ bool colors_messages(ColorWhen when) {
   if (!variable("NO_COLOR").empty()) return false;
   const std::string_view forced = variable("CLICOLOR_FORCE");
   if (!forced.empty() && forced != "0") return true;
-  return ::isatty(STDERR_FILENO) != 0 && !variable("TERM").empty() && variable("TERM") != "dumb";
+  return system::has_colors();
 }
 
 std::string message_head(std::string_view where, MessageKind kind, bool colored) {

@@ -7,6 +7,7 @@
 
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
+#include "io/system.hpp"
 #include "run/errors.hpp"
 #include "stream/ordered_map.hpp"
 
@@ -85,7 +86,7 @@ Exit convert_each(const Inputs& inputs, const OutputPaths& paths, bool fail_fast
     const std::uint64_t rows = output->add(file, some);
     output->commit();
     if (input.has_changed()) {
-      make_older(path, file.path);
+      system::make_older(path, file.path);
       report.warning(file.path, changed_after_reading());
     }
     return rows;

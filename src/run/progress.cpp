@@ -2,8 +2,6 @@
 #include "run/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +11,7 @@
 #include <utility>
 
 #include "io/input_file.hpp"
+#include "io/system.hpp"
 #include "io/terminal.hpp"
 #include "text/utf8.hpp"
 
@@ -20,13 +19,6 @@ namespace tcb {
 namespace {
 
 constexpr auto between_updates = std::chrono::milliseconds(100);
-
-/// The number of columns of the terminal.
-std::size_t terminal_width() {
-  winsize size{};
-  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
-}
 
 /// A size with three digits and its unit.
 std::string size_text(double bytes) {
@@ -240,7 +232,7 @@ void Report::show() {
   if (!verbosity_.progress || now < next_) return;
   next_ = now + between_updates;
   constexpr std::size_t margin = 3;  // a full line would wrap, also one with the ^C of an interruption
-  std::string text = progress_text(progress(), std::max(terminal_width(), 2 * margin) - margin);
+  std::string text = progress_text(progress(), std::max(system::terminal_width(), 2 * margin) - margin);
   const std::size_t width = text.size();
   erase_when_interrupted(std::max(width, width_));
   text.resize(std::max(width, width_), ' ');

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/input_file.hpp"
+#include "io/sha256.hpp"
 #include "text/utf8.hpp"
 #include "write/errors.hpp"
 #include "write/layout.hpp"

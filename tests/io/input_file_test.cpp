@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "io/file_fixture.hpp"
+#include "io/sha256.hpp"
 
 namespace tcb {
 

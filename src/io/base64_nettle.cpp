@@ -1,9 +1,9 @@
-// Base64: bytes as text.
-#include "io/base64.hpp"
-
+// Base64 by Nettle.
 #include <nettle/base64.h>
 
 #include <cstdint>
+
+#include "io/base64.hpp"
 
 namespace tcb {
 
