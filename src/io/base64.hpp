@@ -1,4 +1,4 @@
-// Base64: bytes as text. base64_nettle.cpp, and base64_windows.cpp by the library of Windows.
+// Base64: bytes as text; by Nettle, or by the library of Windows.
 #pragma once
 
 #include <string>

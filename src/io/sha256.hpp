@@ -1,4 +1,4 @@
-// SHA-256 of bytes: sha256_nettle.cpp, and sha256_windows.cpp by the library of Windows.
+// SHA-256 of bytes; by Nettle, or by the library of Windows.
 //
 // Source: FIPS 180-4.
 #pragma once

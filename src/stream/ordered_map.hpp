@@ -2,11 +2,13 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -61,8 +63,9 @@ class Result {
       error_ = std::current_exception();
     }
     item_.reset();
+    const std::lock_guard lock(mutex_);
     done_.store(true);
-    done_.notify_one();
+    ends_.notify_one();
     return true;
   }
 
@@ -70,7 +73,8 @@ class Result {
 
   /// Waits for the thread that computes it. Throws: what f threw.
   Out take() {
-    done_.wait(false);
+    std::unique_lock lock(mutex_);
+    ends_.wait(lock, [this] { return is_done(); });
     if (error_) std::rethrow_exception(error_);
     return std::move(*out_);
   }
@@ -81,6 +85,8 @@ class Result {
   std::optional<Out> out_;
   std::exception_ptr error_;
   std::atomic<bool> claimed_ = false, done_ = false;
+  std::mutex mutex_;  // as the waits of atomics lose notifications where libstdc++ has no futexes
+  std::condition_variable ends_;
 };
 
 /// The source of f(item), in order, computed on `threads` threads including the one that pulls: the only place where

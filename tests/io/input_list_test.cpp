@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "error.hpp"
+#include "io/system.hpp"
 #include "io/terminal.hpp"
 
 namespace {
@@ -158,7 +159,7 @@ TEST_F(Inputs, an_output_made_older_is_not_current) {
   options.outputs.folder = "out";
   options.outputs.ending = ".csv";
   EXPECT_TRUE(find_inputs(options).files[0].is_current);
-  tcb::make_older("out/a.csv", "a.csv");
+  tcb::system::make_older("out/a.csv", "a.csv");
   EXPECT_FALSE(find_inputs(options).files[0].is_current);
 }
 
