@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <cwchar>
 #include <filesystem>
@@ -108,6 +109,9 @@ std::vector<std::string> arguments(int argc, char** argv) {
 
 std::string error_text() {
   const DWORD code = ::GetLastError();
+  const std::error_code error(static_cast<int>(code), std::system_category());
+  const std::error_condition known = error.default_error_condition();  // in the words that other systems have
+  if (known.category() == std::generic_category()) return known.message();
   std::array<wchar_t, 512> text{};
   DWORD size = ::FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, nullptr, code, 0,
                                 text.data(), static_cast<DWORD>(text.size()), nullptr);
@@ -198,6 +202,7 @@ void keep_standard_streams() {
   for (const int stream : {standard_input, standard_output, standard_error}) {
     if (::_get_osfhandle(stream) >= 0) (void)::_setmode(stream, _O_BINARY);
   }
+  (void)std::setvbuf(stderr, nullptr, _IONBF, 0);  // messages are in order with rows, as on other systems
   ::SetConsoleOutputCP(CP_UTF8);
 }
 
