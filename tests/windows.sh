@@ -1,6 +1,7 @@
 #!/bin/sh
-# Runs the cases of the command line with a program for Windows, by wine: windows.sh PROGRAM.EXE [CASE...]
+# Runs the cases of the command line with a program for Windows, by wine: windows.sh PROGRAM.EXE [GROUP...]
 #
+# A group is a folder of cases, such as batch, or a case; without groups all cases are run.
 # All must have the bytes that they have on Linux. Left out are cases that need what only POSIX systems have.
 set -eu
 program=$(realpath "$1")
@@ -11,9 +12,11 @@ command -v wine >/dev/null || {
   exit 77
 }
 
-# Symbolic links and named pipes; names with line breaks; terminals; messages of the C library; Zstandard.
+# Symbolic links, named pipes and /dev/fd; names and arguments that are no text; names that differ in their cases;
+# permissions; terminals; messages of the C library; Zstandard; and a start that is as fast as a case waits.
 left_out='batch/bad-files-do-not-stop-others batch/links-in-the-output-folder batch/lists-of-files cli/first-run
-errors/other-formats input/compressed'
+errors/other-formats input/compressed input/encodings output/endings output/keeps-permissions output/meta
+output/rows-appear-while-keys-come output/standard-streams'
 
 made=$(mktemp -d)
 trap 'wineserver -k 2>/dev/null || true; rm -rf "$made"' EXIT
@@ -23,7 +26,7 @@ wineboot --init >/dev/null 2>&1
 printf '#!/bin/sh\nexec wine "%s" "$@"\n' "$program" >"$made/tcbsample"
 chmod +x "$made/tcbsample"
 cases() {
-  (cd "$tests/golden" && find . -name cmd) | sed 's|^\./||; s|/cmd$||' | sort |
+  (cd "$tests/golden" && find "$@" -name cmd) | sed 's|^\./||; s|/cmd$||' | sort |
     grep -vxF "$(echo "$left_out" | tr ' ' '\n')"
 }
 run_case() {
@@ -33,8 +36,9 @@ run_case() {
 }
 
 # Two at a time: those with odd and those with even numbers.
+[ $# -gt 0 ] || set -- .
 # shellcheck disable=SC2046
-[ $# -gt 0 ] || set -- $(cases)
+set -- $(cases "$@")
 run_all() {
   number=0
   parity=$1

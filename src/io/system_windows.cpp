@@ -186,8 +186,9 @@ bool write(int descriptor, std::string_view bytes) {
     const auto size = static_cast<DWORD>(std::min(bytes.size(), most));
     if (::WriteFile(handle_of(descriptor), bytes.data(), size, &count, nullptr) == 0) {
       const DWORD code = ::GetLastError();
-      if (descriptor == standard_output && (code == ERROR_BROKEN_PIPE || code == ERROR_NO_DATA))
-        end_now(0);  // nobody reads it
+      const bool is_closed = code == ERROR_BROKEN_PIPE || code == ERROR_NO_DATA || code == ERROR_PIPE_NOT_CONNECTED;
+      constexpr int closed_pipe = 141;  // as of a process that the signal SIGPIPE ends
+      if (descriptor == standard_output && is_closed) end_now(closed_pipe);
       return false;
     }
     bytes.remove_prefix(count);
