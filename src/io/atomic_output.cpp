@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "io/errors.hpp"
+#include "io/path_text.hpp"
 #include "io/system.hpp"
 #include "io/terminal.hpp"
 
@@ -42,9 +43,9 @@ std::string unfinished_name(const std::filesystem::path& path) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
   std::random_device random;
   std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1);
-  std::string name = "." + path.filename().generic_string().substr(0, longest) + ".";
+  std::string name = "." + path_text(path.filename()).substr(0, longest) + ".";
   for (int i = 0; i < 10; ++i) name += letters[letter(random)];
-  return (path.parent_path() / (name + ".tcbsample")).generic_string();
+  return path_text(path.parent_path() / (name + ".tcbsample"));
 }
 
 /// Calls make(name) with unused names of temporary files, and returns the descriptor or 0 that it returns, or -1 if it
@@ -84,7 +85,7 @@ bool name_temporarily(OutputTarget& target, const std::string& path) {
 /// Throws: Error (usage) for a link that cannot be followed.
 std::string target_of(const std::string& path) {
   std::error_code error, none;
-  std::string target = std::filesystem::canonical(path, error).generic_string();
+  std::string target = path_text(std::filesystem::canonical(path, error));
   if (!error) return target;
   if (std::filesystem::is_symlink(path, none)) throw cannot_write(error.message()).in(path);
   return path;
@@ -107,7 +108,7 @@ std::optional<int> own_descriptor(std::string_view path) {
 
 }  // namespace
 
-std::string folder_of(const std::string& path) { return std::filesystem::path(path).parent_path().generic_string(); }
+std::string folder_of(const std::string& path) { return path_text(std::filesystem::path(path).parent_path()); }
 
 void make_folder(const std::string& path) {
   std::error_code error;
