@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   tcb::end_when_interrupted();
   const std::vector<std::string> texts = tcb::system::arguments(argc, argv);
   std::vector<const char*> words;
+  words.reserve(texts.size());
   for (const std::string& text : texts) words.push_back(text.c_str());
   return static_cast<int>(run(static_cast<int>(words.size()), words.data()));
 }

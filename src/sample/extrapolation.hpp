@@ -25,9 +25,7 @@ inline constexpr std::array extrapolations{
     NamedExtrapolation{"offset", Extrapolation::offset}, NamedExtrapolation{"oscillate", Extrapolation::oscillate},
 };
 
-constexpr std::string_view name_of(Extrapolation kind) {
-  return extrapolations[static_cast<std::size_t>(kind)].name;
-}
+constexpr std::string_view name_of(Extrapolation kind) { return extrapolations[static_cast<std::size_t>(kind)].name; }
 
 /// The relation of a time outside the curve to one inside.
 template <class S>

@@ -41,8 +41,8 @@ struct FbxCurve {
 };
 
 /// An AnimationCurve (version 7), and a Channel (version 6), which may be without keys. Throws: Error (data).
-FbxCurve read_curve(const FbxNode& node, const FbxHead& head);
-FbxCurve read_old_curve(const FbxNode& node, const FbxHead& head);
+FbxCurve read_curve(const FbxNode& curve, const FbxHead& head);
+FbxCurve read_old_curve(const FbxNode& channel, const FbxHead& head);
 
 /// Throws: Error (data) where the times do not increase, and for tangents that the file does not decide.
 TrackChannel channel_of(std::string_view name, const FbxCurve& curve);
