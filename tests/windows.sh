@@ -13,7 +13,7 @@ command -v wine >/dev/null || {
 }
 
 # Symbolic links, named pipes and /dev/fd; names and arguments that are no text; names that differ in their cases;
-# permissions; terminals; messages of the C library; Zstandard; and a start that is as fast as a case waits.
+# permissions; terminals; messages of the C library; Zstandard; and the time at which rows appear.
 left_out='batch/bad-files-do-not-stop-others batch/links-in-the-output-folder batch/lists-of-files cli/first-run
 errors/other-formats input/compressed input/encodings output/endings output/keeps-permissions output/meta
 output/rows-appear-while-keys-come output/standard-streams'

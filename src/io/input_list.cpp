@@ -73,8 +73,9 @@ void append_folder(Inputs& inputs, const std::string& folder, const InputListOpt
     std::error_code none;
     if (entry->is_directory(none)) {
       if (fs::equivalent(entry->path(), *options.outputs.folder, none)) entry.disable_recursion_pending();
-    } else if (is_or_should_be_regular(*entry) && is_input(path_text(entry->path()), options)) {
-      inputs.files.push_back({path_text(entry->path()), inside});
+    } else if (std::string path = path_text(entry->path());
+               is_or_should_be_regular(*entry) && is_input(path, options)) {
+      inputs.files.push_back({std::move(path), inside});
     } else {
       ++inputs.others;
     }

@@ -171,6 +171,12 @@ Error fbx_arrays_differ() {
           "are keys; export the file again"};
 }
 
+Error fbx_curves_repeat() {
+  return {Exit::data,
+          "the animation curves have so many connections that their keys are more than the bytes of the file; expected "
+          "one connection of each curve; export the file again"};
+}
+
 Error no_fbx_interpolation(std::uint32_t flags) {
   return {Exit::data,
           fmt::format("the interpolation of the key has the flags 0x{:x}; expected constant (0x2), linear (0x4) or "

@@ -50,6 +50,7 @@ Error unexpected_text_in_fbx(std::string_view text);
 Error too_many_levels_in_fbx(std::size_t most);
 Error missing_in_fbx(std::string_view node);
 Error fbx_arrays_differ();
+Error fbx_curves_repeat();
 Error no_fbx_interpolation(std::uint32_t flags);
 Error fbx_tangents_with_weights();
 Error fbx_slope_after_tcb();

@@ -94,7 +94,8 @@ struct OpenTrack {
 /// The objects and connections of version 7.
 class Objects {
  public:
-  Objects(const FbxNode& file, const FbxHead& head) : head_(head) {
+  /// `size`: of the file, in bytes.
+  Objects(const FbxNode& file, const FbxHead& head, std::size_t size) : head_(head), most_keys_(size) {
     for (const FbxNode& objects : file.children) {
       if (objects.name != "Objects") continue;
       for (const FbxNode& object : objects.children) add(object);
@@ -104,15 +105,17 @@ class Objects {
     }
   }
 
-  std::vector<OpenTrack> tracks() const {
+  std::vector<OpenTrack> tracks() {
+    const auto is_driven = [](const Link& link) {
+      return !link.property.empty() && link.object->kind() != "AnimationLayer";
+    };
     std::vector<OpenTrack> tracks;
     for (const Object* const node : curve_nodes_) {
-      for (const Link& link : node->parents) {
-        if (link.property.empty() || link.object->kind() == "AnimationLayer") continue;
-        OpenTrack track{object_name(*link.object), track_of_property(link.property), layer_of(*node)};
-        add_channels(track, *node);
-        tracks.push_back(std::move(track));
-      }
+      const auto link = std::ranges::find_if(node->parents, is_driven);
+      if (link == node->parents.end()) continue;
+      OpenTrack track{object_name(*link->object), track_of_property(link->property), layer_of(*node)};
+      add_channels(track, *node);
+      tracks.push_back(std::move(track));
     }
     return tracks;
   }
@@ -173,7 +176,7 @@ class Objects {
     return take == nullptr ? std::string(layer->name) : fmt::format("{}, {}", take->name, layer->name);
   }
 
-  void add_channels(OpenTrack& track, const Object& node) const {
+  void add_channels(OpenTrack& track, const Object& node) {
     if (const FbxNode* const list = node.node->find("Properties70")) {
       for (const FbxNode& property : list->children) {
         FbxValues values(property);
@@ -187,14 +190,19 @@ class Objects {
     for (const Link& link : node.children) {
       if (link.object->kind() != "AnimationCurve" || link.property.empty()) continue;
       try {
-        track.channel(link.property).curve = read_curve(*link.object->node, head_);
+        FbxCurve& curve = track.channel(link.property).curve;
+        curve = read_curve(*link.object->node, head_);
+        keys_ += curve.keys.size();
       } catch (const Error& error) {
         track.failure = error.about(track.path());
       }
+      if (keys_ > most_keys_) throw fbx_curves_repeat().about(track.path());
     }
   }
 
   const FbxHead head_;
+  std::size_t keys_ = 0;                        ///< that were read
+  const std::size_t most_keys_;                 ///< as many as the file has bytes: a curve may have several connections
   std::map<std::string_view, Object> objects_;  ///< by number
   std::vector<const Object*> curve_nodes_;
 };
@@ -301,7 +309,7 @@ Records open_fbx(const Source<std::string>& bytes, const InputOptions& options) 
   const FbxHead head = read_head(file);
   constexpr std::int64_t first_with_connections = 7000;
   std::vector<OpenTrack> found =
-      head.version >= first_with_connections ? Objects(file, head).tracks() : Takes(file, head).tracks();
+      head.version >= first_with_connections ? Objects(file, head, text.size()).tracks() : Takes(file, head).tracks();
   std::erase_if(found, [](const OpenTrack& track) { return !track.is_animated(); });
   name_apart(found);
   std::vector<Track> tracks;

@@ -111,8 +111,8 @@ std::string_view extrapolation_of(const Track& track) {
     if (!changes(channel)) return true;
     const bool has_same_range = channel.keys.front().time.decimal == first->keys.front().time.decimal &&
                                 channel.keys.back().time.decimal == first->keys.back().time.decimal;
-    const bool is_of_range = first->before != "hold";
-    return channel.before == first->before && channel.after == first->before && (has_same_range || !is_of_range);
+    const bool needs_no_range = first->before == "hold";
+    return channel.before == first->before && channel.after == first->before && (has_same_range || needs_no_range);
   };
   return std::ranges::all_of(track.channels, is_same) ? first->before : "";
 }
