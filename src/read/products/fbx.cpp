@@ -106,16 +106,14 @@ class Objects {
   }
 
   std::vector<OpenTrack> tracks() {
-    const auto is_driven = [](const Link& link) {
-      return !link.property.empty() && link.object->kind() != "AnimationLayer";
-    };
     std::vector<OpenTrack> tracks;
     for (const Object* const node : curve_nodes_) {
-      const auto link = std::ranges::find_if(node->parents, is_driven);
-      if (link == node->parents.end()) continue;
-      OpenTrack track{object_name(*link->object), track_of_property(link->property), layer_of(*node)};
-      add_channels(track, *node);
-      tracks.push_back(std::move(track));
+      for (const Link& link : node->parents) {
+        if (link.property.empty() || link.object->kind() == "AnimationLayer") continue;
+        OpenTrack track{object_name(*link.object), track_of_property(link.property), layer_of(*node)};
+        add_channels(track, *node);
+        tracks.push_back(std::move(track));
+      }
     }
     return tracks;
   }
@@ -186,23 +184,29 @@ class Objects {
         for (int skipped = 0; skipped < 3; ++skipped) values.next();  // types and flags
         if (!values.at_end()) track.channel(name).constant = values.next_number();
       }
+      count_keys(track.channels.size(), track);
     }
     for (const Link& link : node.children) {
       if (link.object->kind() != "AnimationCurve" || link.property.empty()) continue;
+      FbxCurve& curve = track.channel(link.property).curve;
       try {
-        FbxCurve& curve = track.channel(link.property).curve;
         curve = read_curve(*link.object->node, head_);
-        keys_ += curve.keys.size();
       } catch (const Error& error) {
         track.failure = error.about(track.path());
       }
-      if (keys_ > most_keys_) throw fbx_curves_repeat().about(track.path());
+      count_keys(curve.keys.size(), track);
     }
   }
 
+  /// Bounds the memory of a file whose curves have many connections. Throws: Error (data).
+  void count_keys(std::size_t keys, const OpenTrack& track) {
+    keys_ += keys;
+    if (keys_ > most_keys_) throw fbx_curves_repeat().about(track.path());
+  }
+
   const FbxHead head_;
-  std::size_t keys_ = 0;                        ///< that were read
-  const std::size_t most_keys_;                 ///< as many as the file has bytes: a curve may have several connections
+  std::size_t keys_ = 0;  ///< that were read, and constants of channels
+  const std::size_t most_keys_;
   std::map<std::string_view, Object> objects_;  ///< by number
   std::vector<const Object*> curve_nodes_;
 };
