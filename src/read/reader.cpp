@@ -94,6 +94,9 @@ constexpr std::array other_formats{
     OtherFormat{"<"sv, "XML or HTML"},
 };
 
+/// A binary FBX file, whose error has a remedy of its own.
+constexpr std::string_view binary_fbx_bytes = "Kaydara FBX";
+
 Error at_first_byte(const Error& error) { return error.at({"", 1, 1}); }
 
 /// Throws: Error (data) for a format that is not read.
@@ -109,7 +112,7 @@ void require_known_format(std::string_view beginning) {
                        beginning.find("\"accessors\"") != std::string::npos;
   if (is_gltf) throw at_first_byte(input_in_other_format("a glTF scene"));
   beginning.remove_prefix(text);
-  if (beginning.starts_with("Kaydara FBX")) throw at_first_byte(binary_fbx());
+  if (beginning.starts_with(binary_fbx_bytes)) throw at_first_byte(binary_fbx());
   const auto other = std::ranges::find_if(other_formats, begins);
   if (other != other_formats.end()) throw at_first_byte(input_in_other_format(other->name));
 }
@@ -119,9 +122,10 @@ bool may_begin_other_format(std::string_view beginning) {
   constexpr std::size_t most_blanks = 4096;
   if (beginning.size() > most_blanks) return false;
   beginning.remove_prefix(std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size()));
-  return std::ranges::any_of(other_formats, [&](const auto& row) {
-    return row.bytes.size() > beginning.size() && row.bytes.starts_with(beginning);
-  });
+  const auto may_complete = [&](std::string_view bytes) {
+    return bytes.size() > beginning.size() && bytes.starts_with(beginning);
+  };
+  return may_complete(binary_fbx_bytes) || std::ranges::any_of(other_formats, may_complete, &OtherFormat::bytes);
 }
 
 /// The text in UTF-8 without a byte order mark; `encoding` gets the name of another encoding. Throws: Error (data) for
