@@ -196,9 +196,9 @@ double share_for_times(const Recording& recording, const std::vector<Time>& time
 }
 
 /// The number of keys that any curve within the tolerances of distances has.
-std::size_t least_keys(Recording recording) {
+std::size_t least_keys(Recording recording, unsigned threads) {
   std::erase_if(recording.groups, is_of_rotation);
-  return longest_cubics(recording).size() + 1;
+  return longest_cubics(recording, threads).size() + 1;
 }
 
 }  // namespace
@@ -231,11 +231,11 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   corners.push_back(last);
   fixed.insert(fixed.end(), corners.begin(), corners.end());
   FitResult result;
-  FirstTimes first_times{longest_cubics(recording), {}};
-  first_times.knots = knots_of(recording, first_times.cubics.size());
+  FirstTimes first_times{longest_cubics(recording, rules.threads), {}};
+  first_times.knots = knots_of(recording, first_times.cubics.size(), rules.threads);
   if (rules.done) rules.done(recording.size());
   const bool has_rotations = std::ranges::any_of(recording.groups, &is_of_rotation);
-  result.least_keys = has_rotations ? least_keys(recording) : first_times.cubics.size() + 1;
+  result.least_keys = has_rotations ? least_keys(recording, rules.threads) : first_times.cubics.size() + 1;
   const Verification verification(recording, times);
   const double limit = 1 - share_for_times(recording, times);
   double share = 0.998 * limit;  // each failed attempt takes a smaller one, and adds a key to each segment that failed

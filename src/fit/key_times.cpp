@@ -18,7 +18,9 @@ namespace tcb {
 namespace {
 
 /// While segments are divided: few iterations, and enough stiffness to keep slopes from oscillating.
-constexpr FitEffort of_division{6, 0.05};
+constexpr FitEffort of_division{6, 0.05, false};
+/// With as little stiffness as the last fits, to see whether that is enough.
+constexpr FitEffort of_trial{2, 1e-6, false};
 
 std::vector<std::size_t> samples_of(std::span<const FitKey> keys) {
   std::vector<std::size_t> samples;
@@ -33,15 +35,20 @@ std::vector<double> masses_of(std::span<const double> worst) {
   return masses;
 }
 
+/// How many segments the windows have that are tried with one less, one sweep after another.
+using Sweeps = std::array<std::size_t, 3>;
+constexpr Sweeps wider_sweeps{4, 8, 16}, narrower_sweeps{16, 8, 4};
+
 /// Removes keys that the tolerances do not need.
 class Thinning {
  public:
   /// `fixed`: among them the first and the last key. `ends`: which of these keep their positions and slopes.
-  Thinning(const Recording& recording, std::vector<FitKey> keys, std::vector<std::size_t> fixed,
+  Thinning(const Recording& recording, std::vector<FitKey> keys, std::vector<std::size_t> fixed, const Sweeps& sweeps,
            const SamplesDone& done, FixedEnds ends = {})
       : recording_(recording),
         keys_(std::move(keys)),
         fixed_(std::move(fixed)),
+        sweeps_(sweeps),
         done_(done),
         ends_(ends),
         counted_(keys_[0].sample) {}
@@ -51,7 +58,7 @@ class Thinning {
   /// All steps, on the keys at samples [from, to].
   void thin(std::size_t from, std::size_t to) {
     remove_keys(from, to);
-    for (const std::size_t segments : std::array<std::size_t, 3>{4, 8, 16}) sweep(segments, from, to);
+    for (const std::size_t segments : sweeps_) sweep(segments, from, to);
     remove_keys(from, to);
   }
   void thin() { thin(keys_[0].sample, keys_[keys_.size() - 1].sample); }
@@ -64,7 +71,7 @@ class Thinning {
   }
 
  private:
-  static constexpr int most_moves = 3;
+  static constexpr int most_moves = 4;
 
   /// Tries to remove each key, with its neighbours fitted again where they are.
   void remove_keys(std::size_t from, std::size_t to) {
@@ -146,6 +153,7 @@ class Thinning {
   const Recording& recording_;
   KeyList keys_;
   const std::vector<std::size_t> fixed_;
+  const Sweeps& sweeps_;
   const SamplesDone& done_;
   const FixedEnds ends_;
   std::size_t counted_;  ///< up to which sample this pass is counted
@@ -177,10 +185,10 @@ std::vector<std::size_t> union_of(std::vector<std::size_t> samples, const std::v
 
 /// The samples of keys at knots, if they suffice; otherwise at both sides of each, and in the middle between two knots.
 std::vector<std::size_t> samples_at_knots(const Recording& recording, const FirstTimes& times,
-                                          const std::vector<std::size_t>& fixed) {
+                                          const std::vector<std::size_t>& fixed, unsigned threads) {
   std::vector<std::size_t> plain = union_of(fixed, times.knots);
   std::vector<FitKey> keys = keys_at(plain, recording);
-  const std::vector<double> worst = fit_smoothly(recording, keys, {}, {2});
+  const std::vector<double> worst = fit_smoothly(recording, keys, {}, of_trial, threads);
   if (*std::ranges::max_element(worst) <= 1) return plain;
   std::vector<std::size_t> after, samples;
   for (const std::size_t knot : times.knots) after.push_back(std::min(knot + 1, recording.size() - 1));
@@ -192,41 +200,41 @@ std::vector<std::size_t> samples_at_knots(const Recording& recording, const Firs
 }
 
 /// Fits keys with the stiffness of division, unless more segments are within the tolerances with less.
-std::vector<double> fit_for_division(const Recording& recording, std::vector<FitKey>& keys) {
+std::vector<double> fit_for_division(const Recording& recording, std::vector<FitKey>& keys, FixedEnds ends,
+                                     unsigned threads = 1) {
   const auto failures = [](const std::vector<double>& worst) {
     return std::ranges::count_if(worst, [](double error) { return !(error <= 1); });
   };
   std::vector<FitKey> loose = keys;
-  std::vector<double> of_loose = fit_smoothly(recording, loose, {}, {2});
+  std::vector<double> of_loose = fit_smoothly(recording, loose, ends, of_trial, threads);
   if (failures(of_loose) > 0) {
-    std::vector<double> worst = fit_smoothly(recording, keys, {}, of_division);
+    std::vector<double> worst = fit_smoothly(recording, keys, ends, of_division, threads);
     if (failures(worst) <= failures(of_loose)) return worst;
   }
   keys = std::move(loose);
   return of_loose;
 }
 
-/// Divides segments and fits their keys again, until all are within the tolerances.
-void divide_segments(const Recording& recording, std::vector<FitKey>& keys) {
-  std::vector<double> worst = fit_for_division(recording, keys);
-  while (*std::ranges::max_element(worst) > 1) {
-    std::vector<std::size_t> samples{keys.front().sample};
-    for (std::size_t i = 0; i < worst.size(); ++i) {
-      const std::size_t from = keys[i].sample, to = keys[i + 1].sample;
-      // Where no sample is left between, the segments next to this one are divided.
-      const bool is_far = worst[i] > 1 || (i > 0 && worst[i - 1] > 1 && keys[i].sample - keys[i - 1].sample == 1) ||
-                          (i + 1 < worst.size() && worst[i + 1] > 1 && keys[i + 2].sample - to == 1);
-      if (is_far && to - from > 1) samples.push_back(from + (to - from) / 2);
-      samples.push_back(to);
-    }
-    if (samples.size() == keys.size()) return;
-    keys = keys_at(samples, recording);
-    worst = fit_for_division(recording, keys);
+/// Keys with the segments divided that are beyond the tolerances. `worst`: the largest error of each segment.
+std::vector<FitKey> with_divisions(const Recording& recording, const std::vector<FitKey>& keys,
+                                   std::span<const double> worst) {
+  std::vector<std::size_t> samples{keys.front().sample};
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    const std::size_t from = keys[i].sample, to = keys[i + 1].sample;
+    // Where no sample is left between, the segments next to this one are divided.
+    const bool is_far = worst[i] > 1 || (i > 0 && worst[i - 1] > 1 && keys[i].sample - keys[i - 1].sample == 1) ||
+                        (i + 1 < worst.size() && worst[i + 1] > 1 && keys[i + 2].sample - to == 1);
+    if (is_far && to - from > 1) samples.push_back(from + (to - from) / 2);
+    samples.push_back(to);
   }
+  std::vector<FitKey> divided = keys_at(samples, recording);
+  divided.front() = keys.front();
+  divided.back() = keys.back();
+  return divided;
 }
 
-/// The keys between which the parts of a recording are thinned: about every so many samples, the first and the last
-/// one.
+/// The keys between which the parts of a recording are divided and thinned: about every so many samples, the first and
+/// the last one.
 std::vector<std::size_t> ends_of_parts(const std::vector<FitKey>& keys) {
   constexpr std::size_t samples_of_part = 50'000;
   std::vector<std::size_t> ends{0};
@@ -238,61 +246,98 @@ std::vector<std::size_t> ends_of_parts(const std::vector<FitKey>& keys) {
   return ends;
 }
 
-/// The numbers from 0 to `count`, which is left out.
-Source<std::size_t> numbers_to(std::size_t count) {
-  return [count, next = std::size_t{0}]() mutable { return next < count ? std::optional(next++) : std::nullopt; };
+/// Calls a function for each part of a recording, with its keys and which of its ends stay, on several threads. Returns
+/// the keys of all parts.
+template <class F>
+std::vector<FitKey> in_parts(const std::vector<FitKey>& keys, const std::vector<std::size_t>& ends, unsigned threads,
+                             const F& f) {
+  const auto call = [&](std::size_t part) {
+    const auto at = [&](std::size_t end) { return keys.begin() + static_cast<std::ptrdiff_t>(ends[end]); };
+    return f(std::vector<FitKey>(at(part), at(part + 1) + 1), FixedEnds{part > 0, part + 2 < ends.size()});
+  };
+  const auto parts = ordered_map(numbers_to(ends.size() - 1), call, threads);
+  std::vector<FitKey> joined;
+  while (std::optional<std::vector<FitKey>> part = parts()) {
+    std::ranges::move(part->begin() + (joined.empty() ? 0 : 1), part->end(), std::back_inserter(joined));
+  }
+  return joined;
+}
+
+/// Keys at samples, between which segments are divided until all are within the tolerances.
+std::vector<FitKey> divided_keys(const Recording& recording, const std::vector<std::size_t>& samples,
+                                 unsigned threads) {
+  std::vector<FitKey> all = keys_at(samples, recording);
+  const std::vector<double> worst_of_all = fit_for_division(recording, all, {}, threads);
+  const auto divide = [&](std::vector<FitKey> keys, FixedEnds ends) {
+    const auto first = std::ranges::lower_bound(all, keys.front().sample, {}, &FitKey::sample) - all.begin();
+    std::vector<double> worst(worst_of_all.begin() + first, worst_of_all.begin() + first + std::ssize(keys) - 1);
+    while (*std::ranges::max_element(worst) > 1) {
+      std::vector<FitKey> divided = with_divisions(recording, keys, worst);
+      if (divided.size() == keys.size()) break;
+      keys = std::move(divided);
+      worst = fit_for_division(recording, keys, ends);
+    }
+    return keys;
+  };
+  return in_parts(all, ends_of_parts(all), threads, divide);
 }
 
 /// Removes keys, and moves the others, until no more are found that the tolerances do not need.
 std::vector<FitKey> thinned(const Recording& recording, const std::vector<FitKey>& keys,
-                            const std::vector<std::size_t>& fixed, const SamplesDone& done, unsigned threads) {
+                            const std::vector<std::size_t>& fixed, const Sweeps& sweeps, const SamplesDone& done,
+                            unsigned threads) {
   const std::vector<std::size_t> ends = ends_of_parts(keys);
   std::mutex mutex;
   const SamplesDone counted = [&](std::size_t samples) {
     const std::lock_guard lock(mutex);
     if (done) done(samples);
   };
-  const auto thinned_part = [&](std::size_t part) {
-    const std::size_t first = ends[part], last = ends[part + 1];
-    const auto from = keys.begin() + static_cast<std::ptrdiff_t>(first),
-               to = keys.begin() + static_cast<std::ptrdiff_t>(last);
-    std::vector<std::size_t> own_fixed{from->sample, to->sample};
+  const auto thin = [&](std::vector<FitKey> part, FixedEnds ends_of_part) {
+    const std::size_t from = part.front().sample, to = part.back().sample;
+    std::vector<std::size_t> own_fixed{from, to};
     std::ranges::copy_if(fixed, std::back_inserter(own_fixed),
-                         [&](std::size_t sample) { return sample >= from->sample && sample <= to->sample; });
-    Thinning thinning(recording, {from, to + 1}, union_of(std::move(own_fixed), {}), counted,
-                      {first > 0, last + 1 < keys.size()});
+                         [&](std::size_t sample) { return sample >= from && sample <= to; });
+    Thinning thinning(recording, std::move(part), union_of(std::move(own_fixed), {}), sweeps, counted, ends_of_part);
     thinning.thin();
     return std::move(thinning).take();
   };
-  const auto parts = ordered_map(numbers_to(ends.size() - 1), thinned_part, threads);
-  std::vector<FitKey> joined;
-  while (std::optional<std::vector<FitKey>> part = parts()) {
-    std::ranges::move(part->begin() + (joined.empty() ? 0 : 1), part->end(), std::back_inserter(joined));
-  }
   const SamplesDone none;
-  Thinning between(recording, std::move(joined), fixed, none);
+  Thinning between(recording, in_parts(keys, ends, threads, thin), fixed, sweeps, none);
   for (std::size_t end = 1; end + 1 < ends.size(); ++end) between.thin_around(keys[ends[end]].sample);
   return std::move(between).take();
+}
+
+/// The fewest keys that several tries find: from two beginnings, with sweeps in either order, and until nothing is
+/// found any more.
+std::vector<FitKey> thinned_best(const Recording& recording, const std::array<std::vector<FitKey>, 2>& beginnings,
+                                 const std::vector<std::size_t>& fixed, const SamplesDone& done, unsigned threads) {
+  const auto thin = [&](std::size_t number) {
+    return thinned(recording, beginnings[number % 2], fixed, number < 2 ? wider_sweeps : narrower_sweeps,
+                   number == 0 ? done : SamplesDone{}, 1);
+  };
+  constexpr std::size_t tries = 4;
+  const auto results = ordered_map(numbers_to(tries), thin, threads);
+  std::vector<FitKey> best = *results();
+  while (std::optional<std::vector<FitKey>> keys = results()) {
+    if (keys->size() < best.size()) best = *std::move(keys);
+  }
+  for (std::size_t before = 0; before != best.size();) {
+    before = best.size();
+    best = thinned(recording, best, fixed, wider_sweeps, {}, threads);
+  }
+  return best;
 }
 
 }  // namespace
 
 std::vector<FitKey> fitting_keys(const Recording& recording, const FirstTimes& times,
                                  const std::vector<std::size_t>& fixed, const SamplesDone& done, unsigned threads) {
-  constexpr std::size_t many_samples = 20000;  // for two tries in less than a second
-  const auto beginning = [&](std::size_t number) {
-    std::vector<FitKey> keys = keys_at(
-        number == 0 ? spread_samples(recording, times, fixed) : samples_at_knots(recording, times, fixed), recording);
-    divide_segments(recording, keys);
-    return keys;
-  };
-  const auto beginnings = ordered_map(numbers_to(2), beginning, threads);
-  std::vector<FitKey> keys = *beginnings(), others = *beginnings();
+  std::vector<FitKey> keys = divided_keys(recording, spread_samples(recording, times, fixed), threads);
+  std::vector<FitKey> others = divided_keys(recording, samples_at_knots(recording, times, fixed, threads), threads);
   if (others.size() < keys.size()) std::swap(keys, others);
-  keys = thinned(recording, keys, fixed, done, threads);
-  if (recording.size() > many_samples) return keys;
-  others = thinned(recording, others, fixed, {}, threads);
-  return others.size() < keys.size() ? others : keys;
+  constexpr std::size_t many_samples = 100'000;
+  if (recording.size() > many_samples) return thinned(recording, keys, fixed, wider_sweeps, done, threads);
+  return thinned_best(recording, {keys, others}, fixed, done, threads);
 }
 
 }  // namespace tcb

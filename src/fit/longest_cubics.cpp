@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "stream/ordered_map.hpp"
+
 namespace tcb {
 namespace {
 
@@ -39,8 +41,12 @@ void solve(std::array<Basis, cubic_order>& matrix, std::span<Basis> targets) {
 /// Whether one cubic stays within the tolerance of the channels of a group at some samples.
 class CubicTest {
  public:
-  CubicTest(const Recording& recording, const FitGroup& group)
-      : recording_(recording), group_(group), cubic_(group.channels.size()) {}
+  /// `share`: of the tolerance.
+  CubicTest(const Recording& recording, const FitGroup& group, double share)
+      : recording_(recording),
+        channels_(group.channels),
+        per_square_(1 / (group.tolerance * share * (group.tolerance * share))),
+        cubic_(group.channels.size()) {}
 
   /// False only if it is proved that no cubic is within the tolerance.
   bool may_fit(SampleRange range) {
@@ -83,10 +89,11 @@ class CubicTest {
       double largest = 0, sum = 0, squares = 0;
       errors_.clear();
       for (std::size_t k = 0; k < chosen_.size(); ++k) {
-        errors_.push_back(error(chosen_[k]));
+        const double square = squared_error(chosen_[k]);
+        errors_.push_back(std::sqrt(square));
         largest = std::max(largest, errors_[k]);
         sum += weights_[k];
-        squares += weights_[k] * errors_[k] * errors_[k];
+        squares += weights_[k] * square;
       }
       constexpr double rounding = 1 + 1e-9;
       if (squares > sum * rounding) return false;
@@ -104,7 +111,7 @@ class CubicTest {
       for (std::size_t i = 0; i < cubic_order; ++i) {
         for (std::size_t j = 0; j <= i; ++j) matrix[i][j] += weights_[k] * b[i] * b[j];
         for (std::size_t c = 0; c < cubic_.size(); ++c) {
-          cubic_[c][i] += weights_[k] * b[i] * recording_.position(chosen_[k], group_.channels[c]);
+          cubic_[c][i] += weights_[k] * b[i] * recording_.position(chosen_[k], channels_[c]);
         }
       }
     }
@@ -119,7 +126,7 @@ class CubicTest {
       std::size_t worst = range.last;
       for (std::size_t i = range.first + range.size() * part / parts;
            i < range.first + range.size() * (part + 1) / parts; ++i) {
-        const double now = error(i);
+        const double now = squared_error(i);
         if (now > largest) {
           largest = now;
           worst = i;
@@ -134,21 +141,22 @@ class CubicTest {
 
   Basis basis(std::size_t sample) const { return basis_at((recording_.times[sample] - middle_) / half_); }
 
-  /// The distance of the cubic from a sample, in tolerances.
-  double error(std::size_t sample) const {
+  /// The square of the distance of the cubic from a sample, in tolerances.
+  double squared_error(std::size_t sample) const {
     const Basis b = basis(sample);
     double sum = 0;
     for (std::size_t c = 0; c < cubic_.size(); ++c) {
       const Basis& a = cubic_[c];
       const double gap =
-          ((a[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) - recording_.position(sample, group_.channels[c]);
+          ((a[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) - recording_.position(sample, channels_[c]);
       sum += gap * gap;
     }
-    return std::sqrt(sum) / group_.tolerance;
+    return sum * per_square_;
   }
 
   const Recording& recording_;
-  const FitGroup& group_;
+  const std::vector<std::size_t>& channels_;
+  double per_square_;  ///< of the tolerance
   double middle_ = 0, half_ = 1;
   std::vector<std::size_t> chosen_;
   std::vector<double> weights_, errors_;
@@ -159,11 +167,8 @@ class CubicTest {
 class CubicTests {
  public:
   /// `share`: of the tolerances.
-  CubicTests(const Recording& recording, double share) : groups_(recording.groups) {
-    for (FitGroup& group : groups_) {
-      group.tolerance *= share;
-      tests_.emplace_back(recording, group);
-    }
+  CubicTests(const Recording& recording, double share) {
+    for (const FitGroup& group : recording.groups) tests_.emplace_back(recording, group, share);
   }
 
   /// Whether samples [first, last) may be within the tolerances.
@@ -172,64 +177,119 @@ class CubicTests {
   }
 
  private:
-  std::vector<FitGroup> groups_;
   std::vector<CubicTest> tests_;
 };
 
-/// The largest size up to `most` for which a test holds, as for all below it; `good`: it holds for this one. Begins at
-/// a guess.
+/// The largest size up to `most` for which a test holds, as for all below it; `good`: it holds for this one. Searches in
+/// growing steps around a guess.
 template <class Test>
 std::size_t largest_size(std::size_t good, std::size_t most, std::size_t guess, const Test& test) {
-  std::size_t bad = most + 1;
-  for (std::size_t size = std::clamp(guess, good, most); good < most && bad > most;) {
-    if (test(size)) {
-      good = size;
-      size = std::min(2 * size, most);
-    } else {
-      bad = size;
+  std::size_t bad = most + 1, size = std::clamp(guess, good, most), step = std::max<std::size_t>(size / 8, 1);
+  const auto try_size = [&] {
+    const bool holds = size == good || test(size);
+    (holds ? good : bad) = size;
+    return holds;
+  };
+  if (try_size()) {
+    for (; good < most; step *= 2) {
+      size = good + std::min(step, most - good);
+      if (!try_size()) break;
+    }
+  } else {
+    for (; bad - good > step; step *= 2) {
+      size = bad - step;
+      if (try_size()) break;
     }
   }
   while (good + 1 < bad) {
-    const std::size_t middle = good + (bad - good) / 2;
-    (test(middle) ? good : bad) = middle;
+    size = good + (bad - good) / 2;
+    try_size();
   }
   return good;
 }
 
-/// The first `most` starts of the longest cubics.
-std::vector<std::size_t> starts_of(const Recording& recording, CubicTests& tests, std::size_t most) {
-  std::vector<std::size_t> starts;
-  std::size_t guess = cubic_order;
-  for (std::size_t first = 0; first < recording.size() && starts.size() < most; first += guess) {
-    starts.push_back(first);
-    const std::size_t rest = recording.size() - first;
-    guess = largest_size(std::min(cubic_order, rest), rest, guess,
-                         [&](std::size_t size) { return tests.may_fit(first, first + size); });
+/// The starts of the longest cubics, from one sample on.
+class Chain {
+ public:
+  Chain(const Recording& recording, double share, std::size_t first)
+      : size_(recording.size()), tests_(recording, share), next_(first) {}
+
+  const std::vector<std::size_t>& starts() const { return starts_; }
+  std::size_t next() const { return next_; }
+
+  /// Adds a start, behind whose cubic the next one is.
+  void add() {
+    starts_.push_back(next_);
+    const std::size_t rest = size_ - next_;
+    guess_ = largest_size(std::min(cubic_order, rest), rest, guess_,
+                          [&](std::size_t size) { return tests_.may_fit(next_, next_ + size); });
+    next_ += guess_;
   }
-  return starts;
+
+  /// Adds the starts of another chain from the next one on, if that is one of them.
+  bool join(const Chain& other) {
+    const auto found = std::ranges::lower_bound(other.starts_, next_);
+    if (found == other.starts_.end() || *found != next_) return false;
+    starts_.insert(starts_.end(), found, other.starts_.end());
+    next_ = other.next_;
+    return true;
+  }
+
+ private:
+  std::size_t size_;
+  CubicTests tests_;
+  std::size_t next_, guess_ = cubic_order;
+  std::vector<std::size_t> starts_;
+};
+
+/// The first `most` starts of the longest cubics. Chains that begin at several samples are found on all threads; a
+/// chain mostly meets the next one soon.
+std::vector<std::size_t> starts_of(const Recording& recording, double share, std::size_t most, unsigned threads) {
+  constexpr std::size_t samples_of_part = 50'000;
+  const std::size_t parts = recording.size() / samples_of_part + 1;
+  const auto end_of = [&](std::size_t part) { return recording.size() * (part + 1) / parts; };
+  const auto chain_of = [&](std::size_t part) {
+    Chain chain(recording, share, recording.size() * part / parts);
+    while (chain.next() < end_of(part) && chain.starts().size() < most) chain.add();
+    return chain;
+  };
+  const auto chains = ordered_map(numbers_to(parts), chain_of, threads);
+  Chain joined(recording, share, 0);
+  for (std::size_t part = 0; part < parts && joined.starts().size() < most; ++part) {
+    const Chain chain = *chains();
+    while (joined.next() < end_of(part) && joined.starts().size() < most && !joined.join(chain)) joined.add();
+  }
+  return joined.starts();
+}
+
+/// The last sample before a cubic from which it still reaches its last sample, for each start but the first one.
+std::vector<std::size_t> knots_between(const Recording& recording, double share, const std::vector<std::size_t>& starts,
+                                       unsigned threads) {
+  std::vector<std::size_t> knots(starts.size() - 1);
+  constexpr std::size_t cubics_of_part = 500;
+  for_each_number(knots.size() / cubics_of_part + 1, threads, [&](std::size_t part) {
+    CubicTests tests(recording, share);
+    for (std::size_t i = part * cubics_of_part; i < std::min((part + 1) * cubics_of_part, knots.size()); ++i) {
+      const std::size_t start = starts[i + 1], last = i + 2 < starts.size() ? starts[i + 2] : recording.size();
+      const std::size_t before =
+          largest_size(0, start - starts[i], 1, [&](std::size_t size) { return tests.may_fit(start - size, last); });
+      knots[i] = start - 1 - before / 2;
+    }
+  });
+  return knots;
 }
 
 }  // namespace
 
-std::vector<std::size_t> longest_cubics(const Recording& recording) {
-  CubicTests tests(recording, 1);
-  return starts_of(recording, tests, recording.size());
+std::vector<std::size_t> longest_cubics(const Recording& recording, unsigned threads) {
+  return starts_of(recording, 1, recording.size(), threads);
 }
 
-std::vector<std::size_t> knots_of(const Recording& recording, std::size_t cubics) {
+std::vector<std::size_t> knots_of(const Recording& recording, std::size_t cubics, unsigned threads) {
   const std::size_t most = cubics + cubics / 4;
   for (const double share : {0x1p-8, 0x1p-4, 1.0}) {
-    CubicTests tests(recording, share);
-    const std::vector<std::size_t> starts = starts_of(recording, tests, most + 1);
-    if (starts.size() > most) continue;
-    std::vector<std::size_t> knots;
-    for (std::size_t i = 1; i < starts.size(); ++i) {
-      const std::size_t start = starts[i], last = i + 1 < starts.size() ? starts[i + 1] : recording.size();
-      const std::size_t before = largest_size(0, start - starts[i - 1], 1,
-                                              [&](std::size_t size) { return tests.may_fit(start - size, last); });
-      knots.push_back(start - 1 - before / 2);
-    }
-    return knots;
+    const std::vector<std::size_t> starts = starts_of(recording, share, most + 1, threads);
+    if (starts.size() <= most) return knots_between(recording, share, starts, threads);
   }
   return {};
 }

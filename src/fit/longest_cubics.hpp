@@ -16,11 +16,11 @@ namespace tcb {
 
 /// The samples at which the longest cubics begin. Promises: no curve of fewer cubics is within the tolerances of all
 /// samples.
-std::vector<std::size_t> longest_cubics(const Recording& recording);
+std::vector<std::size_t> longest_cubics(const Recording& recording, unsigned threads = 1);
 
 /// The samples near which a recording may change from one cubic to another: in the middle between the last one that a
 /// longest cubic reaches, and the first one from which the next cubic does. `cubics`: their number. Smaller tolerances
 /// find these samples better; they are used if they need about as few cubics.
-std::vector<std::size_t> knots_of(const Recording& recording, std::size_t cubics);
+std::vector<std::size_t> knots_of(const Recording& recording, std::size_t cubics, unsigned threads = 1);
 
 }  // namespace tcb

@@ -28,11 +28,13 @@ struct FixedEnds {
 struct FitEffort {
   int most_weightings = 14;  ///< how often samples are weighted again
   double stiffness = 1e-6;   ///< weight of the plain slope of a key, relative to the mean weight of a sample
+  bool gives_up = true;      ///< where the tolerances seem to be out of reach for some segment
 };
 
 /// Sets positions and slopes of the keys, which have samples that increase. Returns the largest distance of the samples
 /// of each segment, those at its two keys included, in tolerances; stops where it is at most 1.
+/// Where a fit is given up, distances may be those of some samples only.
 std::vector<double> fit_smoothly(const Recording& recording, std::span<FitKey> keys, FixedEnds fixed,
-                                 const FitEffort& effort = {});
+                                 const FitEffort& effort = {}, unsigned threads = 1);
 
 }  // namespace tcb

@@ -158,4 +158,20 @@ auto ordered_map(Source<In> source, F f, unsigned threads) {
   return Source<Out>([map] { return map->next(); });
 }
 
+/// The numbers from 0 to `count`, which is left out.
+inline Source<std::size_t> numbers_to(std::size_t count) {
+  return [count, next = std::size_t{0}]() mutable { return next < count ? std::optional(next++) : std::nullopt; };
+}
+
+/// Calls a function for each number below `count`, on several threads.
+template <class F>
+void for_each_number(std::size_t count, unsigned threads, const F& f) {
+  const auto call = [&f](std::size_t number) {
+    f(number);
+    return number;
+  };
+  for (const auto calls = ordered_map(numbers_to(count), call, threads); calls();) {
+  }
+}
+
 }  // namespace tcb

@@ -25,6 +25,17 @@ TEST(Banded, a_system_is_solved) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(target[i], static_cast<double>(i + 1), 1e-14) << i;
 }
 
+TEST(Banded, several_vectors_are_solved_at_a_time) {
+  Banded matrix = matrix_of(5);
+  std::vector<double> targets{10, 100, 17, 170, 18, 180, 25, 250, 26, 260};
+  matrix.factor();
+  matrix.solve(targets, 2);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(targets[2 * i], static_cast<double>(i + 1), 1e-14) << i;
+    EXPECT_NEAR(targets[2 * i + 1], static_cast<double>(10 * (i + 1)), 1e-13) << i;
+  }
+}
+
 TEST(Banded, a_known_variable_leaves_the_other_equations) {
   Banded matrix = matrix_of(5);
   std::vector<double> target{10, 17, 18, 25, 26};

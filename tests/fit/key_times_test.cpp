@@ -64,5 +64,21 @@ TEST(KeyTimes, every_sample_may_be_needed) {
   EXPECT_LE(samples_of(recording_of({zigzag}, 40, 1, 1e-6)).size(), 40U);
 }
 
+TEST(KeyTimes, of_long_recordings_are_the_same_on_any_number_of_threads) {
+  const auto chirp = [](double t) { return std::sin(t * t / 50); };
+  for (const std::size_t size : {90'000U, 160'000U}) {
+    const Recording recording = recording_of({chirp}, size, 0.001, 1e-3);
+    const FirstTimes times{longest_cubics(recording), {}};
+    const auto one = fitting_keys(recording, times, {0, size - 1});
+    const auto three = fitting_keys(recording, times, {0, size - 1}, {}, 3);
+    ASSERT_EQ(one.size(), three.size());
+    EXPECT_LE(one.size(), times.cubics.size() * 2);
+    for (std::size_t key = 0; key < one.size(); ++key) {
+      EXPECT_EQ(one[key].sample, three[key].sample) << key;
+      EXPECT_EQ(one[key].slope, three[key].slope) << key;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tcb

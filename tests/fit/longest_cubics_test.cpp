@@ -57,5 +57,15 @@ TEST(LongestCubics, knots_are_where_one_cubic_ends_and_another_begins) {
   }
 }
 
+TEST(LongestCubics, of_long_recordings_are_the_same_on_any_number_of_threads) {
+  const auto plateaus = [](double t) { return std::fmod(std::floor(t), 2.0); };
+  const Recording recording = recording_of({plateaus}, 160'000, 1.0 / 100, 0.01);
+  const auto cubics = longest_cubics(recording);
+  ASSERT_EQ(cubics.size(), 1600U);
+  for (std::size_t i = 0; i < cubics.size(); ++i) EXPECT_EQ(cubics[i], i * 100);
+  EXPECT_EQ(longest_cubics(recording, 3), cubics);
+  EXPECT_EQ(knots_of(recording, cubics.size(), 3), knots_of(recording, cubics.size()));
+}
+
 }  // namespace
 }  // namespace tcb

@@ -32,10 +32,35 @@ TEST(SmoothFit, balances_the_largest_distances) {
   const auto power = [](double t) { return (t - 1) * (t - 1) * (t - 1) * (t - 1); };
   const Recording recording = recording_of({power}, 401, 0.005, 1e-3);
   std::vector<FitKey> keys{key_at(0), key_at(400)};
-  const double least_squares = fit_smoothly(recording, keys, {}, {0, 1e-6})[0];
-  const double balanced = fit_smoothly(recording, keys, {}, {40, 1e-6})[0];
+  const double least_squares = fit_smoothly(recording, keys, {}, {0, 1e-6, false})[0];
+  const double balanced = fit_smoothly(recording, keys, {}, {40, 1e-6, false})[0];
   EXPECT_GT(least_squares, 200);
   EXPECT_NEAR(balanced, 125, 2);
+}
+
+TEST(SmoothFit, is_given_up_where_no_curve_is_near_enough) {
+  const auto power = [](double t) { return (t - 1) * (t - 1) * (t - 1) * (t - 1); };
+  const Recording recording = recording_of({power}, 401, 0.005, 0.124);  // 1/8 is the least
+  std::vector<FitKey> keys{key_at(0), key_at(400)};
+  EXPECT_GT(fit_smoothly(recording, keys, {}, {100, 1e-6, true})[0], 1);
+  const Recording wider = recording_of({power}, 401, 0.005, 0.127);
+  EXPECT_LE(fit_smoothly(wider, keys, {}, {100, 1e-6, true})[0], 1);
+}
+
+TEST(SmoothFit, is_the_same_on_any_number_of_threads) {
+  const auto sine = [](double t) { return std::sin(9 * t); };
+  const Recording recording = recording_of({sine, sine, sine, sine}, 100'001, 0.001, 1e-3);
+  const auto fitted = [&](unsigned threads) {
+    std::vector<FitKey> keys;
+    for (std::size_t sample = 0; sample <= 100'000; sample += 100) keys.push_back(key_at(sample, 4));
+    fit_smoothly(recording, keys, {}, {3, 1e-6, false}, threads);
+    return keys;
+  };
+  const auto one = fitted(1), three = fitted(3);
+  for (std::size_t key = 0; key < one.size(); ++key) {
+    EXPECT_EQ(one[key].position, three[key].position) << key;
+    EXPECT_EQ(one[key].slope, three[key].slope) << key;
+  }
 }
 
 TEST(SmoothFit, keeps_fixed_ends) {

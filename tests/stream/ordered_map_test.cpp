@@ -139,6 +139,15 @@ TEST(OrderedMap, an_error_follows_the_earlier_results) {
   }
 }
 
+TEST(OrderedMap, each_number_has_one_call) {
+  for (const unsigned threads : {1U, 4U}) {
+    std::vector<int> calls(100);
+    for_each_number(calls.size(), threads, [&](std::size_t number) { ++calls[number]; });
+    EXPECT_THAT(calls, testing::Each(1));
+  }
+  for_each_number(0, 4, [](std::size_t number) { ADD_FAILURE() << number; });
+}
+
 TEST(OrderedMap, may_be_destroyed_before_its_end) {
   const ThreadPool pool(4);
   int asked = 0;
