@@ -335,7 +335,7 @@ std::vector<FitKey> fitting_keys(const Recording& recording, const FirstTimes& t
   std::vector<FitKey> keys = divided_keys(recording, spread_samples(recording, times, fixed), threads);
   std::vector<FitKey> others = divided_keys(recording, samples_at_knots(recording, times, fixed, threads), threads);
   if (others.size() < keys.size()) std::swap(keys, others);
-  constexpr std::size_t many_samples = 100'000;
+  constexpr std::size_t many_samples = 50'000;
   if (recording.size() > many_samples) return thinned(recording, keys, fixed, wider_sweeps, done, threads);
   return thinned_best(recording, {keys, others}, fixed, done, threads);
 }

@@ -27,11 +27,14 @@ void AnywhereInTime::locate(const CurveSegment& segment, std::uint64_t first, st
                             Located& located) const {
   const spline::TimeMap<double> locate = segment.time_map();
   located.outside.clear();
+  bool all_on_curve = true;
   fill(located, first, last, [&](std::uint64_t row) -> Sample {
     const Time t = place_of(row);
+    all_on_curve = all_on_curve && t >= first_ && t <= last_;
     located.outside.push_back(outside(t));
     return {t, locate(segment.precise(located.outside.back().t))};
   });
+  if (all_on_curve) located.outside.clear();
 }
 
 Time AnywhereInLength::on_curve(std::uint64_t row) const {

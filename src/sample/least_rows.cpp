@@ -30,10 +30,10 @@ double longest_on_path(double least, double speed, double change, double toleran
   return (linear + std::sqrt(linear * linear + 4 * least * 96 * speed * tolerance)) / (2 * least);
 }
 
-/// How many chords the part around a place takes at least, without two that it may share with its neighbours.
-double chords(const CurveSegment& segment, double middle, double tolerance) {
+/// How many chords the part around a place takes at least, without two that it may share with its neighbours. `at`:
+/// memory to reuse.
+double chords(const CurveSegment& segment, double middle, double tolerance, spline::Derivatives<double>& at) {
   constexpr double half = 0.5 / parts_of_segment;
-  spline::Derivatives<double> at;
   spline::set_derivatives<double>(at, segment.cubics, {middle, middle - 1}, {}, middle, 1);
   const MetricView<double> v(at.velocity, segment.metric), a(at.acceleration, segment.metric),
       j(at.jerk, segment.metric);
@@ -54,11 +54,12 @@ double chords(const CurveSegment& segment, double middle, double tolerance) {
 
 double least_rows(const ShownCurve& curve, double tolerance) {
   double sum = 2;
+  spline::Derivatives<double> memory;
   for (std::uint64_t number = 0; number < curve.size(); ++number) {
     const CurveSegment segment = curve.segment(number);
     if (metric_size(segment) == 1 && !segment.warp.is_identity()) continue;  // its graph is not a cubic
     for (int part = 0; part < parts_of_segment; ++part)
-      sum += chords(segment, (part + 0.5) / parts_of_segment, tolerance);
+      sum += chords(segment, (part + 0.5) / parts_of_segment, tolerance, memory);
   }
   return sum;
 }

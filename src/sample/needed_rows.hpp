@@ -8,10 +8,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "sample/chord.hpp"
 
@@ -23,14 +23,14 @@ class NeededRows {
   explicit NeededRows(double tolerance) : tolerance_(tolerance) {}
 
   void add(const CurvePoint& point) {
-    points_.push_back(point);
-    const CurvePoint &first = points_.front(), &middle = points_[points_.size() / 2];
-    if (points_.size() >= 3 && no_chord_is_near(first, middle, point)) {
+    points_[size_++] = point;
+    if (size_ >= 3 && no_chord_is_near(points_[0], points_[size_ / 2], point)) {
       ++between_;
-      points_.erase(points_.begin(), points_.end() - 1);
-    } else if (points_.size() == most_points) {
-      for (std::size_t i = 1; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
-      points_.resize(points_.size() / 2);
+      points_[0] = point;
+      size_ = 1;
+    } else if (size_ == points_.size()) {
+      for (std::size_t i = 1; 2 * i < size_; ++i) points_[i] = points_[2 * i];
+      size_ /= 2;
     }
   }
 
@@ -38,8 +38,6 @@ class NeededRows {
   std::uint64_t count() const { return between_ + 2; }
 
  private:
-  static constexpr std::size_t most_points = 64;  ///< that are kept; of more, every second one
-
   bool no_chord_is_near(const CurvePoint& a, const CurvePoint& x, const CurvePoint& b) const {
     double size = 0;
     for (const CurvePoint* point : {&a, &x, &b}) {
@@ -78,7 +76,8 @@ class NeededRows {
 
   double tolerance_;
   std::uint64_t between_ = 0;
-  std::vector<CurvePoint> points_;  ///< since the last row that was counted
+  std::array<CurvePoint, 64> points_;  ///< since the last row that was counted; of more, every second one
+  std::size_t size_ = 0;
 };
 
 }  // namespace tcb

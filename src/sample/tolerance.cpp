@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "error.hpp"
@@ -31,18 +30,22 @@ namespace {
 class Walker {
  public:
   Walker(const ShownCurve& curve, const CurveTolerance& tolerance, bool at_keys)
-      : curve_(curve), tolerance_(tolerance), chord_(tolerance.distance), at_keys_(at_keys) {}
+      : curve_(curve),
+        tolerance_(tolerance),
+        chord_(tolerance.distance),
+        turns_(tolerance.angle * 0.99),
+        at_keys_(at_keys) {}
 
-  CurvePoint start() const { return at(curve_.segment(0), 0); }
+  void set_first(CurvePoint& place) const { set(place, curve_.segment(0), 0); }
 
-  /// The next row: the farthest place that a chord from here may reach. Where keys between them are rows as well, the
-  /// chords by these keys are near the curve, too.
-  CurvePoint next(const CurvePoint& from) {
+  /// Sets `to` to the next row: the farthest place that a chord from here may reach. Where keys between them are rows
+  /// as well, the chords by these keys are near the curve, too.
+  void set_next(const CurvePoint& from, CurvePoint& to) {
     set_start(from);
-    CurvePoint far = farthest(from, next_corner(from));
-    if (!at_keys_ || reaches_by_keys(from, far)) return far;
+    set_farthest(from, next_corner(from), to);
+    if (!at_keys_ || reaches_by_keys(from, to)) return;
     set_start(from);
-    return farthest(from, next_key(from));
+    set_farthest(from, next_key(from), to);
   }
 
   /// Adds the points at the quarters of the way between two places, and the second place.
@@ -69,12 +72,13 @@ class Walker {
   /// Of larger departures only that they are larger matters.
   static constexpr double most_followed = 16;
 
-  /// The farthest place that a chord from here may reach, up to the key `corner`.
-  CurvePoint farthest(const CurvePoint& from, std::uint64_t corner) {
+  /// Sets `to` to the farthest place that a chord from here may reach, up to the key `corner`.
+  void set_farthest(const CurvePoint& from, std::uint64_t corner, CurvePoint& to) {
     std::uint64_t good = from.segment, step = 1;  // the keys that end the segments before `good` can be reached
     double last = 0;                              // the root at the key before `good`
     const auto reaches_key = [&](std::uint64_t number) {
-      const double root = root_to(key(number));
+      set_key(tried_, number);
+      const double root = root_to(tried_);
       if (root <= 1) last = root;
       return root <= 1;
     };
@@ -85,12 +89,15 @@ class Walker {
     for (step /= 2; step > 0; step /= 2) {
       if (good + step < corner && reaches_key(good + step)) good += step;
     }
-    if (good == corner) return key(corner);
-    return within(from, good, last);
+    if (good == corner) {
+      set_key(to, corner);
+    } else {
+      set_within(from, good, last, to);
+    }
   }
 
-  /// The farthest place on a segment, whose own end is out of reach. `root`: that of its start.
-  CurvePoint within(const CurvePoint& from, std::uint64_t number, double root) {
+  /// Sets `to` to the farthest place on a segment, whose own end is out of reach. `root`: that of its start.
+  void set_within(const CurvePoint& from, std::uint64_t number, double root, CurvePoint& to) {
     const CurveSegment segment = curve_.segment(number);
     const bool is_simple = is_cubic_on(number) && !tolerance_.limits_angle();
     const auto root_of = [&](double u) {
@@ -99,13 +106,19 @@ class Walker {
       return root_to(tried_);
     };
     const Tried low = last_reached(number == from.segment ? Tried{from.u, 0} : Tried{0, root}, root_of);
-    CurvePoint reached = low.u == 0 && number > 0 ? key(number) : printed(segment, at(segment, low.u));
-    if (reached.u != low.u && root_to(reached) > 1) {
-      const auto printed_root = [&](double u) { return root_to(printed(segment, at(segment, u))); };
-      reached = printed(segment, at(segment, halved(number == from.segment ? from.u : 0, low.u, printed_root)));
+    if (low.u == 0 && number > 0) {
+      set_key(to, number);
+    } else {
+      set_printed(to, segment, low.u);
     }
-    if (number == from.segment && reached.u <= from.u) throw tolerance_too_small().about(option::tolerance);
-    return reached;
+    if (to.u != low.u && root_to(to) > 1) {
+      const auto printed_root = [&](double u) {
+        set_printed(tried_, segment, u);
+        return root_to(tried_);
+      };
+      set_printed(to, segment, halved(number == from.segment ? from.u : 0, low.u, printed_root));
+    }
+    if (number == from.segment && to.u <= from.u) throw tolerance_too_small().about(option::tolerance);
   }
 
   /// The last place on a segment that was found to be reached, if `start` is and the end of the segment is not; `start`
@@ -148,27 +161,25 @@ class Walker {
       place.x[i] = spline::position(metric_cubic(segment, i), {u, u - 1});
     }
   }
-  static CurvePoint at(const CurveSegment& segment, double u) {
-    CurvePoint place;
+
+  /// The same, but at the time that its row prints, where rounding that moves it by more than limits allow for.
+  void set_printed(CurvePoint& place, const CurveSegment& segment, double u) {
     set(place, segment, u);
-    return place;
+    const Time t = rounded_time(place.t, segment.decimals);
+    const auto at = segment.time_map()(segment.precise(std::clamp(t, segment.start, segment.end)));
+    const auto is_moved = [&](std::size_t i) {
+      return std::abs(spline::position(metric_cubic(segment, i), at) - place.x[i]) > tolerance_.distance * 1e-10;
+    };
+    std::size_t channel = 0;
+    while (channel < place.x.size() && !is_moved(channel)) ++channel;
+    if (channel == place.x.size()) return;
+    place.u = at.u;
+    place.t = t;
+    for (std::size_t i = 0; i < place.x.size(); ++i) place.x[i] = spline::position(metric_cubic(segment, i), at);
   }
 
-  /// The place at the time that its row prints, where rounding that moves it by more than limits allow for.
-  CurvePoint printed(const CurveSegment& segment, const CurvePoint& place) const {
-    CurvePoint moved{place.segment, 0, rounded_time(place.t, segment.decimals), {}};
-    const auto at = segment.time_map()(segment.precise(std::clamp(moved.t, segment.start, segment.end)));
-    moved.u = at.u;
-    double distance = 0;
-    for (std::size_t i = 0; i < place.x.size(); ++i) {
-      moved.x.push_back(spline::position(metric_cubic(segment, i), at));
-      distance = std::max(distance, std::abs(moved.x[i] - place.x[i]));
-    }
-    return distance > tolerance_.distance * 1e-10 ? moved : place;
-  }
-
-  /// The key with this number, as the end of the segment before it.
-  CurvePoint key(std::uint64_t number) const { return at(curve_.segment(number - 1), 1); }
+  /// The same for the key with this number, as the end of the segment before it.
+  void set_key(CurvePoint& place, std::uint64_t number) const { set(place, curve_.segment(number - 1), 1); }
 
   /// Chords start here.
   void set_start(const CurvePoint& from) {
@@ -188,16 +199,16 @@ class Walker {
     const bool limits_distance = tolerance_.limits_distance() && !is_cubic_on(to.segment);
     double departure = is_cubic_on(to.segment) ? chord_.departure(to.u) : 0;
     if (limits_distance) chord_.set_end(to);
-    std::optional<TurnChord> turns;
-    if (tolerance_.limits_angle()) turns.emplace(turn_place(*from_), turn_place(to), tolerance_.angle * 0.99);
-    if (!limits_distance && !turns) return std::sqrt(std::sqrt(departure));
+    const bool limits_angle = tolerance_.limits_angle();
+    if (limits_angle) turns_.set(turn_place(*from_), turn_place(to));
+    if (!limits_distance && !limits_angle) return std::sqrt(std::sqrt(departure));
     for (std::uint64_t number = from_->segment; number <= to.segment && departure <= most_followed; ++number) {
       const double low = number == from_->segment ? from_->u : 0;
       const double high = number == to.segment ? to.u : 1;
       if (low >= high) continue;
       const CurveSegment segment = curve_.segment(number);
       if (limits_distance) departure = std::max(departure, chord_.departure(segment, low, high));
-      if (turns) departure = std::max(departure, turns->departure(segment, low, high));
+      if (limits_angle) departure = std::max(departure, turns_.departure(segment, low, high));
     }
     return std::sqrt(std::sqrt(departure));
   }
@@ -207,12 +218,12 @@ class Walker {
   }
 
   /// The chords from key to key between two places are near the curve.
-  bool reaches_by_keys(CurvePoint from, const CurvePoint& to) {
+  bool reaches_by_keys(const CurvePoint& from, const CurvePoint& to) {
     for (std::uint64_t number = next_key(from); number <= to.segment; ++number) {
-      CurvePoint end = key(number);
-      if (root_to(end) > 1) return false;
-      from = std::move(end);
-      set_start(from);
+      set_key(tried_, number);
+      if (root_to(tried_) > 1) return false;
+      std::swap(key_, tried_);
+      set_start(key_);
     }
     return root_to(to) <= 1;
   }
@@ -255,11 +266,12 @@ class Walker {
   const ShownCurve& curve_;
   CurveTolerance tolerance_;
   Chord chord_;
+  TurnChord turns_;
   bool at_keys_;
   const CurvePoint* from_ = nullptr;  ///< where chords start
   CurveSegment first_{};              ///< the segment of that place
-  CurvePoint tried_;
-  std::uint64_t corner_ = 0;  ///< the last one found
+  CurvePoint tried_, key_;            ///< memory to reuse
+  std::uint64_t corner_ = 0;          ///< the last one found
 };
 
 }  // namespace
@@ -271,14 +283,15 @@ ToleranceRows rows_within_tolerance(const ShownCurve& curve, const CurveToleranc
   require_rows(Rational(least) - 1, max_rows, true);
   Walker walker(curve, tolerance, at_keys);
   std::vector<Time> times;
-  CurvePoint place = walker.start();
+  CurvePoint place, next;
+  walker.set_first(place);
   times.push_back(place.t);
   NeededRows needed(tolerance.distance);
   needed.add(place);
   while (!walker.is_end(place)) {
-    CurvePoint next = walker.next(place);
+    walker.set_next(place, next);
     if (tolerance.limits_distance()) walker.add_points(needed, place, next);
-    place = std::move(next);
+    std::swap(place, next);
     times.push_back(rounded_time(place.t, curve.segment(place.segment).decimals));
     if (times.size() > max_rows) require_rows(Rational(times.size() - 1), max_rows);
   }

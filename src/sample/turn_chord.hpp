@@ -21,8 +21,12 @@ struct TurnPlace {
 class TurnChord {
  public:
   /// `angle`: how far from the arcs is near, in radians.
-  TurnChord(const TurnPlace& from, const TurnPlace& to, double angle)
-      : from_(from.t), duration_(to.t - from.t), sine2_(square(spline::sine(std::min(angle, most_angle) / 2))) {
+  explicit TurnChord(double angle) : sine2_(square(spline::sine(std::min(angle, most_angle) / 2))) {}
+
+  void set(const TurnPlace& from, const TurnPlace& to) {
+    from_ = from.t;
+    duration_ = to.t - from.t;
+    arcs_.clear();
     for (std::size_t i = 0; i < from.segment.rotations.size(); ++i) {
       const auto start = from.segment.rotations[i].at(from.at), end = to.segment.rotations[i].at(to.at);
       arcs_.emplace_back(start, spline::dot(start, end) < 0 ? -end : end);  // as a reader interpolates

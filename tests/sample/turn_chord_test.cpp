@@ -21,7 +21,9 @@ CurveSegment segment_with(const spline::RotationSegment<double>& rotation) {
 
 bool is_near(const CurveSegment& segment, double from, double to, double angle) {
   const auto place = [&](double u) { return TurnPlace{segment, {u, u - 1}, u}; };
-  return TurnChord(place(from), place(to), angle).departure(segment, from, to) <= 1;
+  TurnChord chord(angle);
+  chord.set(place(from), place(to));
+  return chord.departure(segment, from, to) <= 1;
 }
 
 TEST(TurnChord, an_arc_is_near_itself) {
