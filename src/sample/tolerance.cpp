@@ -2,16 +2,15 @@
 //
 // From each row the next one is taken as far along as the chord between them keeps every point of the curve within the
 // tolerance, by a bound (see sample/chord.hpp), not by samples. Whole segments are tried first, then halves of the
-// segment in which the row lies. From there the search follows the departure, which grows with about the square of the
-// chord, so that its fourth root is nearly linear.
-// A row between keys is where its time is printed, if rounding that matters.
-// A rotation is tried at places of each segment against the arc between the rows at equal times.
-// With a single metric channel the polyline is its graph over time, and the distance is taken at equal times.
+// segment in which the row lies, from the distance of the last two rows on. The search follows the departure, which
+// grows with about the fourth power of the chord, so that its fourth root is nearly linear. A row between keys is where
+// its time is printed, if rounding that matters. A rotation is tried at places of each segment against the arc between
+// the rows at equal times. With a single metric channel the polyline is its graph over time, and the distance is taken
+// at equal times.
 #include "sample/tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "error.hpp"
@@ -43,14 +42,16 @@ class Walker {
   void set_next(const CurvePoint& from, CurvePoint& to) {
     set_start(from);
     set_farthest(from, next_corner(from), to);
-    if (!at_keys_ || reaches_by_keys(from, to)) return;
-    set_start(from);
-    set_farthest(from, next_key(from), to);
+    if (at_keys_ && !reaches_by_keys(from, to)) {
+      set_start(from);
+      set_farthest(from, next_key(from), to);
+    }
+    step_ = place_of(to) - place_of(from);
   }
 
   /// Adds the points at the quarters of the way between two places, and the second place.
   void add_points(NeededRows& needed, const CurvePoint& from, const CurvePoint& to) {
-    const double start = static_cast<double>(from.segment) + from.u, end = static_cast<double>(to.segment) + to.u;
+    const double start = place_of(from), end = place_of(to);
     for (const double part : {0.25, 0.5, 0.75}) {
       const double place = start + (end - start) * part;
       const double number = std::min(std::floor(place), static_cast<double>(curve_.size() - 1));
@@ -69,6 +70,9 @@ class Walker {
     double u, root;
   };
 
+  /// In segments from the first key.
+  static double place_of(const CurvePoint& point) { return static_cast<double>(point.segment) + point.u; }
+
   /// Of larger departures only that they are larger matters.
   static constexpr double most_followed = 16;
 
@@ -76,10 +80,11 @@ class Walker {
   void set_farthest(const CurvePoint& from, std::uint64_t corner, CurvePoint& to) {
     std::uint64_t good = from.segment, step = 1;  // the keys that end the segments before `good` can be reached
     double last = 0;                              // the root at the key before `good`
+    double beyond = 0;                            // that at the key after it, if it is out of reach
     const auto reaches_key = [&](std::uint64_t number) {
       set_key(tried_, number);
       const double root = root_to(tried_);
-      if (root <= 1) last = root;
+      (root <= 1 ? last : beyond) = root;
       return root <= 1;
     };
     while (good < corner && reaches_key(std::min(good + step, corner))) {
@@ -92,12 +97,13 @@ class Walker {
     if (good == corner) {
       set_key(to, corner);
     } else {
-      set_within(from, good, last, to);
+      set_within(from, good, last, beyond, to);
     }
   }
 
-  /// Sets `to` to the farthest place on a segment, whose own end is out of reach. `root`: that of its start.
-  void set_within(const CurvePoint& from, std::uint64_t number, double root, CurvePoint& to) {
+  /// Sets `to` to the farthest place on a segment, whose own end is out of reach. `first_root`, `last_root`: those
+  /// of its ends.
+  void set_within(const CurvePoint& from, std::uint64_t number, double first_root, double last_root, CurvePoint& to) {
     const CurveSegment segment = curve_.segment(number);
     const bool is_simple = is_cubic_on(number) && !tolerance_.limits_angle();
     const auto root_of = [&](double u) {
@@ -105,7 +111,9 @@ class Walker {
       set(tried_, segment, u);
       return root_to(tried_);
     };
-    const Tried low = last_reached(number == from.segment ? Tried{from.u, 0} : Tried{0, root}, root_of);
+    const double guess = place_of(from) + step_ - static_cast<double>(number);
+    const Tried start = number == from.segment ? Tried{from.u, 0} : Tried{0, first_root};
+    const Tried low = last_reached(start, {1, last_root}, guess, root_of);
     if (low.u == 0 && number > 0) {
       set_key(to, number);
     } else {
@@ -121,20 +129,24 @@ class Walker {
     if (number == from.segment && to.u <= from.u) throw tolerance_too_small().about(option::tolerance);
   }
 
-  /// The last place on a segment that was found to be reached, if `start` is and the end of the segment is not; `start`
-  /// where none after it was found.
+  /// The last place on a segment that was found to be reached, if `start` is and `end` is not; `start` where none after
+  /// it was found. `guess`: where that may be.
   template <class RootOf>
-  static Tried last_reached(const Tried& start, const RootOf& root_of) {
-    constexpr double least = 1 - 1e-6, aim = 1 - 3e-7;  // near enough: at most a millionth more rows
-    Tried low = start, high{1, std::numeric_limits<double>::infinity()}, before = low, last = high;
+  static Tried last_reached(const Tried& start, const Tried& end, double guess, const RootOf& root_of) {
+    constexpr double least = 1 - 1e-4, aim = 1 - 3e-5;  // near enough: at most a ten-thousandth more rows
+    Tried low = start, high = end, before = start, last = end;
     const auto is_narrow = [&] {
       return low.u > start.u ? high.u - low.u <= 1e-9 * (low.u - start.u) : high.u - low.u <= 0x1p-48;
     };
     for (int step = 0; low.root < least && !is_narrow(); ++step) {
       const double secant = last.u + (aim - last.root) * (last.u - before.u) / (last.root - before.root);
-      const bool follows = low.u > start.u && step % 8 != 7 && secant > low.u && secant < high.u;
-      before = last;
-      last.u = follows ? secant : low.u + (high.u - low.u) / 2;
+      const double next = step == 0 && guess < high.u ? guess : secant;
+      // Where the guess is not near, a farther place may be reached beyond one that is not.
+      const bool is_near = step != 1 || (last.root > 0.9 && last.root < 1.15);
+      const bool follows =
+          is_near && step % 8 != 7 && next > low.u && next < high.u;  // not a number after an infinite root
+      before = step == 0 ? start : last;
+      last.u = follows ? next : low.u + (high.u - low.u) / 2;
       last.root = root_of(last.u);
       (last.root <= 1 ? low : high) = last;
     }
@@ -272,6 +284,7 @@ class Walker {
   CurveSegment first_{};              ///< the segment of that place
   CurvePoint tried_, key_;            ///< memory to reuse
   std::uint64_t corner_ = 0;          ///< the last one found
+  double step_ = 0;                   ///< from the last row but one to the last one, in segments
 };
 
 }  // namespace
