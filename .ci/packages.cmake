@@ -6,7 +6,7 @@
 # The time of this version is used in the changelog and for the files in packages, so that each build makes the same
 # bytes.
 if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
-  set(ENV{SOURCE_DATE_EPOCH} 1795392000)
+  set(ENV{SOURCE_DATE_EPOCH} 1795651200)
 endif()
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
@@ -20,6 +20,12 @@ file(WRITE ${documents}/changelog.Debian
   * This version; its changes are in changelog.gz.
 
  -- ${contact}  ${date}
+
+tcbsample (0.2.0-1) unstable; urgency=medium
+
+  * Rotations, fits, pieces, pictures and packages.
+
+ -- ${contact}  Mon, 23 Nov 2026 00:00:00 +0000
 
 tcbsample (0.1.0-1) unstable; urgency=medium
 
