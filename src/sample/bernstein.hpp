@@ -42,18 +42,42 @@ std::pair<Bernstein<Size>, Bernstein<Size>> split(Bernstein<Size> whole, double 
   return parts;
 }
 
-/// A stationary place of a polynomial near `s`, by Newton's method; without one nearby, some place between the ends.
+/// The factors of r^k, where p(s) = (1 - s)^N times their sum, and r = s / (1 - s).
+template <std::size_t Size>
+std::array<double, Size> scaled_powers(Bernstein<Size> p) {
+  double binomial = 1;
+  for (std::size_t k = 1; k < Size; ++k) {
+    binomial = binomial * static_cast<double>(Size - k) / static_cast<double>(k);
+    p[k] *= binomial;
+  }
+  return p;
+}
+
+/// The differences of successive coefficients, which are the coefficients of the derivative divided by the degree.
+template <std::size_t Size>
+Bernstein<Size - 1> differences(const Bernstein<Size>& p) {
+  Bernstein<Size - 1> result;
+  for (std::size_t k = 0; k + 1 < Size; ++k) result[k] = p[k + 1] - p[k];
+  return result;
+}
+
+/// A maximum of a polynomial near `s`, by Newton's method; without one nearby, some place between the ends.
 template <std::size_t Size>
 double stationary_place(const Bernstein<Size>& p, double s) {
   constexpr double margin = 1.0 / 64, degree = Size - 1;
+  const auto first = differences(p);
+  const auto slope = scaled_powers(first);
+  const auto bend = scaled_powers(differences(first));
+  const auto sum = [](const auto& powers, double r) {
+    double result = 0;
+    for (std::size_t k = powers.size(); k-- > 0;) result = result * r + powers[k];
+    return result;
+  };
   for (int step = 0; step < 6; ++step) {
-    const Bernstein<Size> before = split(p, s).first;
-    const double last = before[Size - 1], second = before[Size - 2], third = before[Size - 3];
-    const double slope = degree * (last - second) / s;
-    const double bend = degree * (degree - 1) * (last - 2 * second + third) / (s * s);
-    if (!(bend < 0)) break;
-    const double next = std::clamp(s - slope / bend, margin, 1 - margin);
-    const bool found = next - s < 1e-9 && s - next < 1e-9;
+    const double r = s / (1 - s), second = sum(bend, r);
+    if (!(second < 0)) break;
+    const double next = std::clamp(s - (1 - s) * sum(slope, r) / ((degree - 1) * second), margin, 1 - margin);
+    const bool found = next - s < 1e-5 && s - next < 1e-5;  // the next step would be less than 1e-9
     s = next;
     if (found) break;
   }

@@ -57,6 +57,21 @@ std::optional<double> single_maximum(const std::vector<Powers>& part) {
   return square(s * (1 - s)) * (aa + s * (2 * ab + s * bb));
 }
 
+/// The largest square over [0, 1] of a cubic with these powers, at its ends and where its derivative is 0.
+double largest_square(const Powers& cubic) {
+  const auto [c0, c1, c2, c3] = cubic;
+  double largest = std::max(square(c0), square(c0 + (c1 + (c2 + c3))));
+  const auto try_place = [&](double s) {
+    if (s > 0 && s < 1) largest = std::max(largest, square(c0 + s * (c1 + s * (c2 + s * c3))));
+  };
+  const double discriminant = c2 * c2 - 3 * c1 * c3;
+  if (discriminant < 0) return largest;
+  const double sum = -(c2 + std::copysign(std::sqrt(discriminant), c2));  // 3 c3 s^2 + 2 c2 s + c1 = 0
+  try_place(sum / (3 * c3));
+  try_place(c1 / sum);
+  return largest;
+}
+
 /// The squared distances of a part of the curve from the line of the chord and from its two points, and its place along
 /// the chord.
 struct Distances {
@@ -146,10 +161,7 @@ double Chord::departure(double u) {
     // In the graph of a cubic over its local parameter, the chord takes away what is linear.
     const auto [x0, x1, x2, x3] = start_[0];
     const double c2 = x2 * size * size, c3 = x3 * size * size * size;
-    across_.assign(1, {0, -c2 - c3, c2, c3});
-    if (const auto found = single_maximum(across_)) return in_limits(*found, first_limit2_);
-    int parts = most_parts;
-    return in_limits(upper_bound(bernstein<7>(squared_norm(across_)), 0, parts), first_limit2_);
+    return in_limits(largest_square({0, -c2 - c3, c2, c3}), first_limit2_);
   }
   for (std::size_t i = 0; i < direction_.size(); ++i) {
     direction_[i] = size * (start_[i][1] + size * (start_[i][2] + size * start_[i][3]));
@@ -258,13 +270,14 @@ double Chord::on_part_of_graph(const std::array<double, 3>& u, double first, dou
                                   x2 * c * c + 3 * x3 * b * b * c,
                                   3 * x3 * b * c * c,
                                   x3 * c * c * c};
-  const auto largest_square = [&parts](auto numbers) {
+  if (c == 0 && d == 0) return largest_square({gap[0], gap[1], gap[2], gap[3]});
+  const auto bounded_square = [&parts](auto numbers) {
     const double above = upper_bound(numbers, 0, parts);
     for (double& number : numbers) number = -number;
     return square(upper_bound(numbers, above, parts));
   };
-  if (d == 0) return largest_square(bernstein<7>(gap));
-  return largest_square(bernstein<10>(
+  if (d == 0) return bounded_square(bernstein<7>(gap));
+  return bounded_square(bernstein<10>(
       {gap[0], gap[1], gap[2], gap[3] + x1 * d, gap[4] + 2 * x2 * b * d, gap[5] + d * (2 * x2 * c + 3 * x3 * b * b),
        gap[6] + d * (x2 * d + 6 * x3 * b * c), 3 * d * x3 * (c * c + b * d), 3 * d * d * x3 * c, d * d * d * x3}));
 }
