@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "spline/allocations.hpp"
 
 namespace tcb {
 namespace {
@@ -150,6 +151,22 @@ TEST(Tolerance, refuses_more_rows_than_allowed) {
   std::mt19937_64 random(24);
   const auto keys = random_keys(random, 2);
   EXPECT_THROW(rows_within_tolerance(Curve(keys), {1e-6}, 10), Error);
+}
+
+TEST(Tolerance, takes_memory_for_segments_but_not_for_rows) {
+  std::mt19937_64 random(22);
+  auto keys = random_keys(random, 3);
+  const Curve plain(keys);
+  keys.eases.assign(keys.size(), {0.2, 0.3});
+  const Curve eased(keys);
+  for (const Curve* const curve : {&plain, &eased}) {
+    const std::size_t before = allocations;
+    const std::size_t few = rows_within_tolerance(*curve, {1e-4}, 1'000'000).times.size();
+    const std::size_t middle = allocations;
+    const std::size_t many = rows_within_tolerance(*curve, {1e-6}, 1'000'000).times.size();
+    EXPECT_GT(many, 5 * few);
+    EXPECT_LE(allocations - middle, middle - before + 8) << "for the growing list of times";
+  }
 }
 
 }  // namespace
