@@ -220,7 +220,7 @@ class Walker {
       if (low >= high) continue;
       const CurveSegment segment = curve_.segment(number);
       if (limits_distance) departure = std::max(departure, chord_.departure(segment, low, high));
-      if (limits_angle) departure = std::max(departure, turns_.departure(segment, low, high));
+      if (limits_angle) departure = std::max(departure, turns_.departure(segment, low, high, most_followed));
     }
     return std::sqrt(std::sqrt(departure));
   }

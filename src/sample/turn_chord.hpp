@@ -36,27 +36,34 @@ class TurnChord {
 
   /// The square of the sine of half the largest angle between the arcs and the part of a segment between two local
   /// parameters, as far as `places` of it tell, where that of the tolerance is 1. Near the largest of them it is taken
-  /// from a parabola.
-  double departure(const CurveSegment& segment, double low, double high) const {
+  /// from a parabola. Of more than `most` it tells only that it is more.
+  double departure(const CurveSegment& segment, double low, double high, double most) const {
     double largest = 0;
     for (std::size_t k = 0; k < arcs_.size(); ++k) {
       std::array<double, places + 1> squares;
       for (std::size_t i = 0; i < squares.size(); ++i) {
         const double u = low + (high - low) * static_cast<double>(i) / places;
-        const double part = ((time_on(segment, u) - from_) / duration_).hi;
-        const auto turn =
-            spline::conjugate(spline::normalized(arcs_[k].at(part, 1 - part))) * segment.rotations[k].at({u, u - 1});
-        squares[i] = square(turn.x) + (square(turn.y) + square(turn.z));
+        squares[i] = square_at(segment, u, k) / sine2_;
+        if (squares[i] > most) return squares[i];
       }
       largest = std::max(largest, peak(squares));
     }
-    return largest / sine2_;
+    return largest;
   }
 
  private:
   static constexpr std::size_t places = 8;  // per part; between them the angle exceeds the peak by less than 1 %
   static constexpr double most_angle = 3.1;
   static double square(double number) { return number * number; }
+
+  /// The square of the sine of half the angle between an arc and the curve at a local parameter.
+  double square_at(const CurveSegment& segment, double u, std::size_t arc) const {
+    const double part = ((time_on(segment, u) - from_) / duration_).hi;
+    if (part <= 0 || part >= 1) return 0;  // the arc joins two points of the curve
+    const auto turn =
+        spline::conjugate(spline::normalized(arcs_[arc].at(part, 1 - part))) * segment.rotations[arc].at({u, u - 1});
+    return square(turn.x) + (square(turn.y) + square(turn.z));
+  }
 
   /// The largest number, or the vertex of the parabola through it and those next to it.
   static double peak(const std::array<double, places + 1>& numbers) {

@@ -23,7 +23,7 @@ bool is_near(const CurveSegment& segment, double from, double to, double angle) 
   const auto place = [&](double u) { return TurnPlace{segment, {u, u - 1}, u}; };
   TurnChord chord(angle);
   chord.set(place(from), place(to));
-  return chord.departure(segment, from, to) <= 1;
+  return chord.departure(segment, from, to, 16) <= 1;
 }
 
 TEST(TurnChord, an_arc_is_near_itself) {
