@@ -59,11 +59,12 @@ std::optional<double> single_maximum(const std::vector<Powers>& part) {
 
 /// The largest square over [0, 1] of a cubic with these powers, at its ends and where its derivative is 0.
 double largest_square(const Powers& cubic) {
-  const auto [c0, c1, c2, c3] = cubic;
-  double largest = std::max(square(c0), square(c0 + (c1 + (c2 + c3))));
+  const auto square_at = [&](double s) { return square(cubic[0] + s * (cubic[1] + s * (cubic[2] + s * cubic[3]))); };
+  double largest = std::max(square_at(0), square_at(1));
   const auto try_place = [&](double s) {
-    if (s > 0 && s < 1) largest = std::max(largest, square(c0 + s * (c1 + s * (c2 + s * c3))));
+    if (s > 0 && s < 1) largest = std::max(largest, square_at(s));
   };
+  const double c1 = cubic[1], c2 = cubic[2], c3 = cubic[3];
   const double discriminant = c2 * c2 - 3 * c1 * c3;
   if (discriminant < 0) return largest;
   const double sum = -(c2 + std::copysign(std::sqrt(discriminant), c2));  // 3 c3 s^2 + 2 c2 s + c1 = 0
