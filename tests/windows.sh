@@ -53,4 +53,6 @@ run_all 1 "$@"
 wait
 failed=$(find "$made" -maxdepth 1 -name '*.failed' | wc -l)
 echo "$# cases, $failed failed"
+mkdir "$made/console"
+python3 "$tests/windows_console.py" "$program" "$made/console"
 [ "$failed" = 0 ]
