@@ -180,8 +180,8 @@ class CubicTests {
   std::vector<CubicTest> tests_;
 };
 
-/// The largest size up to `most` for which a test holds, as for all below it; `good`: it holds for this one. Searches in
-/// growing steps around a guess.
+/// The largest size up to `most` for which a test holds, as for all below it; `good`: it holds for this one. Searches
+/// in growing steps around a guess.
 template <class Test>
 std::size_t largest_size(std::size_t good, std::size_t most, std::size_t guess, const Test& test) {
   std::size_t bad = most + 1, size = std::clamp(guess, good, most), step = std::max<std::size_t>(size / 8, 1);
