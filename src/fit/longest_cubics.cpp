@@ -185,25 +185,32 @@ class CubicTests {
 template <class Test>
 std::size_t largest_size(std::size_t good, std::size_t most, std::size_t guess, const Test& test) {
   std::size_t bad = most + 1, size = std::clamp(guess, good, most), step = std::max<std::size_t>(size / 8, 1);
-  const auto try_size = [&] {
-    const bool holds = size == good || test(size);
-    (holds ? good : bad) = size;
-    return holds;
-  };
-  if (try_size()) {
-    for (; good < most; step *= 2) {
+  if (size == good || test(size)) {
+    good = size;
+    while (good < most) {
       size = good + std::min(step, most - good);
-      if (!try_size()) break;
+      if (!test(size)) {
+        bad = size;
+        break;
+      }
+      good = size;
+      step *= 2;
     }
   } else {
-    for (; bad - good > step; step *= 2) {
+    bad = size;
+    while (bad - good > step) {
       size = bad - step;
-      if (try_size()) break;
+      if (test(size)) {
+        good = size;
+        break;
+      }
+      bad = size;
+      step *= 2;
     }
   }
   while (good + 1 < bad) {
-    size = good + (bad - good) / 2;
-    try_size();
+    const std::size_t middle = good + (bad - good) / 2;
+    (test(middle) ? good : bad) = middle;
   }
   return good;
 }

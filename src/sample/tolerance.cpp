@@ -175,7 +175,7 @@ class Walker {
   }
 
   /// The same, but at the time that its row prints, where rounding that moves it by more than limits allow for.
-  void set_printed(CurvePoint& place, const CurveSegment& segment, double u) {
+  void set_printed(CurvePoint& place, const CurveSegment& segment, double u) const {
     set(place, segment, u);
     const Time t = rounded_time(place.t, segment.decimals);
     const auto at = segment.time_map()(segment.precise(std::clamp(t, segment.start, segment.end)));
