@@ -32,7 +32,8 @@ assert (long_folder / "rows.csv").read_bytes() == b"t,x\n0,1\n0.5,1.5\n1,2\n"
 
 process, console = pty.fork()
 if process == 0:
-    os.execvp("wine", ["wine", program, "--count", "4000000000", "--max-rows", "4000000000", "keys.csv", "-o", "rows.csv"])
+    many = ["--count", "4000000000", "--max-rows", "4000000000"]
+    os.execvp("wine", ["wine", program, *many, "keys.csv", "-o", "rows.csv"])
 incomplete = ".rows.csv."
 deadline = time.monotonic() + 60
 while not any(name.startswith(incomplete) for name in os.listdir(".")):

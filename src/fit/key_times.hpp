@@ -2,7 +2,8 @@
 //
 // Keys begin a little denser than the longest cubics need them, and move to where the errors of all segments are alike.
 // Segments that stay too far from their samples are divided; then each group of segments is tried with one less. Parts
-// of long recordings are tried on several threads, and then the segments around the keys between parts.
+// of long recordings are tried on several threads, and then the segments around the keys between parts. Short
+// recordings are tried in several ways, and as long as that finds fewer keys.
 #pragma once
 
 #include <cstddef>

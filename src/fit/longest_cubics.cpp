@@ -269,7 +269,8 @@ std::vector<std::size_t> starts_of(const Recording& recording, double share, std
   return joined.starts();
 }
 
-/// The last sample before a cubic from which it still reaches its last sample, for each start but the first one.
+/// For each start but the first one, the sample in the middle between the last one of the cubic before it and the first
+/// one from which a cubic reaches as far as that of the start.
 std::vector<std::size_t> knots_between(const Recording& recording, double share, const std::vector<std::size_t>& starts,
                                        unsigned threads) {
   std::vector<std::size_t> knots(starts.size() - 1);

@@ -1,12 +1,12 @@
 // Tolerance: few rows whose polyline stays near the curve, by a greedy search.
 //
 // From each row the next one is taken as far along as the chord between them keeps every point of the curve within the
-// tolerance, by a bound (see sample/chord.hpp), not by samples. Whole segments are tried first, then halves of the
-// segment in which the row lies, from the distance of the last two rows on. The search follows the departure, which
-// grows with about the fourth power of the chord, so that its fourth root is nearly linear. A row between keys is where
-// its time is printed, if rounding that matters. A rotation is tried at places of each segment against the arc between
-// the rows at equal times. With a single metric channel the polyline is its graph over time, and the distance is taken
-// at equal times.
+// tolerance, by a bound (see sample/chord.hpp), not by samples. Whole segments are tried first. In the segment in which
+// the row lies the search begins at the distance of the last two rows. It follows the departure, which grows with about
+// the fourth power of the chord, so that its fourth root is nearly linear; where that does not help, it halves. A row
+// between keys is where its time is printed, if rounding that matters. A rotation is tried at places of each segment
+// against the arc between the rows at equal times. With a single metric channel the polyline is its graph over time,
+// and the distance is taken at equal times.
 #include "sample/tolerance.hpp"
 
 #include <algorithm>
@@ -182,9 +182,9 @@ class Walker {
     const auto is_moved = [&](std::size_t i) {
       return std::abs(spline::position(metric_cubic(segment, i), at) - place.x[i]) > tolerance_.distance * 1e-10;
     };
-    std::size_t channel = 0;
-    while (channel < place.x.size() && !is_moved(channel)) ++channel;
-    if (channel == place.x.size()) return;
+    bool moves = false;
+    for (std::size_t i = 0; i < place.x.size(); ++i) moves = moves || is_moved(i);
+    if (!moves) return;
     place.u = at.u;
     place.t = t;
     for (std::size_t i = 0; i < place.x.size(); ++i) place.x[i] = spline::position(metric_cubic(segment, i), at);

@@ -24,6 +24,7 @@ class TurnChord {
   /// `angle`: how far from the arcs is near, in radians.
   explicit TurnChord(double angle) : sine2_(square(spline::sine(std::min(angle, most_angle) / 2))) {}
 
+  /// The arcs between two points.
   void set(const TurnPlace& from, const TurnPlace& to) {
     from_ = from.t;
     duration_ = to.t - from.t;
@@ -35,34 +36,42 @@ class TurnChord {
   }
 
   /// The square of the sine of half the largest angle between the arcs and the part of a segment between two local
-  /// parameters, as far as `places` of it tell, where that of the tolerance is 1. Near the largest of them it is taken
-  /// from a parabola. Of more than `most` it tells only that it is more.
+  /// parameters, where that of the tolerance is 1: at `places` that are evenly spread over the time of each part of an
+  /// ease, and at the vertex of the parabola through the largest of them. Of more than `most` it tells only that it is
+  /// more.
   double departure(const CurveSegment& segment, double low, double high, double most) const {
-    double largest = 0;
-    for (std::size_t k = 0; k < arcs_.size(); ++k) {
-      std::array<double, places + 1> squares;
-      for (std::size_t i = 0; i < squares.size(); ++i) {
-        const double u = low + (high - low) * static_cast<double>(i) / places;
-        squares[i] = square_at(segment, u, k) / sine2_;
-        if (squares[i] > most) return squares[i];
+    double largest = 0, start = low;
+    for (const double next : {segment.warp.end_of_first_part(), segment.warp.start_of_last_part(), high}) {
+      const double end = std::min(next, high);
+      if (!(end > start) || largest > most) continue;
+      for (std::size_t k = 0; k < arcs_.size(); ++k) {
+        largest = std::max(largest, on_part(segment, k, time_on(segment, start), time_on(segment, end), most));
       }
-      largest = std::max(largest, peak(squares));
+      start = end;
     }
     return largest;
   }
 
  private:
-  static constexpr std::size_t places = 8;  // per part; between them the angle exceeds the peak by less than 1 %
+  static constexpr std::size_t places = 16;  // per part; between them no angle was found that exceeds the peak by 1 %
   static constexpr double most_angle = 3.1;
   static double square(double number) { return number * number; }
 
-  /// The square of the sine of half the angle between an arc and the curve at a local parameter.
-  double square_at(const CurveSegment& segment, double u, std::size_t arc) const {
-    const double part = ((time_on(segment, u) - from_) / duration_).hi;
-    if (part <= 0 || part >= 1) return 0;  // the arc joins two points of the curve
-    const auto turn =
-        spline::conjugate(spline::normalized(arcs_[arc].at(part, 1 - part))) * segment.rotations[arc].at({u, u - 1});
-    return square(turn.x) + (square(turn.y) + square(turn.z));
+  /// The largest square for an arc between two times of a segment, between which its ease, if any, is smooth.
+  double on_part(const CurveSegment& segment, std::size_t arc, const Time& start, const Time& end, double most) const {
+    const spline::TimeMap<double> local = segment.time_map();
+    std::array<double, places + 1> squares;
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      const Time t = start + (end - start) * Time(static_cast<double>(i) / places);
+      const double part = ((t - from_) / duration_).hi;
+      squares[i] = 0;
+      if (part <= 0 || part >= 1) continue;  // the arc joins two points of the curve
+      const auto turn = spline::conjugate(spline::normalized(arcs_[arc].at(part, 1 - part))) *
+                        segment.rotations[arc].at(local(segment.precise(std::clamp(t, segment.start, segment.end))));
+      squares[i] = (square(turn.x) + (square(turn.y) + square(turn.z))) / sine2_;
+      if (squares[i] > most) return squares[i];
+    }
+    return peak(squares);
   }
 
   /// The largest number, or the vertex of the parabola through it and those next to it.

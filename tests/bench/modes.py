@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Times modes of the program beside each other and prints a table: modes.py PROGRAM [ROWS [ROUNDS]].
 
-Samples come from keys, ten rows per key, with four numbers per row, on one thread; a tolerance needs about as many rows.
+There are ten rows per key and four numbers per row, on one thread; the tolerance needs about as many rows. On two threads
 --fit reads as many samples as the others write rows, with a tolerance of five standard deviations of their noise, and
-compression writes the rows of --count, both on two threads.
-Each time is the minimum of all rounds. The last columns are those of the largest work: the time of a row, the ratio to
+the rows of --count are compressed. Each time is the minimum of all rounds. The last columns are those of the largest work: the time of a row, the ratio to
 that of --count on as many threads, and the peak of memory.
 """
 import math
@@ -94,7 +93,8 @@ def main(program, rows="1000 10000 100000 1000000", rounds="5"):
         plain = "`--count`, two threads" if name in ON_TWO_THREADS else "`--count`"
         cells = [f"{times[name, size] * 1e3:,.1f} ms" for size in sizes]
         last = times[name, sizes[-1]]
-        cells += [f"{last / sizes[-1] * 1e9:,.0f} ns", f"{last / times[plain, sizes[-1]]:.1f}", f"{peaks[name]:.0f} MiB"]
+        cells += [f"{last / sizes[-1] * 1e9:,.0f} ns", f"{last / times[plain, sizes[-1]]:.1f}"]
+        cells += [f"{peaks[name]:.0f} MiB"]
         print(f"| {name} | " + " | ".join(cells) + " |")
 
 

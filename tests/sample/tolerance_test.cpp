@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -151,6 +152,36 @@ TEST(Tolerance, refuses_more_rows_than_allowed) {
   std::mt19937_64 random(24);
   const auto keys = random_keys(random, 2);
   EXPECT_THROW(rows_within_tolerance(Curve(keys), {1e-6}, 10), Error);
+}
+
+TEST(Tolerance, no_rotation_is_farther_from_the_arcs_between_rows) {
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> part(0, 0.5);
+  spline::CurveRules<double> rules;
+  rules.rotations.push_back({{0, 1, 2, 3}});
+  for (int round = 0; round < 40; ++round) {
+    auto keys = random_keys(random, 4);
+    for (std::size_t i = 0; i < keys.size() && round % 2 == 0; ++i) keys.eases.push_back({part(random), part(random)});
+    const Curve curve(keys, rules);
+    const double angle = std::pow(10, -round % 3) / 4;
+    const auto rotation_at = [&](const Time& t) {
+      std::uint64_t number = 0;
+      while (number + 1 < curve.size() && curve.segment(number).end < t) ++number;
+      const CurveSegment segment = curve.segment(number);
+      return segment.rotations[0].at(segment.time_map()(t));
+    };
+    const auto rows = rows_within_tolerance(curve, {std::numeric_limits<double>::infinity(), angle}, 1'000'000).times;
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+      const auto a = rotation_at(rows[i]), b = rotation_at(rows[i + 1]);
+      const spline::Arc<double> arc(a, spline::dot(a, b) < 0 ? -b : b);
+      for (double f = 0; f <= 1; f += 1.0 / 64) {
+        const auto turn =
+            spline::conjugate(arc.at(f, 1 - f)) * rotation_at(rows[i] + (rows[i + 1] - rows[i]) * Time(f));
+        const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+        ASSERT_LE(2 * std::asin(std::min(sine, 1.0)), angle) << round << ", " << i;
+      }
+    }
+  }
 }
 
 TEST(Tolerance, takes_memory_for_segments_but_not_for_rows) {
