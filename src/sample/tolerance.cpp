@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "error.hpp"
@@ -80,11 +81,10 @@ class Walker {
   void set_farthest(const CurvePoint& from, std::uint64_t corner, CurvePoint& to) {
     std::uint64_t good = from.segment, step = 1;  // the keys that end the segments before `good` can be reached
     double last = 0;                              // the root at the key before `good`
-    double beyond = 0;                            // that at the key after it, if it is out of reach
     const auto reaches_key = [&](std::uint64_t number) {
       set_key(tried_, number);
       const double root = root_to(tried_);
-      (root <= 1 ? last : beyond) = root;
+      if (root <= 1) last = root;
       return root <= 1;
     };
     while (good < corner && reaches_key(std::min(good + step, corner))) {
@@ -97,13 +97,12 @@ class Walker {
     if (good == corner) {
       set_key(to, corner);
     } else {
-      set_within(from, good, last, beyond, to);
+      set_within(from, good, last, to);
     }
   }
 
-  /// Sets `to` to the farthest place on a segment, whose own end is out of reach. `first_root`, `last_root`: those
-  /// of its ends.
-  void set_within(const CurvePoint& from, std::uint64_t number, double first_root, double last_root, CurvePoint& to) {
+  /// Sets `to` to the farthest place on a segment, whose own end is out of reach. `root`: that of its start.
+  void set_within(const CurvePoint& from, std::uint64_t number, double root, CurvePoint& to) {
     const CurveSegment segment = curve_.segment(number);
     const bool is_simple = is_cubic_on(number) && !tolerance_.limits_angle();
     const auto root_of = [&](double u) {
@@ -112,8 +111,8 @@ class Walker {
       return root_to(tried_);
     };
     const double guess = place_of(from) + step_ - static_cast<double>(number);
-    const Tried start = number == from.segment ? Tried{from.u, 0} : Tried{0, first_root};
-    const Tried low = last_reached(start, {1, last_root}, guess, root_of);
+    const Tried start = number == from.segment ? Tried{from.u, 0} : Tried{0, root};
+    const Tried low = last_reached(start, guess, root_of);
     if (low.u == 0 && number > 0) {
       set_key(to, number);
     } else {
@@ -129,12 +128,12 @@ class Walker {
     if (number == from.segment && to.u <= from.u) throw tolerance_too_small().about(option::tolerance);
   }
 
-  /// The last place on a segment that was found to be reached, if `start` is and `end` is not; `start` where none after
-  /// it was found. `guess`: where that may be.
+  /// The last place on a segment that was found to be reached, if `start` is and the end of the segment is not; `start`
+  /// where none after it was found. `guess`: where that may be.
   template <class RootOf>
-  static Tried last_reached(const Tried& start, const Tried& end, double guess, const RootOf& root_of) {
+  static Tried last_reached(const Tried& start, double guess, const RootOf& root_of) {
     constexpr double least = 1 - 1e-4, aim = 1 - 3e-5;  // near enough: at most a ten-thousandth more rows
-    Tried low = start, high = end, before = start, last = end;
+    Tried low = start, high{1, std::numeric_limits<double>::infinity()}, before = start, last = high;
     const auto is_narrow = [&] {
       return low.u > start.u ? high.u - low.u <= 1e-9 * (low.u - start.u) : high.u - low.u <= 0x1p-48;
     };
