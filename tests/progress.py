@@ -86,6 +86,23 @@ def rows_for_a_while(arguments):
     return rows
 
 
+def fit_for_a_while():
+    """What a terminal shows of a fit that takes two seconds at least, and its exit code."""
+    noise = random.Random(1)
+    with open("recording.csv", "w", encoding="ascii") as file:
+        file.write("t,x,y\n")
+    samples, seconds, shown, code = 0, 0.0, "", 0
+    while seconds < 2 and code == 0:
+        with open("recording.csv", "a", encoding="ascii") as file:
+            for i in range(samples, max(2 * samples, 500000)):
+                file.write(f"{i / 100},{math.sin(i / 300) + noise.gauss(0, 0.01):.4f},{noise.gauss(0, 0.01):.4f}\n")
+        samples = max(2 * samples, 500000)
+        start = time.monotonic()
+        shown, code = run(["--fit", "0.05", "-o", "fit.csv", "recording.csv"], 80)
+        seconds = time.monotonic() - start
+    return shown, code
+
+
 def main():
     with open("keys.csv", "w", encoding="ascii") as file:
         file.write("t,x,y\n0,0,1\n1,2,3\n3,4,-1\n4,0,0\n")
@@ -120,13 +137,8 @@ def main():
     require(screen(shown) == "" and code == 0, "a check: not erased, or it failed", shown)
     check_lines(shown, 80)
 
-    noise = random.Random(1)
-    with open("recording.csv", "w", encoding="ascii") as file:
-        file.write("t,x,y\n")
-        for i in range(300000):
-            file.write(f"{i / 100},{math.sin(i / 300) + noise.gauss(0, 0.01):.4f},{noise.gauss(0, 0.01):.4f}\n")
-    shown, code = run(["--fit", "0.05", "-o", "fit.csv", "recording.csv"], 80)
-    require(code == 0 and "300000 samples" in shown, "a fit without its note", shown)
+    shown, code = fit_for_a_while()
+    require(code == 0 and " samples" in shown, "a fit without its note", shown)
     check_lines(shown[:shown.rindex("recording.csv")], 80)
 
 
