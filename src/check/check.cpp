@@ -96,7 +96,10 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
                  const WholeCurve& curve, const Limits& limits) {
   const Time first = columns.by_length ? Time(0.0) : curve.extent.first;
   const Time last = columns.by_length ? Time(curve.curve->curve().length().value) : *curve.extent.last;
-  const bool anywhere = !columns.by_length && curve.extrapolation != Extrapolation::error;
+  const auto is_extended_to = [&](const Time& place) {
+    const auto& [before, after] = curve.extrapolations;
+    return !columns.by_length && (place < first ? before : after) != Extrapolation::error;
+  };
   Places result;
   std::uint64_t off_curve = 0;
   std::pair<std::size_t, Time> first_off;
@@ -106,8 +109,9 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
                                              : as_double(rows.times[row]);
     const bool on_curve = place >= first && place <= last;
     const Time end = place < first ? first : last;
-    if (place == place && !on_curve && !anywhere && limits.admit(distance(place.hi, end.hi))) place = end;
-    if ((place >= first && place <= last) || (anywhere && place == place)) {
+    const bool extended = is_extended_to(place);
+    if (place == place && !on_curve && !extended && limits.admit(distance(place.hi, end.hi))) place = end;
+    if ((place >= first && place <= last) || (extended && place == place)) {
       result.rows.push_back(row);
       result.places.push_back(place);
       continue;
@@ -138,7 +142,7 @@ void for_each_row(const SampleRows& given, const Places& places, const MatchedCo
   const auto cells =
       columns.by_length
           ? evaluate_all(std::make_shared<const AnywhereInLength>(place, rows, curve.curve->curve().length().value))
-          : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolation, curve.extent.first,
+          : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolations, curve.extent.first,
                                                                 *curve.extent.last, curve.curve->frames()));
   std::size_t next = 0;
   while (std::optional<std::vector<Cell>> block = cells()) {

@@ -385,15 +385,16 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text) { to.keys.rules.no_ease = true; }},
     {option::extrapolate,
      "",
-     "RULE",
+     "RULE[,RULE]",
      curve_group,
-     "What happens to times outside the curve: error rejects them; hold, linear, repeat, offset and oscillate extend "
-     "the curve",
+     "What happens to times outside the curve, one rule for both sides or one each for before and after: error rejects "
+     "them; hold, linear, repeat, offset and oscillate extend the curve",
      "error",
-     name,
+     names,
      recorded,
      [](Typed& to, Text text) {
-       to.keys.rules.extrapolate = {std::string(named_row(extrapolations, text).name), {option::extrapolate}};
+       for (const std::string_view rule : split(text, ',')) (void)named_row(extrapolations, rule);
+       to.keys.rules.extrapolate = {text, {option::extrapolate}};
      },
      {},
      names_in<extrapolations>},
@@ -696,9 +697,9 @@ constexpr OptionRow option_rows[] = {
      "With a picture: its width and height in pixels; by default as large as its contents require", "", other,
      unrecorded, [](Typed& to, Text text) { to.picture.size = picture_size(text); }, require_picture},
 
-    {option::explain, "", "", about_group, "Prints what was detected and what would be done, instead of samples", "",
-     flag, recorded, [](Typed&, Text) {},
-     [](const Conflicts& of) { of.disable({option::meta}, ", which prints no rows"); }},
+    {option::explain, "", "", about_group,
+     "Prints what was detected, and with a sampling option what would be done, instead of samples", "", flag, recorded,
+     [](Typed&, Text) {}, [](const Conflicts& of) { of.disable({option::meta}, ", which prints no rows"); }},
     {option::progress, "", "", about_group,
      "Shows the progress on a terminal after a second, even if the rows go to the terminal; by default it is shown "
      "only "

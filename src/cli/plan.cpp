@@ -90,7 +90,8 @@ void require_forward_range(const TypedOptions& typed) {
 
 /// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
 void require_samples(const TypedOptions& typed) {
-  if (has_no_sampling_option(typed) && !typed.has(option::plot)) throw no_sampling_option(sampling_options);
+  const bool is_needed = !typed.has(option::plot) && !typed.has(option::explain);
+  if (has_no_sampling_option(typed) && is_needed) throw no_sampling_option(sampling_options);
   require_forward_range(typed);
 }
 
@@ -157,7 +158,7 @@ SampleOptions samples_of(const TypedOptions& typed) {
   samples.request.in_seconds.places = typed.places.in_seconds;
   samples.request.in_seconds.has_duration |= typed.places.in_seconds;
   samples.request.from_left = is_from_left(typed, fields_of(typed));
-  if (has_no_sampling_option(typed)) {  // a picture has samples of its own
+  if (has_no_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
     samples.request.mode = Mode::segments;
     samples.request.count = 50;
   }
@@ -237,8 +238,9 @@ CompareJob compare_job(const TypedOptions& typed) {
 }
 
 ExplainJob explain_job(const TypedOptions& typed) {
-  return {files_of(typed),  keys_of(typed),      samples_of(typed),  golden_of(typed),
-          fields_of(typed), typed.output.format, typed.output.header};
+  const bool has_samples = !has_no_sampling_option(typed) || typed.has(option::plot);
+  return {files_of(typed),  keys_of(typed),   samples_of(typed),   has_samples,
+          golden_of(typed), fields_of(typed), typed.output.format, typed.output.header};
 }
 
 FitJob fit_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {

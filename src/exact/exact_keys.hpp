@@ -36,7 +36,7 @@ struct ExactCurve {
   std::optional<double> exponent;  ///< of the distances that make the times
   bool closed = false;
   std::optional<Rational> end;  ///< when a closed curve is back at its first key, unless a distance gives it
-  Extrapolation extrapolation = Extrapolation::error;
+  Extrapolations extrapolations;
   bool decimal = false;  ///< numbers are the decimals that they are written as
 
   /// All numbers are rational: no distance makes a time or a tangent.

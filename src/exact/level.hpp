@@ -290,7 +290,7 @@ class RowPoint {
       sample_ = row.time ? sample_at(*row.time) : sample_at(row.segment, shown);
     } else {
       const std::vector<S>& times = curve_->times();
-      outside_ = map_to_curve<S>(rows_.exact.extrapolation, times.front(), times.back(), t);
+      outside_ = map_to_curve<S>(rows_.exact.extrapolations, times.front(), times.back(), t);
       segment_ = segment(spline::segment_at_time<S>(times, outside_->t, rows_.side));
       sample_ = {t, segment_.time_map()(outside_->t)};
     }

@@ -11,7 +11,7 @@ namespace {
 /// Rows come in any order, or depend on more than one segment.
 bool is_anywhere(const SamplingRequest& request, const CurveSpec& spec) {
   return request.mode == Mode::at || request.mode == Mode::arc_at || request.mode == Mode::tolerance ||
-         spec.extrapolation != Extrapolation::error;
+         spec.extrapolations.extend_curve();
 }
 
 /// There is one row, for which a curve may have a single key.

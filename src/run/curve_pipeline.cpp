@@ -23,12 +23,14 @@ namespace tcb {
 namespace {
 
 /// Also checks the settings of the input, even those that the command line replaces. The extrapolation of an input
-/// matters only for samples that may be outside the keys.
+/// matters only for samples that may be outside the keys. Its metric is that of lengths and speeds, while a tolerance
+/// limits all channels.
 CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const Schema& schema,
                   const SamplingRequest& request) {
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
   (void)make_spec(of_input, schema.channels, rotations, schema.angles);
   if (!may_leave_curve(request)) of_input.extrapolate.reset();
+  if (request.mode == Mode::tolerance) of_input.metric.reset();
   return make_spec(merged(settings, of_input), schema.channels, rotations, schema.angles);
 }
 
@@ -185,7 +187,7 @@ std::shared_ptr<const ShownCurve> CurvePipeline::shown(const KeyStore& keys, con
 WholeCurve CurvePipeline::whole(Source<KeyBlock> blocks) {
   KeyStore keys(prepared(std::move(blocks), 1));
   const Extent range = extent(keys);
-  return {shown(keys, range), range, spec_.extrapolation};
+  return {shown(keys, range), range, spec_.extrapolations};
 }
 
 StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled) {
@@ -279,10 +281,10 @@ std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
   const Rational first = request_.exact(extent.first), last = request_.exact(*extent.last);
   std::vector<Rational> places = request_.places;
   if (request_.mode == Mode::at) {
-    const bool is_bounded = spec_.extrapolation == Extrapolation::error && request_.key_times;
-    for (std::size_t i = 0; is_bounded && i < places.size(); ++i) {
-      require_not_before(option::at, places[i], {before_first_key, first});
-      require_not_after(option::at, places[i], {after_last_key, last});
+    using enum Extrapolation;
+    for (std::size_t i = 0; request_.key_times && i < places.size(); ++i) {
+      if (spec_.extrapolations.before == error) require_not_before(option::at, places[i], {before_first_key, first});
+      if (spec_.extrapolations.after == error) require_not_after(option::at, places[i], {after_last_key, last});
     }
     return places;
   }
@@ -299,9 +301,22 @@ std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
                              Rational(1, 1'000'000'000));
 }
 
+/// Throws: Error (usage) for a range that begins or ends where nothing extends the curve.
+void CurvePipeline::require_extended_range(const Extent& extent) const {
+  const auto& [before, after] = spec_.extrapolations;
+  const auto require = [&](std::string_view option, const std::optional<Rational>& bound) {
+    if (!bound) return;
+    if (before == Extrapolation::error) require_not_before(option, *bound, first_key(extent.first));
+    if (after == Extrapolation::error) require_not_after(option, *bound, last_key(*extent.last));
+  };
+  require(option::from, request_.from);
+  require(option::to, request_.to);
+}
+
 /// Rows at places in any order, also outside the curve. `exact`: their times, or nothing.
 PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& extent,
                                           const std::vector<Rational>& exact) const {
+  if (spec_.extrapolations.extend_curve() && may_leave_curve(request_)) require_extended_range(extent);
   const std::shared_ptr<const ShownCurve> curve = shown(keys, extent);
   std::vector<Time> places;
   std::ranges::transform(exact, std::back_inserter(places),
@@ -318,7 +333,7 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
   }
   const Time& end = *extent.last;
   const auto locator =
-      std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolation, extent.first, end, spec_.frames);
+      std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolations, extent.first, end, spec_.frames);
   return {look_up(curve, locator, request_.side()), locator, nullptr, facts, fast_rows(locator), expected};
 }
 
@@ -334,7 +349,7 @@ std::shared_ptr<ExactRows> CurvePipeline::exact_rows(const ExactKeys& exact, std
     if (!spec_.period) curve.end.reset();
   }
   curve.closed = spec_.closed;
-  curve.extrapolation = spec_.extrapolation;
+  curve.extrapolations = spec_.extrapolations;
   return std::make_shared<ExactRows>(std::move(curve), request_, extent, golden_->notation, std::move(times));
 }
 

@@ -78,7 +78,7 @@ struct StoredCurve {
 struct WholeCurve {
   std::shared_ptr<const ShownCurve> curve;
   Extent extent;
-  Extrapolation extrapolation;
+  Extrapolations extrapolations;
 };
 
 class CurvePipeline {
@@ -120,6 +120,7 @@ class CurvePipeline {
   PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
   PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent,
                              std::shared_ptr<const RowEstimate> estimate) const;
+  void require_extended_range(const Extent& extent) const;
   PlacedCurve place_anywhere(const KeyStore& keys, const Extent& extent, const std::vector<Rational>& exact) const;
   std::shared_ptr<const ShownCurve> shown(const KeyStore& keys, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;

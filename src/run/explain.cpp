@@ -84,8 +84,9 @@ Facts input_facts(const Input& input) {
   return facts;
 }
 
-/// What will be done with every curve of an input.
-Facts intentions(const ExplainJob& job, const Schema& schema, const std::optional<spline::Tcb<double>>& of_file) {
+/// What will be done with every curve of an input. `metric`: the channels that the input chooses, if it does.
+Facts intentions(const ExplainJob& job, const Schema& schema, const std::optional<spline::Tcb<double>>& of_file,
+                 const std::vector<std::size_t>& metric) {
   const SamplingRequest& sampling = job.samples.request;
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
@@ -107,8 +108,12 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
                     fmt::join(given.columns, " "), rows));
   }
   const std::string_view others = schema.rotations.empty() && schema.angles.empty() ? "" : "other ";
-  add("metric", job.keys.rules.metric ? job.keys.rules.metric->value : fmt::format("all {}channels", others));
-  add("samples", samples_in_words(sampling));
+  std::vector<std::string_view> of_input;
+  for (const std::size_t channel : metric) of_input.emplace_back(schema.channels[channel]);
+  add("metric", job.keys.rules.metric ? job.keys.rules.metric->value
+                : of_input.empty()    ? fmt::format("all {}channels", others)
+                                      : fmt::format("{}", fmt::join(of_input, ", ")));
+  if (job.has_samples) add("samples", samples_in_words(sampling));
   if (sampling.from) add("from", number_in_words(*sampling.from));
   if (sampling.to) add("to", number_in_words(*sampling.to));
   std::vector<std::string_view> names;
@@ -129,8 +134,8 @@ std::string title(const Schema& schema, const CurveKeys& curve, std::size_t numb
 /// Counts and facts of one curve.
 struct CurveOutcome {
   std::size_t keys = 0;
-  std::uint64_t rows = 0;
-  std::optional<Time> first, last;  ///< times of the keys, where they are known
+  std::optional<std::uint64_t> rows;  ///< nothing if no samples are requested
+  std::optional<Time> first, last;    ///< times of the keys, where they are known
   PlacementFacts facts;
   std::optional<Rational> remainder;
   bool ends_at_key = true;  ///< the end of the range is the last key
@@ -143,15 +148,22 @@ struct CurveOutcome {
   }
 };
 
-/// Places the samples of a curve, and reads its keys to the end.
-CurveOutcome outcome_of(CurvePipeline& pipeline, const CurveKeys& curve) {
+/// Places the samples of a curve if they are requested, and reads its keys to the end.
+CurveOutcome outcome_of(CurvePipeline& pipeline, const CurveKeys& curve, bool has_samples) {
   CurveOutcome outcome;
   const Source<KeyBlock> observed = mapped(curve.keys, [&outcome](KeyBlock block) {
     outcome.add(block);
     return block;
   });
+  if (!has_samples) {
+    const Extent extent = pipeline.whole(observed).extent;
+    outcome.first = extent.first;
+    outcome.last = extent.last;
+    return outcome;
+  }
   const PlacedCurve placed = pipeline.place(observed);
-  while (const auto block = placed.blocks()) outcome.rows += block->rows();
+  outcome.rows = 0;
+  while (const auto block = placed.blocks()) *outcome.rows += block->rows();
   while (observed()) {
   }
   outcome.facts = placed.facts;
@@ -171,7 +183,7 @@ Facts lines_of(const CurveOutcome& outcome) {
   if (outcome.first) lines.emplace_back("curve", range_text(outcome));
   if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
   if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
-  lines.emplace_back("rows", fmt::format("{}", outcome.rows));
+  if (outcome.rows) lines.emplace_back("rows", fmt::format("{}", *outcome.rows));
   if (outcome.remainder)
     lines.emplace_back("note", remainder_note(nearest_time(*outcome.remainder).hi, outcome.ends_at_key).text);
   return lines;
@@ -187,7 +199,7 @@ std::string line_of(const CurveOutcome& outcome) {
   if (outcome.first) text += ", " + range_text(outcome);
   if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
   if (outcome.facts.step) text += ", step " + time_text(*outcome.facts.step);
-  return text + ", " + counted(outcome.rows, "row");
+  return outcome.rows ? text + ", " + counted(*outcome.rows, "row") : text;
 }
 
 /// Counts of all curves of an input, and a line for each of the first ones.
@@ -199,15 +211,18 @@ class Explainer {
     const CurveRequest request{job_.samples.of(curve, input_.schema), job_.keys.rules, job_.fields, job_.golden};
     CurvePipeline pipeline(request, input_.schema, input_.keys.traits, *curve.curve_info);
     if (count_ == 0) {
-      needs_ = in_words(pipeline.needs());
+      if (job_.has_samples) needs_ = in_words(pipeline.needs());
       append(intended_, rules_in_words(pipeline.facts()));
-      append(intended_, intentions(job_, input_.schema, input_.facts.tcb));
+      const bool has_metric = curve.curve_info->settings.metric && !job_.keys.rules.metric;
+      const std::vector<std::size_t> metric = pipeline.facts().spec.rules.metric;
+      append(intended_,
+             intentions(job_, input_.schema, input_.facts.tcb, has_metric ? metric : std::vector<std::size_t>{}));
     }
-    last_ = outcome_of(pipeline, curve);
+    last_ = outcome_of(pipeline, curve, job_.has_samples);
     last_.ends_at_key = !job_.samples.request.to && !pipeline.facts().spec.closed;
     keys_ += last_.keys;
-    rows_ += last_.rows;
-    if (count_ < most_curves) curves_.emplace_back(title(input_.schema, curve, count_), line_of(last_));
+    rows_ += last_.rows.value_or(0);
+    if (count_ < most_curves) curves_.emplace_back(title(input_.schema, curve, count_), line(curve));
     ++count_;
   }
 
@@ -224,12 +239,19 @@ class Explainer {
     append(lines, curves_);
     if (count_ > most_curves) lines.emplace_back("curves not shown", fmt::format("{}", count_ - most_curves));
     lines.emplace_back("keys", fmt::format("{}", keys_));
-    lines.emplace_back("rows", fmt::format("{}", rows_));
+    if (job_.has_samples) lines.emplace_back("rows", fmt::format("{}", rows_));
     return lines;
   }
 
  private:
   static void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+  /// The last curve, in one line, with an extrapolation that the input alone decides.
+  std::string line(const CurveKeys& curve) const {
+    const std::optional<TextSetting>& extrapolation = curve.curve_info->settings.extrapolate;
+    const bool is_decided = extrapolation && !job_.keys.rules.extrapolate;
+    return line_of(last_) + (is_decided ? ", extrapolation " + extrapolation->value : "");
+  }
 
   const Input& input_;
   const ExplainJob& job_;

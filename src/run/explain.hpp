@@ -14,11 +14,12 @@
 
 namespace tcb {
 
-/// Rows or a picture that are explained instead of made.
+/// Rows or a picture that are explained instead of made; or only the keys and their curves.
 struct ExplainJob {
   InputListOptions files;
   KeyOptions keys;
   SampleOptions samples;
+  bool has_samples = true;  ///< the samples are requested, so the explanation has them
   std::optional<GoldenOptions> golden;
   std::vector<std::size_t> fields;  ///< of the rows, as indices into fields()
   FormatId format = FormatId::csv;  ///< of the output; the explanation is JSON if that is

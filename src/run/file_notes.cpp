@@ -34,17 +34,23 @@ Note angles_note(const std::vector<NamedAngle>& angles) {
   return angles_jump(in_shell(list), may_be_euler);
 }
 
-/// Whether the columns of positions follow from their names, and these tell little.
-bool are_found_by_elimination(const Input& input) {
+/// The columns of positions where they follow from their names, and these tell little; else nothing. A format that has
+/// columns of its own needs no names.
+std::vector<std::string> found_by_elimination(const Input& input) {
   const Schema& schema = input.schema;
+  const FormatFamily family = format_of(input.facts.format).family;
+  const bool has_own_columns =
+      family == FormatFamily::poses || family == FormatFamily::cameras || family == FormatFamily::tracks;
+  if (has_own_columns || !schema.named) return {};
   std::vector<bool> is_of_rotation(schema.channels.size());
   for (const RotationSchema& rotation : schema.rotations) {
     for (const std::size_t channel : rotation.columns.channels) is_of_rotation[channel] = true;
   }
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (schema.named && !is_of_rotation[i] && !is_usual_channel(schema.channels[i])) return true;
+    if (!is_of_rotation[i]) names.push_back(schema.channels[i]);
   }
-  return false;
+  return std::ranges::all_of(names, is_usual_channel) ? std::vector<std::string>{} : names;
 }
 
 }  // namespace
@@ -83,8 +89,9 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
   if (request.is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
-  if (!chosen && options.input.renamings.empty() && are_found_by_elimination(input)) {
-    add(positions_by_elimination(input.schema.channels));
+  if (!chosen && options.input.renamings.empty()) {
+    const std::vector<std::string> names = found_by_elimination(input);
+    if (!names.empty()) add(positions_by_elimination(names));
   }
   if (!input.facts.other_tracks.empty()) add(other_tracks_left_out(input.facts.other_tracks));
   if (!input.facts.constant_tracks.empty()) add(constant_tracks_left_out(input.facts.constant_tracks));

@@ -22,8 +22,10 @@ Facts rules_in_words(const RuleFacts& facts) {
   }
   if (rules.timing != spline::Timing::even) words.emplace_back("timing", std::string(name_of(rules.timing)));
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
-  if (facts.spec.extrapolation != Extrapolation::error) {
-    words.emplace_back("extrapolation", std::string(name_of(facts.spec.extrapolation)));
+  if (facts.spec.extrapolations.extend_curve()) {
+    const auto& [before, after] = facts.spec.extrapolations;
+    words.emplace_back("extrapolation", before == after ? std::string(name_of(before))
+                                                        : fmt::format("{}, {}", name_of(before), name_of(after)));
   }
   if (!rules.rotations.empty()) {
     const auto& [curve, tangents, ends] = rules.rotation_rules;

@@ -97,6 +97,14 @@ double parse_exponent(const TextSetting& setting) {
   return row_of(setting, exponents).exponent;
 }
 
+/// RULE or RULE,RULE.
+Extrapolations parse_extrapolations(const TextSetting& setting) {
+  const std::vector<std::string_view> rules = split(setting.value, ',');
+  if (rules.size() > 2) throw too_many_end_rules(setting.origin, rules.size());
+  const auto kind = [&](std::string_view rule) { return named(setting.origin, extrapolations, rule).kind; };
+  return {kind(rules.front()), kind(rules.back())};
+}
+
 Rational parse_period(const TextSetting& setting) {
   const auto& [text, origin] = setting;
   const std::optional<Rational> duration = read_duration(text), period = duration ? duration : parse_rational(text);
@@ -128,6 +136,7 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
     fill(settings.rotation_curve, of_input.rotation_curve);
   }
   fill(settings.extrapolate, of_input.extrapolate);
+  fill(settings.metric, of_input.metric);
   if (!closed_given) {
     settings.closed = of_input.closed;
     settings.period = of_input.period;
@@ -165,9 +174,7 @@ CurveSpec make_spec(const CurveSettings& settings) {
   if (settings.period) spec.is_period_in_seconds = read_duration(settings.period->value).has_value();
   if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
   if (settings.parameter) spec.parameter_name = settings.parameter->value;
-  if (settings.extrapolate) {
-    spec.extrapolation = row_of(*settings.extrapolate, extrapolations).kind;
-  }
+  if (settings.extrapolate) spec.extrapolations = parse_extrapolations(*settings.extrapolate);
   spec.ease = !settings.no_ease;
   return spec;
 }

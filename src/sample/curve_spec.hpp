@@ -27,7 +27,7 @@ struct CurveSpec {
   std::vector<AngleColumn> angles = {};            ///< the angle channels of the rules, and how rows show them
   std::optional<FrameTimes> frames = {};           ///< where the times of the keys are frames in seconds
   bool is_period_in_seconds = false;               ///< it is a duration, not in the unit of the times
-  Extrapolation extrapolation = Extrapolation::error;
+  Extrapolations extrapolations;
   bool ease = true;  ///< ease columns are used, if there are any
 
   /// There are rotations alone, which have no lengths.

@@ -27,6 +27,13 @@ inline constexpr std::array extrapolations{
 
 constexpr std::string_view name_of(Extrapolation kind) { return extrapolations[static_cast<std::size_t>(kind)].name; }
 
+/// What happens before the first key, and after the last one.
+struct Extrapolations {
+  Extrapolation before = Extrapolation::error, after = Extrapolation::error;
+
+  bool extend_curve() const { return before != Extrapolation::error || after != Extrapolation::error; }
+};
+
 /// The relation of a time outside the curve to one inside.
 template <class S>
 struct OutsideOf {
@@ -79,13 +86,14 @@ inline WholePeriods<double> divide_by_period<double>(const Time& t, const Time& 
   return {periods, std::floor(periods / 2) * 2 != periods, rest};
 }
 
-/// Requires: first < last; kind is not error, or t lies on the curve.
+/// Requires: first < last; the extrapolation of t's side is not error, or t lies on the curve.
 template <class S>
-OutsideOf<S> map_to_curve(Extrapolation kind, const spline::Time<S>& first, const spline::Time<S>& last,
-                          const spline::Time<S>& t) {
+OutsideOf<S> map_to_curve(const Extrapolations& extrapolations, const spline::Time<S>& first,
+                          const spline::Time<S>& last, const spline::Time<S>& t) {
   using T = spline::Time<S>;
   if (t >= first && t <= last) return {t};
   const T& end = t < first ? first : last;
+  const Extrapolation kind = t < first ? extrapolations.before : extrapolations.after;
   if (kind == Extrapolation::hold || first == last) return {end, S(0), T(0), true};
   if (kind == Extrapolation::linear) return {end, S(0), t - end};
   const auto [periods, odd, rest] = divide_by_period<S>(t, first, last - first);

@@ -147,7 +147,8 @@ class Case:
                  "arc-step": lambda: lengths, "arc-at": lambda: ",".join(["0", lengths, "0.1"][:rng.randint(1, 3)]),
                  "tolerance": lambda: pick(["0.1", "0.01", "1", "1e148", "1e-152"])}
         if mode == "at" and chance(0.4):
-            self.curve += ["--extrapolate", pick(["hold", "linear", "repeat", "offset", "oscillate"])]
+            rules = [pick(["hold", "linear", "repeat", "offset", "oscillate"]) for _ in range(rng.randint(1, 2))]
+            self.curve += ["--extrapolate", ",".join(rules)]
             value["at"] = lambda: ",".join(self.place(2) for _ in range(rng.randint(1, 9)))
         self.samples = [f"--{mode}={value.get(mode, lambda: str(rng.randint(1, 30)))()}", "--max-rows", "400"]
         if mode in ("step", "arc-step") and chance(0.6):

@@ -304,9 +304,11 @@ def check_extrapolation():
         return
     first, last = keys[0][0], keys[-1][0]
     times = [first - 2.25 * (last - first), first - (last - first) * .375, last + .125, last + 1.8125 * (last - first)]
-    for how in ["hold", "linear", "repeat", "oscillate", "offset"]:
-        options = ["--extrapolate", how, "--ends", ends, "--rotation-curve", curve]
+    kinds = ["hold", "linear", "repeat", "oscillate", "offset"]
+    for before, after in [*zip(kinds, kinds), draw.sample(kinds, 2)]:
+        options = ["--extrapolate", f"{before},{after}", "--ends", ends, "--rotation-curve", curve]
         for row in rows(csv_of(keys), *options, *at(times)):
+            how = before if row[0] < first else after
             want = q4.nearest(reference.beyond(how, mpf(row[0])), list(map(mpf, wxyz(row))))
             limit = mpf("4e-15")
             if how == "linear":  # the rounding error of the velocity, of the size of the segment's, grows with time

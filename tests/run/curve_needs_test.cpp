@@ -35,7 +35,7 @@ TEST(CurveNeeds, places_need_segments_in_any_order) {
   EXPECT_EQ(needs(Mode::tolerance), "all keys before the first row, segments in any order");
   EXPECT_EQ(needs(Mode::arc_at), "all keys before the first row, segments in any order, the length of each segment");
   CurveSpec extended;
-  extended.extrapolation = Extrapolation::hold;
+  extended.extrapolations.after = Extrapolation::hold;
   EXPECT_EQ(needs(Mode::step, {}, extended), "all keys before the first row, segments in any order");
 }
 

@@ -18,7 +18,7 @@ std::shared_ptr<const ShownCurve> curve() {
 TEST(LookUp, neighbouring_rows_on_a_segment_are_located_together) {
   const std::array<double, 5> times{0.25, 0.5, 3, 3.5, 0.75};
   const auto place = [times](std::uint64_t row) { return Time(times.at(row)); };
-  const auto rows = std::make_shared<const AnywhereInTime>(place, times.size(), Extrapolation::error, 0.0, 4.0);
+  const auto rows = std::make_shared<const AnywhereInTime>(place, times.size(), Extrapolations{}, 0.0, 4.0);
   const auto block = look_up(curve(), rows, spline::Side::right)();
   ASSERT_TRUE(block);
   ASSERT_EQ(block->parts.size(), 3U);
@@ -29,7 +29,7 @@ TEST(LookUp, neighbouring_rows_on_a_segment_are_located_together) {
 
 TEST(LookUp, a_row_at_a_key_is_on_the_side_that_was_asked_for) {
   const auto place = [](std::uint64_t) { return Time(1.0); };
-  const auto in_time = std::make_shared<const AnywhereInTime>(place, 1, Extrapolation::error, 0.0, 4.0);
+  const auto in_time = std::make_shared<const AnywhereInTime>(place, 1, Extrapolations{}, 0.0, 4.0);
   EXPECT_EQ(look_up(curve(), in_time, spline::Side::left)()->parts[0].segment.number, 0U);
   EXPECT_EQ(look_up(curve(), in_time, spline::Side::right)()->parts[0].segment.number, 1U);
   const auto start_of_hold = [](std::uint64_t) { return Time(3.0); };

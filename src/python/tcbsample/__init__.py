@@ -774,9 +774,9 @@ def plot(keys: Keys, /, **options: Unpack[PlotOptions]) -> Picture:
 
 
 def explain(keys: Keys, /, **options: Unpack[SamplingOptions]) -> str:
-    """What was detected in keys, and what resample() would do, as a text of lines NAME: VALUE.
+    """What was detected in keys, and with a sampling option what resample() would do, as a text of lines NAME: VALUE.
 
-    keys, options   as in resample(); a sampling option is needed
+    keys, options   as in resample(); no sampling option is needed
 
     Raises Error and TypeError as resample().
 

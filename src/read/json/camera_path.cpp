@@ -2,6 +2,7 @@
 #include "read/json/camera_path.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -282,6 +283,17 @@ void add_key(KeyBuilder& keys, Keyframe& keyframe, const PathOfCameras& path, co
   keys.set_position(keyframe.position.line, keyframe.position.column);
 }
 
+/// Lengths and speeds are those of the positions of the cameras, by the numbers of their channels.
+std::optional<TextSetting> metric_of(const Columns& columns, const TextPosition& position) {
+  constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < columns.channels.size(); ++i) {
+    if (std::ranges::count(names, columns.channels[i]) > 0) numbers.push_back(i + 1);
+  }
+  if (numbers.empty()) return std::nullopt;
+  return TextSetting{fmt::format("{}", fmt::join(numbers, ",")), {"metric", position}};
+}
+
 }  // namespace
 
 std::optional<bool> begins_camera_path(std::string_view beginning) {
@@ -328,6 +340,7 @@ Records open_camera_path(Source<std::string> bytes, const InputOptions& options)
     const Rational period = seconds + transition_to(path.keyframes.front(), path);
     info.settings.period = {ratio_text(period), {"is_cycle", path.position}};
   }
+  info.settings.metric = metric_of(records.columns, path.position);
   records.facts.shape = JsonShape::object;
   records.camera_path = std::move(path.members);
   records.keys.blocks = [block = std::optional(keys.finish(std::string(keyframe_list)))]() mutable {

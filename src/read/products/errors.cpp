@@ -9,6 +9,8 @@
 
 namespace tcb {
 
+Error empty_file() { return {Exit::data, "the file is empty; expected an object with keys; copy the file again"}; }
+
 Error no_tracks() { return {Exit::data, "the file has no tracks; expected an object with keys"}; }
 
 Error only_constant_tracks(const std::vector<std::string>& tracks) {

@@ -12,6 +12,7 @@
 namespace tcb {
 
 // Tracks.
+Error empty_file();
 Error no_tracks();
 Error only_constant_tracks(const std::vector<std::string>& tracks);
 Error no_such_track(std::string_view pattern, const std::vector<std::string>& tracks);

@@ -102,19 +102,18 @@ Columns columns_of(const Track& track, const std::string& time, const InputOptio
   return find_columns(header, numeric, requests, options.columns.timeless);
 }
 
-/// The extrapolation of a track, or nothing.
-std::string_view extrapolation_of(const Track& track) {
+/// The extrapolation of a track at one side, which is that of all channels that change; "error" where they differ.
+std::string extrapolation_of(const Track& track, std::string_view TrackChannel::*side) {
   const auto changes = [](const TrackChannel& channel) { return channel.keys.size() > 1; };
   const auto first = std::ranges::find_if(track.channels, changes);
-  if (first == track.channels.end()) return "";
   const auto is_same = [&](const TrackChannel& channel) {
     if (!changes(channel)) return true;
     const bool has_same_range = channel.keys.front().time.decimal == first->keys.front().time.decimal &&
                                 channel.keys.back().time.decimal == first->keys.back().time.decimal;
-    const bool needs_no_range = first->before == "hold";
-    return channel.before == first->before && channel.after == first->before && (has_same_range || needs_no_range);
+    return channel.*side == (*first).*side && (has_same_range || (*first).*side == "hold");
   };
-  return std::ranges::all_of(track.channels, is_same) ? first->before : "";
+  const bool is_decided = first != track.channels.end() && !((*first).*side).empty();
+  return is_decided && std::ranges::all_of(track.channels, is_same) ? std::string((*first).*side) : "error";
 }
 
 /// Adds a key for the step from the last key of a channel to the next one, which get their velocities.
@@ -300,6 +299,7 @@ void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans) {
 std::string whole_file(const Source<std::string>& bytes) {
   std::string file;
   while (const std::optional<std::string> part = bytes()) file += *part;
+  if (file.empty()) throw empty_file();
   return file;
 }
 
@@ -320,8 +320,11 @@ Records records_of_tracks(std::vector<Track> tracks, const std::string& time, co
   choose(tracks, options.only, records.facts);
   std::deque<KeyBlock> blocks;
   for (Track& track : tracks) {
-    const std::string_view extrapolation = extrapolation_of(track);
-    if (!extrapolation.empty()) track.settings.extrapolate = {std::string(extrapolation), {"extrapolate", {"", 1, 1}}};
+    const std::string before = extrapolation_of(track, &TrackChannel::before);
+    const std::string after = extrapolation_of(track, &TrackChannel::after);
+    if (before != "error" || after != "error") {
+      track.settings.extrapolate = {before == after ? before : before + "," + after, {"extrapolate", {"", 1, 1}}};
+    }
     TrackKeys keys(track, time, options);
     if (blocks.empty()) records.columns = keys.columns();
     blocks.push_back(keys.build());

@@ -75,7 +75,7 @@ struct Track {
   bool is_constant() const;  ///< it has a single key in each channel
 };
 
-/// All bytes of a file, as a scene is kept while it is read.
+/// All bytes of a file, as a scene is kept while it is read. Throws: Error (data) for an empty file.
 std::string whole_file(const Source<std::string>& bytes);
 
 /// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames as in
@@ -83,9 +83,9 @@ std::string whole_file(const Source<std::string>& bytes);
 InputOptions options_of_tracks(FormatId format, InputOptions options);
 
 /// The tracks that are chosen, as keys. Without a choice, those that are constant and those with other channels than
-/// the first are left out. `time` is the name of the times. A track has an extrapolation where all channels that change
-/// have it at both sides. Throws: Error (data) where no track is left, where one of them is not read, where chosen ones
-/// differ in their channels, and where two keys of a channel have the same time.
+/// the first are left out. `time` is the name of the times. At each side, a track has the extrapolation
+/// of all channels that change, if they have the same one. Throws: Error (data) where no track is left, where one of
+/// them is not read, where chosen ones differ in their channels, and where two keys of a channel have the same time.
 Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options);
 
 }  // namespace tcb
