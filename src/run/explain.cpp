@@ -113,7 +113,8 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
   add("metric", job.keys.rules.metric ? job.keys.rules.metric->value
                 : of_input.empty()    ? fmt::format("all {}channels", others)
                                       : fmt::format("{}", fmt::join(of_input, ", ")));
-  if (job.has_samples) add("samples", samples_in_words(sampling));
+  if (!job.has_samples) return facts;
+  add("samples", samples_in_words(sampling));
   if (sampling.from) add("from", number_in_words(*sampling.from));
   if (sampling.to) add("to", number_in_words(*sampling.to));
   std::vector<std::string_view> names;
