@@ -83,9 +83,9 @@ std::string whole_file(const Source<std::string>& bytes);
 InputOptions options_of_tracks(FormatId format, InputOptions options);
 
 /// The tracks that are chosen, as keys. Without a choice, those that are constant and those with other channels than
-/// the first are left out. `time` is the name of the times. At each side, a track has the extrapolation
-/// of all channels that change, if they have the same one. Throws: Error (data) where no track is left, where one of
-/// them is not read, where chosen ones differ in their channels, and where two keys of a channel have the same time.
+/// the first are left out. `time` is the name of the times. Before and after its keys, a track has the extrapolation of
+/// all channels that change, if they have the same one. Throws: Error (data) where no track is left, where one of them
+/// is not read, where chosen ones differ in their channels, and where two keys of a channel have the same time.
 Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options);
 
 }  // namespace tcb
