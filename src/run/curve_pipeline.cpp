@@ -303,11 +303,11 @@ std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
 
 /// Throws: Error (usage) for a range that begins or ends where nothing extends the curve.
 void CurvePipeline::require_extended_range(const Extent& extent) const {
-  const auto& [before, after] = spec_.extrapolations;
   const auto require = [&](std::string_view option, const std::optional<Rational>& bound) {
     if (!bound) return;
-    if (before == Extrapolation::error) require_not_before(option, *bound, first_key(extent.first));
-    if (after == Extrapolation::error) require_not_after(option, *bound, last_key(*extent.last));
+    if (spec_.extrapolations.before == Extrapolation::error)
+      require_not_before(option, *bound, first_key(extent.first));
+    if (spec_.extrapolations.after == Extrapolation::error) require_not_after(option, *bound, last_key(*extent.last));
   };
   require(option::from, request_.from);
   require(option::to, request_.to);

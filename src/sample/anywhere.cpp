@@ -9,16 +9,16 @@ namespace tcb {
 Time AnywhereInTime::on_curve(std::uint64_t row) const {
   const Time t = place_of(row);
   using enum Extrapolation;
-  if (t < first_ && extrapolations_.before == error) require_not_before(option::at, exact_time(t), first_key(first_));
-  if (t > last_ && extrapolations_.after == error) require_not_after(option::at, exact_time(t), last_key(last_));
+  if (t < first_ && rules_.before == error) require_not_before(option::at, exact_time(t), first_key(first_));
+  if (t > last_ && rules_.after == error) require_not_after(option::at, exact_time(t), last_key(last_));
   return outside(t).t;
 }
 
 /// Where times are frames, the time on the curve is a double, as all are.
 Outside AnywhereInTime::outside(const Time& t) const {
-  if (!frames_) return map_to_curve<double>(extrapolations_, first_, last_, t);
+  if (!frames_) return map_to_curve<double>(rules_, first_, last_, t);
   Outside outside =
-      map_to_curve<double>(extrapolations_, frames_->elapsed(first_), frames_->elapsed(last_), frames_->elapsed(t));
+      map_to_curve<double>(rules_, frames_->elapsed(first_), frames_->elapsed(last_), frames_->elapsed(t));
   outside.t = frames_->time(outside.t);
   return outside;
 }

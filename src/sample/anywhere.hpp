@@ -35,13 +35,9 @@ class AnywhereLocator : public Locator {
 class AnywhereInTime : public AnywhereLocator {
  public:
   /// `frames`: where times are frames in seconds.
-  AnywhereInTime(Coordinate place, std::uint64_t size, const Extrapolations& extrapolations, const Time& first,
-                 const Time& last, const std::optional<FrameTimes>& frames = {})
-      : AnywhereLocator(std::move(place), size),
-        extrapolations_(extrapolations),
-        first_(first),
-        last_(last),
-        frames_(frames) {}
+  AnywhereInTime(Coordinate place, std::uint64_t size, const Extrapolations& rules, const Time& first, const Time& last,
+                 const std::optional<FrameTimes>& frames = {})
+      : AnywhereLocator(std::move(place), size), rules_(rules), first_(first), last_(last), frames_(frames) {}
 
   Time on_curve(std::uint64_t row) const override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
@@ -49,7 +45,7 @@ class AnywhereInTime : public AnywhereLocator {
  private:
   Outside outside(const Time& t) const;
 
-  Extrapolations extrapolations_;
+  Extrapolations rules_;
   Time first_, last_;
   std::optional<FrameTimes> frames_;
 };

@@ -88,12 +88,12 @@ inline WholePeriods<double> divide_by_period<double>(const Time& t, const Time& 
 
 /// Requires: first < last; the extrapolation of t's side is not error, or t lies on the curve.
 template <class S>
-OutsideOf<S> map_to_curve(const Extrapolations& extrapolations, const spline::Time<S>& first,
-                          const spline::Time<S>& last, const spline::Time<S>& t) {
+OutsideOf<S> map_to_curve(const Extrapolations& rules, const spline::Time<S>& first, const spline::Time<S>& last,
+                          const spline::Time<S>& t) {
   using T = spline::Time<S>;
   if (t >= first && t <= last) return {t};
   const T& end = t < first ? first : last;
-  const Extrapolation kind = t < first ? extrapolations.before : extrapolations.after;
+  const Extrapolation kind = t < first ? rules.before : rules.after;
   if (kind == Extrapolation::hold || first == last) return {end, S(0), T(0), true};
   if (kind == Extrapolation::linear) return {end, S(0), t - end};
   const auto [periods, odd, rest] = divide_by_period<S>(t, first, last - first);

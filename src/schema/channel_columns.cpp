@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "option_names.hpp"
 #include "schema/errors.hpp"
@@ -37,7 +38,8 @@ class NameIndex {
 /// The columns with roles in one channel.
 class RolesOfChannel {
  public:
-  RolesOfChannel(const Columns& columns, std::size_t channel) : columns_(columns), channel_(channel) {}
+  explicit RolesOfChannel(std::string_view channel) : channel_(channel) {}
+  void add(Role role) { roles_.push_back(role); }
 
   /// Throws: Error (data) for a velocity of one side alone, or two of one side, or with tension, continuity or bias.
   void require_whole_velocities() const {
@@ -52,16 +54,13 @@ class RolesOfChannel {
   bool has_velocity() const { return name(Role::velocity) || name(Role::velocity_in); }
 
  private:
-  std::string with_role(Role role) const { return role_name(ChannelRole{role, columns_.channels[channel_]}); }
+  std::string with_role(Role role) const { return role_name(ChannelRole{role, std::string(channel_)}); }
   std::optional<std::string> name(Role role) const {
-    const bool is_there = std::ranges::any_of(columns_.cells, [&](const Columns::Column& column) {
-      return column.role == role && column.channel == channel_;
-    });
-    return is_there ? std::optional(with_role(role)) : std::nullopt;
+    return std::ranges::count(roles_, role) > 0 ? std::optional(with_role(role)) : std::nullopt;
   }
 
-  const Columns& columns_;
-  std::size_t channel_;
+  std::string_view channel_;
+  std::vector<Role> roles_;
 };
 
 /// Throws: Error (data) for velocities that are not whole, and for tension, continuity or bias with the velocities of
@@ -69,9 +68,12 @@ class RolesOfChannel {
 void require_whole_velocities(const Columns& columns) {
   const bool has_any = std::ranges::any_of(columns.cells, [](const auto& column) { return is_velocity(column.role); });
   if (!has_any) return;
+  std::vector<RolesOfChannel> channels(columns.channels.begin(), columns.channels.end());
+  for (const Columns::Column& column : columns.cells) {
+    if (is_of_channel(column.role)) channels[column.channel].add(column.role);
+  }
   bool has_all = true;
-  for (std::size_t i = 0; i < columns.channels.size(); ++i) {
-    const RolesOfChannel channel(columns, i);
+  for (const RolesOfChannel& channel : channels) {
     channel.require_whole_velocities();
     has_all = has_all && channel.has_velocity();
   }
@@ -156,11 +158,12 @@ bool assign_segments(Columns& columns, std::span<const std::string> header) {
   if (!are_named || columns.has(Role::time) || columns.has(Role::position)) return false;
   const NameIndex names(header);
   std::vector<std::string> channels, incomplete;
+  std::unordered_set<std::string> seen;
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     if (!header[cell].ends_with(endings[0].first) || columns.cells[cell].role == Role::unused) continue;
     const std::string channel = header[cell].substr(0, header[cell].size() - 3);
     const auto lacks = std::ranges::find_if(endings, [&](const auto& one) { return !names.find(channel + one.first); });
-    if (std::ranges::count(channels, channel) > 0) throw same_column_names(header[cell]);
+    if (!seen.insert(channel).second) throw same_column_names(header[cell]);
     (lacks == endings.end() ? channels : incomplete).push_back(channel);
     if (lacks != endings.end()) incomplete.push_back(channel + lacks->first);
   }

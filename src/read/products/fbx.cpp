@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -60,13 +61,14 @@ struct OpenTrack {
   std::string object, name;
   std::string layer = {};  ///< the take and the layer
   std::vector<Channel> channels = {};
-  std::optional<Error> failure = {};  ///< why it is not read
+  std::unordered_map<std::string, std::size_t> places = {};  ///< of the channels, by their names
+  std::optional<Error> failure = {};                         ///< why it is not read
 
   /// Appends a channel; one of the same name is returned.
   Channel& channel(std::string_view called) {
     const std::string wanted = channel_name(called);
-    const auto found = std::ranges::find(channels, wanted, &Channel::name);
-    return found != channels.end() ? *found : channels.emplace_back(Channel{wanted});
+    const auto [place, is_new] = places.emplace(wanted, channels.size());
+    return is_new ? channels.emplace_back(Channel{wanted}) : channels[place->second];
   }
   std::string path() const { return object + "/" + name; }
 

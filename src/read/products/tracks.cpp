@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "numbers/decimal_time.hpp"
@@ -141,7 +142,11 @@ class TrackKeys {
       : track_(track),
         columns_(columns_of(track, time, options)),
         keys_(columns_, options.keys, units_of_keys(options.units, columns_, "")),
-        next_(track.channels.size()) {}
+        next_(track.channels.size()) {
+    std::unordered_map<std::string_view, std::size_t> places;
+    for (std::size_t i = 0; i < track.channels.size(); ++i) places.emplace(track.channels[i].name, i);
+    for (const std::string& channel : columns_.channels) channels_.push_back(places.at(channel));
+  }
 
   const Columns& columns() const { return columns_; }
 
@@ -240,9 +245,7 @@ class TrackKeys {
   }
 
   const TrackKey* key_at(const Columns::Column& column, const TrackKey& first) const {
-    const std::string& name = columns_.channels[column.channel];
-    const auto found = std::ranges::find(track_.channels, name, &TrackChannel::name);
-    const TrackKey* const key = key_of(static_cast<std::size_t>(found - track_.channels.begin()));
+    const TrackKey* const key = key_of(channels_[column.channel]);
     return key != nullptr && is_same(*key, first) ? key : nullptr;
   }
 
@@ -260,7 +263,8 @@ class TrackKeys {
   const Track& track_;
   const Columns columns_;
   KeyBuilder keys_;
-  std::vector<std::size_t> next_;  ///< the number of the next key of each channel
+  std::vector<std::size_t> next_;      ///< the number of the next key of each channel
+  std::vector<std::size_t> channels_;  ///< the channel of the track for each channel of the columns
 };
 
 }  // namespace
