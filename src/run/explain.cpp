@@ -108,8 +108,8 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
                     fmt::join(given.columns, " "), rows));
   }
   const std::string_view others = schema.rotations.empty() && schema.angles.empty() ? "" : "other ";
-  std::vector<std::string_view> of_input;
-  for (const std::size_t channel : metric) of_input.emplace_back(schema.channels[channel]);
+  std::vector<std::string> of_input(metric.size());
+  std::ranges::transform(metric, of_input.begin(), [&](std::size_t channel) { return schema.channels[channel]; });
   add("metric", job.keys.rules.metric ? job.keys.rules.metric->value
                 : of_input.empty()    ? fmt::format("all {}channels", others)
                                       : fmt::format("{}", fmt::join(of_input, ", ")));

@@ -327,7 +327,8 @@ Records records_of_tracks(std::vector<Track> tracks, const std::string& time, co
     const std::string before = extrapolation_of(track, &TrackChannel::before);
     const std::string after = extrapolation_of(track, &TrackChannel::after);
     if (before != "error" || after != "error") {
-      track.settings.extrapolate = {before == after ? before : before + "," + after, {"extrapolate", {"", 1, 1}}};
+      track.settings.extrapolate = {before == after ? before : fmt::format("{},{}", before, after),
+                                    {"extrapolate", {"", 1, 1}}};
     }
     TrackKeys keys(track, time, options);
     if (blocks.empty()) records.columns = keys.columns();
