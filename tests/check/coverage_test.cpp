@@ -59,8 +59,8 @@ TEST(ExpectedPlaces, are_the_times_of_the_request_or_its_arc_lengths) {
   SamplingRequest request;
   request.mode = Mode::count;
   request.count = 3;
-  const auto places = [&](const std::string& keys, const std::string& rows) {
-    const Comparing files(keys, rows);
+  const auto places = [&](const std::string& text, const std::string& rows) {
+    const Comparing files(text, rows);
     const ComparisonInputs inputs = read_inputs(files.comparison, {});
     return expected_places({{request, {}}}, files.comparison, inputs, inputs.kept.curves.at(0));
   };

@@ -21,8 +21,8 @@ TEST(KeptCurves, can_be_read_more_than_once) {
   EXPECT_EQ(kept.curves[1].key_count(), 1U);
   for (int times = 0; times < 2; ++times) {
     std::vector<double> positions;
-    const auto keys = kept.curves[0].keys();
-    while (const auto block = keys()) {
+    const auto next_block = kept.curves[0].keys();
+    while (const auto block = next_block()) {
       positions.insert(positions.end(), block->keys.positions.begin(), block->keys.positions.end());
     }
     EXPECT_THAT(positions, ElementsAre(1, 3));

@@ -35,13 +35,13 @@ TEST(Precision, nine_digits_or_single_numbers_allow_single_precision) {
 
 /// A curve of the keys (i, 0) in blocks of 100, and rows at the times 0, 1/2, 1, ... between them.
 struct Many {
-  explicit Many(std::size_t keys) {
+  explicit Many(std::size_t key_count) {
     inputs.kept.schema.time.is_given = true;
     inputs.kept.schema.channels = {"x"};
     inputs.table.columns = {"x"};
     inputs.columns.compared = {{"x", 0, 0}};
     KeptCurve& curve = inputs.kept.curves.emplace_back();
-    for (std::size_t key = 0; key < keys; ++key) {
+    for (std::size_t key = 0; key < key_count; ++key) {
       if (key % 100 == 0) curve.blocks.emplace_back().keys.channels = 1;
       KeyBlock& block = curve.blocks.back();
       block.keys.times.emplace_back(static_cast<double>(key));
@@ -49,7 +49,7 @@ struct Many {
       block.text_positions.lines.push_back(key + 2);
     }
     SampleRows rows;
-    for (std::size_t row = 0; row + 1 < 2 * keys; ++row) {
+    for (std::size_t row = 0; row + 1 < 2 * key_count; ++row) {
       rows.times.emplace_back(0.5 * static_cast<double>(row));
       rows.numbers.push_back(static_cast<double>(row));
       rows.lines.push_back(row + 2);

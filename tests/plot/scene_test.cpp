@@ -52,16 +52,16 @@ Keys quarter_turns() {
 
 TEST(Scene, rotations_have_the_angle_from_the_first_key) {
   const std::vector<RotationColumns> columns{{{1, 2, 3, 4}}};
-  const KeyStore keys(quarter_turns());
-  const std::vector<FirstRotation> firsts = first_rotations(keys, columns);
-  const Keys with = with_angles(keys, firsts).all();
+  const KeyStore store(quarter_turns());
+  const std::vector<FirstRotation> firsts = first_rotations(store, columns);
+  const Keys with = with_angles(store, firsts).all();
   ASSERT_EQ(with.channels, 6U);
   for (const std::size_t key : {0U, 1U, 2U, 3U}) {
     EXPECT_NEAR(with.position(key)[5], 90.0 * static_cast<double>(key), 1e-12);
   }
   spline::CurveRules<double> rules = make_spec({}).rules;
   rules.rotations = {columns[0]};
-  const auto segments = [&] { return segment_blocks(keys, {}, rules, {}); };
+  const auto segments = [&] { return segment_blocks(store, {}, rules, {}); };
   const Source<SegmentBlock> blocks = with_rotations_as_cubics(segments, {{}, columns}, firsts)();
   double last = 0;
   while (const auto block = blocks()) {

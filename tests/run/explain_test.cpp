@@ -29,8 +29,8 @@ std::string explained(const std::string& text, std::uint64_t count, const std::v
 }
 
 void expect_lines(const std::string& text, const std::vector<std::string>& lines) {
-  for (const std::string& line : lines)
-    EXPECT_NE(text.find("\n" + line + "\n"), std::string::npos) << line << " in " << text;
+  for (const std::string& wanted : lines)
+    EXPECT_NE(text.find("\n" + wanted + "\n"), std::string::npos) << wanted << " in " << text;
 }
 
 TEST(Explain, what_was_detected_and_one_curve) {
