@@ -281,10 +281,8 @@ std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
   const Rational first = request_.exact(extent.first), last = request_.exact(*extent.last);
   std::vector<Rational> places = request_.places;
   if (request_.mode == Mode::at) {
-    using enum Extrapolation;
     for (std::size_t i = 0; request_.key_times && i < places.size(); ++i) {
-      if (spec_.extrapolations.before == error) require_not_before(option::at, places[i], {before_first_key, first});
-      if (spec_.extrapolations.after == error) require_not_after(option::at, places[i], {after_last_key, last});
+      require_extended_to(option::at, places[i], {before_first_key, first}, {after_last_key, last});
     }
     return places;
   }
@@ -301,22 +299,21 @@ std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
                              Rational(1, 1'000'000'000));
 }
 
-/// Throws: Error (usage) for a range that begins or ends where nothing extends the curve.
-void CurvePipeline::require_extended_range(const Extent& extent) const {
-  const auto require = [&](std::string_view option, const std::optional<Rational>& bound) {
-    if (!bound) return;
-    if (spec_.extrapolations.before == Extrapolation::error)
-      require_not_before(option, *bound, first_key(extent.first));
-    if (spec_.extrapolations.after == Extrapolation::error) require_not_after(option, *bound, last_key(*extent.last));
-  };
-  require(option::from, request_.from);
-  require(option::to, request_.to);
+/// Throws: Error (usage) for a time outside the keys where nothing extends the curve.
+void CurvePipeline::require_extended_to(std::string_view option, const Rational& time, const Bound& first,
+                                        const Bound& last) const {
+  if (spec_.extrapolations.before == Extrapolation::error) require_not_before(option, time, first);
+  if (spec_.extrapolations.after == Extrapolation::error) require_not_after(option, time, last);
 }
 
 /// Rows at places in any order, also outside the curve. `exact`: their times, or nothing.
 PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& extent,
                                           const std::vector<Rational>& exact) const {
-  if (spec_.extrapolations.extend_curve() && may_leave_curve(request_)) require_extended_range(extent);
+  if (spec_.extrapolations.extend_curve() && may_leave_curve(request_)) {
+    const Bound first = first_key(extent.first), last = last_key(*extent.last);
+    if (request_.from) require_extended_to(option::from, *request_.from, first, last);
+    if (request_.to) require_extended_to(option::to, *request_.to, first, last);
+  }
   const std::shared_ptr<const ShownCurve> curve = shown(keys, extent);
   std::vector<Time> places;
   std::ranges::transform(exact, std::back_inserter(places),

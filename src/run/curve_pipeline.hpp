@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -120,7 +121,7 @@ class CurvePipeline {
   PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
   PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent,
                              std::shared_ptr<const RowEstimate> estimate) const;
-  void require_extended_range(const Extent& extent) const;
+  void require_extended_to(std::string_view option, const Rational& time, const Bound& first, const Bound& last) const;
   PlacedCurve place_anywhere(const KeyStore& keys, const Extent& extent, const std::vector<Rational>& exact) const;
   std::shared_ptr<const ShownCurve> shown(const KeyStore& keys, const Extent& extent) const;
   std::vector<Time> grid_times(const Extent& extent) const;

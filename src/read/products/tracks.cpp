@@ -107,14 +107,15 @@ Columns columns_of(const Track& track, const std::string& time, const InputOptio
 std::string extrapolation_of(const Track& track, std::string_view TrackChannel::*side) {
   const auto changes = [](const TrackChannel& channel) { return channel.keys.size() > 1; };
   const auto first = std::ranges::find_if(track.channels, changes);
-  const auto is_same = [&](const TrackChannel& channel) {
+  if (first == track.channels.end()) return "error";
+  const std::string_view rule = (*first).*side;
+  const auto has_rule = [&](const TrackChannel& channel) {
     if (!changes(channel)) return true;
     const bool has_same_range = channel.keys.front().time.decimal == first->keys.front().time.decimal &&
                                 channel.keys.back().time.decimal == first->keys.back().time.decimal;
-    return channel.*side == (*first).*side && (has_same_range || (*first).*side == "hold");
+    return channel.*side == rule && (has_same_range || rule == "hold");
   };
-  const bool is_decided = first != track.channels.end() && !((*first).*side).empty();
-  return is_decided && std::ranges::all_of(track.channels, is_same) ? std::string((*first).*side) : "error";
+  return !rule.empty() && std::ranges::all_of(track.channels, has_rule) ? std::string(rule) : "error";
 }
 
 /// Adds a key for the step from the last key of a channel to the next one, which get their velocities.
