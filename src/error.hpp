@@ -1,5 +1,9 @@
-// Errors: a message, where the fault is, and the exit code of the program. Rooms make the messages in their errors.hpp.
+// Errors: a message, where the fault is, and the exit code of the program.
+//
+// A message stands where its fault is found: throw data_error("{} is not a number; expected …; …", in_quotes(cell)).
 #pragma once
+
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <exception>
@@ -28,8 +32,7 @@ struct TextPosition {
 /// files of a batch go on.
 class Error : public std::exception {
  public:
-  /// The message: the fault, what was expected, and the remedy, separated by "; ". The errors.hpp of each folder has a
-  /// function for each fault, which makes it.
+  /// The message: the fault, what was expected, and the remedy, separated by "; ".
   Error(Exit exit, std::string message) : exit_(exit), message_(std::move(message)) {}
 
   Exit exit() const { return exit_; }
@@ -79,6 +82,18 @@ class Error : public std::exception {
   TextPosition position_;
   std::vector<Error> others_;
 };
+
+/// An error of the data, with exit code 1. The format and its arguments are those of fmt.
+template <class... Arguments>
+Error data_error(fmt::format_string<Arguments...> message, Arguments&&... arguments) {
+  return {Exit::data, fmt::format(message, std::forward<Arguments>(arguments)...)};
+}
+
+/// An error of usage, with exit code 2.
+template <class... Arguments>
+Error usage_error(fmt::format_string<Arguments...> message, Arguments&&... arguments) {
+  return {Exit::usage, fmt::format(message, std::forward<Arguments>(arguments)...)};
+}
 
 /// Runs f; the errors that it throws are in this file.
 template <class F>
