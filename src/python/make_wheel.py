@@ -65,6 +65,7 @@ class Option(NamedTuple):
 
     name: str
     kind: str
+    known: tuple[str, ...]  # the values that it has names for
 
 
 class Options(TypedDict, total=False):
@@ -143,7 +144,7 @@ def options_module(tables):
     for row in tables["options"]:
         names = [name for name in (row["name"], row["other_name"]) if name.startswith("--")]
         for name in names:
-            options.append(f"    {python_name(name).rstrip('_')!r}: Option({name!r}, {row['kind']!r}),")
+            options.append(f"    {python_name(name).rstrip('_')!r}: Option({name!r}, {row['kind']!r}, {tuple(row['known'])!r}),")
         if python_name(row["name"]) in command_only:
             continue
         if row["group"] != group:

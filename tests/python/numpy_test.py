@@ -3,8 +3,10 @@
 import datetime
 import doctest
 import fractions
+import io
 import os
 import pathlib
+import pydoc
 import re
 import runpy
 import struct
@@ -19,12 +21,18 @@ sys.dont_write_bytecode = True
 import numpy as np
 
 import tcbsample
+from tcbsample._command_only import COMMAND_ONLY
+from tcbsample._options import OPTIONS, PlotOptions
+from tcbsample._program import _TEXT_OPTIONS, Run, in_python
+from tcbsample._tables import text
 
+SAMPLES = pathlib.Path(__file__).parents[2] / "samples"
 KEYS = np.array([[0, 0.1, -3.25], [1, 2 / 3, 1e-5], [2.5, -7.7, 3], [4, 0.5, 123456.789]])
 
 
 def load_tests(_loader, tests, _pattern):
-    tests.addTests(doctest.DocTestSuite(tcbsample))
+    for name in ("_curve", "_functions", "_program"):
+        tests.addTests(doctest.DocTestSuite(sys.modules[f"tcbsample.{name}"]))
     return tests
 
 
@@ -67,6 +75,35 @@ class Inputs(unittest.TestCase):
             self.same(tcbsample.resample(path, step=0.01))
             self.same(tcbsample.resample(str(path), step=0.01))
 
+    def test_open_files(self):
+        self.same(tcbsample.resample(io.BytesIO(self.data), step=0.01))
+        self.same(tcbsample.resample(io.StringIO(self.data.decode()), step=0.01))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "keys.csv")
+            path.write_bytes(self.data)
+            for mode in ("r", "rb"):
+                with open(path, mode) as file:
+                    self.same(tcbsample.resample(file, step=0.01))
+            with open(path) as file, self.assertRaises(tcbsample.Error) as caught:
+                tcbsample.resample(file, count=0, columns="tension=9")
+            self.assertTrue(tcbsample.check(KEYS, io.BytesIO(self.data)))
+            path.write_text("t,x\n0,1\n1,o.5\n")
+            with open(path) as file, self.assertRaises(tcbsample.Error) as caught:
+                tcbsample.resample(file, count=3)
+            self.assertEqual((caught.exception.file, caught.exception.line), (str(path), 3))
+
+    def test_pairs_and_rows(self):
+        self.same(tcbsample.resample((KEYS[:, 0], KEYS[:, 1:]), step=0.01))
+        self.same(tcbsample.resample((KEYS[:, 0].tolist(), KEYS[:, 1:].tolist()), step=0.01))
+        self.same(tcbsample.resample([tuple(row) for row in KEYS.tolist()], step=0.01))
+        self.same(tcbsample.resample([dict(zip("txy", row)) for row in KEYS.tolist()], step=0.01))
+        self.same(tcbsample.resample((dict(zip("txy", row)) for row in KEYS.tolist()), step=0.01))
+        rows = [{"t": 0, "x": 1}, {"t": 1, "x": 2, "y": 1}, {"t": 2, "y": 3, "x": 0}, {"t": 3, "y": 2, "x": 0}]
+        sparse = tcbsample.resample(rows, at=[2], missing="skip-cell", ends="chord")
+        self.assertEqual(sparse.dtype.names, ("t", "x", "y"))
+        with self.assertRaisesRegex(ValueError, "expected n times"):
+            tcbsample.resample(([0, 1, 2], [0, 1]), count=3)
+
     def test_single_precision_and_whole_numbers(self):
         single = KEYS.astype(np.float32)
         double = single.astype(float)
@@ -101,8 +138,6 @@ class Inputs(unittest.TestCase):
         for keys in ([0, 1, 2], np.zeros((2, 2, 2)), {"t": [0, 1], "x": [1]}, {"t": [0, 1], "xy": [[1, 2], [3, 4]]}, 7):
             with self.assertRaises((TypeError, ValueError)):
                 tcbsample.resample(keys, count=3)
-        with self.assertRaisesRegex(TypeError, "timedelta64"):
-            tcbsample.resample({"t": np.array([0, 1], "m8[s]"), "x": [1, 2]}, count=3)
         with self.assertRaisesRegex(TypeError, "delimiter: describes text"):
             tcbsample.resample(KEYS, count=3, delimiter=";")
 
@@ -178,6 +213,17 @@ class Outputs(unittest.TestCase):
         self.assertEqual(rows["time"][1], np.datetime64("2024-02-29T00:00"))
         self.assertEqual(tcbsample.resample({"time": times, "x": [0, 1]}, at=times[:1])["x"].tolist(), [0])
 
+    def test_durations(self):
+        times = np.array([0, 1500, 4000], "m8[ms]")
+        for count in (9, 40001):
+            rows = tcbsample.resample({"t": times, "x": [0, 1, 2]}, count=count)
+            self.assertEqual(rows["t"].dtype, np.dtype("m8[ns]"))
+            self.assertEqual(rows["t"][[0, -1]].tolist(), [0, 4 * 10**9])
+        self.assertEqual(tcbsample.resample({"t": times, "x": [0, 1, 2]}, at=[1.5])["x"].tolist(), [1])
+        dates = [datetime.datetime(2024, 1, 1, hour, tzinfo=datetime.timezone.utc) for hour in (0, 2)]
+        rows = tcbsample.resample(list(zip(dates, [0.0, 1.0])), count=3)
+        self.assertEqual(rows["t"][1], np.datetime64("2024-01-01T01:00"))
+
     def test_pictures(self):
         picture = tcbsample.plot(KEYS, check=tcbsample.resample(KEYS, count=7))
         self.assertIn("check passed", picture._repr_svg_())
@@ -186,6 +232,14 @@ class Outputs(unittest.TestCase):
             path = pathlib.Path(folder, "a.svg")
             picture.save(path)
             self.assertEqual(path.read_bytes().decode(), picture.svg)
+            path = pathlib.Path(folder, "a.png")
+            try:
+                picture.save(path)
+                self.assertEqual(path.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+            except RuntimeError as error:
+                self.assertRegex(str(error), "cairosvg.*rsvg-convert")
+            with self.assertRaisesRegex(ValueError, "svg or .png"):
+                picture.save(pathlib.Path(folder, "a.jpg"))
 
     def test_comparisons(self):
         samples = tcbsample.resample(KEYS, step="1/8", preset="vtk")
@@ -212,24 +266,24 @@ class OptionsTest(unittest.TestCase):
         help_text = command("--help").decode()
         names = re.findall(r"--[a-z-]+", "\n".join(re.findall(r"^  (-.*)$", help_text, re.MULTILINE)))
         self.assertGreater(len(names), 90)
-        self.assertEqual(sorted(names), sorted(option.name for option in tcbsample.OPTIONS.values()))
-        taken = {name.rstrip("_") for name in tcbsample.PlotOptions.__annotations__} - {"check", "identify", "fit"}
-        self.assertEqual(taken | set(tcbsample.COMMAND_ONLY), set(tcbsample.OPTIONS))
-        self.assertFalse(taken & set(tcbsample.COMMAND_ONLY))
-        self.assertLessEqual(set(tcbsample._TEXT_OPTIONS), taken)
+        self.assertEqual(sorted(names), sorted(option.name for option in OPTIONS.values()))
+        taken = {name.rstrip("_") for name in PlotOptions.__annotations__} - {"check", "identify", "fit"}
+        self.assertEqual(taken | set(COMMAND_ONLY), set(OPTIONS))
+        self.assertFalse(taken & set(COMMAND_ONLY))
+        self.assertLessEqual(set(_TEXT_OPTIONS), taken)
         for name in taken:
             self.assertRegex(tcbsample.Options.__doc__, rf"\n      (\w+, )?{name}_?[ ,\n]")
 
     def test_options_reach_the_program(self):
-        with tcbsample._Run(b"") as run:
+        with Run(b"") as run:
             flags = ("flag", "attached")
-            values = {name: True if option.kind in flags else "1" for name, option in tcbsample.OPTIONS.items()}
-            run.add(values, tcbsample.COMMAND_ONLY)
-            expected = [o.name if o.kind in flags else o.name + "=1" for o in tcbsample.OPTIONS.values()]
+            values = {name: True if option.kind in flags else "1" for name, option in OPTIONS.items()}
+            run.add(values, COMMAND_ONLY)
+            expected = [o.name if o.kind in flags else o.name + "=1" for o in OPTIONS.values()]
             self.assertEqual(run.words, expected)
 
     def test_values(self):
-        for value, text in [
+        for value, expected in [
             (0.1, "0.1"), (np.float64(1e-7), "1e-07"), (np.float32(0.5), "0.5"), (fractions.Fraction(1, 24), "1/24"),
             ([1, 2.5], "1,2.5"), (np.arange(3), "0,1,2"), ({"a": "b", "c": ["d", "e"]}, "a=b,c=d:e"),
             (np.array(2.5), "2.5"), (np.timedelta64(1500, "us"), "0.001500000s"),
@@ -237,7 +291,7 @@ class OptionsTest(unittest.TestCase):
             ("1:2:0.5", "1:2:0.5"),
             (np.datetime64("1970-01-02T00:00:00.000000001"), "86400.000000001"),
         ]:  # fmt: skip
-            self.assertEqual(tcbsample._text(value), text)
+            self.assertEqual(text(value), expected)
         with self.assertRaisesRegex(TypeError, "object"):
             tcbsample.resample(KEYS, step=object())
 
@@ -300,7 +354,7 @@ class Errors(unittest.TestCase):
     def test_options(self):
         error = self.error(KEYS, count=0)
         self.assertEqual((error.file, error.line, error.exit_code), (None, None, 2))
-        self.assertTrue(error.message.startswith("--count: "))
+        self.assertTrue(error.message.startswith("count: "))
         self.error(KEYS)
         self.assertEqual(self.error("/does/not/exist.csv", count=3).exit_code, 2)
 
@@ -316,6 +370,158 @@ class Errors(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             tcbsample.resample({"t": [0, 1], "x": [1, 2], "n": ["a", "b"]}, count=3, quiet=True)
+
+
+    def test_messages_speak_python(self):
+        for message, expected in [
+            ("give --missing skip-row, skip-cell or break", 'give missing="skip-row", "skip-cell" or "break"'),
+            ("expected one of --step, --rate or --from", "expected one of step, rate or from_"),
+            ("or give --sort", "or give sort=True"),
+            ("give --columns time=2; see --help", 'give columns="time=2"; see help(tcbsample.Options)'),
+            ("--only reads them", "only reads them"),
+            ("in seconds, give --time-unit s.", 'in seconds, give time_unit="s".'),
+            ("--check and --unknown-option stay apart", "check() and --unknown-option stay apart"),
+        ]:
+            self.assertEqual(in_python(message), expected)
+        error = self.error([[0, 1], [2, 3], [1, 5]], count=3)
+        self.assertEqual(error.row, 2)
+        self.assertRegex(str(error), r"keys, row 2: .*row 1.*sort=True")
+        self.assertIsNone(self.error({"a": [0, 1], "b": [1, 2]}, count=3, columns={"time": "c"}).row)
+
+    def test_no_message_of_random_faults_names_the_command_line(self):
+        rng = np.random.default_rng(11)
+        for _ in range(40):
+            keys = {"t": rng.permutation(4), "x": rng.choice([0, 1, np.nan], 4), "tension": rng.choice([0, 1, np.nan], 4)}
+            try:
+                tcbsample.resample(keys, count=int(rng.integers(0, 4)), quiet=True)
+            except tcbsample.Error as error:
+                for one in (error, *error.others):
+                    self.assertNotRegex(str(one), r"--[a-z]|\bline \d")
+
+
+class Curves(unittest.TestCase):
+    """Curves that NumPy evaluates against rows of the program."""
+
+    def keys(self, rng):
+        count = int(rng.integers(2, 12))
+        names = ["x", "y", "z"][: int(rng.integers(1, 4))]
+        keys = {"t": np.cumsum(rng.uniform(0.01, 3, count)) + rng.choice([0, -5, 1e6])}
+        keys.update({name: rng.uniform(-1, 1, count) + rng.choice([0, 100]) for name in names})
+        keys.update({name: rng.uniform(-1, 1, count) for name in ("tension", "continuity", "bias")})
+        return keys, names
+
+    def test_positions_are_those_of_the_program(self):
+        rng = np.random.default_rng(6)
+        presets = [name for name in tcbsample.presets() if name != "nerfstudio"]
+        for _ in range(25):
+            keys, names = self.keys(rng)
+            options = {"preset": str(rng.choice(presets)), "equal_speed": bool(rng.integers(2))}
+            if rng.integers(3) == 0:
+                options.update(closed=True, period=float(np.ptp(keys["t"]) + 1))
+            curve = tcbsample.Curve(keys, **options)
+            self.assertEqual(curve.names, names)
+            np.testing.assert_array_equal(curve.times[: len(keys["t"])], keys["t"])
+            times = rng.uniform(keys["t"][0], curve.times[-1], 500)
+            times = np.concatenate([times, keys["t"], np.nextafter(keys["t"][1:], -np.inf)])
+            rows = tcbsample.resample(keys, at=times, fields="position,velocity,acceleration,jerk", **options)
+            pieces = curve._pieces
+            piece = np.clip(pieces.starts.searchsorted(times, "right") - 1, 0, None)
+            sizes = np.abs(pieces.bezier[piece]).max(axis=1)
+            for i, name in enumerate(names):
+                distance = np.abs(curve(times)[:, i] - rows[name]) / np.spacing(sizes[:, i])
+                self.assertLessEqual(distance.max(), 4)
+                for order, ending in enumerate(("_v", "_a", "_j"), 1):
+                    scale = (6 / pieces.durations[piece]) ** order * sizes[:, i]
+                    distance = np.abs(curve(times, order)[:, i] - rows[name + ending]) / scale
+                    self.assertLess(distance.max(), 1e-14)
+
+    def test_keys_are_reproduced(self):
+        curve = tcbsample.Curve(KEYS)
+        np.testing.assert_array_equal(curve(KEYS[:, 0]), KEYS[:, 1:])
+        self.assertEqual(curve(1).tolist(), KEYS[1, 1:].tolist())
+
+    def test_shapes(self):
+        curve = tcbsample.Curve(KEYS)
+        for shape in ((), (0,), (5,), (2, 3), (1, 1, 4)):
+            times = np.linspace(0, 4, int(np.prod(shape))).reshape(shape)
+            for order in range(5):
+                self.assertEqual(curve(times, order).shape, (*shape, 2))
+            self.assertEqual(curve.length(times).shape, shape)
+            self.assertEqual(curve.at_length(times).shape, (*shape, 2))
+        self.assertTrue(np.isnan(curve([0, np.nan])[1]).all())
+        self.assertEqual(np.abs(curve([1, 2], 7)).max(), 0)
+        for order in (-1, 0.5):
+            with self.assertRaisesRegex(ValueError, "nu"):
+                curve(1, order)
+        with self.assertRaisesRegex(ValueError, "at: nothing"):
+            tcbsample.resample(KEYS, at=[])
+
+    def test_outside_the_keys(self):
+        curve = tcbsample.Curve(KEYS)
+        with self.assertRaises(tcbsample.Error):
+            curve(4.5)
+        for rule in ("hold", "linear", "repeat", "offset", "oscillate"):
+            curve = tcbsample.Curve(KEYS, extrapolate=rule)
+            rows = tcbsample.resample(KEYS, at=[-1, 2, 9], extrapolate=rule)
+            found = curve([-1, 2, 9])
+            np.testing.assert_array_equal(found[[0, 2]], np.stack([rows["x"], rows["y"]], 1)[[0, 2]])
+
+    def test_what_is_no_cubic(self):
+        keys = {"t": [0, 1, 2], "x": [0, 1, 0], "ease_in": [0.5, 0.5, 0.5], "ease_out": [0.1, 0.2, 0.3]}
+        curve = tcbsample.Curve(keys, preset="3dsmax")
+        times = np.linspace(0, 2, 9)
+        rows = tcbsample.resample(keys, at=times, preset="3dsmax", fields="position,velocity")
+        np.testing.assert_array_equal(curve(times)[:, 0], rows["x"])
+        np.testing.assert_array_equal(curve(times, 1)[:, 0], rows["x_v"])
+        with self.assertRaisesRegex(ValueError, "no cubic"):
+            curve.to_ppoly()
+        poses = tcbsample.Curve(str(SAMPLES / "poses.csv"))
+        found = poses.rotation(np.array([[0, 3.5]]))
+        self.assertEqual(found.shape, (1, 2, 4))
+        np.testing.assert_allclose(np.linalg.norm(found, axis=-1), 1, atol=1e-15)
+        self.assertEqual(poses(1.0).shape, (len(poses.names),))
+        with self.assertRaisesRegex(ValueError, "no rotation"):
+            tcbsample.Curve(KEYS).rotation(1)
+
+    def test_dates_and_golden(self):
+        dates = np.array(["2024-01-01T00:00:00", "2024-01-01T00:00:01", "2024-01-01T00:00:03"], "M8[s]")
+        curve = tcbsample.Curve({"time": dates, "x": [0, 1, 5]})
+        same = tcbsample.Curve({"time": [0, 1, 3], "x": [0, 1, 5]})
+        times = np.array([0, 250, 1500, 2999, 3000])
+        np.testing.assert_array_equal(curve(dates[0] + times.astype("m8[ms]")), same(times / 1000))
+        self.assertEqual(curve.times.dtype, np.dtype("M8[ns]"))
+        np.testing.assert_array_equal(curve(dates, 1), same([0, 1, 3], 1))
+        self.assertEqual(same(0.7, golden=True).tolist(), tcbsample.resample(
+            {"time": [0, 1, 3], "x": [0, 1, 5]}, at=0.7, golden=True)["x"].tolist())  # fmt: skip
+        durations = tcbsample.Curve({"t": np.array([0, 1, 3], "m8[s]"), "x": [0, 1, 5]})
+        np.testing.assert_array_equal(durations(np.array([250, 1500], "m8[ms]")), same([0.25, 1.5]))
+
+    def test_what_is_not_one_curve(self):
+        with self.assertRaisesRegex(TypeError, "each group"):
+            tcbsample.Curve({"id": [1, 1], "t": [0, 1], "x": [0, 1]}, group="id")
+        with self.assertRaises(tcbsample.Error):
+            tcbsample.Curve([[0, 1], [0, 2]])
+        with self.assertRaisesRegex(TypeError, "unknown option"):
+            tcbsample.Curve(KEYS, presett="vtk")
+
+
+class Scripts(unittest.TestCase):
+    def test_scripts_of_the_samples_print_what_their_page_shows(self):
+        page = (SAMPLES / "python/README.md").read_text()
+        scripts = sorted((SAMPLES / "python").glob("*.py"))
+        self.assertEqual(len(scripts), 5)
+        for script in scripts:
+            run = subprocess.run([sys.executable, "-W", "error", "-B", script], capture_output=True, text=True,
+                                 env=dict(os.environ, PYTHONPATH=sys.path[0]))  # fmt: skip
+            self.assertEqual(run.stderr, "")
+            self.assertIn(f"[{script.name}]({script.name}) prints:\n\n```\n{run.stdout}```", page)
+
+    def test_help_fits_on_two_screens(self):
+        text = pydoc.render_doc(tcbsample, renderer=pydoc.plaintext)
+        self.assertLessEqual(len(text.splitlines()), 100)
+        for name in ("Curve", "resample", "fit", "check", "identify", "plot", "explain", "presets"):
+            self.assertIn(f"{name}(", text)
+            self.assertIn(">>>", getattr(tcbsample, name).__doc__)
 
 
 class Wheels(unittest.TestCase):

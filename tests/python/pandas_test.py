@@ -14,6 +14,15 @@ FRAME = pd.DataFrame({"t": [0, 1, 2], "x": [0.1, 2.5, -1], "y": [1.0, 0.0, 1e-9]
 
 
 class Frames(unittest.TestCase):
+    def test_curves(self):
+        dates = pd.date_range("2024-03-31T00:30", periods=3, freq="s", tz="Europe/Berlin")
+        curve = tcbsample.Curve(FRAME.drop(columns="t").set_index(dates))
+        same = tcbsample.Curve(FRAME)
+        for when in (dates, list(dates), dates.to_series()):
+            np.testing.assert_array_equal(curve(when), same([0, 1, 2]))
+        self.assertEqual(curve(dates[1]).shape, (2,))
+        np.testing.assert_array_equal(curve(dates[0] + pd.Timedelta("250ms")), same(0.25))
+
     def test_a_frame_gives_a_frame_with_the_numbers_of_an_array(self):
         for count in (5, 50000):
             frame = tcbsample.resample(FRAME, count=count)
@@ -25,14 +34,68 @@ class Frames(unittest.TestCase):
 
     def test_numbers_as_names(self):
         frame = tcbsample.resample(FRAME.set_axis([0, 1, 2], axis=1), count=3, columns={"time": "0"})
-        self.assertEqual(list(frame.columns), ["0", "1", "2"])
+        self.assertEqual(list(frame.columns), [0, 1, 2])
+        frame = tcbsample.resample(FRAME.set_axis([0, 1, 2], axis=1), count=3)  # nothing says that a column is the time
+        self.assertEqual(list(frame.columns), ["t", 0, 1, 2])
 
     def test_index(self):
         same = tcbsample.resample(FRAME, count=7)
         pd.testing.assert_frame_equal(tcbsample.resample(FRAME.set_index("t"), count=7), same)
         pd.testing.assert_frame_equal(tcbsample.resample(FRAME.set_index(np.array([5, 9, 2])), count=7), same)
         with self.assertRaisesRegex(TypeError, "rename_axis"):
-            tcbsample.resample(FRAME.set_index(pd.date_range("2024", periods=3)), count=7)
+            tcbsample.resample(FRAME.set_index(np.array([0, 0.5, 1])), count=7)
+        with self.assertRaisesRegex(TypeError, "'_'.join"):
+            tcbsample.resample(pd.concat({"a": FRAME}, axis=1), count=7)
+
+    def test_an_index_of_times_comes_back(self):
+        dates = pd.date_range("2024-03-31T00:30", periods=3, freq="h")
+        expected = tcbsample.resample(FRAME, count=5)
+        for index in (dates, dates.tz_localize("UTC").tz_convert("Europe/Berlin"), dates - dates[0],
+                      dates.rename("when"), dates.to_period("h")):  # fmt: skip
+            rows = tcbsample.resample(FRAME.drop(columns="t").set_index(index), count=5)
+            self.assertEqual(list(rows.columns), ["x", "y"])
+            self.assertEqual(rows.index.name, index.name)
+            np.testing.assert_array_equal(rows.to_numpy(), expected[["x", "y"]].to_numpy())
+            index = index.to_timestamp() if isinstance(index, pd.PeriodIndex) else index
+            self.assertEqual(rows.index.dtype, index.dtype)
+            self.assertEqual(rows.index[[0, -1]].tolist(), index[[0, -1]].tolist())
+        times = FRAME.rename(columns={"t": "time"}).set_index(dates)
+        with self.assertWarnsRegex(tcbsample.Note, "ignored: time"):
+            tcbsample.resample(times, count=5)
+        rows = tcbsample.resample(times, count=5, columns={"time": "time", "ignore": "index_time"})
+        self.assertEqual(rows["time"].tolist(), [0, 0.5, 1, 1.5, 2])
+
+    def test_series(self):
+        x = FRAME.set_index("t")["x"]
+        expected = tcbsample.resample(FRAME[["t", "x"]], count=5)
+        for series in (x, x.rename(None), x.set_axis(pd.to_timedelta([0, 1, 2], "s")), x.set_axis([0.0, 1.0, 2.0])):
+            rows = tcbsample.resample(series, count=5)
+            self.assertIsInstance(rows, pd.DataFrame)
+            self.assertEqual(list(rows.columns), ["x"])
+            np.testing.assert_array_equal(rows["x"], expected["x"])
+            self.assertEqual(rows.index.name, series.index.name)
+        with self.assertRaisesRegex(TypeError, "counts its rows"):
+            tcbsample.resample(FRAME["x"], count=5)
+
+    def test_durations(self):
+        rows = tcbsample.resample(FRAME.assign(t=pd.to_timedelta([0, 1, 2], "ms")), count=5)
+        self.assertEqual(rows["t"].tolist(), pd.to_timedelta([0, 0.5, 1, 1.5, 2], "ms").tolist())
+
+    def test_types_of_columns_come_back(self):
+        frame = FRAME.assign(id=pd.Categorical(["p", "p", "p"], ["q", "p"]), n=pd.array([1, None, 3], "Int64"),
+                             b=pd.array([True, None, False], "boolean"), s=pd.array(["u", None, "w"], "string"),
+                             x=pd.array([0, 1, 4], "Int64"), y=pd.array([0.5, 1, 2], "Float64"))  # fmt: skip
+        rows = tcbsample.resample(frame, per_segment=1, group="id", columns={"carry": ["n", "b", "s"]})
+        for name in ("id", "n", "b", "s"):
+            pd.testing.assert_series_equal(rows[name], frame[name], check_names=False)
+        self.assertEqual([str(rows[name].dtype) for name in ("t", "x", "y")], ["float64", "Float64", "Float64"])
+
+    def test_errors_name_rows_by_label(self):
+        frame = FRAME.assign(x=[0, np.nan, 1]).set_index(pd.Index(["a", "b", "c"], name="key"))
+        with self.assertRaises(tcbsample.Error) as caught:
+            tcbsample.resample(frame.drop(columns="y"), count=3, columns={"ignore": "key"})
+        self.assertEqual(caught.exception.row, 1)
+        self.assertIn("keys, row b: ", str(caught.exception))
 
     def test_groups_and_text(self):
         frame = pd.concat([FRAME.assign(id="a", name=pd.Series(["u", None, "w"])), FRAME.assign(id="b", name="v")])
@@ -53,8 +116,8 @@ class Frames(unittest.TestCase):
     def test_dates(self):
         times = pd.date_range("2024-03-31T00:30", periods=3, freq="h", tz="Europe/Berlin")
         rows = tcbsample.resample(FRAME.assign(t=times), step=1800, at=None)
-        self.assertEqual(rows["t"].dtype, np.dtype("M8[ns]"))
-        self.assertEqual(rows["t"].tolist(), pd.date_range("2024-03-30T23:30", periods=5, freq="30min").tolist())
+        self.assertEqual(rows["t"].dtype, times.dtype)
+        self.assertEqual(rows["t"].tolist(), pd.date_range(times[0], periods=5, freq="30min").tolist())
         same = tcbsample.resample(FRAME.assign(t=times), step=pd.Timedelta("30min"), from_=times[0], to=times[2])
         pd.testing.assert_frame_equal(same, rows)
         at = tcbsample.resample(FRAME.assign(t=times), at=times)

@@ -10,7 +10,8 @@ sys.path.insert(0, sys.argv.pop())
 sys.dont_write_bytecode = True
 import numpy as np
 from scipy.integrate import quad
-from scipy.interpolate import BPoly, CubicHermiteSpline
+from scipy.interpolate import BPoly, CubicHermiteSpline, CubicSpline, PPoly
+from scipy.spatial.transform import Rotation
 
 import tcbsample
 
@@ -61,6 +62,45 @@ class Curves(unittest.TestCase):
         ends = np.append(pieces["start"], keys["t"][-1])
         spline = BPoly(np.array([pieces[f"x_b{i}"] for i in range(4)]), ends)
         np.testing.assert_allclose(spline(rows["t"]), rows["x"], rtol=0, atol=1e-13)
+
+    def test_curves_are_piecewise_polynomials(self):
+        rng = np.random.default_rng(8)
+        for closed in (False, True):
+            keys = random_keys(rng, 20)
+            curve = tcbsample.Curve(keys, closed=closed, period=np.ptp(keys["t"]) + 1 if closed else None)
+            polynomial = curve.to_ppoly()
+            times = rng.uniform(keys["t"][0], curve.times[-1], 1000)
+            scale = 1 / min(np.diff(keys["t"]))
+            for order in range(4):
+                np.testing.assert_allclose(polynomial(times, order), curve(times, order), 0, 1e-12 * scale**order)
+            again = tcbsample.Curve.from_ppoly(polynomial)
+            np.testing.assert_allclose(again(times), curve(times), 0, 1e-13)
+            self.assertEqual(polynomial(times.reshape(10, 100)).shape, (10, 100, 1))
+
+    def test_curves_of_scipy(self):
+        rng = np.random.default_rng(9)
+        x, times = np.cumsum(rng.uniform(0.1, 1, 9)), np.linspace(0, 1, 300)
+        for shape in ((), (2,), (5,)):
+            spline = CubicSpline(x, rng.uniform(-1, 1, (9, *shape)))
+            curve = tcbsample.Curve.from_ppoly(spline)
+            places = x[0] + times * (x[-1] - x[0])
+            np.testing.assert_allclose(curve(places), spline(places).reshape(300, -1), 0, 1e-14)
+            self.assertGreater(float(curve.length(x[-1])), 0)
+        line = PPoly([[1.0, 2.0], [0.0, 1.0]], [0, 1, 2])
+        np.testing.assert_allclose(tcbsample.Curve.from_ppoly(line)([0.5, 1.5])[:, 0], [0.5, 2], 0, 1e-15)
+        for wrong, text in ((PPoly(np.ones((6, 1)), [0, 1]), "degree 5"), (PPoly([[1.0, 1.0]], [0, 1, 2]), None),
+                            (PPoly([[0.0, 1.0]], [0, 1, 2]), "jumps at 1.0"), (PPoly(np.ones((2, 1, 2, 2)), [0, 1]), "2 dim")):  # fmt: skip
+            if text is None:
+                tcbsample.Curve.from_ppoly(wrong)
+                continue
+            with self.assertRaisesRegex(ValueError, text):
+                tcbsample.Curve.from_ppoly(wrong)
+
+    def test_rotations_are_those_of_scipy(self):
+        quaternions = Rotation.random(4, random_state=1).as_quat()
+        keys = dict(zip(("t", "qx", "qy", "qz", "qw"), [np.arange(4.0), *quaternions.T]))
+        found = Rotation.from_quat(tcbsample.Curve(keys).rotation(np.arange(4.0)))
+        self.assertLess((found.inv() * Rotation.from_quat(quaternions)).magnitude().max(), 1e-15)
 
     def test_lengths(self):
         keys = random_keys(np.random.default_rng(3), 6)

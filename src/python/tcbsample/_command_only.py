@@ -35,3 +35,10 @@ COMMAND_ONLY = {
     "help": "see help(tcbsample.Options)",
     "generate": "run the command tcbsample",
 }
+
+# How messages name the options for which there is something else.
+PRODUCTS = {
+    **{name: f"{name}()" for name, instead in COMMAND_ONLY.items() if instead is _OTHER_FUNCTION},
+    "list_presets": "presets()",
+    "help": "help(tcbsample.Options)",
+}

@@ -1,0 +1,372 @@
+"""Runs of the program: its words, its inputs, its output, and its messages as Python has them."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import difflib
+import importlib.metadata
+import io
+import keyword
+import logging
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import warnings
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import IO, Any, NamedTuple, Optional
+
+import numpy as np
+
+from ._command_only import COMMAND_ONLY, PRODUCTS
+from ._options import OPTIONS
+from ._tables import Table, contents, encode, is_table, table, text
+
+
+class Note(UserWarning):
+    """A note or a warning of the program, such as a column that it ignored."""
+
+
+class Error(ValueError):
+    """The program rejected keys, samples or options.
+
+    message    what is wrong, what was expected, and the remedy
+    remedy     what to do, the last part of the message
+    file       the file; "keys" or "samples" for what was not a file; None for an option
+    line       its line, from 1; None for keys in memory, and where the fault is in no line
+    column     its column in characters, from 1, or None, as for line
+    row        the row of keys in memory, from 0; None where the fault is in no row
+    exit_code  1: the data was rejected; 2: wrong usage, or a file that cannot be read
+    others     what else is wrong with the same input, as Errors
+
+    >>> import tcbsample
+    >>> try:
+    ...     tcbsample.resample({"t": [0, 1, 1], "x": [0, 1, 2]}, count=3)
+    ... except tcbsample.Error as error:
+    ...     print(error.file, error.row)
+    ...     print(error.remedy)
+    keys 2
+    remove one of the keys, or give duplicates="first", "last" or "break"
+    """
+
+    def __init__(self, message: str, exit_code: int = 2, file: Optional[str] = None, line: Optional[int] = None,
+                 column: Optional[int] = None, row: Optional[int] = None, place: Optional[str] = None) -> None:  # fmt: skip
+        if place is None:
+            place = "".join(str(part) for part in [file or "", *(f":{n}" for n in (line, column) if n is not None)])
+        super().__init__(f"{place}: {message}" if place else message)
+        self.message, self.exit_code, self.file, self.line, self.column, self.row = (
+            message, exit_code, file, line, column, row)  # fmt: skip
+        self.remedy = message.rpartition("; ")[2]
+        self.others: list[Error] = []
+
+
+def program() -> str:
+    """The path of the program, which the wheel installs as the command tcbsample. Raises FileNotFoundError.
+
+    >>> import tcbsample
+    >>> "tcbsample" in tcbsample.program()
+    True
+    """
+    global _program
+    if _program is None:
+        names = ("tcbsample", "tcbsample.exe")
+        package = pathlib.Path(__file__).parent
+        folders = [package, pathlib.Path(sysconfig.get_path("scripts")), package.parent / "bin"]
+        try:
+            recorded = [f.locate() for f in importlib.metadata.files("tcbsample") or () if f.name in names]
+        except importlib.metadata.PackageNotFoundError:
+            recorded = []
+        paths = [pathlib.Path(str(path)) for path in recorded] + [f / name for f in folders for name in names]
+        found = next((path for path in paths if path.is_file()), None)
+        if found is None:
+            raise FileNotFoundError("the program tcbsample is not installed; install the wheel again")
+        _program = str(found.resolve())
+    return _program
+
+
+_program: Optional[str] = None
+
+# Messages.
+
+
+def _keyword(option: str) -> str:
+    """The keyword of an option without its dashes."""
+    name = option.replace("-", "_")
+    return name + "_" if keyword.iskeyword(name) else name
+
+
+def in_python(message: str) -> str:
+    """A message with keywords of Python in place of options: missing="skip-row" for --missing skip-row."""
+    parts, end = [], 0
+    for match in re.finditer(r"--([a-z][a-z-]*[a-z])", message):
+        option = OPTIONS.get(match[1].replace("-", "_"))
+        if option is None or match.start() < end:
+            continue
+        parts.append(message[end : match.start()])
+        end = match.end()
+        name = _keyword(match[1])
+        if name in PRODUCTS:
+            parts.append(PRODUCTS[name])
+        elif option.kind == "flag":
+            parts.append(f"{name}=True")
+        else:
+            value = re.compile(r"[ =]([^\s,;]*[^\s,;.:])").match(message, end)
+            if value is None or not (value[1] in option.known or re.search(r"[\d=*]", value[1])):
+                parts.append(name)
+                continue
+            quoted_value = value[1].strip("'\"")
+            parts.append(f'{name}="{quoted_value}"')
+            end = value.end()
+            while (more := re.compile(r"((?:,| or|, or) )([\w-]+)").match(message, end)) and more[2] in option.known:
+                parts.append(f'{more[1]}"{more[2]}"')
+                end = more.end()
+    return "".join([*parts, message[end:]])
+
+
+class _Source(NamedTuple):
+    """An input that was not a file: its name in messages, and for a table the CSV of its rows."""
+
+    name: str
+    table: Optional[Table] = None
+    text: bytes = b""
+
+    def row(self, line: Optional[int]) -> Optional[int]:
+        """The row of a line of the CSV, where texts in quotes may have several lines; None for the line of names."""
+        if line is None or self.table is None:
+            return None
+        records = csv.reader(io.StringIO(self.text.decode(), newline=""))
+        head = 0 if self.table.names is None else 1
+        row = next((i - head for i, _ in enumerate(records) if records.line_num >= line), -1)
+        return row if row >= 0 else None
+
+    def in_rows(self, message: str) -> str:
+        """A message with rows in place of lines."""
+        if self.table is None:
+            return message
+
+        def row(match: re.Match[str]) -> str:
+            number = self.row(int(match[1]))
+            return "the names of the columns" if number is None else self.table.row_text(number)  # type: ignore[union-attr]
+
+        return re.sub(r"\bline (\d+)\b", row, message)
+
+
+_FORM = re.compile(r"^(?P<file>.*?)(?::(?P<line>\d+))?(?::(?P<column>\d+))?: (?P<kind>error|warning|note): (?P<message>.*)$")
+_FIT_REPORT = re.compile(r"[\d,]+ samples?, ")
+
+
+def _warn(note: str) -> None:
+    frame, level = sys._getframe(1), 2  # the caller of this module is to blame
+    while os.path.dirname(frame.f_code.co_filename) == os.path.dirname(__file__) and frame.f_back is not None:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(note, Note, stacklevel=level)
+
+
+# Runs.
+
+_TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", "decimal", "date_order"]
+
+
+def _is_long(value: Any) -> bool:
+    return not isinstance(value, (str, bytes, Mapping)) and np.size(value) > 100
+
+
+def _names_time(columns: str) -> bool:
+    return any(role.partition("=")[0].strip() == "time" for role in columns.split(","))
+
+
+@contextlib.contextmanager
+def _ended(process: subprocess.Popen[bytes]) -> Iterator[subprocess.Popen[bytes]]:
+    """The process, which has ended when the block ends."""
+    try:
+        yield process
+    finally:
+        if process.poll() is None:
+            process.kill()
+        if process.stdout is not None:
+            process.stdout.close()
+        process.wait()
+
+
+class Run:
+    """A run of the program: its words, its input, and the files made for it, until it is closed."""
+
+    def __init__(self, keys: Any, name: str = "keys") -> None:
+        self.table = table(keys) if is_table(keys) else None
+        self.resources = contextlib.ExitStack()
+        self.folder: Optional[str] = None  # of files made for options
+        self.input = self._temporary()
+        self.words: list[str] = []
+        self.files: list[str] = []
+        self.sources: dict[str, _Source] = {}
+        if isinstance(keys, (str, os.PathLike)):
+            self.files = ["--", os.fspath(keys)]
+            return
+        if self.table is not None:
+            source = _Source(name, self.table, encode(self.table))
+            data = source.text
+            self.words = ["--input-format=csv", "--comment=none"]
+            self.words.append("--no-header" if self.table.names is None else "--header")
+        else:
+            source, data = self._source(keys, name)
+        self.sources["standard input"] = source
+        self.input.write(data)
+
+    def __enter__(self) -> Run:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.resources.close()
+
+    def _temporary(self) -> IO[bytes]:
+        return self.resources.enter_context(tempfile.TemporaryFile())
+
+    @staticmethod
+    def _source(value: Any, name: str) -> tuple[_Source, bytes]:
+        if isinstance(value, bytes):
+            return _Source(name), value
+        if not is_table(value):
+            file = getattr(value, "name", None)
+            return _Source(file if isinstance(file, str) else name), contents(value)
+        rows = table(value)
+        source = _Source(name, rows, encode(rows))
+        return source, source.text
+
+    def _add(self, name: str, value: Any, allowed: Collection[str]) -> None:
+        """Adds an option. Raises TypeError."""
+        known = name.rstrip("_")
+        if known not in OPTIONS:
+            near = "".join(f"; did you mean {other}?" for other in difflib.get_close_matches(known, OPTIONS, 1))
+            raise TypeError(f"unknown option {name!r}{near}; help(tcbsample.Options) lists all")
+        if known in COMMAND_ONLY and known not in allowed:
+            raise TypeError(f"{name}: not an option of this function; {COMMAND_ONLY[known]}")
+        if isinstance(value, np.bool_):
+            value = bool(value)
+        if value is None or value is False:
+            return
+        if self.table is not None and known in _TEXT_OPTIONS:
+            raise TypeError(f"{name}: describes text, and the keys are a table; leave it out")
+        if not isinstance(value, (str, bytes)) and is_table(value) and np.size(value) == 0:
+            raise ValueError(f"{name}: nothing is in it; expected at least one value")
+        option = OPTIONS[known]
+        if option.kind == "flag" and value is not True:
+            raise TypeError(f"{name}: {value!r}; expected True or False")
+        if option.kind == "flag" or (option.kind == "attached" and value is True):
+            self.words.append(option.name)
+        elif option.kind == "file" and not isinstance(value, (str, os.PathLike)):
+            self.words.append(f"{option.name}={self._file(value)}")
+        elif option.kind == "places" and _is_long(value):
+            self.words.append(f"{option.name}=@{self._write('numbers', text(value).replace(',', chr(10)).encode())}")
+        else:
+            self.words.append(f"{option.name}={text(value)}")
+
+    def add(self, options: Mapping[str, Any], allowed: Collection[str] = ()) -> Run:
+        """Adds options; those of the command line alone are allowed here. Raises TypeError for unknown options, others
+        of the command line alone, and values without a text."""
+        options = dict(options)
+        columns = text(options.get("columns") or "")
+        if self.table is not None and self.table.time_index is not None and not _names_time(columns):
+            options["columns"] = ",".join(filter(None, ["time=1", columns]))  # the index
+        try:
+            for name, value in options.items():
+                self._add(name, value, allowed)
+        except BaseException:
+            self.resources.close()
+            raise
+        return self
+
+    def _write(self, name: str, data: bytes) -> str:
+        if self.folder is None:
+            self.folder = self.resources.enter_context(tempfile.TemporaryDirectory(prefix="tcbsample"))
+        path = pathlib.Path(self.folder, f"{name}{len(os.listdir(self.folder))}")
+        path.write_bytes(data)
+        return str(path)
+
+    def _file(self, samples: Any) -> str:
+        """A file with samples that were not a file."""
+        source, data = self._source(samples, "samples")
+        path = self._write("samples", data)
+        self.sources[path] = source
+        return path
+
+    def _start(self, words: Iterable[str], **streams: Any) -> subprocess.Popen[bytes]:
+        self.input.seek(0)
+        command = [program(), *self.words, *words, *self.files]
+        flags = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # on Windows
+        return subprocess.Popen(command, stdin=self.input, creationflags=flags, **streams)
+
+    def result(self, words: Iterable[str], accepts_difference: bool = False) -> IO[bytes]:
+        """The output as a file. Raises Error."""
+        output, errors = self._temporary(), self._temporary()
+        with _ended(self._start(words, stdout=output, stderr=errors)) as process:
+            process.wait()
+        # Exit code 1 is that of rejected data, which has no output, and of a report of differences.
+        self._check(process, errors, accepts_difference and os.fstat(output.fileno()).st_size > 0)
+        output.seek(0)
+        return output
+
+    def beginning(self, words: Iterable[str], size: int) -> tuple[bytes, bool]:
+        """The first bytes of the output, and whether these are all. Raises Error."""
+        errors = self._temporary()
+        with _ended(self._start(words, stdout=subprocess.PIPE, stderr=errors)) as process:
+            assert process.stdout is not None
+            output = process.stdout.read(size)
+            if len(output) == size:
+                return output, False
+            process.wait()
+        self._check(process, errors)
+        return output, True
+
+    def _check(self, process: subprocess.Popen[bytes], errors: IO[bytes], accepts_difference: bool = False) -> None:
+        """Raises Error by the exit code; notes are warnings."""
+        errors.seek(0)
+        messages = errors.read().decode(errors="replace")
+        if process.returncode not in ((0, 1) if accepts_difference else (0,)):
+            raise self._error(messages, process.returncode)
+        for line in messages.splitlines():
+            self._note(line)
+
+    def _message(self, match: re.Match[str]) -> tuple[Optional[_Source], str]:
+        """The source of a message, and the message in the terms of Python."""
+        source = self.sources.get(match["file"])
+        message = match["message"]
+        for path, other in self.sources.items():
+            message = message.replace(path, other.name)
+        message = in_python(message)
+        return source, source.in_rows(message) if source else message
+
+    def _note(self, line: str) -> None:
+        match = _FORM.match(line)
+        if match is None:
+            _warn(line)
+            return
+        source, message = self._message(match)
+        name = source.name if source else match["file"]
+        if _FIT_REPORT.match(message):
+            logging.getLogger("tcbsample").info("%s: %s", name, message)
+        else:
+            _warn(f"{name}: {match['kind']}: {message}")
+
+    def _error(self, messages: str, exit_code: int) -> Error:
+        """The errors of the program, FILE:LINE:COLUMN: error: MESSAGE each."""
+        matches = filter(None, map(_FORM.match, messages.splitlines()))
+        found = [self._one_error(match, exit_code) for match in matches if match["kind"] == "error"]
+        if not found:
+            return Error(messages.strip() or f"the program ended with exit code {exit_code}", exit_code)
+        found[0].others = found[1:]
+        return found[0]
+
+    def _one_error(self, match: re.Match[str], exit_code: int) -> Error:
+        line, column = (int(match[name]) if match[name] else None for name in ("line", "column"))
+        source, message = self._message(match)
+        if source is None:
+            return Error(message, exit_code, None if match["file"] == "tcbsample" else match["file"], line, column)
+        if source.table is None:
+            return Error(message, exit_code, source.name, line, column)
+        row = source.row(line)
+        place = source.name if row is None else f"{source.name}, {source.table.row_text(row)}"
+        return Error(message, exit_code, source.name, row=row, place=place)
