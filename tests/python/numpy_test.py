@@ -496,7 +496,18 @@ class Curves(unittest.TestCase):
         durations = tcbsample.Curve({"t": np.array([0, 1, 3], "m8[s]"), "x": [0, 1, 5]})
         np.testing.assert_array_equal(durations(np.array([250, 1500], "m8[ms]")), same([0.25, 1.5]))
 
+    def test_whole_times_beyond_doubles(self):
+        begin = 1_700_000_000_000_000_001
+        curve = tcbsample.Curve({"t": [begin, begin + 10**6], "x": [0, 1]}, ends="chord", time_unit="ns")
+        self.assertEqual(curve([begin, begin + 1, begin + 500_000, begin + 10**6])[:, 0].tolist(), [0, 1e-6, 0.5, 1])
+        self.assertEqual(curve.times.tolist(), [begin, begin + 10**6])
+        self.assertEqual(float(curve.length(begin + 500_000)), 0.5)
+        with self.assertRaisesRegex(TypeError, "whole numbers"):
+            curve(1.7e18)
+
     def test_what_is_not_one_curve(self):
+        with self.assertRaisesRegex(TypeError, "step: a Curve has no samples"):
+            tcbsample.Curve(KEYS, step=1)
         with self.assertRaisesRegex(TypeError, "each group"):
             tcbsample.Curve({"id": [1, 1], "t": [0, 1], "x": [0, 1]}, group="id")
         with self.assertRaises(tcbsample.Error):

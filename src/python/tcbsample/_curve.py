@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     Array = np.ndarray[Any, np.dtype[np.float64]]
 
 _BLOCK = 1 << 12  # places that are evaluated together, which fit into the cache of a processor
+_LARGEST_WHOLE = 2**53  # up to here, every whole number is a double
+_SAMPLING = {"step", "rate", "fps", "count", "segments", "per_segment", "at", "arc_step", "arc_count", "arc_at",
+             "tolerance", "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields"}  # fmt: skip
 _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")
 
 
@@ -111,6 +114,9 @@ class Curve:
         if options.get("group") is not None:
             raise TypeError("group: a Curve is one curve; make one for each group, as in {name: Curve(rows) for name, "
                             "rows in frame.groupby('id')}")  # fmt: skip
+        samples = _SAMPLING.intersection(name for name, value in options.items() if value is not None)
+        if samples:
+            raise TypeError(f"{samples.pop()}: a Curve has no samples until it is called with times; leave it out")
         in_memory = is_table(keys)
         self._keys = keys.copy() if is_pandas(keys) else copy.deepcopy(keys) if in_memory else (
             keys if isinstance(keys, (str, os.PathLike, bytes)) else contents(keys))  # fmt: skip
@@ -120,7 +126,8 @@ class Curve:
         if not options.get("equal_speed") and options.get("parameter") is None:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
-        self._origin: Optional[int] = None  # of dates, in nanoseconds since 1970; None for numbers
+        self._origin: Optional[int] = None  # of dates, in nanoseconds, and of large whole numbers; None for others
+        self._is_whole = False  # times are whole numbers, some of them beyond those that are doubles
         self.times: np.ndarray[Any, np.dtype[Any]]
         try:
             with Run(self._keys).add({**self._options, "emit": "bezier"}) as run:
@@ -142,8 +149,10 @@ class Curve:
             end = dates[-1] + round(durations[-1] * 1e9)
             self._origin = int(dates[0])
             self.times = np.append(dates, end).astype("datetime64[ns]")
-            seconds = np.append(dates, end) - self._origin
-            edges = seconds / 1e9
+            edges = (np.append(dates, end) - self._origin) / 1e9
+        elif self._has_large(starts) and self._origin is not None:
+            self.times = np.append(np.array(starts, dtype=np.int64), starts[-1] + round(durations[-1]))
+            edges = (self.times - self._origin).astype(np.float64)
         else:
             edges = np.array(starts, dtype=np.float64)
             edges = np.append(edges, edges[-1] + durations[-1])
@@ -161,11 +170,22 @@ class Curve:
             self._origin = int(dates[0])
             self.times = dates.astype("datetime64[ns]")
         else:
-            self.times = np.array(times, dtype=np.float64)
+            self.times = np.array(times, dtype=np.int64 if self._has_large(times) else np.float64)
+
+    def _has_large(self, times: list[Any]) -> bool:
+        """Whether times are whole numbers beyond those that are doubles; then they count from the first one."""
+        if all(isinstance(time, int) for time in times) and max(abs(time) for time in times) > _LARGEST_WHOLE:
+            self._origin, self._is_whole = times[0], True
+        return self._is_whole
 
     def _flat(self, t: Any) -> tuple[Any, tuple[int, ...]]:
         """Times as the pieces have them, in one dimension, and their shape."""
         array = np.asarray(t)
+        if self._is_whole and self._origin is not None:
+            if array.dtype.kind not in "iu":
+                raise TypeError(f"times of {array.dtype}, but those of the keys are whole numbers beyond 2^53; expected "
+                                "whole numbers")  # fmt: skip
+            return (array.ravel().astype(np.int64) - self._origin).astype(np.float64), array.shape
         if array.dtype.kind == "O":
             numbers = [np.nan if is_missing(v) else float(decimal_seconds(v)) if hasattr(v, "isoformat") else v
                        for v in array.ravel().tolist()]  # fmt: skip
@@ -190,6 +210,8 @@ class Curve:
 
     def _words(self, flat: Any, given: Any) -> list[str]:
         """The texts of times for the program."""
+        if self._is_whole:
+            return [str(time) for time in np.asarray(given).ravel().tolist()]
         if self._origin is None:
             return [repr(time) for time in flat.tolist()]
         array = np.asarray(given).ravel()

@@ -271,6 +271,8 @@ class Run:
         columns = text(options.get("columns") or "")
         if self.table is not None and self.table.time_index is not None and not _names_time(columns):
             options["columns"] = ",".join(filter(None, ["time=1", columns]))  # the index
+            if self.table.columns[0].dtype.kind == "m" and options.get("time_unit") is None:
+                options["time_unit"] = "s"
         try:
             for name, value in options.items():
                 self._add(name, value, allowed)
