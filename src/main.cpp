@@ -52,7 +52,7 @@ tcb::Exit run(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     return refuse(tcb::Exit::usage, "tcbsample: error: out of memory");
   } catch (const std::exception& error) {
-    return refuse(tcb::Exit::usage, std::string("tcbsample: error: ") + error.what());
+    return refuse(tcb::Exit::usage, std::string("tcbsample: internal error: ") + error.what());
   }
 }
 

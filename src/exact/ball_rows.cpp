@@ -32,6 +32,7 @@ namespace {
 Ball ball_of(const Rational& value) {
   const double high = nearest_double(value);
   if (high == 0) return value == 0 ? Ball() : throw Undecided();
+  if (!std::isfinite(high)) throw Undecided();
   const Rational rest = value - Rational(high);
   if (rest == 0) return Ball(high);
   const double low = nearest_double(rest);
@@ -80,14 +81,14 @@ std::optional<std::string> decimal_text(const Ball& number, const Notation& nota
     return whole ? std::optional(fixed_text(std::to_string(*whole), notation.count, negative)) : std::nullopt;
   }
   int binary = 0;
-  (void)std::frexp(size, &binary);
+  (void)std::frexp(size * (1 - 0x1p-50), &binary);                      // the number may be less than its high part
   int exponent = static_cast<int>(std::floor((binary - 1) * 0.30103));  // of ten: that of the number, or one less
   Ball digits = scaled_by_ten_to(abs(number), notation.count - 1 - exponent);
   std::int64_t end = 1;
   for (int i = 0; i < notation.count; ++i) end *= 10;
-  for (; digits.middle().hi >= static_cast<double>(end); ++exponent) {
-    digits = scaled_by_ten_to(abs(number), notation.count - 2 - exponent);
-  }
+  const Ball excess = digits - Ball(static_cast<double>(end));
+  if (excess.may_be_zero() && !excess.is_zero()) return std::nullopt;  // the exponent is not decided
+  if (excess.middle().hi >= 0) digits = scaled_by_ten_to(abs(number), notation.count - 1 - ++exponent);
   auto whole = whole_nearest_to(digits);
   if (!whole || *whole < end / 10) return std::nullopt;
   if (*whole == end) {

@@ -170,7 +170,11 @@ class RowPoint {
 
   const spline::SegmentLength<S>& arc(std::size_t number) {
     Known& one = known(number);
-    if (!one.arc) one.arc.emplace().assign(one.segments[0], one.segments.rotations_of(0), rows_.exact.rules.metric);
+    if (!one.arc) {
+      spline::SegmentLength<S> arc;
+      arc.assign(one.segments[0], one.segments.rotations_of(0), rows_.exact.rules.metric);
+      one.arc = std::move(arc);  // only now: some scalars throw
+    }
     return *one.arc;
   }
 

@@ -132,7 +132,8 @@ class ExactRows::Evaluation {
 
   void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
     times_.set(row);
-    if (!std::exchange(has_balls_, true)) balls_ = BallRows::of(rows_, {chosen.begin(), chosen.end()});
+    if (!has_balls_) balls_ = BallRows::of(rows_, {chosen.begin(), chosen.end()});
+    has_balls_ = true;
     const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
     if (!is_placed) cells_.assign(width(chosen), std::nullopt);
     counts_.by_bounds += cells_.size();

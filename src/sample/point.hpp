@@ -76,10 +76,12 @@ class Point {
  private:
   const spline::SegmentLength<S>& arc() {
     if (known_arc_ != nullptr) return *known_arc_;
-    if (!std::exchange(has_arc_, true)) arc_.assign(segment_->cubics, segment_->rotations, segment_->metric);
+    if (!has_arc_) arc_.assign(segment_->cubics, segment_->rotations, segment_->metric);
+    has_arc_ = true;  // only now: some scalars throw
     return arc_;
   }
 
+  void set_derivatives();
   RotationAt<S> rotation_at(std::size_t index) const { return {*segment_, index, *sample_, u(), outside_}; }
 
   const CurveSegmentOf<S>* segment_ = nullptr;
@@ -118,7 +120,13 @@ S Point<S>::position(std::size_t channel) {
 
 template <class S>
 const spline::Derivatives<S>& Point<S>::derivatives() {
-  if (std::exchange(has_derivatives_, true)) return derivatives_;
+  if (!has_derivatives_) set_derivatives();
+  has_derivatives_ = true;  // only now: some scalars throw
+  return derivatives_;
+}
+
+template <class S>
+void Point<S>::set_derivatives() {
   const bool holds = outside_ != nullptr && outside_->holds;
   const auto zero = std::size_t{segment_->cubics.size()};
   if (holds || segment_->start == segment_->end) {
@@ -126,20 +134,19 @@ const spline::Derivatives<S>& Point<S>::derivatives() {
     derivatives_.acceleration.assign(zero, S(0));
     derivatives_.jerk.assign(zero, S(0));
     derivatives_.velocity_noise = derivatives_.acceleration_noise = S(0);
-    return derivatives_;
+    return;
   }
   spline::set_derivatives<S>(derivatives_, segment_->cubics, sample_->at, segment_->warp, u(),
                              spline::high_part<S>(segment_->duration()));
-  if (outside_ == nullptr) return derivatives_;
+  if (outside_ == nullptr) return;
   if (spline::high_part<S>(outside_->beyond) != S(0)) {
     derivatives_.acceleration.assign(zero, S(0));
     derivatives_.jerk.assign(zero, S(0));
   }
-  if (!outside_->backward) return derivatives_;
+  if (!outside_->backward) return;
   for (auto* odd : {&derivatives_.velocity, &derivatives_.jerk}) {
     for (S& value : *odd) value = -value;
   }
-  return derivatives_;
 }
 
 template <class S>
