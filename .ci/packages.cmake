@@ -59,7 +59,9 @@ endforeach()
 # The archive: the static program, its manual, its completions and the licence in one folder.
 string(TOLOWER ${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR} system)
 set(archive tcbsample-${PROJECT_VERSION}-${system})
-add_program(tcbsample_static ON)
+add_executable(tcbsample_static src/main.cpp)
+target_link_libraries(tcbsample_static PRIVATE tcbsample_hot tcbsample_cold)
+target_link_options(tcbsample_static PRIVATE -static-pie)
 set_target_properties(tcbsample_static PROPERTIES OUTPUT_NAME tcbsample RUNTIME_OUTPUT_DIRECTORY static)
 install(TARGETS tcbsample_static DESTINATION ${archive} COMPONENT archive EXCLUDE_FROM_ALL)
 install(FILES ${pages} LICENSE README.md CHANGELOG.md ${completions} DESTINATION ${archive}

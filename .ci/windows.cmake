@@ -1,6 +1,6 @@
-# The packages of Debian that a program for Windows is compiled with: their headers, in a folder without those of
-# Debian's C library.
-set(headers ${CMAKE_CURRENT_BINARY_DIR}/headers)
+# Packages of a program for Windows, which CMake includes at the start of the project: the headers of those of Debian,
+# in a folder without those of Debian's C library.
+set(headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
 foreach(folder boost CLI fast_float fmt nlohmann)
   if(NOT EXISTS /usr/include/${folder})
@@ -8,7 +8,21 @@ foreach(folder boost CLI fast_float fmt nlohmann)
   endif()
   file(CREATE_LINK /usr/include/${folder} ${headers}/${folder} SYMBOLIC)
 endforeach()
-foreach(target Boost::headers CLI11::CLI11 FastFloat::fast_float fmt::fmt nlohmann_json::nlohmann_json)
-  add_library(${target} INTERFACE IMPORTED)
-  target_include_directories(${target} SYSTEM INTERFACE ${headers})
+macro(tcbsample_provide_package method name)
+  set(target_of_CLI11 CLI11::CLI11)
+  set(target_of_nlohmann_json nlohmann_json::nlohmann_json)
+  set(target_of_fmt fmt::fmt)
+  set(target_of_FastFloat FastFloat::fast_float)
+  set(target_of_Boost Boost::headers)
+  if(target_of_${name})
+    add_library(${target_of_${name}} INTERFACE IMPORTED)
+    target_include_directories(${target_of_${name}} SYSTEM INTERFACE ${CMAKE_BINARY_DIR}/headers)
+    set(${name}_FOUND TRUE)
+  endif()
+endmacro()
+cmake_language(SET_DEPENDENCY_PROVIDER tcbsample_provide_package SUPPORTED_METHODS FIND_PACKAGE)
+
+# The headers of Windows define many names.
+foreach(name system sha256 base64 converter)
+  set_source_files_properties(src/io/${name}_windows.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endforeach()

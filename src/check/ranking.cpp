@@ -146,8 +146,9 @@ void find_rows(const Comparer& comparer, const std::vector<GivenSamples>& sample
 }
 
 /// Compares all conventions with samples, on all threads.
-std::vector<Candidate> compared(const Comparer& comparer, const std::vector<Convention>& conventions,
-                                const std::vector<GivenSamples>& samples, unsigned threads, FileProgress* progress) {
+std::vector<Candidate> compared_conventions(const Comparer& comparer, const std::vector<Convention>& conventions,
+                                            const std::vector<GivenSamples>& samples, unsigned threads,
+                                            FileProgress* progress) {
   Source<Convention> source = [&conventions, next = std::size_t{0}]() mutable {
     return next < conventions.size() ? std::optional(conventions[next++]) : std::nullopt;
   };
@@ -208,7 +209,8 @@ void rank(Identification& result, const CurveSettings& rules, const ComparisonIn
   if (result.rows == 0) throw no_row_on_curve(result.problems).in(inputs.file);
   const Subset subset = subset_of(samples, inputs, result.parts);
   const auto rank_by = [&](const std::vector<GivenSamples>& rows, const std::vector<Convention>& some) {
-    return ranked(compared(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows), result.parts);
+    return ranked(compared_conventions(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows),
+                  result.parts);
   };
   const auto rank_some = [&](const std::vector<Convention>& some) {
     Ranking ranking = rank_by(subset.samples, some);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t seconds_of_day = 86'400;
 
 /// 10^exponent, to a few units in the last place.
-double power_of_ten(int exponent) {
+double ten_to_the(int exponent) {
   double power = 1;
   for (int i = 0; i < std::abs(exponent); ++i) power *= 10;
   return exponent < 0 ? 1 / power : power;
@@ -188,7 +188,7 @@ std::vector<Tick> Axis::ticks(double most) const {
   if (scale_ && !scale_->units_per_second) return ticks_in_words(most);
   int exponent = exponent_above(length() / most) - 1;
   int factor = 1;
-  const auto step = [&] { return factor * power_of_ten(exponent); };
+  const auto step = [&] { return factor * ten_to_the(exponent); };
   constexpr double slack = 1e-9;  // an end of the axis may be a tick
   const auto first = [&] { return static_cast<std::int64_t>(std::ceil(low_ / step() - slack)); };
   const auto last = [&] { return static_cast<std::int64_t>(std::floor(high_ / step() + slack)); };
@@ -206,8 +206,8 @@ std::vector<Tick> Axis::ticks(double most) const {
   std::vector<Tick> ticks;
   for (std::int64_t i = first(); i <= last(); i += stride) {
     const std::int64_t multiple = i * factor;
-    const double value = exponent < 0 ? static_cast<double>(multiple) / power_of_ten(-exponent)
-                                      : static_cast<double>(multiple) * power_of_ten(exponent);
+    const double value = exponent < 0 ? static_cast<double>(multiple) / ten_to_the(-exponent)
+                                      : static_cast<double>(multiple) * ten_to_the(exponent);
     ticks.push_back(
         {value, plain ? decimal_text(std::to_string(multiple), exponent) : exponent_text(multiple, exponent)});
   }

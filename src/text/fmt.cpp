@@ -1,4 +1,6 @@
-// The functions of fmt 9, instantiated for an archive: Debian 12 packages only a shared library.
+// The functions of fmt 9 and 10 that are in its library: Debian packages only a shared one.
+#include <fmt/format.h>
+#ifndef FMT_HEADER_ONLY
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE
@@ -13,3 +15,4 @@ template FMT_API void buffer<char>::append(const char*, const char*);
 template FMT_API void vformat_to(buffer<char>&, string_view, basic_format_args<buffer_context<char>>, locale_ref);
 }  // namespace detail
 FMT_END_NAMESPACE
+#endif
