@@ -1,7 +1,6 @@
 // The program: command line in, exit code out.
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "io/system.hpp"
 #include "io/terminal.hpp"
 #include "plot/plot_job.hpp"
+#include "run/errors.hpp"
 #include "run/explain.hpp"
 #include "run/pipeline.hpp"
 
@@ -47,12 +47,9 @@ tcb::Exit run(int argc, const char* const* argv) {
   const bool colored = tcb::colors_messages(tcb::color_of(argc, argv));
   try {
     return std::visit(Run(), tcb::parse(argc, argv));
-  } catch (const tcb::Error& error) {
+  } catch (const std::exception& failure) {
+    const tcb::Error error = tcb::failure_of(failure);
     return refuse(error.exit(), tcb::error_text(error, colored));
-  } catch (const std::bad_alloc&) {
-    return refuse(tcb::Exit::usage, "tcbsample: error: out of memory");
-  } catch (const std::exception& error) {
-    return refuse(tcb::Exit::usage, std::string("tcbsample: internal error: ") + error.what());
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "cli/errors.hpp"
@@ -19,6 +20,7 @@
 #include "read/csv/splitter.hpp"
 #include "read/reader.hpp"
 #include "read/text_bytes.hpp"
+#include "schema/missing.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -66,10 +68,13 @@ class PlaceNumbers {
   bool any_ = false;
 };
 
-/// Whether no cell has a digit, so that the cells are names of columns and not misspelt numbers.
+/// Whether no cell has a digit, or is a sign of a missing number or an infinite one, so that the cells are names of
+/// columns and not misspelt numbers.
 bool is_header(const std::vector<std::string_view>& cells) {
-  return std::ranges::all_of(
-      cells, [](std::string_view cell) { return cell.find_first_of("0123456789") == std::string_view::npos; });
+  return std::ranges::all_of(cells, [](std::string_view cell) {
+    const bool has_digit = cell.find_first_of("0123456789") != std::string_view::npos;
+    return cell.empty() || !(has_digit || looks_numeric(cell) || is_missing_sign(cell, {}));
+  });
 }
 
 /// The numbers of a list, line by line.
@@ -121,13 +126,19 @@ std::string numbers_in(const std::string& path) {
   return list.items();
 }
 
+/// Whether there is a file; false also for a name that the system does not take.
+bool exists(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(path, none);
+}
+
 /// The numbers in a text; for @FILE those in that file, for "-" those of standard input, as one text separated by
 /// commas.
 std::string listed_numbers(const std::string& text) {
   if (text == "-") return numbers_in(text);
   if (!text.starts_with('@')) return text;
   const std::string path = text.substr(1);
-  if (!std::filesystem::exists(path)) throw list_unreadable().in(path);
+  if (!exists(path)) throw list_unreadable().in(path);
   return numbers_in(path);
 }
 
@@ -135,12 +146,11 @@ std::string listed_numbers(const std::string& text) {
 std::optional<PlaceColumn> place_column(const std::string& text, std::string_view option) {
   if (!text.starts_with('@')) return std::nullopt;
   const std::string names = text.substr(1);
-  if (std::filesystem::exists(names)) return std::nullopt;
+  if (exists(names)) return std::nullopt;
   for (std::size_t colon = names.rfind(':'); colon != std::string::npos && colon > 0;
        colon = names.rfind(':', colon - 1)) {
     const std::string path = names.substr(0, colon);
-    if (colon + 1 < names.size() && std::filesystem::exists(path))
-      return PlaceColumn{option, path, names.substr(colon + 1)};
+    if (colon + 1 < names.size() && exists(path)) return PlaceColumn{option, path, names.substr(colon + 1)};
   }
   return std::nullopt;
 }
@@ -192,6 +202,7 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   typed.places.from_input = text == "-";
   if (typed.places.column) typed.files.other_inputs.push_back(typed.places.column->path);
   if (typed.places.column) return;
+  if (typed.places.from_input) typed.files.other_inputs.push_back(text);
   if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
   typed.set_text(option, listed_numbers(text));
   NumberedPlaces places = numbered_places(typed.text(option));

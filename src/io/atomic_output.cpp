@@ -31,21 +31,34 @@ TemporaryFiles& temporary_files() {
   return known;
 }
 
-void end_without_unfinished() {
+/// Removes all unfinished files, and ends the program.
+void end_without_unfinished(void (*end)()) {
   const std::lock_guard lock(temporary_files().mutex);
   for (const std::string& name : temporary_files().all) system::remove(name);
-  end_interrupted();
+  end();
 }
+
+constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
+constexpr std::string_view ending = ".tcbsample";
+constexpr std::size_t random_letters = 10;
 
 /// A hidden name in the folder of `path`, with random letters.
 std::string unfinished_name(const std::filesystem::path& path) {
   constexpr std::size_t longest = 200;  // file systems allow 255 bytes
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
   std::random_device random;
   std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1);
   std::string name = "." + path_text(path.filename()).substr(0, longest) + ".";
-  for (int i = 0; i < 10; ++i) name += letters[letter(random)];
-  return path_text(path.parent_path() / (name + ".tcbsample"));
+  for (std::size_t i = 0; i < random_letters; ++i) name += letters[letter(random)];
+  return path_text(path.parent_path() / (name + std::string(ending)));
+}
+
+/// Whether a file name is one that unfinished_name() makes.
+bool is_unfinished_name(std::string_view name) {
+  if (!name.starts_with('.') || !name.ends_with(ending)) return false;
+  name.remove_suffix(ending.size());
+  const std::size_t point = name.rfind('.');
+  const std::string_view random = name.substr(point + 1);
+  return point > 0 && random.size() == random_letters && random.find_first_not_of(letters) == std::string_view::npos;
 }
 
 /// Calls make(name) with unused names of temporary files, and returns the descriptor or 0 that it returns, or -1 if it
@@ -68,14 +81,20 @@ int make_temporary(const std::string& path, std::string& name, const Make& make)
 void open_new(OutputTarget& target, const std::string& path, unsigned permissions) {
   target.is_file = true;
   target.descriptor = system::create_unnamed(folder_of(path), permissions);
-  if (target.descriptor >= 0) return;
-  target.descriptor = make_temporary(
-      path, target.temporary, [permissions](const std::string& name) { return system::create(name, permissions); });
+  if (target.descriptor >= 0) return system::mark_as_written(target.descriptor);
+  target.descriptor = make_temporary(path, target.temporary, [permissions](const std::string& name) {
+    int descriptor = system::create(name, permissions);
+    for (; descriptor >= 0; descriptor = system::create(name, permissions)) {
+      system::mark_as_written(descriptor);
+      if (system::has_name(descriptor)) break;  // else another program removed it before it was marked
+      (void)system::close(descriptor);
+    }
+    return descriptor;
+  });
 }
 
-/// Gives a new file a temporary name, unless it has one.
+/// Gives a file without a name a temporary one.
 bool name_temporarily(OutputTarget& target, const std::string& path) {
-  if (!target.temporary.empty()) return true;
   return make_temporary(path, target.temporary, [&target](const std::string& name) {
            return system::give_name(target.descriptor, name) ? 0 : -1;
          }) == 0;
@@ -109,6 +128,17 @@ std::optional<int> own_descriptor(std::string_view path) {
 }  // namespace
 
 std::string folder_of(const std::string& path) { return path_text(std::filesystem::path(path).parent_path()); }
+
+void remove_left_temporaries(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    std::error_code none;
+    const std::filesystem::path& path = entry->path();
+    if (!is_unfinished_name(path_text(path.filename())) || !entry->is_regular_file(none)) continue;
+    system::remove_unless_written(path_text(path));
+  }
+}
 
 void make_folder(const std::string& path) {
   std::error_code error;
@@ -180,7 +210,9 @@ void Output::send_compressed(std::string_view bytes, bool last) {
 }
 
 void Output::send(int descriptor, std::string_view bytes) const {
-  if (!system::write(descriptor, bytes)) fail_to_write();
+  if (system::write(descriptor, bytes)) return;
+  if (system::failed_as_closed_pipe()) end_without_unfinished(system::end_by_closed_pipe);
+  fail_to_write();
 }
 
 void Output::write_beginning(std::string_view bytes) {
@@ -208,9 +240,17 @@ void Output::commit() {
   if (spool_ != nullptr) send_spooled();
   if (compressor_) send_compressed("", true);
   if (path_ == "-") return;
-  if (open_.is_file && !name_temporarily(open_, path_)) fail_to_write();
-  if (!system::close(std::exchange(open_.descriptor, -1))) fail_to_write();  // writing may fail as late as here
-  if (!open_.is_file) return;
+  if (open_.is_file && !system::complete(open_.descriptor)) fail_to_write();  // writing may fail as late as here
+  if (open_.is_file) give_final_name();
+  const bool closes = system::close(std::exchange(open_.descriptor, -1));
+  if (!closes && !open_.is_file) fail_to_write();
+}
+
+/// A file without a name gets its own at once, unless that replaces another file: then it has a temporary one first, as
+/// no system replaces a file in one step by one without a name.
+void Output::give_final_name() {
+  if (open_.temporary.empty() && system::give_name(open_.descriptor, path_)) return;
+  if (open_.temporary.empty() && !name_temporarily(open_, path_)) fail_to_write();
   const std::lock_guard lock(temporary_files().mutex);
   if (!system::replace(open_.temporary, path_)) fail_to_write();
   temporary_files().all.erase(std::exchange(open_.temporary, ""));
@@ -218,6 +258,8 @@ void Output::commit() {
 
 void end_when_interrupted() { system::call_when_interrupted(end_interrupted); }
 
-void remove_unfinished_when_interrupted() { system::call_in_thread_when_interrupted(end_without_unfinished); }
+void remove_unfinished_when_interrupted() {
+  system::call_in_thread_when_interrupted([] { end_without_unfinished(end_interrupted); });
+}
 
 }  // namespace tcb

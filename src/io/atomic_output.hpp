@@ -13,6 +13,9 @@ namespace tcb {
 /// The folder of the file with this name; "" if the name has none.
 std::string folder_of(const std::string& path);
 
+/// Removes the temporary files that ended programs left in a folder.
+void remove_left_temporaries(const std::string& folder);
+
 /// Creates a folder and those above it, unless they exist. Throws: Error (usage).
 void make_folder(const std::string& path);
 
@@ -54,6 +57,7 @@ class Output {
   void send_compressed(std::string_view bytes, bool last = false);
   void send(int descriptor, std::string_view bytes) const;
   void send_spooled();
+  void give_final_name();
   [[noreturn]] void fail_to_write() const;
   std::string shown_name() const { return path_ == "-" ? "standard output" : path_; }
 
@@ -65,9 +69,9 @@ class Output {
   bool live_ = false;
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP, unless they are ignored, end the program with Exit::interrupted. A closed
-/// pipe ends it without a message, even if the caller ignores SIGPIPE. An output beyond the limit of the size of files
-/// is an error, not a signal.
+/// From now on SIGINT, SIGTERM and SIGHUP, unless they are ignored, end the program with Exit::interrupted. A pipe
+/// without a reader ends it without a message where it is an output, even if the caller ignores SIGPIPE; messages that
+/// nobody reads are lost. An output beyond the limit of the size of files is an error, not a signal.
 void end_when_interrupted();
 
 /// From now on a thread waits for these signals and for the others that end a program, such as SIGQUIT and SIGXCPU. It

@@ -1,9 +1,12 @@
 // Input files: their bytes as they arrive, and what kind of file a path is.
 #include "io/input_file.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "io/errors.hpp"
 #include "io/system.hpp"
@@ -51,23 +54,83 @@ ChangeWatch::ChangeWatch(std::string path) : path_(std::move(path)) {
   if (status && status->is_regular) before_ = status;
 }
 
-bool ChangeWatch::has_changed() const { return before_ && system::status_of(path_) != before_; }
+FileChange ChangeWatch::change() const {
+  if (!before_) return FileChange::none;
+  const auto now = system::status_of(path_);
+  if (!now || !now->seems_unmodified_since(*before_)) return FileChange::contents;
+  return now->changed == before_->changed ? FileChange::none : FileChange::contents_or_status;
+}
+
+namespace {
+
+/// The parts of a regular file that were read, as far as they tell whether it still has the same bytes.
+class ReadParts {
+ public:
+  explicit ReadParts(int descriptor)
+      : descriptor_(descriptor),
+        begin_(system::place_in(descriptor)),
+        before_(system::status_of(descriptor).value_or(system::FileStatus())) {}
+
+  const system::FileStatus& before() const { return before_; }
+
+  void add(std::string_view bytes) {
+    if (before_.is_regular) parts_.push_back({bytes.size(), std::hash<std::string_view>()(bytes)});
+  }
+
+  /// Whether the whole file was read as it was in the beginning. Where only its links, name or mode may have changed,
+  /// it is read once more.
+  bool are_whole() const {
+    if (!before_.is_regular) return true;
+    const auto now = system::status_of(descriptor_);
+    if (!now || !now->seems_unmodified_since(before_)) return false;
+    return now->changed == before_.changed || have_same_bytes();
+  }
+
+ private:
+  struct Part {
+    std::size_t size;
+    std::size_t hash;
+  };
+
+  bool have_same_bytes() const {
+    std::uint64_t place = begin_;
+    std::string bytes;
+    return std::ranges::all_of(parts_, [&](const Part& part) {
+      bytes.resize(part.size);
+      for (std::size_t read = 0; read < part.size;) {
+        const std::ptrdiff_t count = system::read_at(descriptor_, place + read, bytes.data() + read, part.size - read);
+        if (count <= 0) return false;
+        read += static_cast<std::size_t>(count);
+      }
+      place += part.size;
+      return std::hash<std::string_view>()(bytes) == part.hash;
+    });
+  }
+
+  int descriptor_;
+  std::uint64_t begin_;  ///< the place of the first part; standard input may begin within a file
+  system::FileStatus before_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
 
 Source<std::string> read_file(const std::string& path) {
   const auto file = std::make_shared<Descriptor>(open_for_reading(path));
-  const system::FileStatus before = system::status_of(file->number).value_or(system::FileStatus());
+  const auto parts = std::make_shared<ReadParts>(file->number);
+  const system::FileStatus& before = parts->before();
   const bool small = before.is_regular && before.size < read_size;
   const std::size_t room = small ? static_cast<std::size_t>(before.size) + 1 : read_size;
-  return [file, path, before, room]() -> std::optional<std::string> {
+  return [file, path, parts, room]() -> std::optional<std::string> {
     std::string bytes(room, '\0');
     const std::ptrdiff_t count = system::read(file->number, bytes.data(), bytes.size());
     if (count < 0) throw reading_failed().in(shown_name(path));
     if (count == 0) {
-      const bool changed = before.is_regular && system::status_of(file->number) != before;
-      if (changed) throw input_changed().in(shown_name(path));
+      if (!parts->are_whole()) throw input_changed().in(shown_name(path));
       return std::nullopt;
     }
     bytes.resize(static_cast<std::size_t>(count));
+    parts->add(bytes);
     return bytes;
   };
 }

@@ -11,7 +11,8 @@
 namespace tcb {
 
 /// The bytes of a file in parts as they arrive, each at most 256 KiB; "-" is standard input.
-/// Throws: Error (usage) if it cannot be opened or read, or changes in the meantime.
+/// Throws: Error (usage) if it cannot be opened or read, or its contents change in the meantime. Other links, another
+/// name or mode of a file are no change.
 Source<std::string> read_file(const std::string& path);
 
 /// The name of a file for messages.
@@ -23,13 +24,16 @@ bool is_terminal(const std::string& path);
 /// Whether it is a pipe, a socket or a terminal: rows should be written as soon as they are computed.
 bool is_live(const std::string& path);
 
+/// What changed of a file; the last: its contents, or only its links, name or mode.
+enum class FileChange { none, contents, contents_or_status };
+
 /// Tells whether a file changes, by its size, its modification time and its change time. Standard input, pipes and
 /// devices do not count as changing.
 class ChangeWatch {
  public:
   /// Watches from now on. A file that does not exist now does not count as changing.
   explicit ChangeWatch(std::string path);
-  bool has_changed() const;
+  FileChange change() const;
 
  private:
   std::string path_;

@@ -128,18 +128,29 @@ void require_distinct_outputs(const std::vector<InputFile>& files, const OutputP
 /// The identity of the file at a path, however the path is spelled.
 using Identity = std::pair<std::uint64_t, std::uint64_t>;
 
-/// Nothing for standard input, pipes and devices, and where there is no file.
-std::optional<Identity> identity_of(const std::string& path) {
-  const auto status = path == "-" ? std::nullopt : system::status_of(path);
+/// Nothing for pipes and devices, and where there is no file. `stream`: what "-" is.
+std::optional<Identity> identity_of(const std::string& path, int stream) {
+  const auto status = path == "-" ? system::status_of(stream) : system::status_of(path);
   return status && status->is_regular ? std::optional(status->identity) : std::nullopt;
+}
+std::optional<Identity> identity_of_input(const std::string& path) { return identity_of(path, system::standard_input); }
+std::optional<Identity> identity_of_output(const std::string& path) {
+  return identity_of(path, system::standard_output);
+}
+
+Error output_over_input(const std::string& output) {
+  if (output != "-") return output_is_input(output);
+  return usage_error("standard output would overwrite an input; expected a different file; send it to another file");
 }
 
 /// Throws: Error (usage) if an output would replace an input.
 void require_not_over_inputs(const std::vector<InputFile>& files, const std::vector<Identity>& sorted_identities,
                              const OutputPaths& outputs) {
   const auto check = [&](const std::string& output, const std::string& input) {
-    const auto there = identity_of(output);
-    if (there && std::ranges::binary_search(sorted_identities, *there)) throw output_is_input(output).in(input);
+    const auto there = identity_of_output(output);
+    if (there && std::ranges::binary_search(sorted_identities, *there)) {
+      throw output_over_input(output).in(shown_name(input));
+    }
   };
   if (!outputs.folder) {
     check(outputs.file, files.front().path);
@@ -152,18 +163,19 @@ void require_not_over_inputs(const std::vector<InputFile>& files, const std::vec
 std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOptions& options) {
   std::vector<Identity> identities;
   for (InputFile& file : files) {
-    const auto status = file.path == "-" ? std::nullopt : system::status_of(file.path);
+    const bool is_stream = file.path == "-";
+    const auto status = is_stream ? system::status_of(system::standard_input) : system::status_of(file.path);
     if (!status || !status->is_regular) continue;
-    file.size = status->size;
+    if (!is_stream) file.size = status->size;
     identities.push_back(status->identity);
-    if (!options.update) continue;
+    if (!options.update || is_stream) continue;
     const auto output = system::status_of(output_path(file, options.outputs));
     file.is_current = output && status->modified <= output->modified;
   }
   std::vector<std::string> others = options.other_inputs;
   if (!options.list.empty()) others.push_back(options.list);
   for (const std::string& path : others) {
-    if (const auto identity = identity_of(path)) identities.push_back(*identity);
+    if (const auto identity = identity_of_input(path)) identities.push_back(*identity);
   }
   std::ranges::sort(identities);
   return identities;
@@ -185,9 +197,9 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs) {
 }
 
 void require_no_input_replaced(const std::string& output, const std::vector<std::string>& inputs) {
-  const auto there = identity_of(output);
+  const auto there = identity_of_output(output);
   for (const std::string& input : inputs) {
-    if (there && identity_of(input) == there) throw output_is_input(output).in(input);
+    if (there && identity_of_input(input) == there) throw output_over_input(output).in(shown_name(input));
   }
 }
 

@@ -21,9 +21,10 @@ std::vector<std::string> arguments(int argc, char** argv);
 /// The reason of the last failure in this thread.
 std::string error_text();
 
-/// Whether it was a name that exists, or that a folder was read.
+/// Whether it was a name that exists, that a folder was read, or that a pipe without a reader was written.
 bool failed_as_it_exists();
 bool failed_as_folder();
+bool failed_as_closed_pipe();
 
 struct FileStatus {
   bool is_regular = false;  ///< no folder, pipe or device
@@ -32,8 +33,11 @@ struct FileStatus {
   std::pair<std::uint64_t, std::uint64_t> identity = {};  ///< the same for all paths of a file
   unsigned permissions = 0;
 
-  /// Whether size and times are the same, too.
-  bool operator==(const FileStatus&) const = default;
+  /// Whether it is the same file, with the same size and time of modification. Where `changed` differs as well, its
+  /// contents may have changed all the same, as another program may set the time of modification.
+  bool seems_unmodified_since(const FileStatus& before) const {
+    return identity == before.identity && size == before.size && modified == before.modified;
+  }
 };
 std::optional<FileStatus> status_of(const std::string& path);
 std::optional<FileStatus> status_of(int descriptor);
@@ -48,9 +52,15 @@ int open_to_read(const std::string& path);
 int open_to_write(const std::string& path);
 int duplicate(int descriptor);
 bool close(int descriptor);
+/// Writes what the system has not yet written of a file, as far as closing it would, so that late failures are known.
+bool complete(int descriptor);
 
 /// Reads bytes as soon as there are some, and returns how many; 0 at the end.
 std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size);
+/// Reads bytes at a place of a file. What read() reads next stays the same, unless it is at the end of the file.
+std::ptrdiff_t read_at(int descriptor, std::uint64_t place, char* bytes, std::size_t size);
+/// The place in a file where the next byte is read; 0 where it has no places.
+std::uint64_t place_in(int descriptor);
 /// Writes all bytes.
 bool write(int descriptor, std::string_view bytes);
 bool go_to_begin(int descriptor);
@@ -73,6 +83,14 @@ bool set_permissions(int descriptor, unsigned permissions);
 bool replace(const std::string& name, const std::string& replaced);
 void remove(const std::string& name);
 
+/// Marks a new file as one that this program writes, until its descriptor is closed or the program ends, however it
+/// does.
+void mark_as_written(int descriptor);
+/// Whether a file has a name, as it has until another program removes it.
+bool has_name(int descriptor);
+/// Removes a file, unless a program that writes it has marked it.
+void remove_unless_written(const std::string& name);
+
 // Terminals.
 bool is_terminal(int descriptor);
 /// The number of columns of the terminal on standard error; 80 if it is not known.
@@ -85,8 +103,11 @@ bool has_colors();
 /// Ends the process at once. A handler of signals may call it, and write().
 [[noreturn]] void end_now(int exit);
 
+/// Ends the process as a system does that ends whoever writes to a pipe without a reader.
+[[noreturn]] void end_by_closed_pipe();
+
 /// From now on signals that end the program, such as that of Ctrl-C, call `end`, which ends it, unless the caller
-/// ignores them. A closed pipe ends it without a message. An output beyond the limit of the size of files is an error.
+/// ignores them. Writing to a pipe without a reader, or beyond the limit of the size of files, is an error, no signal.
 void call_when_interrupted(void (*end)());
 
 /// As before, but in a thread of its own, so that `end` may call any function; also for the other signals that end a

@@ -1,6 +1,7 @@
 // System: files, terminals and interruptions by POSIX.
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -61,6 +62,7 @@ std::vector<std::string> arguments(int argc, char** argv) { return {argv, argv +
 std::string error_text() { return std::strerror(errno); }
 bool failed_as_it_exists() { return errno == EEXIST; }
 bool failed_as_folder() { return errno == EISDIR; }
+bool failed_as_closed_pipe() { return errno == EPIPE; }
 
 std::optional<FileStatus> status_of(const std::string& path) {
   struct stat status {};
@@ -89,7 +91,15 @@ void make_older(const std::string& path, const std::string& than) {
 int open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }
 int open_to_write(const std::string& path) { return ::open(path.c_str(), O_WRONLY | O_CLOEXEC); }
 int duplicate(int descriptor) { return ::dup(descriptor); }
-bool close(int descriptor) { return ::close(descriptor) == 0; }
+
+/// An interrupted call has closed the descriptor, too.
+bool close(int descriptor) { return ::close(descriptor) == 0 || errno == EINTR; }
+
+/// File systems report late failures whenever one of the descriptors of a file is closed.
+bool complete(int descriptor) {
+  const int other = ::dup(descriptor);
+  return other >= 0 && close(other);
+}
 
 std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size) {
   ssize_t count = 0;
@@ -97,6 +107,19 @@ std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size) {
     count = ::read(descriptor, bytes, size);
   } while (count < 0 && is_to_repeat(descriptor, POLLIN));
   return count;
+}
+
+std::ptrdiff_t read_at(int descriptor, std::uint64_t place, char* bytes, std::size_t size) {
+  ssize_t count = 0;
+  do {
+    count = ::pread(descriptor, bytes, size, static_cast<off_t>(place));
+  } while (count < 0 && errno == EINTR);
+  return count;
+}
+
+std::uint64_t place_in(int descriptor) {
+  const off_t place = ::lseek(descriptor, 0, SEEK_CUR);
+  return place < 0 ? 0 : static_cast<std::uint64_t>(place);
 }
 
 bool write(int descriptor, std::string_view bytes) {
@@ -147,6 +170,21 @@ bool replace(const std::string& name, const std::string& replaced) {
 }
 void remove(const std::string& name) { (void)::unlink(name.c_str()); }
 
+/// Waits for a program that is about to remove the file.
+void mark_as_written(int descriptor) { (void)::flock(descriptor, LOCK_EX); }
+
+bool has_name(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
+
+void remove_unless_written(const std::string& name) {
+  const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) remove(name);
+  (void)::close(descriptor);
+}
+
 bool is_terminal(int descriptor) { return ::isatty(descriptor) != 0; }
 
 std::size_t terminal_width() {
@@ -163,9 +201,19 @@ bool has_colors() {
 
 void end_now(int exit) { ::_exit(exit); }
 
+void end_by_closed_pipe() {
+  (void)std::signal(SIGPIPE, SIG_DFL);
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  ::sigaddset(&signals, SIGPIPE);
+  ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  (void)std::raise(SIGPIPE);
+  end_now(128 + SIGPIPE);  // not reached
+}
+
 void call_when_interrupted(void (*end)()) {
   end_program = end;
-  (void)std::signal(SIGPIPE, SIG_DFL);
+  (void)std::signal(SIGPIPE, SIG_IGN);
   (void)std::signal(SIGXFSZ, SIG_IGN);
   sigset_t signals;
   ::sigemptyset(&signals);

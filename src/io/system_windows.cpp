@@ -128,6 +128,11 @@ bool failed_as_it_exists() {
 /// Folders cannot be opened to read; see open_to_read().
 bool failed_as_folder() { return ::GetLastError() == ERROR_DIRECTORY; }
 
+bool failed_as_closed_pipe() {
+  const DWORD code = ::GetLastError();
+  return code == ERROR_BROKEN_PIPE || code == ERROR_NO_DATA || code == ERROR_PIPE_NOT_CONNECTED;
+}
+
 std::optional<FileStatus> status_of(const std::string& path) {
   const HANDLE handle = open_handle(path, FILE_READ_ATTRIBUTES);
   if (handle == INVALID_HANDLE_VALUE) return std::nullopt;
@@ -168,6 +173,7 @@ int open_to_write(const std::string& path) { return open_descriptor(path, GENERI
 
 int duplicate(int descriptor) { return ::_dup(descriptor); }
 bool close(int descriptor) { return ::_close(descriptor) == 0; }
+bool complete(int) { return true; }
 
 std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size) {
   DWORD count = 0;
@@ -179,18 +185,29 @@ std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size) {
   return code == ERROR_BROKEN_PIPE || code == ERROR_HANDLE_EOF ? 0 : -1;
 }
 
+std::ptrdiff_t read_at(int descriptor, std::uint64_t place, char* bytes, std::size_t size) {
+  OVERLAPPED at{};
+  at.Offset = static_cast<DWORD>(place);
+  at.OffsetHigh = static_cast<DWORD>(place >> 32U);
+  DWORD count = 0;
+  constexpr std::size_t most = 1U << 30U;
+  if (::ReadFile(handle_of(descriptor), bytes, static_cast<DWORD>(std::min(size, most)), &count, &at) != 0) {
+    return static_cast<std::ptrdiff_t>(count);
+  }
+  return ::GetLastError() == ERROR_HANDLE_EOF ? 0 : -1;
+}
+
+std::uint64_t place_in(int descriptor) {
+  const std::int64_t place = ::_lseeki64(descriptor, 0, SEEK_CUR);
+  return place < 0 ? 0 : static_cast<std::uint64_t>(place);
+}
+
 bool write(int descriptor, std::string_view bytes) {
   constexpr std::size_t most = 1U << 30U;
   while (!bytes.empty()) {
     DWORD count = 0;
     const auto size = static_cast<DWORD>(std::min(bytes.size(), most));
-    if (::WriteFile(handle_of(descriptor), bytes.data(), size, &count, nullptr) == 0) {
-      const DWORD code = ::GetLastError();
-      const bool is_closed = code == ERROR_BROKEN_PIPE || code == ERROR_NO_DATA || code == ERROR_PIPE_NOT_CONNECTED;
-      constexpr int closed_pipe = 141;  // as of a process that the signal SIGPIPE ends
-      if (descriptor == standard_output && is_closed) end_now(closed_pipe);
-      return false;
-    }
+    if (::WriteFile(handle_of(descriptor), bytes.data(), size, &count, nullptr) == 0) return false;
     bytes.remove_prefix(count);
   }
   return true;
@@ -234,6 +251,16 @@ bool replace(const std::string& name, const std::string& replaced) {
 
 void remove(const std::string& name) { (void)::DeleteFileW(native(name).c_str()); }
 
+/// A file that is open is marked: nobody can open it without sharing it.
+void mark_as_written(int) {}
+bool has_name(int) { return true; }
+
+void remove_unless_written(const std::string& name) {
+  const HANDLE handle =
+      ::CreateFileW(native(name).c_str(), DELETE, 0, nullptr, OPEN_EXISTING, FILE_FLAG_DELETE_ON_CLOSE, nullptr);
+  if (handle != INVALID_HANDLE_VALUE) ::CloseHandle(handle);
+}
+
 bool is_terminal(int descriptor) {
   DWORD mode = 0;
   return ::GetConsoleMode(handle_of(descriptor), &mode) != 0;
@@ -258,6 +285,11 @@ bool has_colors() {
 void end_now(int exit) {
   ::TerminateProcess(::GetCurrentProcess(), static_cast<UINT>(exit));
   std::abort();  // not reached
+}
+
+void end_by_closed_pipe() {
+  constexpr int closed_pipe = 141;  // as of a process that the signal SIGPIPE ends
+  end_now(closed_pipe);
 }
 
 void call_when_interrupted(void (*end)()) { call_in_thread_when_interrupted(end); }

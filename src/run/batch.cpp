@@ -2,8 +2,8 @@
 #include "run/batch.hpp"
 
 #include <atomic>
-#include <new>
 #include <optional>
+#include <set>
 
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
@@ -27,12 +27,8 @@ struct FileOutcome {
 FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& convert) {
   try {
     return {convert(file, threads), {}};
-  } catch (const Error& error) {
-    return {0, error.in(file.path)};
-  } catch (const std::bad_alloc&) {
-    return {0, out_of_memory().in(file.path)};
-  } catch (const std::exception& error) {
-    return {0, unexpected_failure(error.what()).in(file.path)};
+  } catch (const std::exception& failure) {
+    return {0, failure_of(failure).in(file.path)};
   }
 }
 
@@ -74,10 +70,19 @@ Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Repo
 
 namespace {
 
+/// Removes the temporary files that an ended program left beside the outputs.
+void remove_left_temporaries(const Inputs& inputs, const OutputPaths& paths) {
+  std::set<std::string> folders;
+  for (const InputFile& file : inputs.files) folders.insert(folder_of(output_path(file, paths)));
+  for (const std::string& folder : folders) tcb::remove_left_temporaries(folder);
+}
+
 /// An output for each file.
-Exit convert_each(const Inputs& inputs, const OutputPaths& paths, bool fail_fast, unsigned threads, Report& report,
+Exit convert_each(const Inputs& inputs, const InputListOptions& files, bool fail_fast, unsigned threads, Report& report,
                   const OpenOutput& open) {
+  const OutputPaths& paths = files.outputs;
   make_folder(*paths.folder);
+  if (files.update) remove_left_temporaries(inputs, paths);
   const auto convert = [&](const InputFile& file, unsigned some) {
     const std::string path = output_path(file, paths);
     if (file.inside > 0) make_folder(folder_of(path));
@@ -85,9 +90,9 @@ Exit convert_each(const Inputs& inputs, const OutputPaths& paths, bool fail_fast
     const std::unique_ptr<BatchOutput> output = open(path);
     const std::uint64_t rows = output->add(file, some);
     output->commit();
-    if (input.has_changed()) {
+    if (const FileChange change = input.change(); change != FileChange::none) {
       system::make_older(path, file.path);
-      report.warning(file.path, changed_after_reading());
+      report.warning(file.path, changed_after_reading(change == FileChange::contents));
     }
     return rows;
   };
@@ -119,7 +124,7 @@ Exit convert_files(const InputListOptions& files, bool fail_fast, const ThreadOp
   std::uintmax_t bytes = 0;
   for (const InputFile& file : inputs.files) bytes += file.size;
   report.expect(inputs.files.size(), bytes);
-  if (paths.folder) return convert_each(inputs, paths, fail_fast, threads.count(), report, open);
+  if (paths.folder) return convert_each(inputs, files, fail_fast, threads.count(), report, open);
   convert_together(inputs, paths.file, threads.count(), open);
   return Exit::done;
 }

@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
 #include "option_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -21,9 +25,16 @@ Error group_without_places(const std::vector<std::string>& curve) {
                                   fmt::join(curve, ", "))};
 }
 
-Error out_of_memory() { return {Exit::usage, "out of memory"}; }
-
-Error unexpected_failure(const char* what) { return {Exit::usage, what}; }
+Error failure_of(const std::exception& failure) {
+  if (const auto* const error = dynamic_cast<const Error*>(&failure)) return *error;
+  const bool is_memory = dynamic_cast<const std::bad_alloc*>(&failure) != nullptr ||
+                         dynamic_cast<const std::length_error*>(&failure) != nullptr;
+  if (is_memory) return usage_error("out of memory");
+  if (const auto* const refused = dynamic_cast<const std::system_error*>(&failure)) {
+    return usage_error("the system refused a part of the work: {}", refused->code().message());
+  }
+  return usage_error("the program failed by a fault of its own, and wrote no output; report the command and its input");
+}
 
 Error duration_of_frames(std::string_view time) {
   return {Exit::usage,

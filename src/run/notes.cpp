@@ -141,9 +141,9 @@ Note step_is(std::string_view step) { return {fmt::format("the step is {}", step
 
 Note skipped_rows(std::uint64_t rows) { return {fmt::format("rows skipped for missing numbers: {}", rows)}; }
 
-Note changed_after_reading() {
-  return {fmt::format("the file changed after it was read; its output has the earlier keys, and {} makes it again",
-                      option::update)};
+Note changed_after_reading(bool is_certain) {
+  return {fmt::format("the file {} after it was read; its output has the earlier keys, and {} makes it again",
+                      is_certain ? "changed" : "may have changed", option::update)};
 }
 
 Note other_program(std::string_view earlier, std::string_view current) {

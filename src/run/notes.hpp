@@ -57,8 +57,8 @@ Note rows_within(std::uint64_t rows, std::uint64_t least);
 Note rounded_numbers(const LevelCounts& counts);
 Note step_is(std::string_view step);
 Note skipped_rows(std::uint64_t rows);
-/// An input changed after its last byte was read.
-Note changed_after_reading();
+/// An input changed after its last byte was read, or only its links, name or mode did.
+Note changed_after_reading(bool is_certain);
 /// An earlier output is made again by another version.
 Note other_program(std::string_view earlier, std::string_view current);
 

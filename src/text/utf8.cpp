@@ -105,7 +105,11 @@ std::string printable(std::string_view text) { return shown_text(text, text.size
 
 std::string in_one_line(std::string_view text) {
   std::string out;
-  for (const char c : text) out += is_control({&c, 1}) ? escaped({&c, 1}) : std::string(1, c);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view character = text.substr(at, std::max<std::size_t>(character_size(text.substr(at)), 1));
+    at += character.size();
+    out += is_control(character) ? escaped(character) : std::string(character);
+  }
   return out;
 }
 

@@ -43,7 +43,7 @@ std::string in_quotes(std::string_view text);
 /// of files and columns may have, as \xNN.
 std::string printable(std::string_view text);
 
-/// Text as a file holds it in one line: with the control characters of ASCII as \xNN.
+/// Text as a file holds it in one line: with the bytes of control characters as \xNN; invalid bytes remain.
 std::string in_one_line(std::string_view text);
 
 }  // namespace tcb

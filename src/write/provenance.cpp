@@ -19,8 +19,13 @@ std::string line(std::string_view name, const std::string& value) {
   return fmt::format("# {}: {}\n", name, in_one_line(value));
 }
 
+/// A text as a JSON string, which is UTF-8: a name of a file or a word of the command line may have other bytes.
+std::string json_word(std::string_view text) {
+  return json_text(find_invalid_utf8(text) == std::string::npos ? std::string(text) : printable(text));
+}
+
 std::string member(std::string_view name, std::string_view value) {
-  return fmt::format("{}:{}", json_text(name), json_text(value));
+  return fmt::format("{}:{}", json_text(name), json_word(value));
 }
 
 /// The results of an input, if there are any.
@@ -32,7 +37,7 @@ Facts results_of(const Provenance& provenance, std::size_t input) {
 std::string json_member(const Provenance& provenance) {
   std::string out = "\"meta\":{" + member("program", provenance.program), options, inputs;
   for (const auto& [name, value] : provenance.rules) out += "," + member(name, value);
-  for (const std::string& option : provenance.options) options += (options.empty() ? "" : ",") + json_text(option);
+  for (const std::string& option : provenance.options) options += (options.empty() ? "" : ",") + json_word(option);
   for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
     const auto& [name, digest] = provenance.inputs[i];
     inputs += fmt::format("{}{{{},{}", inputs.empty() ? "" : ",", member("name", name), member("sha256", digest));
@@ -58,7 +63,7 @@ std::string text_after_rows(const Provenance& provenance, FormatId format) {
   if (format_of(format).family != FormatFamily::delimited) return "{" + json_member(provenance) + "}\n";
   std::string out;
   for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
-    out += line("input", provenance.inputs[i].first) + line("sha256", provenance.inputs[i].second);
+    out += line("input", printable(provenance.inputs[i].first)) + line("sha256", provenance.inputs[i].second);
     for (const auto& [name, value] : results_of(provenance, i)) out += line(name, value);
   }
   for (const auto& [name, count] : {std::pair{"curves", provenance.curves}, std::pair{"keys", provenance.keys},

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <array>
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include "io/file_fixture.hpp"
 #include "io/sha256.hpp"
@@ -54,14 +57,70 @@ TEST_F(FileTest, what_cannot_be_read_is_refused) {
 TEST_F(FileTest, a_change_is_seen_also_with_the_old_size_and_time) {
   const std::string file = made("in", "abc");
   const ChangeWatch watch(file), none(path("none")), standard_input("-");
-  EXPECT_FALSE(watch.has_changed());
+  EXPECT_EQ(watch.change(), FileChange::none);
   struct stat before {};
   ASSERT_EQ(::stat(file.c_str(), &before), 0);
   made("in", "abd");
   const timespec times[2] = {before.st_atim, before.st_mtim};
   ASSERT_EQ(::utimensat(AT_FDCWD, file.c_str(), times, 0), 0);
-  EXPECT_TRUE(watch.has_changed());
-  EXPECT_FALSE(none.has_changed() || standard_input.has_changed());
+  EXPECT_EQ(watch.change(), FileChange::contents_or_status);
+  made("in", "abcd");
+  EXPECT_EQ(watch.change(), FileChange::contents);
+  EXPECT_EQ(none.change(), FileChange::none);
+  EXPECT_EQ(standard_input.change(), FileChange::none);
+}
+
+/// Reads a file of several parts, and calls change(path) after the first one. The bytes, or the error.
+template <class Change>
+std::string read_while(const std::string& file, const Change& change) {
+  return error_of([&] {
+    const auto source = read_file(file);
+    std::string bytes = source().value();
+    change(file);
+    while (const auto more = source()) bytes += *more;
+    throw Error(Exit::done, std::to_string(bytes.size()));
+  });
+}
+
+TEST_F(FileTest, links_names_and_modes_may_change_while_a_file_is_read) {
+  const std::string text(600'000, 'x'), whole = "data: tcbsample: error: 600000";
+  const auto times = [](const std::string& file) {
+    struct stat status {};
+    EXPECT_EQ(::stat(file.c_str(), &status), 0);
+    return std::array{status.st_atim, status.st_mtim};
+  };
+  EXPECT_EQ(read_while(made("mode", text), [](const std::string& file) { ::chmod(file.c_str(), 0600); }), whole);
+  EXPECT_EQ(read_while(made("link", text), [](const std::string& file) { fs::create_hard_link(file, file + ".2"); }),
+            whole);
+  EXPECT_EQ(read_while(made("name", text), [](const std::string& file) { fs::rename(file, file + ".2"); }), whole);
+  EXPECT_EQ(read_while(made("none", text), [](const std::string& file) { fs::remove(file); }), whole);
+  for (const long place : {0L, 300'000L, 599'999L}) {
+    const auto change = [&](const std::string& file) {
+      const auto before = times(file);
+      const int other = ::open(file.c_str(), O_WRONLY);
+      EXPECT_EQ(::pwrite(other, "y", 1, place), 1);
+      ::close(other);
+      EXPECT_EQ(::utimensat(AT_FDCWD, file.c_str(), before.data(), 0), 0);
+    };
+    const std::string file = made("same", text);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // so that the change has another time
+    const std::string result = read_while(file, change);
+    // What is not read yet is read as it is then.
+    EXPECT_TRUE(place == 0 ? result.find("the file changed while it was read") != std::string::npos : result == whole)
+        << result;
+  }
+}
+
+TEST_F(FileTest, standard_input_that_begins_within_a_file_may_change_its_mode) {
+  const std::string file = made("in", std::string(600'000, 'x'));
+  const int opened = ::open(file.c_str(), O_RDONLY);
+  ASSERT_EQ(::lseek(opened, 5, SEEK_SET), 5);
+  replace(0, opened);
+  const auto source = read_file("-");
+  std::size_t size = source().value().size();
+  ASSERT_EQ(::chmod(file.c_str(), 0600), 0);
+  while (const auto more = source()) size += more->size();
+  EXPECT_EQ(size, 599'995U);
 }
 
 TEST_F(FileTest, names_for_messages) {

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "error.hpp"
+#include "run/errors.hpp"
 
 namespace {
 
@@ -48,6 +52,22 @@ TEST(Batch, a_file_that_fails_does_not_stop_the_others) {
     EXPECT_EQ(errors,
               "0: error: it is a three\n3: error: it is a three\n6: error: it is a three\n9: error: it is a three\n");
   }
+}
+
+TEST(Batch, texts_of_libraries_reach_nobody) {
+  const auto message = [](const std::exception& failure) { return tcb::failure_of(failure).message(); };
+  EXPECT_EQ(message(Error(Exit::data, "of a person")), "of a person");
+  EXPECT_EQ(message(std::bad_alloc()), "out of memory");
+  EXPECT_EQ(message(std::length_error("basic_string::append")), "out of memory");
+  EXPECT_EQ(message(std::system_error(std::make_error_code(std::errc::filename_too_long), "status")),
+            "the system refused a part of the work: File name too long");
+  EXPECT_EQ(message(std::out_of_range("vector::_M_range_check")),
+            "the program failed by a fault of its own, and wrote no output; report the command and its input");
+  const auto fail = [](const InputFile&, unsigned) -> std::uint64_t { throw std::runtime_error("of a library"); };
+  const auto [errors, summary] =
+      run([&](tcb::Report& report) { return convert_all(numbered_files(1), false, 1, report, fail); });
+  EXPECT_EQ(errors.find("of a library"), std::string::npos) << errors;
+  EXPECT_EQ(summary.failed, 1);
 }
 
 TEST(Batch, with_fail_fast_the_first_failure_ends_the_batch) {
