@@ -30,7 +30,8 @@ TEST(Utf8, the_first_invalid_byte_is_found) {
 
 TEST(Utf8, control_characters_are_escaped_in_one_line) {
   EXPECT_EQ(in_one_line("a\nb\x7F\xC3\xBC"), "a\\x0Ab\\x7F\xC3\xBC");
-  EXPECT_EQ(in_one_line("\xC2\x85\xE2\x80\xA8\x85"), "\\xC2\\x85\\xE2\\x80\\xA8\x85") << "NEL and LS; a byte alone remains";
+  EXPECT_EQ(in_one_line("\xC2\x85\xE2\x80\xA8\x85"), "\\xC2\\x85\\xE2\\x80\\xA8\x85")
+      << "NEL and LS; a byte alone remains";
   EXPECT_EQ(printable("\xC2\x9B"
                       "31m"),
             "\\xC2\\x9B31m")
