@@ -34,18 +34,19 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"exact", {"sample", "keys", "schema", "tcb", "stream", "text", "numbers", "error"}},
     {"write", {"sample", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
     {"run", {"read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
-    // The products beside resampling share the stages of run/.
-    {"plot", {"run", "read", "keys", "sample", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
+    {"picture", {"keys", "sample", "schema", "tcb", "stream", "text", "numbers", "error"}},
+    // The products beside resampling share the stages of run/ and the pictures, and do not know each other.
+    {"plot", {"picture", "run", "read", "keys", "sample", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
     {"check",
-     {"plot", "run", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io", "error"}},
-    // The picture of a fit is that of a check of the recording against the fitted keys.
+     {"picture", "run", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io",
+      "error"}},
     {"fit",
-     {"check", "plot", "run", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io",
+     {"picture", "run", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers", "io",
       "error"}},
     // The command line makes the job of a product.
     {"cli",
-     {"fit", "check", "plot", "run", "read", "keys", "sample", "write", "schema", "tcb", "text", "numbers", "io",
-      "error"}},
+     {"fit", "check", "plot", "picture", "run", "read", "keys", "sample", "write", "schema", "tcb", "text", "numbers",
+      "io", "error"}},
     {"main", {"cli", "fit", "check", "plot", "run", "io", "error"}},
 };
 

@@ -1,24 +1,30 @@
 // Check: rows paired with curves, their distances from the computed numbers, and the limits for these.
 #include "check/check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
-#include "check/coverage.hpp"
-#include "check/errors.hpp"
-#include "check/problems.hpp"
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
+#include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
+#include "run/curve_pipeline.hpp"
+#include "sample/fields.hpp"
 #include "sample/look_up.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
+#include "schema/texts.hpp"
 #include "stream/ordered_map.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 
@@ -53,14 +59,15 @@ Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
       break;
     }
     if (rows.size() == 0)
-      result.problems.push_back(curve_without_rows(group_title(names, curve.group)));
+      result.problems.push_back(fmt::format("curve {} has no rows", listed(group_title(names, curve.group))));
     else
       result.pairs.push_back({&curve, std::move(rows)});
   }
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) continue;
     const SampleRows& rows = table.curves[i];
-    result.problems.push_back(rows_without_curve(group_title(names, rows.group), rows.lines.at(0)));
+    result.problems.push_back(fmt::format("curve {} has no keys; its rows are in line {} and below",
+                                          listed(group_title(names, rows.group)), rows.lines.at(0)));
   }
   return result;
 }
@@ -80,7 +87,8 @@ Pairs pair_up(const KeptCurves& kept, SampleTable& table) {
   const std::size_t both = std::min(kept.curves.size(), table.curves.size());
   for (std::size_t i = 0; i < both; ++i) result.pairs.push_back({&kept.curves[i], std::move(table.curves[i])});
   if (kept.curves.size() != table.curves.size()) {
-    result.problems.push_back(curve_counts_differ(table.curves.size(), kept.curves.size(), both));
+    result.problems.push_back(fmt::format("number of curves: {} in the rows, {} in the keys, {} compared",
+                                          table.curves.size(), kept.curves.size(), both));
   }
   return result;
 }
@@ -121,9 +129,13 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
   if (off_curve > 0) {
     const auto& [row, place] = first_off;
     const bool has_place = place == place;
-    result.off_curve = has_place ? rows_off_curve(off_curve, rows.lines[row], columns.by_length, time_text(place),
-                                                  time_text(place < first ? first : last))
-                                 : rows_without_place(off_curve, rows.lines[row]);
+    result.off_curve =
+        has_place
+            ? fmt::format("rows outside the curve: {}; the first, in line {}, has {} {}; {} of the curve is {}",
+                          off_curve, rows.lines[row], columns.by_length ? "arc length" : "time", time_text(place),
+                          columns.by_length ? "the nearest one" : "the nearest time",
+                          time_text(place < first ? first : last))
+            : fmt::format("rows without a time or arc length: {}; the first is in line {}", off_curve, rows.lines[row]);
   }
   return result;
 }
@@ -153,6 +165,142 @@ void for_each_row(const SampleRows& given, const Places& places, const MatchedCo
       use(places.rows[next++], row);
     }
   }
+}
+
+namespace {
+
+/// How the rows of a curve differ from those that are expected.
+struct RowCounts {
+  std::uint64_t expected = 0, found = 0;
+  std::uint64_t missing = 0;       ///< expected, but not found
+  std::uint64_t surplus = 0;       ///< found, but not expected
+  std::uint64_t surplus_line = 0;  ///< of the first of these
+  // Times or arc lengths:
+  std::string first_missing = {}, first_surplus = {}, last_found = {};
+};
+
+/// The problem of rows that differ.
+std::string rows_not_as_expected(const RowCounts& counts) {
+  std::string text = fmt::format("rows: {} expected, {} found", counts.expected, counts.found);
+  if (counts.missing > 0) text += fmt::format("; missing: {}, the first at {}", counts.missing, counts.first_missing);
+  if (counts.surplus > 0) {
+    text += fmt::format("; not expected: {}, the first in line {} at {}", counts.surplus, counts.surplus_line,
+                        counts.first_surplus);
+  }
+  return text + (counts.last_found.empty() ? "" : fmt::format("; the last row found is at {}", counts.last_found));
+}
+
+/// The number that is read from the text of a place.
+double as_printed(const Time& place, const Notation& notation) {
+  std::string text(longest_number_in(notation) + spare_room, '\0');
+  text.resize(static_cast<std::size_t>(write_time(place, notation, text.data()) - text.data()));
+  return parse_number(text).value_or(place.hi);
+}
+
+/// Decides which rows are the expected ones.
+class RowMatcher {
+ public:
+  RowMatcher(std::span<const Time> expected, const Notation& notation, const Limits& limits)
+      : expected_(expected), notation_(notation), limits_(limits) {
+    if (!expected.empty()) rounding_ = billionth * (expected.back() - expected.front()).hi;
+  }
+
+  /// Whether a row here is the expected one with this index.
+  bool is_row(std::size_t index, const Time& place) const {
+    const Time& wanted = expected_[index];
+    const double apart = std::abs((place - wanted).hi);
+    if (apart <= rounding_ || apart < part_of_gap * gap(index)) return true;
+    if (limits_.admit(distance(place.hi, wanted.hi))) return true;
+    const bool is_rounded = notation_.kind == Notation::Kind::digits || notation_.kind == Notation::Kind::fixed;
+    return is_rounded && as_printed(wanted, notation_) == place.hi;
+  }
+
+ private:
+  static constexpr double billionth = 1e-9;
+  static constexpr double part_of_gap = 0.125;  ///< more than two decimals round off at 24 rows per second
+
+  /// From an expected row to the nearest other one, which may be at the same place; 0 if there is none.
+  double gap(std::size_t index) const {
+    const auto row = expected_.begin() + static_cast<std::ptrdiff_t>(index);
+    const bool is_last = index + 1 == expected_.size();
+    if (index == 0) return is_last ? 0 : (row[1] - *row).hi;
+    const double before = (*row - row[-1]).hi;
+    return is_last ? before : std::min(before, (row[1] - *row).hi);
+  }
+
+  std::span<const Time> expected_;
+  const Notation& notation_;
+  const Limits& limits_;
+  double rounding_ = 0;  ///< differences up to this are those of rounding
+};
+
+}  // namespace
+
+std::vector<Time> expected_places(const ExpectedSamples& expected, const Comparison& comparison,
+                                  const ComparisonInputs& inputs, const KeptCurve& curve) {
+  const std::vector<std::size_t> fields{field_of(inputs.columns.by_length ? "s" : "time")};
+  const Schema& schema = inputs.kept.schema;
+  CurveSettings rules = comparison.keys.rules;
+  if (!rules.metric) rules.metric = expected.metric;
+  const CurveRequest request{.samples = expected.samples.of({curve.group, curve.curve_info, {}}, schema),
+                             .rules = rules,
+                             .fields = fields,
+                             .threads = inputs.threads};
+  CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info);
+  const PlacedCurve placed = pipeline.place(curve.keys());
+  std::vector<Time> places;
+  while (const std::optional<SampleBlock> block = placed.blocks()) {
+    const Table rows = placed.evaluate(*block, fields);
+    places.insert(places.end(), rows.cells.begin(), rows.cells.end());
+  }
+  std::ranges::sort(places, std::less<>());
+  return places;
+}
+
+std::optional<std::string> rows_differ(std::span<const Time> expected, const Places& found, const SampleRows& rows,
+                                       const Notation& notation, const Limits& limits) {
+  std::vector<std::size_t> order(found.places.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::less<>(), [&](std::size_t i) { return found.places[i]; });
+  const RowMatcher matcher(expected, notation, limits);
+  RowCounts counts{expected.size(), order.size()};
+  const auto miss = [&](std::size_t row) {
+    if (counts.missing++ == 0) counts.first_missing = time_text(expected[row]);
+  };
+  const auto refuse = [&](std::size_t index) {
+    if (counts.surplus++ > 0) return;
+    counts.first_surplus = time_text(found.places[index]);
+    counts.surplus_line = rows.lines[found.rows[index]];
+  };
+  std::size_t row = 0, next = 0;
+  while (row < expected.size() && next < order.size()) {
+    const Time& place = found.places[order[next]];
+    if (matcher.is_row(row, place)) {
+      ++row;
+      ++next;
+    } else if (place < expected[row]) {
+      refuse(order[next++]);
+    } else {
+      miss(row++);
+    }
+  }
+  for (; row < expected.size(); ++row) miss(row);
+  for (; next < order.size(); ++next) refuse(order[next]);
+  if (counts.missing == 0 && counts.surplus == 0) return std::nullopt;
+  if (!order.empty()) counts.last_found = time_text(found.places[order.back()]);
+  return rows_not_as_expected(counts);
+}
+
+Coverage coverage_of(const KeptCurve& curve, const ComparisonInputs& inputs, const WholeCurve& whole,
+                     const Places& found) {
+  Coverage coverage{group_title(inputs.kept.schema.groups, curve.group), inputs.place_name()};
+  coverage.first = inputs.columns.by_length ? Time(0.0) : whole.extent.first;
+  coverage.last = inputs.columns.by_length ? Time(whole.curve->curve().length().value) : *whole.extent.last;
+  coverage.rows = found.places.size();
+  if (found.places.empty()) return coverage;
+  const auto [least, most] = std::ranges::minmax(found.places, std::less<>());
+  coverage.covered = {least, most};
+  return coverage;
 }
 
 namespace {
@@ -227,7 +375,9 @@ void require_columns(const Comparison& comparison, const ComparisonInputs& input
         std::pair{option::ulp, &comparison.ulp}}) {
     for (const Tolerance& tolerance : *tolerances) {
       if (tolerance.column.empty() || std::ranges::count(known, tolerance.column) > 0) continue;
-      throw tolerance_of_unknown_column(tolerance.column, known).about(name);
+      throw usage_error("no column {} is compared; expected one of {}{}", in_quotes(tolerance.column), listed(known),
+                        did_you_mean(tolerance.column, known))
+          .about(name);
     }
   }
 }
@@ -248,7 +398,9 @@ void check_coverage(const Pair& pair, const Comparison& comparison, const Compar
   }
   coverage.expected_rows = places.size();
   const auto problem = rows_differ(places, found, pair.rows, expected->notation, limits);
-  if (problem) result.problems.push_back(of_curve(coverage.curve, *problem));
+  if (!problem) return;
+  result.problems.push_back(coverage.curve.empty() ? *problem
+                                                   : fmt::format("curve {}: {}", listed(coverage.curve), *problem));
 }
 
 /// Compares the rows of one curve.

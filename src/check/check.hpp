@@ -12,6 +12,7 @@
 #include "check/comparison.hpp"
 #include "check/inputs.hpp"
 #include "run/curve_pipeline.hpp"
+#include "tcb/spline/key.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -106,6 +107,21 @@ struct Places {
 /// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
                  const WholeCurve& curve, const Limits& limits);
+
+/// The places that the rows of a curve should have, in increasing order: arc lengths if the given rows are at these,
+/// otherwise times. Throws: Error if the request does not fit the curve.
+std::vector<Time> expected_places(const ExpectedSamples& expected, const Comparison& comparison,
+                                  const ComparisonInputs& inputs, const KeptCurve& curve);
+
+/// Compares the rows of a curve with those that are expected. A row counts as the expected one from which it
+/// is less than an eighth of the way to the next one, within `limits`, or different only as printed in `notation`.
+/// Nothing: they are the same; otherwise the problem.
+std::optional<std::string> rows_differ(std::span<const Time> expected, const Places& found, const SampleRows& rows,
+                                       const Notation& notation, const Limits& limits);
+
+/// The part of a curve that its rows cover.
+Coverage coverage_of(const KeptCurve& curve, const ComparisonInputs& inputs, const WholeCurve& whole,
+                     const Places& found);
 
 /// Calls `use` for each of the rows, in order, with its cells. They are aligned with the given row. Throws: Error
 /// (data) for a number beyond the range.

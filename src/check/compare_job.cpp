@@ -1,15 +1,17 @@
 // Compare job: checks samples, or identifies the rules that made them, from both files to the report.
 #include "check/compare_job.hpp"
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "check/check.hpp"
-#include "check/check_picture.hpp"
 #include "check/ranking.hpp"
 #include "check/report.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_list.hpp"
+#include "picture/differences.hpp"
 #include "run/progress.hpp"
 #include "stream/ordered_map.hpp"
 
@@ -23,8 +25,63 @@ Exit write(const CompareJob& job, const std::string& report, bool agrees) {
   return agrees ? Exit::done : Exit::data;
 }
 
+/// Draws curves that are compared.
+class ComparisonPicture {
+ public:
+  explicit ComparisonPicture(const PictureOptions& options) : picture_(options) {}
+
+  /// Adds a curve with the samples that are on it. Throws: Error (data) if no position is compared.
+  void add(const CheckedPair& pair) {
+    if (!picture_.has_begun()) begin(pair.inputs);
+    if (picture_.is_full()) return;
+    CurvePipeline pipeline = pair.pipeline;
+    const StoredCurve stored = pipeline.stored(pair.curve.keys(), false);
+    picture_.add(stored.keys, with_rotations_as_cubics(stored.segments, pipeline.facts().spec.channels()),
+                 stored.closed, samples_of(pair));
+  }
+
+  std::string svg(const ComparisonSummary& files, const std::string& result) {
+    return picture_.svg(files.keys, files.file, result);
+  }
+
+ private:
+  void begin(const ComparisonInputs& inputs) {
+    const std::vector<std::string>& channels = inputs.kept.schema.channels;
+    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+      const auto column = std::ranges::find(inputs.columns.compared, channels[channel], &MatchedColumn::name);
+      if (column == inputs.columns.compared.end()) continue;
+      channels_.push_back(channel);
+      given_.push_back(column->given);
+    }
+    if (channels_.empty()) throw no_position_column(channels);
+    picture_.begin(inputs.kept.schema, channels_, inputs.keys, inputs.file);
+  }
+
+  std::vector<ComparedSample> samples_of(const CheckedPair& pair) const {
+    MatchedColumns columns = pair.inputs.columns;
+    columns.fields = {field_of("time"), field_of("position")};
+    const std::vector<std::string>& names = pair.inputs.kept.schema.channels;
+    for (MatchedColumn& column : columns.compared) {
+      column.computed = 1 + static_cast<std::size_t>(std::ranges::find(names, column.name) - names.begin());
+    }
+    std::vector<ComparedSample> samples;
+    for_each_row(pair.rows, pair.places, columns, pair.indexed, pair.side, pair.inputs.threads,
+                 [&](std::size_t row, std::span<const Cell> cells) {
+                   ComparedSample& sample = samples.emplace_back(ComparedSample{cells[0], {}, {}});
+                   const auto given = pair.rows.row(row);
+                   for (const std::size_t column : given_) sample.given.push_back(given[column]);
+                   for (const std::size_t channel : channels_) sample.computed.push_back(cells[1 + channel].hi);
+                 });
+    return samples;
+  }
+
+  DifferencePicture picture_;
+  std::vector<std::size_t> channels_;  ///< of the keys: those that are compared
+  std::vector<std::size_t> given_;     ///< their columns in the table of samples
+};
+
 Exit draw(const CompareJob& job, FileProgress* progress) {
-  CheckPicture picture(job.picture);
+  ComparisonPicture picture(job.picture);
   const auto observe = [&picture](const CheckedPair& pair) { picture.add(pair); };
   if (!job.identify) {
     const Check result = check(job.comparison, observe, progress);

@@ -6,7 +6,7 @@
 
 #include "check/comparison.hpp"
 #include "error.hpp"
-#include "plot/picture.hpp"
+#include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "schema/formats.hpp"
 

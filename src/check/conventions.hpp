@@ -61,7 +61,7 @@ ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs&
 /// the rules of positions, or those of a preset.
 std::vector<Convention> conventions(std::size_t orders, const ComparedParts& parts);
 
-/// The same convention with all pairs of different rules for the two ends.
+/// The convention with all pairs of different rules for the two ends.
 std::vector<Convention> with_mixed_ends(const Convention& convention);
 
 /// The settings of a convention. Requires: `others` have no rules.

@@ -1,20 +1,88 @@
-// Inputs of a comparison: curves with their keys in memory, samples, and their columns that are compared.
+// Inputs of a comparison: curves with their keys in memory, samples, and which of their columns are compared.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check/comparison.hpp"
-#include "check/matched_columns.hpp"
-#include "check/sample_table.hpp"
+#include "error.hpp"
+#include "read/earlier_output.hpp"
 #include "run/progress.hpp"
+#include "sample/fields.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+/// The samples of one curve. `numbers` has a number for each column, row after row; a missing one is NaN.
+struct SampleRows {
+  std::vector<std::string> group;  ///< texts as in schema/texts.hpp
+  std::vector<spline::Time<double>> times;
+  std::vector<double> numbers;
+  std::vector<std::uint64_t> lines;
+
+  std::size_t size() const { return lines.size(); }
+  std::span<const double> row(std::size_t i) const {
+    const std::size_t width = numbers.size() / size();
+    return std::span(numbers).subspan(i * width, width);
+  }
+};
+
+/// The samples of a file.
+struct SampleTable {
+  bool named = false;                ///< its columns have names
+  bool timed = false;                ///< it has times
+  std::string time;                  ///< name of their column
+  std::vector<std::string> columns;  ///< names of all other columns of numbers
+  std::vector<std::string> ignored;  ///< names of the columns of text
+  std::vector<SampleRows> curves;
+  std::optional<EarlierOutput> provenance = {};  ///< if it is read
+};
+
+/// Reads samples of the curves of `keys` from the bytes of `comparison.file`, to its end. Format, header and delimiter
+/// are detected as in keys; the decimal mark is a comma if cells are separated by semicolons or tabs and no number has
+/// a point. `time_place`: in a file without names, how many columns are before the time, without groups; nothing: none
+/// is the time. Throws: Error.
+SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes, const Schema& keys,
+                         std::optional<std::size_t> time_place);
+
+/// A column of the samples that is also one of the curve's rows.
+struct MatchedColumn {
+  std::string name;
+  std::size_t given;     ///< index into SampleTable::columns
+  std::size_t computed;  ///< index into the cells of a row with the chosen fields
+};
+
+struct MatchedColumns {
+  std::vector<std::size_t> fields;  ///< indices into fields(), whose cells make a row of the curve
+  std::vector<MatchedColumn> compared;
+  std::vector<std::array<std::size_t, 4>> rotations = {};  ///< indices into compared, of the numbers of each
+  std::vector<std::pair<std::size_t, bool>> angles = {};   ///< index into compared, and whether it is in degrees
+  std::optional<std::size_t> place;   ///< index into SampleTable::columns: the places of the samples, if not the times
+  bool by_length = false;             ///< the places are arc lengths
+  std::vector<std::string> ignored;   ///< names of columns that are intentionally not compared
+  std::vector<std::string> problems;  ///< of columns that are missing or unknown
+
+  /// Negates computed quaternions and turns computed angles by whole turns where that is nearer to the given row, as
+  /// these are the same.
+  void align(std::span<Cell> computed, std::span<const double> given_row) const;
+};
+
+/// Matches columns with the given fields, or if none are given, with all fields whose columns the table names. A
+/// table without names has the columns of the given fields, or else the time and the positions.
+/// Throws: Error (data) if nothing can be compared.
+MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given);
+
+/// How many columns the fields have before the time; nothing: the time is not among them.
+std::optional<std::size_t> columns_before_time(const std::vector<std::size_t>& fields, const Schema& keys);
 
 /// A curve whose keys can be read more than once.
 struct KeptCurve {
@@ -36,6 +104,9 @@ struct KeptCurves {
 
 /// Reads the curves from the bytes of `comparison.keys_file`. Throws: Error.
 KeptCurves keep_curves(const Comparison& comparison, Source<std::string> bytes);
+
+/// The error of samples without a column of positions; `channels`: those of the keys.
+Error no_position_column(const std::vector<std::string>& channels);
 
 /// Both files of a comparison.
 struct ComparisonInputs {

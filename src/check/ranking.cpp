@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "check/errors.hpp"
 #include "error.hpp"
 #include "sample/build.hpp"
 #include "stream/ordered_map.hpp"
@@ -206,7 +205,12 @@ void rank(Identification& result, const CurveSettings& rules, const ComparisonIn
           const std::vector<GivenSamples>& samples) {
   const Comparer comparer(rules, inputs, result.orders, result.parts);
   find_rows(comparer, samples, result);
-  if (result.rows == 0) throw no_row_on_curve(result.problems).in(inputs.file);
+  if (result.rows == 0) {
+    Error error =
+        data_error("no row is on the curve of the keys; expected at least one row; give samples of the same curve");
+    for (const std::string& problem : result.problems) error.add({Exit::data, problem});
+    throw error.in(inputs.file);
+  }
   const Subset subset = subset_of(samples, inputs, result.parts);
   const auto rank_by = [&](const std::vector<GivenSamples>& rows, const std::vector<Convention>& some) {
     return ranked(compared_conventions(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows),
@@ -221,7 +225,7 @@ void rank(Identification& result, const CurveSettings& rules, const ComparisonIn
   result.conventions = all.size();
   result.ranking = rank_some(all);
   if (!result.ranking.candidates.front().worst) {
-    throw no_number_in_samples().in(inputs.file);
+    throw data_error("no row has a number to compare; expected at least one; give other samples").in(inputs.file);
   }
   if (result.fits() || result.parts.closed) return;
   const std::vector<Convention> more = mixed(result.ranking);

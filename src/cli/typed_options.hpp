@@ -12,7 +12,7 @@
 #include "fit/fit_options.hpp"
 #include "io/input_list.hpp"
 #include "io/terminal.hpp"
-#include "plot/picture.hpp"
+#include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "run/sample_options.hpp"
 #include "write/writer.hpp"

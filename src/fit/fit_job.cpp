@@ -1,20 +1,31 @@
 // Fit job: keys for recordings, from the bytes of samples to the bytes of keys or of a picture.
 #include "fit/fit_job.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include "fit/errors.hpp"
-#include "fit/fit_picture.hpp"
+#include "error.hpp"
 #include "fit/fitting.hpp"
+#include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
+#include "numbers/decimal_time.hpp"
+#include "option_names.hpp"
+#include "picture/differences.hpp"
 #include "read/reader.hpp"
 #include "run/batch.hpp"
+#include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
 #include "run/progress.hpp"
+#include "sample/fields.hpp"
+#include "sample/look_up.hpp"
+#include "sample/rows.hpp"
 #include "schema/formats.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
@@ -70,7 +81,11 @@ class FitRun {
       if (!curve) return std::nullopt;
       const Format& format = format_of(job_.rows.format);
       if (expected > 0 && curve->group.empty() && format.family == FormatFamily::delimited && format.delimiter != ' ') {
-        throw fit_of_sequence(format.name);
+        throw data_error(
+            "there are several curves, and {} does not show where one curve ends; give {} ssv or json, or name a "
+            "column "
+            "of groups with {}",
+            format.name, option::output_format, option::group);
       }
       curve->keys = writer_.recorder().observe_keys(std::move(curve->keys));
       Samples read = recorded_samples(*curve, schema, job_.keys.rules, job_.options);
@@ -131,6 +146,94 @@ class FittedKeys final : public BatchOutput {
   Report& report_;
   Writer writer_;
 };
+
+/// The samples of a recording beside its curve. A computed quaternion is negated where that is nearer to the sample, as
+/// both are the same rotation.
+std::vector<ComparedSample> compared_samples(const Samples& samples, const WholeCurve& curve) {
+  std::vector<Time> times;
+  for (const Time& time : samples.times) {
+    times.push_back(curve.extent.decimals > 0 ? with_all_digits(time) : as_double(time));
+  }
+  const auto place = [&times](std::uint64_t row) { return times[row]; };
+  const auto locator = std::make_shared<const AnywhereInTime>(
+      place, times.size(), curve.extrapolations, curve.extent.first, *curve.extent.last, curve.curve->frames());
+  const std::vector fields{field_of("time"), field_of("position")};
+  const Recording& recording = samples.recording;
+  const Source<SampleBlock> blocks = look_up(curve.curve, locator, spline::Side::left);
+  std::vector<ComparedSample> compared;
+  while (const std::optional<SampleBlock> block = blocks()) {
+    const std::vector<Cell> cells = evaluate(*block, *locator, fields);
+    for (auto cell = cells.begin(); cell != cells.end();) {
+      ComparedSample& sample = compared.emplace_back(ComparedSample{*cell++, {}, {}});
+      for (std::size_t channel = 0; channel < recording.channels; ++channel) {
+        sample.given.push_back(recording.position(compared.size() - 1, channel));
+        sample.computed.push_back((cell++)->hi);
+      }
+      for (const FitGroup& group : recording.groups) {
+        double cosine = 0;
+        for (const std::size_t i : group.channels) cosine += sample.computed[i] * sample.given[i];
+        if (!group.angle || !(cosine < 0)) continue;
+        for (const std::size_t i : group.channels) sample.computed[i] *= -1;
+      }
+    }
+  }
+  return compared;
+}
+
+/// Fits the recordings of an input, and adds them to a picture, the curves of their keys being called "keys".
+FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
+  const std::string& path = job.files.files[0];
+  const Input input = open_input(path, read_file(path), job.keys.input);
+  const Schema keys = curve_of_fit(input, job.keys.rules, job.options);
+  std::vector<std::size_t> all(keys.channels.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  picture.begin(keys, all, "keys", shown_name(path));
+  FitReport report;
+  Curves curves(input.schema, input.keys, job.keys.curves, false);
+  while (const std::optional<CurveKeys> curve = curves.next()) {
+    const Samples samples = recorded_samples(*curve, input.schema, job.keys.rules, job.options);
+    const FitResult result = fitted(samples, job.options);
+    report.add(rows_of(samples, result, job.options).report);
+    const auto blocks = [&result]() -> Source<KeyBlock> {
+      KeyBlock fitted_keys;
+      fitted_keys.text_positions.lines.assign(result.keys.size(), 1);
+      fitted_keys.keys = result.keys;
+      return [block = std::optional(fitted_keys)]() mutable { return std::exchange(block, std::nullopt); };
+    };
+    SamplingRequest request;
+    request.mode = Mode::at;
+    CurvePipeline pipeline({.samples = request, .rules = job.keys.rules, .threads = job.threads.count()}, keys, {}, {});
+    const WholeCurve whole = pipeline.whole(blocks());
+    const StoredCurve stored = pipeline.stored(blocks(), false);
+    picture.add(stored.keys, with_rotations_as_cubics(stored.segments, pipeline.facts().spec.channels()), stored.closed,
+                compared_samples(samples, whole));
+  }
+  return report;
+}
+
+/// Fits the recordings of the one input of a job, and writes the picture.
+Exit draw_fit(const FitJob& job) {
+  const OutputPaths& outputs = job.files.outputs;
+  if (job.files.files.size() != 1 || outputs.folder || job.files.recursive) {
+    throw usage_error(
+        "a picture of {} shows one recording; expected one input and one output; draw each file by itself",
+        option::fit);
+  }
+  const std::string& path = job.files.files[0];
+  (void)find_inputs(job.files);  // refuses an output that would replace an input
+  if (outputs.file != "-") remove_unfinished_when_interrupted();
+  const ThreadPool pool(job.threads.count());
+  Report notes(job.verbosity);
+  DifferencePicture picture(job.picture);
+  const FitReport report = in_file(shown_name(path), [&] { return add_fits(picture, job); });
+  Output output(outputs.file);
+  output.write(picture.svg(
+      "keys", shown_name(path),
+      fmt::format("{} samples · {} keys · at least {} are needed", report.samples, report.keys, report.least_keys)));
+  output.commit();
+  notes.note(path, note_of(report, job.options));
+  return Exit::done;
+}
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include "error.hpp"
 #include "fit/fit_options.hpp"
 #include "io/input_list.hpp"
-#include "plot/picture.hpp"
+#include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "write/writer.hpp"
 

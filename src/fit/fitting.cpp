@@ -10,18 +10,114 @@
 #include <utility>
 
 #include "error.hpp"
-#include "fit/errors.hpp"
 #include "fit/fit.hpp"
 #include "keys/angles.hpp"
 #include "keys/rotations.hpp"
 #include "option_names.hpp"
+#include "sample/build.hpp"
 #include "sample/errors.hpp"
 #include "sample/grid.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/angle.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
+
+namespace {
+
+/// The limit of a rotation with these channels of an input, of which some are fitted.
+FitGroup rotation_group(const std::vector<std::size_t>& fitted, const spline::RotationChannels& channels, double angle,
+                        FitKeys keys) {
+  const double share = keys == FitKeys::tcb ? 0.85 : 0.98;  // the curve of the keys differs from the fitted cubics
+  constexpr double most = 1.5;
+  FitGroup group{{}, share * spline::sine_cosine(std::min(angle / 2, most)).sine, angle};
+  for (const std::size_t channel : channels) {
+    const auto found = std::ranges::find(fitted, channel);
+    group.channels.push_back(static_cast<std::size_t>(found - fitted.begin()));
+  }
+  return group;
+}
+
+/// By what a channel is limited: with others, alone, or as a number of a rotation.
+enum class LimitKind { distance, own, rotation };
+
+std::vector<std::string> without_rotations(const std::vector<std::string>& channels,
+                                           const std::vector<LimitKind>& kinds) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (kinds[i] != LimitKind::rotation) names.push_back(channels[i]);
+  }
+  return names;
+}
+
+/// The limits of channels that are no rotations: one for the distance over those of the metric without a limit of their
+/// own, and these.
+std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const std::vector<LimitKind>& kinds,
+                                const FitOptions& options) {
+  std::vector<FitGroup> groups;
+  FitGroup others;
+  std::vector<bool> named(channels.size());
+  for (const Tolerance& tolerance : options.tolerances) {
+    if (tolerance.column.empty()) {
+      others.tolerance = tolerance.most;
+      continue;
+    }
+    const auto channel = find_channel(tolerance.column, channels);
+    if (!channel || kinds[*channel] == LimitKind::rotation) {
+      const auto known = without_rotations(channels, kinds);
+      throw data_error("there is no channel {} for a tolerance; expected one of {}{}", in_quotes(tolerance.column),
+                       listed(known), did_you_mean(tolerance.column, known))
+          .about(option::fit);
+    }
+    named[*channel] = true;
+    groups.push_back({{*channel}, tolerance.most});
+  }
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (named[i] || kinds[i] == LimitKind::rotation) continue;
+    const bool has_limit = others.tolerance > 0 && kinds[i] == LimitKind::distance;
+    if (!has_limit) {
+      throw data_error(
+          "channel \"{0}\" has no tolerance; the distance D is only for the channels of {1}; add {0}=D to {2}",
+          channels[i], option::metric, option::fit);
+    }
+    others.channels.push_back(i);
+  }
+  if (!others.channels.empty()) groups.push_back(others);
+  return groups;
+}
+
+}  // namespace
+
+FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options) {
+  const std::vector<RotationColumns> rotations = rotation_columns(schema);
+  const auto metric = make_spec(rules, schema.channels, rotations, schema.angles).rules.metric;
+  FittedChannels fitted;
+  std::vector<LimitKind> kinds;
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    const bool is_of_rotation = spline::is_in_rotation(rotations, i);
+    if (is_of_rotation && !options.angle) continue;
+    const bool is_metric = metric.empty() || std::ranges::count(metric, i) > 0;
+    kinds.push_back(is_of_rotation ? LimitKind::rotation : is_metric ? LimitKind::distance : LimitKind::own);
+    fitted.numbers.push_back(i);
+    fitted.names.push_back(schema.channels[i]);
+  }
+  fitted.groups = groups_of(fitted.names, kinds, options);
+  if (!options.angle) return fitted;
+  if (rotations.empty()) throw tolerance_without_rotation().about(option::fit);
+  for (const auto& [columns, given, names] : schema.rotations) {
+    if (!given.notation.is_quaternion()) {
+      throw data_error(
+          "column \"{}\" belongs to a rotation that is not a quaternion; {} needs quaternions; convert the samples "
+          "first "
+          "with {} quaternion",
+          given.columns[0], option::fit, option::rotation_output);
+    }
+    fitted.groups.push_back(rotation_group(fitted.numbers, columns.channels, *options.angle, options.keys));
+  }
+  return fitted;
+}
+
 namespace {
 
 /// A column of what keys carry besides positions.
@@ -77,11 +173,17 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
       }
       constexpr double most = 1e150, spacing = 0x1p-46;
       if (largest > most || group.tolerance < 1 / most) {
-        throw fit_beyond_doubles(channels[channel]);
+        throw data_error(
+            "the numbers of channel \"{0}\" or its tolerance cannot be squared as doubles; expected numbers below "
+            "1e150 "
+            "and a tolerance above 1e-150; give {1} {0}=FACTOR",
+            channels[channel], option::scale);
       }
       if (group.tolerance < largest * spacing) {
-        throw tolerance_below_doubles(group.angle.value_or(group.tolerance), channels[channel], largest,
-                                      largest * spacing)
+        throw data_error(
+            "the tolerance {} is near the spacing of doubles in channel \"{}\", whose numbers reach {}; expected at "
+            "least {}; give a larger tolerance",
+            group.angle.value_or(group.tolerance), channels[channel], largest, largest * spacing)
             .about(option::fit);
       }
     }
@@ -122,7 +224,10 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
   for (const Rational& place : places) {
     auto found = find(nearest_time(place));
     if (found == samples.end()) found = find(nearest_time(place, all_decimals));
-    if (found == samples.end()) throw no_sample_to_keep(text(place)).about(option::keep_times);
+    if (found == samples.end()) {
+      throw data_error("there is no sample at time {}; expected times of samples; correct it", text(place))
+          .about(option::keep_times);
+    }
     kept.push_back(static_cast<std::size_t>(found - samples.begin()));
   }
   return kept;
@@ -131,8 +236,15 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
 }  // namespace
 
 Schema curve_of_fit(const Input& samples, const CurveSettings& rules, const FitOptions& options) {
-  if (!samples.schema.time.is_given) throw fit_without_times();
-  if (!samples.facts.roles.empty()) throw fit_of_keys(samples.facts.roles[0]);
+  if (!samples.schema.time.is_given) {
+    throw data_error("there is no time column; {} needs samples with times; name the column with {} time=NAME",
+                     option::fit, option::columns);
+  }
+  if (!samples.facts.roles.empty()) {
+    throw data_error(
+        "there is a column of {}, which only keys have; {} needs samples; leave the column out with {} ignore=NAME",
+        samples.facts.roles[0], option::fit, option::columns);
+  }
   const FittedChannels fitted = fitted_channels(samples.schema, rules, options);
   if (fitted.names.empty()) throw only_rotations();
   Schema schema = with_channels(samples.schema, fitted.names);
@@ -156,7 +268,9 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const Cur
                          const FitOptions& options) {
   if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
     const auto& [name, place] = curve.curve_info->places[0];
-    throw fit_of_setting(name).at(place);
+    throw data_error("\"{}\" is a setting of a curve of keys; {} makes keys for the default rules; remove the setting",
+                     name, option::fit)
+        .at(place);
   }
   Samples samples{curve.group, {}, {}, {}, {}, {}};
   samples.fitted = fitted_channels(schema, rules, options);
@@ -173,7 +287,10 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const Cur
       for (const std::size_t channel : channels) {
         recording.positions.push_back(block->keys.position(key)[channel]);
         if (!std::isnan(recording.positions.back())) continue;
-        throw sample_without_number(schema.channels[channel]).at({"", block->line(key), 0});
+        throw data_error(
+            "channel \"{}\" has no number; {} needs a number in every sample; fill it in, or give {} skip-row",
+            schema.channels[channel], option::fit, option::missing)
+            .at({"", block->line(key), 0});
       }
     }
   }
@@ -183,7 +300,8 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const Cur
   }
   if (samples.times.size() < 2) {
     const std::uint64_t line = samples.lines.empty() ? 0 : samples.lines[0];
-    throw too_few_samples().at({"", line, 0});
+    throw data_error("the curve has fewer than two samples; {} needs at least two; add samples", option::fit)
+        .at({"", line, 0});
   }
   require_resolution(recording, names);
   samples.kept = kept_samples(samples.times, kept_times_of(curve, schema, options));
@@ -193,7 +311,15 @@ Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const Cur
 FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done, unsigned threads) {
   const auto result =
       fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done, threads});
-  if (!result) throw no_fit_found();
+  if (!result) {
+    throw data_error(
+        "no tension, continuity and bias keep the curve within the tolerance of {}; this happens if the numbers have "
+        "too "
+        "few digits for the tolerance, or if positions repeat; give a larger tolerance, numbers with more digits, or "
+        "{} "
+        "hermite",
+        option::fit, option::fit_keys);
+  }
   return *result;
 }
 

@@ -43,7 +43,7 @@ std::optional<Tcb> tcb_of_slope(double slope, double before, double after, doubl
   return size(slope) <= step ? std::optional(Tcb{}) : std::nullopt;
 }
 
-/// The same for two slopes.
+/// Tension, continuity and bias of an incoming and an outgoing slope, as tcb_of_slope().
 std::optional<Tcb> tcb_of_corner(double in, double out, double before, double after, double step) {
   if (std::abs(in - out) <= step) return tcb_of_slope((in + out) / 2, before, after, step);
   const auto of = [&](double continuity, double p, double q) -> std::optional<Tcb> {

@@ -3,7 +3,7 @@
 
 #include "error.hpp"
 #include "io/input_list.hpp"
-#include "plot/picture.hpp"
+#include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "run/sample_options.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include "check/errors.hpp"
 #include "comparing.hpp"
 
 namespace tcb {
@@ -111,12 +110,12 @@ TEST(Identification, compares_positions_only) {
 TEST(Identification, needs_rows_on_the_curve_and_numbers_in_them) {
   Comparing outside(uneven_keys, "t,x\n9,0\n");
   const Error off = error_of([&] { identify(outside.comparison); });
-  EXPECT_EQ(off.message(), no_row_on_curve({}).message());
+  EXPECT_THAT(off.message(), testing::HasSubstr("no row is on the curve"));
   EXPECT_EQ(off.position().file, outside.path("rows.csv"));
   ASSERT_EQ(off.others().size(), 1U);
   EXPECT_TRUE(off.others()[0].message().starts_with("rows outside the curve: 1;")) << off.others()[0].message();
   Comparing empty(uneven_keys, "t,x\n0.5,nan\n");
-  EXPECT_EQ(error_of([&] { identify(empty.comparison); }).message(), no_number_in_samples().message());
+  EXPECT_THAT(error_of([&] { identify(empty.comparison); }).message(), testing::HasSubstr("no row has a number"));
 }
 
 }  // namespace

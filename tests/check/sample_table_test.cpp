@@ -1,5 +1,4 @@
 // Tables of samples in the notations that programs write.
-#include "check/sample_table.hpp"
 
 #include <gmock/gmock.h>
 

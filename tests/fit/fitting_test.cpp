@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "error.hpp"
-#include "fit/errors.hpp"
 #include "sample/errors.hpp"
 
 namespace tcb {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 Input input_of(std::vector<std::string> channels) {
   Input input;
@@ -61,14 +61,14 @@ TEST(Fitting, inputs_without_samples_are_refused) {
   const FitOptions options = within({{"", 1}});
   Input input = input_of({"x", "y"});
   EXPECT_EQ(refusal(input, options), "");
-  EXPECT_EQ(refusal(input, within({{"x", 1}})), channel_without_tolerance("y").message());
-  EXPECT_EQ(refusal(input, within({{"x", 1}, {"z", 1}})),
-            "--fit: " + tolerance_of_unknown_channel("z", {"x", "y"}).message());
+  EXPECT_THAT(refusal(input, within({{"x", 1}})), HasSubstr("channel \"y\" has no tolerance"));
+  EXPECT_THAT(refusal(input, within({{"x", 1}, {"z", 1}})),
+              HasSubstr("--fit: there is no channel \"z\" for a tolerance; expected one of x, y"));
   EXPECT_EQ(refusal(input, within({{"x", 1}, {"", 2}})), "");
   input.facts.roles = {"tension"};
-  EXPECT_EQ(refusal(input, options), fit_of_keys("tension").message());
+  EXPECT_THAT(refusal(input, options), HasSubstr("there is a column of tension, which only keys have"));
   input.schema.time.is_given = false;
-  EXPECT_EQ(refusal(input, options), fit_without_times().message());
+  EXPECT_THAT(refusal(input, options), HasSubstr("there is no time column"));
 }
 
 TEST(Fitting, reports_add_up) {
@@ -80,6 +80,52 @@ TEST(Fitting, reports_add_up) {
   EXPECT_EQ(note.text,
             "150 samples, 15 keys, 10 times fewer; largest distance 0.05, on line 17; at least 10 keys are needed");
   EXPECT_THAT(note_of(report, within({{"x", 0.1}})).text, testing::HasSubstr("largest distance 0.5 of the tolerance"));
+}
+
+/// Two numbers, an angle, and a rotation.
+Schema schema_of_drive() {
+  Schema schema;
+  schema.channels = {"x", "y", "heading", "qx", "qy", "qz", "qw"};
+  schema.angles = {{{2, true}}};
+  schema.rotations = {{{{{3, 4, 5, 6}}}}};
+  return schema;
+}
+
+std::string channels_refusal(const Schema& schema, const FitOptions& options, const CurveSettings& rules = {}) {
+  try {
+    (void)fitted_channels(schema, rules, options);
+  } catch (const Error& error) {
+    return error.message();
+  }
+  return "";
+}
+
+TEST(FittedChannels, a_distance_is_that_of_the_metric) {
+  FitOptions options = within({{"", 0.1}, {"heading", 2}});
+  const FittedChannels fitted = fitted_channels(schema_of_drive(), {}, options);
+  EXPECT_THAT(fitted.names, ElementsAre("x", "y", "heading"));
+  ASSERT_EQ(fitted.groups.size(), 2U);
+  EXPECT_THAT(fitted.groups[0].channels, ElementsAre(2));
+  EXPECT_EQ(fitted.groups[0].tolerance, 2);
+  EXPECT_THAT(fitted.groups[1].channels, ElementsAre(0, 1));
+  EXPECT_THAT(channels_refusal(schema_of_drive(), within({{"", 0.1}})), HasSubstr("\"heading\" has no tolerance"));
+  CurveSettings rules;
+  rules.metric = TextSetting{"x"};
+  EXPECT_THAT(channels_refusal(schema_of_drive(), options, rules), HasSubstr("\"y\" has no tolerance"));
+  options.tolerances.push_back({"y", 1});
+  EXPECT_THAT(fitted_channels(schema_of_drive(), rules, options).groups[2].channels, ElementsAre(0));
+}
+
+TEST(FittedChannels, rotations_have_a_limit_of_their_own) {
+  FitOptions options = within({{"", 0.1}, {"heading", 2}});
+  options.angle = 0.01;
+  const FittedChannels fitted = fitted_channels(schema_of_drive(), {}, options);
+  EXPECT_EQ(fitted.names.size(), 7U);
+  EXPECT_EQ(fitted.groups.back().angle, 0.01);
+  EXPECT_THAT(fitted.groups.back().channels, ElementsAre(3, 4, 5, 6));
+  EXPECT_LT(fitted.groups.back().tolerance, 0.005);
+  options.tolerances.push_back({"qx", 1});
+  EXPECT_THAT(channels_refusal(schema_of_drive(), options), HasSubstr("expected one of x, y, heading"));
 }
 
 }  // namespace
