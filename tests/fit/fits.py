@@ -1,4 +1,4 @@
-"""Fits against an evaluation of their own: laws.py PROGRAM [RECORDINGS] [SEED].
+"""Fits against an evaluation of their own: fits.py PROGRAM [RECORDINGS] [SEED].
 
 Random recordings: smooth, noisy, with steps, at uneven times, of one to ten channels, with one tolerance or several. The
 curve of the printed keys, computed here from the formulas of the manual, is within the tolerance of every sample; the
