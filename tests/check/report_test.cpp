@@ -15,7 +15,7 @@ using spline::TangentRule;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 Check failed_check() {
   Check check;
@@ -28,7 +28,7 @@ Check failed_check() {
   check.mismatches = 2;
   check.columns = {{"x", 2, {0.5, 0.25, 7}}};
   check.first = Difference{1, 2, "x", 2.5, 2, {0.5, 0.25, 7}};
-  check.worst = Difference{2, 3, "x", nan, 1, distance(nan, 1)};
+  check.worst = Difference{2, 3, "x", no_value, 1, distance(no_value, 1)};
   return check;
 }
 

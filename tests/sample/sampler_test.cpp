@@ -53,7 +53,7 @@ SamplingRequest request(Mode mode, const char* step, std::uint64_t count = 0) {
   return result;
 }
 
-std::string refusal(const SamplingRequest& asked, const std::vector<double>& keys) {
+std::string refused_request(const SamplingRequest& asked, const std::vector<double>& keys) {
   try {
     sample(asked, keys);
   } catch (const Error& error) {
@@ -161,29 +161,30 @@ TEST(Sampler, rows_at_keys_are_on_the_requested_side) {
 
 TEST(Sampler, counts_the_rows_that_it_refuses) {
   SamplingRequest asked = request(Mode::step, "1e-300");
-  EXPECT_EQ(refusal(asked, {1, 5}),
+  EXPECT_EQ(refused_request(asked, {1, 5}),
             "4.00e300 rows are requested; expected at most 1000000000; request fewer, or raise --max-rows");
   asked = request(Mode::count, "", 12);
   asked.max_rows = 11;
-  EXPECT_EQ(refusal(asked, {1, 5}), "12 rows are requested; expected at most 11; request fewer, or raise --max-rows");
+  EXPECT_EQ(refused_request(asked, {1, 5}),
+            "12 rows are requested; expected at most 11; request fewer, or raise --max-rows");
 }
 
 TEST(Sampler, refuses_to_leave_the_curve) {
   SamplingRequest asked = request(Mode::step, "1");
   asked.from = Rational(-1);
-  EXPECT_EQ(refusal(asked, {0, 5}),
+  EXPECT_EQ(refused_request(asked, {0, 5}),
             "--from: time -1 is before the first key, at 0; give a time on the curve, or --extrapolate");
   asked.from = Rational(6);
-  EXPECT_EQ(refusal(asked, {0, 5}),
+  EXPECT_EQ(refused_request(asked, {0, 5}),
             "--from: time 6 is after the last key, at 5; give a time on the curve, or --extrapolate");
   asked.from.reset();
   asked.to = Rational(11, 2);
-  EXPECT_EQ(refusal(asked, {0, 5}),
+  EXPECT_EQ(refused_request(asked, {0, 5}),
             "--to: time 5.5 is after the last key, at 5; give a time on the curve, or --extrapolate");
 }
 
 TEST(Sampler, refuses_steps_that_round_away) {
-  EXPECT_EQ(refusal(request(Mode::step, "1e-8"), {1e9, 1e9 + 1}),
+  EXPECT_EQ(refused_request(request(Mode::step, "1e-8"), {1e9, 1e9 + 1}),
             "the step 1e-08 is too small: two rows near 1000000001 would coincide; give a larger step");
 }
 

@@ -14,8 +14,8 @@ namespace tcb::spline {
 namespace {
 
 using enum BuildErrorCode;
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The error of the example with a change. Fails where there is none.
 template <class F>
@@ -62,17 +62,17 @@ TEST(BuildError, given_velocities_are_complete_and_finite) {
   EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities.pop_back(); }).code, velocities_count);
   EXPECT_EQ(with([](auto& keys, auto&) { keys.given = {true, false}; }).code, given_count);
   EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities.clear(); }).code, given_count);
-  const auto outgoing = with([](auto& keys, auto&) { keys.velocities[0].out = nan; });
+  const auto outgoing = with([](auto& keys, auto&) { keys.velocities[0].out = no_number; });
   EXPECT_EQ(outgoing.code, key_velocity_not_finite);
   EXPECT_EQ(outgoing.message(),
             "a velocity of key 0 in channel 0 is not finite; expected finite numbers, except before the first key and "
             "after the last (keys and channels count from 0)");
-  EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities[4].in = infinite; }).key, 4U);
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.velocities[4].in = infinity; }).key, 4U);
   EXPECT_EQ(with([](auto&, auto& rules) { rules.equal_speed = true; }).code, equal_speed_with_velocities);
 }
 
 TEST(BuildError, times_must_be_finite_and_increase) {
-  for (const double bad : {nan, infinite, -infinite}) {
+  for (const double bad : {no_number, infinity, -infinity}) {
     const auto error = error_with([&](auto& keys, auto&) { keys.times[2] = bad; });
     EXPECT_EQ(error.code, time_not_finite);
     EXPECT_EQ(error.key, 2U);
@@ -92,18 +92,18 @@ TEST(BuildError, times_must_be_finite_and_increase) {
 }
 
 TEST(BuildError, numbers_must_be_finite_and_ease_within_0_and_1) {
-  for (const double bad : {infinite, -infinite}) {
+  for (const double bad : {infinity, -infinity}) {
     const auto position = error_with([&](auto& keys, auto&) { keys.positions[3] = bad; });
     EXPECT_EQ(position.code, position_not_finite);
     EXPECT_EQ(position.message(),
-              "the position of key 3 in channel 0 is infinite; expected a finite number, or NaN if it is missing "
+              "the position of key 3 in channel 0 is infinity; expected a finite number, or NaN if it is missing "
               "(keys and channels count from 0)");
   }
-  for (const double bad : {nan, infinite, -infinite}) {
+  for (const double bad : {no_number, infinity, -infinity}) {
     EXPECT_EQ(error_with([&](auto& keys, auto&) { keys.tcbs[1].bias = bad; }).code, tcb_not_finite);
     EXPECT_EQ(error_with([&](auto& keys, auto&) { keys.common_tcb.tension = bad; }).code, common_tcb_not_finite);
   }
-  for (const double bad : {nan, -0.1, 1.5, infinite}) {
+  for (const double bad : {no_number, -0.1, 1.5, infinity}) {
     const auto error = error_with([&](auto& keys, auto&) {
       keys.eases.resize(5);
       keys.eases[4].in = bad;
@@ -126,18 +126,21 @@ TEST(BuildError, rules_must_fit_the_keys) {
   EXPECT_EQ(velocity.code, velocity_count);
   EXPECT_EQ(velocity.message(),
             "the number of velocities of the end rule at key 4 is 1; expected 0 (keys count from 0)");
-  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.start = {EndRule::velocity, {nan}}; }).code, velocity_not_finite);
   EXPECT_EQ(error_with([](auto&, auto& rules) {
-              rules.end = {EndRule::velocity, {infinite}};
+              rules.start = {EndRule::velocity, {no_number}};
+            }).code,
+            velocity_not_finite);
+  EXPECT_EQ(error_with([](auto&, auto& rules) {
+              rules.end = {EndRule::velocity, {infinity}};
             }).code,
             velocity_not_finite);
 }
 
 TEST(BuildError, a_channel_needs_a_position_and_no_ease_where_one_is_missing) {
-  const auto none = error_with([](auto& keys, auto&) { keys.positions.assign(5, nan); });
+  const auto none = error_with([](auto& keys, auto&) { keys.positions.assign(5, no_number); });
   EXPECT_EQ(none.code, channel_without_positions);
   const auto ease = error_with([](auto& keys, auto&) {
-    keys.positions[2] = nan;
+    keys.positions[2] = no_number;
     keys.eases.resize(5);
   });
   EXPECT_EQ(ease.code, ease_with_missing_positions);
@@ -153,7 +156,7 @@ TEST(BuildError, monotone_timing_needs_every_position_and_neither_ease_nor_veloc
            })
         .code;
   };
-  EXPECT_EQ(with_timing([](auto& keys, auto&) { keys.positions[2] = nan; }), timing_with_missing_positions);
+  EXPECT_EQ(with_timing([](auto& keys, auto&) { keys.positions[2] = no_number; }), timing_with_missing_positions);
   EXPECT_EQ(with_timing([](auto& keys, auto&) { keys.eases.resize(5); }), timing_with_ease);
   EXPECT_EQ(with_timing([](auto& keys, auto&) {
               keys.velocities.resize(5);
@@ -165,7 +168,7 @@ TEST(BuildError, monotone_timing_needs_every_position_and_neither_ease_nor_veloc
 
 TEST(BuildError, equal_speed_needs_every_position) {
   const auto by_nan = error_with([](auto& keys, auto& rules) {
-    keys.positions[2] = nan;
+    keys.positions[2] = no_number;
     rules.equal_speed = true;
   });
   EXPECT_EQ(by_nan.code, equal_speed_with_missing_positions);
@@ -178,7 +181,7 @@ TEST(BuildError, equal_speed_needs_every_position) {
   });
   EXPECT_EQ(by_mask.code, equal_speed_with_missing_positions);
   Keys<double> keys = keys_of(example);
-  keys.positions[2] = nan;
+  keys.positions[2] = no_number;
   CurveRules<double> rules;
   rules.equal_speed = true;
   const auto closed = Curve<double>::build_closed(keys, rules, 9.0);
@@ -198,7 +201,7 @@ TEST(BuildError, rotations_and_angles_must_fit_the_keys) {
   EXPECT_EQ(with([](auto&, auto& rules) { rules.rotations[0].channels[3] = 1; }).code, rotation_channel_shared);
   EXPECT_EQ(with([](auto&, auto& rules) { rules.angles = {{4, true}}; }).code, rotation_channel_shared);
   EXPECT_EQ(with([](auto&, auto& rules) { rules.rotations[0].turn = 0; }).code, rotation_turn_missing);
-  EXPECT_EQ(with([](auto& keys, auto&) { keys.positions[2] = nan; }).code, rotation_incomplete);
+  EXPECT_EQ(with([](auto& keys, auto&) { keys.positions[2] = no_number; }).code, rotation_incomplete);
   EXPECT_EQ(with([](auto& keys, auto&) { keys.positions[4] = 0; }).code, rotation_zero);
   EXPECT_EQ(with([](auto&, auto& rules) { rules.metric = {0, 2}; }).code, metric_of_angles);
   EXPECT_EQ(with([](auto&, auto& rules) {
@@ -221,7 +224,7 @@ TEST(BuildError, rotations_and_angles_must_fit_the_keys) {
 TEST(BuildError, closed_curves_need_two_keys_and_a_period) {
   const auto none = [](auto&) {};
   EXPECT_EQ(closed_error(std::nullopt, none).code, period_missing);
-  for (const double bad : {nan, infinite}) EXPECT_EQ(closed_error(bad, none).code, period_not_finite);
+  for (const double bad : {no_number, infinity}) EXPECT_EQ(closed_error(bad, none).code, period_not_finite);
   for (const double bad : {6.0, 1.0, 0.0, -9.0}) EXPECT_EQ(closed_error(bad, none).code, period_too_short);
   const auto repeat_first = [](auto& keys) {
     keys.positions[4] = keys.positions[0];
@@ -271,8 +274,8 @@ TEST(BuildError, every_code_has_a_message_without_placeholders) {
 TEST(BuildError, extreme_keys_give_an_error_or_finite_positions) {
   std::mt19937_64 random(6);
   const auto draw = [&] {
-    constexpr std::array special{0.0,     -0.0,  1.0,    -1.0, 1e308,    -1e308,    1e-308, 5e-324,
-                                 -5e-324, 1e150, 1e-150, nan,  infinite, -infinite, 0x1p53, 3.0};
+    constexpr std::array special{0.0,     -0.0,  1.0,    -1.0,      1e308,    -1e308,    1e-308, 5e-324,
+                                 -5e-324, 1e150, 1e-150, no_number, infinity, -infinity, 0x1p53, 3.0};
     return special[random() % (random() % 8 == 0 ? special.size() : special.size() - 3)];
   };
   int built = 0;

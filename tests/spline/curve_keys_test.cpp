@@ -45,7 +45,7 @@ Keys<double> alone(const Keys<double>& all, std::size_t channel) {
 }
 
 /// The channel's position at a time.
-double at(const Segments<double>& segments, double t, std::size_t channel) {
+double channel_at(const Segments<double>& segments, double t, std::size_t channel) {
   std::size_t i = 0;
   while (i + 1 < segments.size() && segments.times[i + 1].hi <= t) ++i;
   const double duration = (segments.times[i + 1] - segments.times[i]).hi;
@@ -70,7 +70,8 @@ TEST(Sparse, each_channel_runs_as_if_it_were_alone) {
   ASSERT_EQ(together.size(), 5U);
   for (std::size_t channel = 0; channel < 2; ++channel) {
     const auto own = plain(alone(all, channel));
-    for (double t = 0; t <= 8; t += 0.0625) EXPECT_NEAR(at(together, t, channel), at(own, t, 0), 1e-14) << t;
+    for (double t = 0; t <= 8; t += 0.0625)
+      EXPECT_NEAR(channel_at(together, t, channel), channel_at(own, t, 0), 1e-14) << t;
   }
 }
 
@@ -95,11 +96,11 @@ TEST(Sparse, the_curve_passes_through_keys_bit_for_bit) {
 
 TEST(Sparse, a_channel_is_constant_before_its_first_key_and_after_its_last) {
   const auto together = joined(keys({{0, 0, none}, {1, 1, 4}, {2, 2, 6}, {3, 3, none}}));
-  EXPECT_EQ(at(together, 0, 1), 4);
-  EXPECT_EQ(at(together, 0.5, 1), 4);
-  EXPECT_EQ(at(together, 2.5, 1), 6);
+  EXPECT_EQ(channel_at(together, 0, 1), 4);
+  EXPECT_EQ(channel_at(together, 0.5, 1), 4);
+  EXPECT_EQ(channel_at(together, 2.5, 1), 6);
   const auto constant = joined(keys({{0, 0, none}, {1, 1, 4}, {3, 3, none}}));
-  for (const double t : {0.0, 0.5, 1.0, 2.0, 3.0}) EXPECT_EQ(at(constant, t, 1), 4);
+  for (const double t : {0.0, 0.5, 1.0, 2.0, 3.0}) EXPECT_EQ(channel_at(constant, t, 1), 4);
 }
 
 TEST(Sparse, on_a_closed_curve_a_channel_is_extended_by_its_own_keys) {
@@ -113,7 +114,7 @@ TEST(Sparse, on_a_closed_curve_a_channel_is_extended_by_its_own_keys) {
   Segments<double> segments = spline::segments<double>(stream.push(own), {});
   append(segments, spline::segments<double>(stream.finish(), {}));
   for (double t = 0; t < 7; t += 0.125) {
-    EXPECT_NEAR(at(together, t, 1), at(segments, t < 1 ? t + 7 : t, 0), 1e-14) << t;
+    EXPECT_NEAR(channel_at(together, t, 1), channel_at(segments, t < 1 ? t + 7 : t, 0), 1e-14) << t;
   }
 }
 
@@ -124,10 +125,10 @@ TEST(Sparse, an_angle_turns_the_shorter_way_in_its_own_channel_alone) {
   const auto together = joined(all, {}, rules);
   const auto angle = plain(alone(all, 0), rules), other = plain(alone(all, 1));
   for (double t = 0; t < 3; t += 0.25) {
-    EXPECT_NEAR(at(together, t, 0), at(angle, t, 0), 1e-12) << t;
-    EXPECT_NEAR(at(together, t, 1), at(other, t, 0), 1e-12) << t;
+    EXPECT_NEAR(channel_at(together, t, 0), channel_at(angle, t, 0), 1e-12) << t;
+    EXPECT_NEAR(channel_at(together, t, 1), channel_at(other, t, 0), 1e-12) << t;
   }
-  EXPECT_GT(at(together, 0.4, 0), 350);
+  EXPECT_GT(channel_at(together, 0.4, 0), 350);
 }
 
 TEST(Sparse, a_rotation_runs_through_the_keys_that_have_it) {

@@ -60,7 +60,7 @@ LocalParameter<S> place(double u) {
   return {S(u), S(u) - S(1)};
 }
 
-struct Row {
+struct RotationRow {
   TangentRule tangents;
   RotationCurve curve;
   EndRule ends;
@@ -71,7 +71,7 @@ struct Row {
 
 TEST(Rotation, tabled_values) {
   using enum RotationCurve;
-  const std::vector<Row> rows{
+  const std::vector<RotationRow> rows{
       {TangentRule::interval,
        squad,
        EndRule::half,
@@ -104,7 +104,7 @@ TEST(Rotation, tabled_values) {
        0.5,
        {.783629966631, .533543549069, .315578343863, -.040812565826}},
   };
-  for (const Row& row : rows) {
+  for (const RotationRow& row : rows) {
     const auto curve = segments(example_keys<double>(), rules_with<double>(row.tangents, row.curve, row.ends));
     const auto [x, y, z, w] = curve.rotations_of(row.segment)[0].at(place<double>(row.u));
     EXPECT_NEAR(w, row.expected[0], 1e-12);

@@ -14,7 +14,7 @@
 namespace tcb::spline {
 namespace {
 
-Keys<double> example() {
+Keys<double> five_keys() {
   Keys<double> keys;
   keys.channels = 1;
   keys.times = {0.0, 1.0, 3.0, 4.0, 6.0};
@@ -28,19 +28,19 @@ CurveRules<double> rules(std::string_view tangents, std::string_view ends) {
   return {id_named(tangent_rules<double>, tangents).value(), {end, {}}, {end, {}}, false, {}};
 }
 
-double at(const Segments<double>& curve, double t) {
+double rule_at(const Segments<double>& curve, double t) {
   std::size_t i = 0;
   while (i + 1 < curve.size() && curve.times[i + 1].hi <= t) ++i;
   return position(curve[i][0], TimeMap<double>(curve.times[i], curve.times[i + 1])({t}));
 }
 
-struct Row {
+struct TabledRule {
   std::string_view tangents, ends;
   std::array<double, 6> positions;
 };
 
 TEST(Rules, give_the_tabled_positions) {
-  const std::array<Row, 14> table{{
+  const std::array<TabledRule, 14> table{{
       {"uniform", "half", {.514507812, 1.3826875, .60546875, .43128125, 1.97575, 1.36921875}},
       {"interval", "one-sided", {.564171875, 1.359125, .640625, .620854167, 2.02616667, 1.4539375}},
       {"interval", "mirror", {.586671875, 1.379125, .640625, .620854167, 2.04866667, 1.47925}},
@@ -56,11 +56,12 @@ TEST(Rules, give_the_tabled_positions) {
       {"synfig", "chord", {.662304688, 1.4328125, .658203125, .65876875, 2.082, 1.53075}},
       {"kb1984", "mirror", {.66284375, 1.58225, .5703125, .241708333, 2.12333333, 1.50725}},
   }};
-  for (const Row& row : table) {
-    const auto curve = segments<double>({example()}, rules(row.tangents, row.ends));
+  for (const TabledRule& row : table) {
+    const auto curve = segments<double>({five_keys()}, rules(row.tangents, row.ends));
     for (std::size_t i = 0; i < 6; ++i) {
       constexpr std::array times{.25, .5, 2., 3.5, 5., 5.5};
-      EXPECT_NEAR(at(curve, times[i]), row.positions[i], 5e-9) << row.tangents << " " << row.ends << " " << times[i];
+      EXPECT_NEAR(rule_at(curve, times[i]), row.positions[i], 5e-9)
+          << row.tangents << " " << row.ends << " " << times[i];
     }
   }
 }
@@ -78,7 +79,7 @@ TEST(Rules, give_the_tabled_inner_tangents) {
   }};
   for (const Slopes& row : table) {
     const auto chosen = rules(row.rule, "half");
-    const Window<double> window{example()};
+    const Window<double> window{five_keys()};
     const Tangents<double> tangents(window, chosen);
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_NEAR(tangents.incoming(i + 1)[0].hi, row.in[i], 5e-9) << row.rule;
@@ -90,14 +91,14 @@ TEST(Rules, give_the_tabled_inner_tangents) {
 TEST(Rules, equal_speed_gives_the_tabled_positions) {
   auto chosen = rules("velocity", "half");
   chosen.equal_speed = true;
-  const auto curve = segments<double>({example()}, chosen);
+  const auto curve = segments<double>({five_keys()}, chosen);
   constexpr std::array<std::array<double, 2>, 6> table{{{.25, .43784765625},
                                                         {.5, 1.17826041667},
                                                         {2, .512331495098},
                                                         {3.5, .85669320967},
                                                         {5, 1.98932575758},
                                                         {5.5, 1.37430965909}}};
-  for (const auto& [t, x] : table) EXPECT_NEAR(at(curve, t), x, 5e-12);
+  for (const auto& [t, x] : table) EXPECT_NEAR(rule_at(curve, t), x, 5e-12);
 }
 
 TEST(Rules, equal_speed_measures_the_metric_channels_and_scales_all) {
@@ -120,7 +121,7 @@ TEST(Rules, equal_speed_measures_the_metric_channels_and_scales_all) {
 }
 
 TEST(Rules, all_tangent_rules_agree_on_equal_steps) {
-  auto keys = example();
+  auto keys = five_keys();
   keys.times = {0.0, 0.5, 1.0, 1.5, 2.0};
   const auto uniform = rules("uniform", "half");
   const Window<double> window{keys};
@@ -136,7 +137,7 @@ TEST(Rules, all_tangent_rules_agree_on_equal_steps) {
 }
 
 TEST(Rules, without_continuity_some_rules_have_one_velocity_at_a_key) {
-  auto keys = example();
+  auto keys = five_keys();
   for (auto& tcb : keys.tcbs) tcb.continuity = 0;
   const Window<double> window{keys};
   for (const std::string_view name : {"interval", "interval-c", "velocity", "finite-difference"}) {
@@ -202,7 +203,7 @@ TEST(Rules, given_velocities_are_per_unit_of_time) {
   auto chosen = rules("velocity", "velocity");
   chosen.start.velocity = {3};
   chosen.end.velocity = {-1};
-  const Window<double> window{example()};
+  const Window<double> window{five_keys()};
   const Tangents<double> tangents(window, chosen);
   EXPECT_EQ(tangents.outgoing(0)[0].hi, 3);
   EXPECT_EQ(tangents.incoming(4)[0].hi, -2);
@@ -210,7 +211,7 @@ TEST(Rules, given_velocities_are_per_unit_of_time) {
 
 TEST(Rules, lightwave_ends_are_one_sided_but_for_a_3600th) {
   const auto chosen = rules("interval", "lightwave");
-  const Window<double> window{example()};
+  const Window<double> window{five_keys()};
   const Tangents<double> tangents(window, chosen);
   // b D = .8 * 1.3 * .6 * 2 = 1.248 over h/(h + 1/3600) = 3600/3601; c D = .9 * .6 * 1.3 * -2 over 7200/7201.
   EXPECT_NEAR(tangents.outgoing(0)[0].hi, 1.248 * 3600 / 3601, 1e-15);
