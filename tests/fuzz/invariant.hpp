@@ -15,7 +15,8 @@ namespace tcb::fuzz {
 
 inline void require(bool holds, std::string_view what, std::string_view seen) {
   if (holds) return;
-  (void)std::fputs(fmt::format("{}:\n{}\n", what, seen).c_str(), stderr);
+  const std::string text = fmt::format("{}:\n{}\n", what, seen);
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
   std::abort();
 }
 

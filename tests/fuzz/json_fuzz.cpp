@@ -1,21 +1,20 @@
 // Fuzzer of the JSON reader: any text as JSON of any shape.
-#include <fuzzer/FuzzedDataProvider.h>
-
 #include <cstdint>
 
+#include "choices.hpp"
 #include "reading.hpp"
 
 /// The last bytes choose the options.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tcb;
-  FuzzedDataProvider choices(data, size);
+  fuzz::Choices choices(data, size);
   InputOptions options;
-  options.format = find_format(choices.PickValueInArray({"json", "jsonl"}));
-  options.keys.missing = choices.PickValueInArray(missing_names).value;
-  options.columns.timeless = choices.ConsumeBool();
-  const char* const columns = choices.PickValueInArray({"", "", "carry=label", "group=id", "position=x:y,time=t"});
+  options.format = find_format(choices.one({"json", "jsonl"}));
+  options.keys.missing = choices.one(missing_names).value;
+  options.columns.timeless = choices.yes();
+  const char* const columns = choices.one({"", "", "carry=label", "group=id", "position=x:y,time=t"});
   if (*columns != '\0') options.columns.roles = parse_roles(columns);
-  const auto piece = choices.ConsumeIntegralInRange<std::size_t>(1, 64);
-  fuzz::require_same_readings(choices.ConsumeRemainingBytesAsString(), options, piece, false);
+  const auto piece = 1 + choices.number(63);
+  fuzz::require_same_readings(choices.rest(), options, piece, false);
   return 0;
 }

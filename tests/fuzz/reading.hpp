@@ -53,9 +53,13 @@ class ShownKeys {
 
   std::string text() const { return text_ + fmt::format("{} skipped\n", skipped_); }
 
+  /// The numbers of the keys alone, without lines.
+  const std::string& numbers() const { return numbers_; }
+
  private:
   void add_number(double value, bool may_be_missing = false) {
     text_ += fmt::format(" {}", value);
+    numbers_ += fmt::format(" {}", value);
     require(std::isfinite(value) || may_be_missing, "a key that is not finite", text_);
   }
 
@@ -81,11 +85,12 @@ class ShownKeys {
     if (!keys.eases.empty()) add_number(keys.eases.at(i).in);
     if (!keys.eases.empty()) add_number(keys.eases.at(i).out);
     text_ += '\n';
+    numbers_ += '\n';
   }
 
   std::optional<std::uint64_t> lines_;
   bool may_miss_;
-  std::string text_;
+  std::string text_, numbers_;
   std::uint64_t skipped_ = 0;
   bool breaks_ = false;
 };
@@ -93,6 +98,7 @@ class ShownKeys {
 /// The result of a reader for a text: keys as text, or an error.
 struct Reading {
   std::string text;
+  std::string numbers;  ///< of the keys alone
   bool refused = false;
 };
 
@@ -115,13 +121,13 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
     ShownKeys shown(lines, input.keys.traits.may_miss);
     const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
     while (const auto block = keys()) shown.add(*block);
-    return {found + shown.text()};
+    return {found + shown.text(), shown.numbers()};
   } catch (const Error& error) {
     const std::string refusal = error_text(error.in("f"));
     require_refusal(refusal, "f");
     const bool there = !lines || (error.position().line <= *lines + 1 && error.position().column <= text.size() + 1);
     require(there, "a place that is not there", refusal);
-    return {refusal, true};
+    return {refusal, "", true};
   }
 }
 
