@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Same bytes from several programs: same_bytes.py [--runs N] [--seed S] [--golden] PROGRAM PROGRAM...
+"""Same bytes from several programs: same_bytes.py [--runs N] [--seed S] [--golden] PROGRAM...
 
-Runs every program on the same inputs with the same options, and compares standard output and the exit code:
+Runs every program on the same inputs with the same options, every second one on eight threads instead of one, and
+compares standard output and the exit code; one program alone is compared with itself:
   - every file of samples/ in several modes;
   - N random command lines on random keys (default 200), as CSV, TSV, JSON, JSON Lines or blank-separated text: rows,
     pieces, pictures, fits and comparisons; keys with rotations, angles, velocities, labels, parameters of single
@@ -16,6 +17,7 @@ For an old and a new build of the program:
 
 import argparse
 import concurrent.futures
+import itertools
 import json
 import os
 import pathlib
@@ -266,7 +268,6 @@ def random_options(rng, keys):
     maybe(0.05, "--scale", "x=0.01")
     maybe(0.3, "--fit-keys", "hermite", needs=mode[0] == "--fit")
     maybe(0.3, "--abs", "1e-6", needs=mode[0] == "--check")
-    maybe(0.2, "-j", str(rng.randint(1, 4)))
     return [word for group in groups for word in group]
 
 
@@ -276,6 +277,12 @@ def run(program, arguments, folder, stdin=None):
         return done.returncode, NEEDS.sub(b"", done.stdout) if "--explain" in arguments else done.stdout, done.stderr
     except subprocess.TimeoutExpired:
         return "timeout", b"", b""
+
+
+def run_all(programs, options, folder):
+    """The first program on one thread, the second on eight, and so on; one program alone on both."""
+    several = programs if len(programs) > 1 else programs * 2
+    return [run(program, ["-j", "18"[i % 2], *options], folder) for i, program in enumerate(several)]
 
 
 def write_samples(rng, folder, program, keys, name):
@@ -301,7 +308,7 @@ class Comparison:
         if any(result[:2] != results[0][:2] for result in results[1:]):
             self.differences += 1
             print(f"differs: {what}")
-            for program, (code, out, err) in zip(self.programs, results):
+            for program, (code, out, err) in zip(itertools.cycle(self.programs), results):
                 print(f"  {program}: exit code {code}, {len(out)} bytes; {err[:300].decode(errors='replace').strip()}")
             if folder:
                 shutil.copytree(folder, f"same_bytes.failed/{self.differences}", dirs_exist_ok=True)
@@ -349,11 +356,11 @@ def main():
             name, keys = write_keys(rng, folder)
             write_samples(rng, folder, programs[0], keys, name)
             options = random_options(rng, keys) + [name]
-            results = [run(program, options, folder) for program in programs]
+            results = run_all(programs, options, folder)
             comparison.report(f"run {index}: tcbsample " + " ".join(options), results, folder)
 
     for options in sample_runs():
-        results = [run(program, options, SAMPLES) for program in programs]
+        results = run_all(programs, options, SAMPLES)
         comparison.report("samples: tcbsample " + " ".join(options), results)
     if arguments.golden:
         for case in sorted((TESTS / "golden").rglob("cmd")):
