@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,6 +10,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -137,6 +139,24 @@ TEST(House, packages_are_included_where_the_table_says) {
     const auto here = [&](const std::string& place) { return file.starts_with(place); };
     EXPECT_TRUE(std::ranges::any_of(package->second, here)) << found;
   });
+}
+
+/// The program never chooses a locale, and calls no function of C whose result depends on one.
+TEST(House, nothing_depends_on_the_locale) {
+  for (const std::string_view name :
+       {"setlocale", "imbue",   "strtod",  "strtof",  "strtol",   "stod",    "stof",    "stoi",
+        "stol",      "atof",    "atoi",    "isalpha", "isalnum",  "isdigit", "isspace", "isprint",
+        "isupper",   "islower", "tolower", "toupper", "strftime", "strcoll"}) {
+    const std::string call = std::string(name) + "(";
+    for (const SourceFile& file : sources()) {
+      for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        const std::string code = file.lines[i].substr(0, file.lines[i].find("//"));
+        const std::size_t at = code.find(call);
+        if (at == std::string::npos || (at > 0 && (std::isalnum(code[at - 1]) != 0 || code[at - 1] == '_'))) continue;
+        ADD_FAILURE() << "src/" << file.name << ":" << i + 1 << ": " << name;
+      }
+    }
+  }
 }
 
 /// Comments name files as in `read/csv/header.cpp`, `grid.hpp` or `tests/library`, relative to the project, to src/, to

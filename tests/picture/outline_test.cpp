@@ -172,13 +172,6 @@ TEST(Outline, no_outline_is_farther_than_a_pixel_from_its_curve) {
   }
 }
 
-/// Run with the slow tests.
-TEST(Outline, DISABLED_nor_with_a_million_segments) {
-  expect_near("random walk", 1'000'000);
-  expect_near("laps", 1'000'000);
-  expect_near("noise", 100'000);
-}
-
 TEST(Outline, a_spike_among_many_segments_remains) {
   ThinnedOutline outline(box);
   for (int i = 0; i < 50000; ++i) {

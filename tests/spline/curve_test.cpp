@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "allocations.hpp"
+#include "spline/allocations.hpp"
 #include "example_keys.hpp"
 
 namespace tcb::spline {
