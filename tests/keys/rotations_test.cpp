@@ -24,7 +24,7 @@ KeyBlock checked(const KeyBlock& block, bool normalize = false) {
 }
 
 /// The line and the message of the error of keys with these quaternions.
-std::string refusal(const std::vector<Numbers>& quaternions, bool normalize = false) {
+std::string refused_rotations(const std::vector<Numbers>& quaternions, bool normalize = false) {
   try {
     (void)checked(block_of(quaternions), normalize);
   } catch (const Error& error) {
@@ -44,7 +44,7 @@ TEST(Rotations, a_key_without_numbers_has_no_rotation) {
   const KeyBlock block = checked(block_of({{0, 0, 0, 1}, {none, none, none, none}, {0, 0, -0.6, -0.8}}));
   EXPECT_TRUE(std::isnan(block.keys.positions[6]));
   EXPECT_EQ(block.keys.positions[14], 0.8);
-  EXPECT_THAT(refusal({{0, 0, 0, 1}, {0, none, 0, 1}}), MatchesRegex("3: .* lacks a number;.*"));
+  EXPECT_THAT(refused_rotations({{0, 0, 0, 1}, {0, none, 0, 1}}), MatchesRegex("3: .* lacks a number;.*"));
 }
 
 TEST(Rotations, decimals_change_their_signs_too) {
@@ -62,10 +62,10 @@ TEST(Rotations, decimals_change_their_signs_too) {
 }
 
 TEST(Rotations, what_is_no_rotation_is_refused) {
-  EXPECT_THAT(refusal({{0, 0, 0, 1}, {0, 0, 0, 1.0011}}), MatchesRegex("3: .* has the norm.*"));
-  EXPECT_THAT(refusal({{0, 0, 0, 1e200}}), MatchesRegex("2: .* has the norm.*"));
-  EXPECT_THAT(refusal({{0, 0, 0, 0}}, true), MatchesRegex("2: .* is zero, so it is not a rotation.*"));
-  EXPECT_THAT(refusal({{0, 0, 0, 1}, {0, 0, 1, 0}}),
+  EXPECT_THAT(refused_rotations({{0, 0, 0, 1}, {0, 0, 0, 1.0011}}), MatchesRegex("3: .* has the norm.*"));
+  EXPECT_THAT(refused_rotations({{0, 0, 0, 1e200}}), MatchesRegex("2: .* has the norm.*"));
+  EXPECT_THAT(refused_rotations({{0, 0, 0, 0}}, true), MatchesRegex("2: .* is zero, so it is not a rotation.*"));
+  EXPECT_THAT(refused_rotations({{0, 0, 0, 1}, {0, 0, 1, 0}}),
               MatchesRegex("3: .* is exactly 180 degrees from the rotation on line 2.*"));
   EXPECT_EQ(checked(block_of({{0, 0, 0, 0.9995}, {0, 0, 0, 1.0005}})).size(), 2U);
   EXPECT_EQ(checked(block_of({{0, 0, 0, 3}, {0, 0, 0, -1e200}}), true).keys.positions[9], 1e200);

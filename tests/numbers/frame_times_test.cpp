@@ -8,30 +8,30 @@
 namespace tcb {
 namespace {
 
-const Rational ntsc(30000, 1001);
+const Rational ntsc_rate(30000, 1001);
 
 /// A double-double as a rational.
 Rational value(const Time& time) { return Rational(time.hi) + Rational(time.lo); }
 
 TEST(FrameTimes, a_double_nearest_to_a_frame_is_the_frame) {
-  const FrameTimes frames(ntsc);
+  const FrameTimes frames(ntsc_rate);
   for (const std::int64_t frame : {0, 1, 2, 15, 107892, 2589408, -7}) {
-    const Rational exact = Rational(frame) / ntsc;
+    const Rational exact = Rational(frame) / ntsc_rate;
     EXPECT_EQ(frames.exact(nearest_double(exact)), exact) << frame;
   }
-  EXPECT_EQ(frames.exact(nearest_double(Rational(25, 2) / ntsc)), Rational(25, 2) / ntsc);  // half a frame
-  EXPECT_FALSE(frames.exact(std::nextafter(nearest_double(Rational(15) / ntsc), 1)));
+  EXPECT_EQ(frames.exact(nearest_double(Rational(25, 2) / ntsc_rate)), Rational(25, 2) / ntsc_rate);  // half a frame
+  EXPECT_FALSE(frames.exact(std::nextafter(nearest_double(Rational(15) / ntsc_rate), 1)));
   EXPECT_FALSE(frames.exact(Time(0.1)));
   EXPECT_FALSE(frames.exact(Time(1e300)));
 }
 
 TEST(FrameTimes, elapsed_times_do_not_depend_on_how_far_from_0_frames_are) {
-  const FrameTimes all(ntsc);
-  const Time hour = nearest_double(Rational(107892) / ntsc);
+  const FrameTimes all(ntsc_rate);
+  const Time hour = nearest_double(Rational(107892) / ntsc_rate);
   const FrameTimes frames = all.from(hour), early = all.from(0.0);
   for (const std::int64_t frame : {0, 1, 2, 15, 1001, 30000}) {
-    const Rational exact = Rational(frame) / ntsc;
-    const Time time = nearest_double(exact + Rational(107892) / ntsc);
+    const Rational exact = Rational(frame) / ntsc_rate;
+    const Time time = nearest_double(exact + Rational(107892) / ntsc_rate);
     EXPECT_EQ(frames.elapsed(time), early.elapsed(nearest_double(exact))) << frame;
     EXPECT_LE(abs(value(frames.elapsed(time)) - exact), exact * Rational(0x1p-99)) << frame;
     EXPECT_EQ(frames.time(frames.elapsed(time)), time) << frame;
@@ -39,10 +39,10 @@ TEST(FrameTimes, elapsed_times_do_not_depend_on_how_far_from_0_frames_are) {
 }
 
 TEST(FrameTimes, times_between_frames_are_doubles) {
-  const FrameTimes frames = FrameTimes(ntsc).from(nearest_double(Rational(107892) / ntsc));
+  const FrameTimes frames = FrameTimes(ntsc_rate).from(nearest_double(Rational(107892) / ntsc_rate));
   const Time between = 3600.123456789;
   EXPECT_FALSE(frames.exact(between));
-  EXPECT_LE(abs(value(frames.elapsed(between)) - (Rational(3600.123456789) - Rational(107892) / ntsc)),
+  EXPECT_LE(abs(value(frames.elapsed(between)) - (Rational(3600.123456789) - Rational(107892) / ntsc_rate)),
             Rational(0x1p-80));
   EXPECT_EQ(frames.time(frames.elapsed(between)), between);
 }

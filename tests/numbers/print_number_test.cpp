@@ -219,7 +219,7 @@ TEST(NumberText, whole_times_beyond_2_to_53_stay_whole) {
 
 // Some minutes: --gtest_also_run_disabled_tests --gtest_filter='NumberText.DISABLED*'
 template <class Next>
-void check_a_hundred_million(const Next& next) {
+void print_a_hundred_million(const Next& next) {
   RandomDoubles random(5);
   Text ours, theirs;
   for (int i = 0; i < 100'000'000; ++i) {
@@ -231,19 +231,19 @@ void check_a_hundred_million(const Next& next) {
 }
 
 TEST(NumberText, DISABLED_a_hundred_million_of_any_bits) {
-  check_a_hundred_million([](RandomDoubles& random) { return random.any(); });
+  print_a_hundred_million([](RandomDoubles& random) { return random.any(); });
 }
 
 TEST(NumberText, DISABLED_a_hundred_million_between_0_and_1) {
-  check_a_hundred_million([](RandomDoubles& random) { return random.unit(); });
+  print_a_hundred_million([](RandomDoubles& random) { return random.unit(); });
 }
 
 TEST(NumberText, DISABLED_a_hundred_million_short_decimals) {
-  check_a_hundred_million([](RandomDoubles& random) { return random.short_decimal(); });
+  print_a_hundred_million([](RandomDoubles& random) { return random.short_decimal(); });
 }
 
 TEST(NumberText, DISABLED_a_hundred_million_of_near_exponents) {
-  check_a_hundred_million([](RandomDoubles& random) { return random.near(); });
+  print_a_hundred_million([](RandomDoubles& random) { return random.near(); });
 }
 
 TEST(NumberText, DISABLED_ten_million_rounded) {

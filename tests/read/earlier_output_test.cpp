@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::Pair;
 
 /// What a text holds that arrives in parts of so many bytes.
-std::optional<EarlierOutput> read(std::string_view text, std::size_t part) {
+std::optional<EarlierOutput> read_earlier(std::string_view text, std::size_t part) {
   EarlierOutputReader reader;
   for (std::size_t at = 0; at < text.size(); at += part) reader.add(text.substr(at, part));
   return reader.end();
@@ -27,7 +27,7 @@ constexpr std::string_view comments =
 
 TEST(EarlierOutput, is_read_from_comment_lines) {
   for (const std::size_t part : {std::size_t{1}, std::size_t{7}, comments.size()}) {
-    const std::optional<EarlierOutput> output = read(comments, part);
+    const std::optional<EarlierOutput> output = read_earlier(comments, part);
     ASSERT_TRUE(output) << part;
     EXPECT_EQ(output->program, "tcbsample 1.2.3");
     EXPECT_THAT(output->options, ElementsAre("--count=2", "--meta"));
@@ -38,7 +38,7 @@ TEST(EarlierOutput, is_read_from_comment_lines) {
 TEST(EarlierOutput, may_have_line_ends_of_two_characters) {
   std::string text;
   for (const char c : comments) text += c == '\n' ? "\r\n" : std::string(1, c);
-  const std::optional<EarlierOutput> output = read(text, 5);
+  const std::optional<EarlierOutput> output = read_earlier(text, 5);
   ASSERT_TRUE(output);
   EXPECT_THAT(output->options, ElementsAre("--count=2", "--meta"));
 }
@@ -47,7 +47,7 @@ TEST(EarlierOutput, is_read_from_the_member_meta_of_json) {
   constexpr std::string_view json = R"({"rows":[{"t":0}],"meta":{"program":"tcbsample 1.2.3","options":["--meta"],)"
                                     R"("inputs":[{"name":"k.csv","sha256":"12ab"}]}})";
   for (const std::size_t part : {std::size_t{1}, json.size()}) {
-    const std::optional<EarlierOutput> output = read(json, part);
+    const std::optional<EarlierOutput> output = read_earlier(json, part);
     ASSERT_TRUE(output) << part;
     EXPECT_EQ(output->program, "tcbsample 1.2.3");
     EXPECT_THAT(output->options, ElementsAre("--meta"));
@@ -56,9 +56,9 @@ TEST(EarlierOutput, is_read_from_the_member_meta_of_json) {
 }
 
 TEST(EarlierOutput, needs_a_program_and_an_input) {
-  EXPECT_FALSE(read("t,x\n0,0\n", 3));
-  EXPECT_FALSE(read("# tcbsample 1.2.3\nt,x\n0,0\n", 3));
-  EXPECT_FALSE(read(R"([{"t":0}])", 3));
+  EXPECT_FALSE(read_earlier("t,x\n0,0\n", 3));
+  EXPECT_FALSE(read_earlier("# tcbsample 1.2.3\nt,x\n0,0\n", 3));
+  EXPECT_FALSE(read_earlier(R"([{"t":0}])", 3));
   EXPECT_THROW((void)read_earlier_output([] { return std::optional<std::string>(); }), Error);
 }
 

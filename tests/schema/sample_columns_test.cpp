@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using Names = std::vector<std::string>;
 
-std::vector<Role> roles(const Columns& columns) {
+std::vector<Role> roles_of_samples(const Columns& columns) {
   std::vector<Role> result;
   for (const auto& cell : columns.cells) result.push_back(cell.role);
   return result;
@@ -50,8 +50,8 @@ TEST(SampleColumns, without_names_groups_come_first_then_the_time) {
   const auto find = [](bool timeless) {
     return find_sample_columns({}, std::vector<bool>(4, true), {"t", {"column1"}}, timeless);
   };
-  EXPECT_THAT(roles(find(false)), ElementsAre(Role::group, Role::time, Role::position, Role::position));
-  EXPECT_THAT(roles(find(true)), ElementsAre(Role::group, Role::position, Role::position, Role::position));
+  EXPECT_THAT(roles_of_samples(find(false)), ElementsAre(Role::group, Role::time, Role::position, Role::position));
+  EXPECT_THAT(roles_of_samples(find(true)), ElementsAre(Role::group, Role::position, Role::position, Role::position));
 }
 
 }  // namespace
