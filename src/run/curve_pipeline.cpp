@@ -163,7 +163,7 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
   Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels());
   const auto expected = [estimate = std::move(estimate)] { return estimate->rows(); };
-  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected};
+  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected, {}, extent.first};
 }
 
 /// The first and the last time of the curve.
@@ -326,12 +326,26 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
   const auto expected = [rows] { return static_cast<double>(rows); };
   if (request_.mode == Mode::arc_at) {
     const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->curve().length().value);
-    return {look_up(curve, locator, request_.side()), locator, nullptr, facts, fast_rows(locator), expected};
+    return {look_up(curve, locator, request_.side()),
+            locator,
+            nullptr,
+            facts,
+            fast_rows(locator),
+            expected,
+            {},
+            extent.first};
   }
   const Time& end = *extent.last;
   const auto locator =
       std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolations, extent.first, end, spec_.frames);
-  return {look_up(curve, locator, request_.side()), locator, nullptr, facts, fast_rows(locator), expected};
+  return {look_up(curve, locator, request_.side()),
+          locator,
+          nullptr,
+          facts,
+          fast_rows(locator),
+          expected,
+          {},
+          extent.first};
 }
 
 /// Evaluates rows exactly, and rounds each number once.

@@ -16,6 +16,15 @@ const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::s
 
 SamplingRequest SampleOptions::of(const CurveKeys& curve, const Schema& schema) const {
   SamplingRequest own = request;
+  if (takes_frames()) {
+    const std::optional<ViewerFrames>& frames = curve.curve_info->frames;
+    if (!frames) throw Error(*unless_frames);
+    own.mode = Mode::step;
+    own.step = frames->step;
+    own.from = 0;
+    own.to = frames->step * Rational(frames->count - 1);
+    return own;
+  }
   if (grouped_places.empty()) return own;
   own.places = places_of_group(grouped_places, request.mode == Mode::at ? option::at : option::arc_at, curve, schema);
   return own;

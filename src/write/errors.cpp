@@ -83,17 +83,17 @@ Error several_curves_of_node(std::string_view name) {
                       in_quotes(name), option::output_format)};
 }
 
-Error time_before_start_of_animation(double seconds) {
-  return {Exit::data,
-          fmt::format("a keyframe is at {} seconds; expected times from 0 on, as animations have them; shift "
-                      "the times of the keys",
-                      seconds)};
+Error time_before_start_of_animation(double time, double seconds) {
+  return data_error("a keyframe is at {} seconds; expected times from 0 on, as animations have them; give {} {}",
+                    seconds, option::time_zero, time);
 }
 
 Error times_not_in_single_precision(double seconds) {
-  return {Exit::data, fmt::format("the keyframe at {} seconds has the time of the one before it in single precision; "
-                                  "expected times that differ there; give fewer samples, or times nearer to 0",
-                                  seconds)};
+  return {Exit::data,
+          fmt::format(
+              "the keyframe at {} seconds has the time of the one before it in single precision; "
+              "expected times that differ there; give fewer samples, or {} first to count the times from the first key",
+              seconds, option::time_zero)};
 }
 
 Error number_beyond_single_precision(double number) {

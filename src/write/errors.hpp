@@ -26,7 +26,7 @@ Error durations_not_in_seconds(std::string_view unit);
 Error no_target_of_node(const std::vector<std::string>& channels);
 Error no_target_of_track(std::string_view track);
 Error several_curves_of_node(std::string_view name);
-Error time_before_start_of_animation(double seconds);
+Error time_before_start_of_animation(double time, double seconds);
 Error times_not_in_single_precision(double seconds);
 Error number_beyond_single_precision(double number);
 Error animation_without_rows();

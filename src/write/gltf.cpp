@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 #include <utility>
 
 #include "io/base64.hpp"
@@ -129,10 +130,7 @@ void GltfScene::begin_curve(const std::vector<std::string>& group) {
     if (texts.back() != target_track) texts.pop_back();
   }
   std::string name = texts.empty() ? "curve" : fmt::format("{}", fmt::join(texts, " "));
-  const auto has_path = [&](const Node& node) {
-    return node.name == name && node.targets.front().path == targets.front().path;
-  };
-  if (std::ranges::any_of(nodes_, has_path)) throw several_curves_of_node(name);
+  if (!known_.emplace(name, targets.front().path).second) throw several_curves_of_node(name);
   nodes_.push_back({std::move(name), {}, std::move(targets), std::vector<std::vector<double>>(other_channels_.size())});
 }
 
@@ -159,7 +157,7 @@ void GltfScene::add(std::string_view rows) {
 /// number.
 void GltfScene::add_time(double time) {
   const double seconds = time * seconds_;
-  if (seconds < 0) throw time_before_start_of_animation(seconds);
+  if (seconds < 0) throw time_before_start_of_animation(time, seconds);
   constexpr float infinity = std::numeric_limits<float>::infinity();
   auto rounded = static_cast<float>(seconds);
   std::vector<float>& times = nodes_.back().times;
@@ -220,15 +218,16 @@ void GltfScene::end_curve() {
 std::string GltfScene::text() {
   Buffer buffer;
   Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
-  std::vector<std::string> names;
+  std::unordered_map<std::string_view, std::size_t> numbers_of_names;
+  std::vector<Json> others;  // of each node
   for (const Node& node : nodes_) {
     if (node.times.empty()) throw animation_without_rows();
-    const auto known = std::ranges::find(names, node.name);
-    const auto number = static_cast<std::size_t>(known - names.begin());
-    if (known == names.end()) {
-      names.push_back(node.name);
+    const auto [known, is_new] = numbers_of_names.emplace(node.name, nodes.size());
+    const std::size_t number = known->second;
+    if (is_new) {
       nodes.push_back(Json{{"name", node.name}});
       numbers.push_back(number);
+      others.emplace_back();
     }
     const std::size_t times = buffer.add(node.times, 1);
     for (const Target& target : node.targets) {
@@ -237,11 +236,15 @@ std::string GltfScene::text() {
                               {"interpolation", are_pieces_ ? "CUBICSPLINE" : "LINEAR"},
                               {"output", buffer.add(target.values, target.channels.size())}});
     }
-    for (std::size_t i = 0; i < others_.size(); ++i) extras[node.name][others_[i]] = node.others[i];
+    for (std::size_t i = 0; i < others_.size(); ++i) others[number][others_[i]] = node.others[i];
   }
   if (nodes_.empty()) throw animation_without_rows();
   Json animation{{"channels", channels}, {"samplers", samplers}};
-  if (!extras.is_null()) animation["extras"] = extras;
+  for (std::size_t number = 0; !others_.empty() && number < others.size(); ++number) {
+    if (extras.is_null()) extras = Json::object();
+    extras.get_ref<Json::object_t&>().emplace_back(nodes[number]["name"], std::move(others[number]));
+  }
+  if (!extras.is_null()) animation["extras"] = std::move(extras);
   Json file{{"asset", Json{{"version", "2.0"}, {"generator", "tcbsample"}}},
             {"scene", 0},
             {"scenes", Json::array({Json{{"nodes", numbers}}})},

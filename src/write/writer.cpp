@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "numbers/decimal_time.hpp"
+#include "option_names.hpp"
 #include "schema/errors.hpp"
 #include "schema/pose_formats.hpp"
 #include "text/utf8.hpp"
@@ -37,6 +39,11 @@ std::string with_crlf(std::string_view text) {
   std::string result;
   for (const char c : text) result += c == '\n' ? "\r\n" : std::string(1, c);
   return result;
+}
+
+Error dates_from_time_zero() {
+  return usage_error("times that count from {} are no dates; expected another notation; give {} seconds, or neither",
+                     option::time_zero, option::time_format);
 }
 
 /// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
@@ -109,8 +116,11 @@ void Writer::begin_curve(std::vector<std::string> group) {
 void Writer::set_times(const Schema& schema) {
   const auto given = options_.time_notation;
   if (has_pose_rows(format_of(options_.format))) return set_times_of_poses(schema.time);
+  if (options_.time_zero && given && is_date(*given)) throw dates_from_time_zero();
   if (!given) {
-    if (format_of(options_.format).family != FormatFamily::array) notation_ = schema.time.notation;
+    const bool are_dates = options_.time_zero && is_date(schema.time.notation);
+    const bool are_numbers = format_of(options_.format).family == FormatFamily::array || are_dates;
+    if (!are_numbers) notation_ = schema.time.notation;
     dates_ = schema.time.dates;
     return;
   }
@@ -180,11 +190,36 @@ Table Writer::ordered(const Table& table) const {
   return result;
 }
 
+void Writer::set_first_time(const Time& first) {
+  if (options_.time_zero && !zero_) zero_ = options_.time_zero->time.value_or(exact_time(first));
+}
+
+void Writer::set_frames(const PlayedFrames& frames) {
+  if (cameras_ != nullptr) cameras_->set_frames(frames);
+}
+
+/// A time of a golden row is its text. Decimals stay decimals.
+Table Writer::from_zero(Table rows) const {
+  for (std::size_t i = 0; i < rows.cells.size(); ++i) {
+    if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
+    std::optional<Rational> time;
+    if (!rows.texts.empty() && !rows.texts[i].empty()) time = parse_rational(std::exchange(rows.texts[i], ""));
+    const Rational shifted = (time ? *time : exact_time(rows.cells[i])) - *zero_;
+    const Time decimal = nearest_time(shifted, digits_of_time);
+    rows.cells[i] = exact_time(decimal) == shifted ? decimal : nearest_time(shifted);
+  }
+  return rows;
+}
+
 void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
   const bool is_first = first && frame_.is_first();
+  if (zero_ && order_.empty()) {
+    const Table rows = from_zero(table);
+    return append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
+  }
   if (order_.empty()) return append_rows(out, layout, columns_.numbers, table.cells, texts(table), is_first);
   if (cameras_ != nullptr) cameras_->add(table, cells_);
-  const Table rows = ordered(table);
+  const Table rows = zero_ ? from_zero(ordered(table)) : ordered(table);
   append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
 }
 
