@@ -108,7 +108,7 @@ class Writer {
   Output output_;
   OutputColumns columns_;
   std::size_t cells_ = 0;                ///< of a row, before they are ordered
-  std::vector<std::size_t> order_;       ///< of the cells of rows: as in pose_cells(); empty: as they are
+  std::vector<std::size_t> order_;       ///< of the cells of rows, by the columns of poses; empty: as they are
   std::unique_ptr<CameraPath> cameras_;  ///< of a camera path
   std::unique_ptr<GltfScene> scene_;     ///< of an animation
   TimeNotation notation_ = TimeNotation::seconds;
