@@ -14,7 +14,7 @@
 #include "io/system.hpp"
 #include "io/terminal.hpp"
 #include "plot/plot_job.hpp"
-#include "run/errors.hpp"
+#include "run/batch.hpp"
 #include "run/explain.hpp"
 #include "run/pipeline.hpp"
 

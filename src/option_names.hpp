@@ -81,6 +81,7 @@ inline constexpr std::string_view like_input = "--like-input";
 inline constexpr std::string_view no_output_header = "--no-output-header";
 inline constexpr std::string_view file_column = "--file-column";
 inline constexpr std::string_view time_format = "--time-format";
+inline constexpr std::string_view time_zero = "--time-zero";
 inline constexpr std::string_view rename = "--rename";
 inline constexpr std::string_view plot = "--plot";
 inline constexpr std::string_view axes = "--axes";

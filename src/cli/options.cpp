@@ -13,6 +13,7 @@
 #include "sample/request.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -40,6 +41,11 @@ constexpr bool recorded = true, unrecorded = false;
 void need_folder(const Conflicts& of) { of.need({option::output_dir}, ", an output for each file"); }
 void need_check(const Conflicts& of) { of.need({option::check}); }
 void need_fit(const Conflicts& of) { of.need({option::fit}); }
+
+Error not_a_time_zero(std::string_view text) {
+  return usage_error("{} is no time; expected a number in the unit of the times of the keys, or first",
+                     in_quotes(text));
+}
 
 /// The value of a time or a step, whose unit is noted.
 Rational stored_time(SamplingRequest& sampling, Fault fault, Text text, bool InSeconds::*member) {
@@ -73,17 +79,17 @@ void disable_options_of_samples(const Conflicts& of, Conflicts::Condition condit
 void disable_options_of_rows(const Conflicts& of) {
   constexpr std::string_view reason = reason_of_reports;
   of.disable({option::output_dir, option::files, option::meta, option::explain, option::progress}, reason);
-  of.disable(
-      {option::digits, option::fixed, option::golden, option::exact_input, option::hex, option::no_output_header,
-       option::output_delimiter, option::output_decimal, option::like_input, option::file_column, option::time_format},
-      reason);
+  of.disable({option::digits, option::fixed, option::golden, option::exact_input, option::hex, option::no_output_header,
+              option::output_delimiter, option::output_decimal, option::like_input, option::file_column,
+              option::time_format, option::time_zero},
+             reason);
   of.disable({option::output_format, option::plot}, ", whose report is text, json or svg", has_no_format_of_reports);
 }
 
 void disable_options_without_picture(const Conflicts& of) {
   of.disable({option::rotation_output, option::emit, option::fields, option::side, option::digits, option::fixed,
               option::golden, option::exact_input, option::meta, option::hex, option::no_output_header,
-              option::output_delimiter, option::output_decimal, option::like_input},
+              option::output_delimiter, option::output_decimal, option::like_input, option::time_zero},
              ", which draws the curve and has no rows", has_picture);
 }
 
@@ -684,6 +690,14 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.output.time_notation = named_row(time_notations, text).notation; },
      [](const Conflicts& of) { of.need({option::input_fps}, ", the rate of the frames", has_frames_of_time); },
      names_in<time_notations>},
+    {option::time_zero, "", "T", output_group,
+     "Subtracts T, a time in the unit of the keys, exactly from all times in the output; first is the time of the first "
+     "key",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       to.output.time_zero.emplace();
+       if (text != "first") to.output.time_zero->time = ratio_or(not_a_time_zero, text);
+     }},
     {option::rename, "", "OLD=NEW,...", output_group,
      "Renames columns of the input, in the output and for the options about channels", "", columns, recorded,
      [](Typed& to, Text text) { to.keys.input.renamings = renamings(text); }},

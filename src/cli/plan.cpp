@@ -12,9 +12,11 @@
 #include "cli/read_options.hpp"
 #include "cli/values.hpp"
 #include "io/system.hpp"
+#include "option_names.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 #include "schema/pose_formats.hpp"
+#include "text/file_ending.hpp"
 
 namespace tcb {
 namespace {
@@ -88,9 +90,20 @@ void require_forward_range(const TypedOptions& typed) {
   }
 }
 
+/// Whether the input may be a camera path, which has frames of its own, so that no sampling option is needed.
+bool may_have_frames(const TypedOptions& typed) {
+  for (const std::string_view option : {option::fit, option::from, option::to, option::end, option::keys}) {
+    if (typed.has(option)) return false;
+  }
+  if (typed.keys.input.format) return typed.keys.input.format == FormatId::nerfstudio;
+  return !typed.files.files.empty() && std::ranges::all_of(typed.files.files, [](std::string_view path) {
+    return without_compression(path).ends_with(".json");
+  });
+}
+
 /// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
 void require_samples(const TypedOptions& typed) {
-  const bool is_needed = !typed.has(option::plot) && !typed.has(option::explain);
+  const bool is_needed = !typed.has(option::plot) && !typed.has(option::explain) && !may_have_frames(typed);
   if (has_no_sampling_option(typed) && is_needed) throw no_sampling_option(sampling_options);
   require_forward_range(typed);
 }
@@ -161,6 +174,8 @@ SampleOptions samples_of(const TypedOptions& typed) {
   if (has_no_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
     samples.request.mode = Mode::segments;
     samples.request.count = 50;
+    const bool is_drawn = format_of(typed.output.format).family == FormatFamily::picture || typed.has(option::explain);
+    if (!is_drawn && may_have_frames(typed)) samples.unless_frames = no_sampling_option(sampling_options);
   }
   return samples;
 }

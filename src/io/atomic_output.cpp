@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "io/errors.hpp"
+#include "error.hpp"
 #include "io/path_text.hpp"
 #include "io/system.hpp"
 #include "io/terminal.hpp"
@@ -100,6 +100,8 @@ bool name_temporarily(OutputTarget& target, const std::string& path) {
          }) == 0;
 }
 
+Error cannot_write(std::string_view reason) { return usage_error("cannot be written: {}", reason); }
+
 /// The file that a path leads to. A path that does not lead anywhere, or is too long for the system, stays as it is.
 /// Throws: Error (usage) for a link that cannot be followed.
 std::string target_of(const std::string& path) {
@@ -143,7 +145,7 @@ void remove_left_temporaries(const std::string& folder) {
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) throw cannot_create_folder(error.message()).in(path);
+  if (error) throw usage_error("the folder cannot be created: {}", error.message()).in(path);
 }
 
 OutputTarget::~OutputTarget() {
@@ -162,7 +164,9 @@ Output::Output(std::string path, bool begins_last) : path_(std::move(path)) {
   if (!begins_last || (open_.is_file && !compressor_)) return;
   spool_ = std::make_unique<OutputTarget>();
   spool_->descriptor = system::create_temporary();
-  if (spool_->descriptor < 0) throw cannot_create_temporary(system::error_text()).in(shown_name());
+  if (spool_->descriptor < 0)
+    throw usage_error("this output needs a temporary file, which cannot be created: {}", system::error_text())
+        .in(shown_name());
 }
 
 void Output::open() {
@@ -229,7 +233,9 @@ void Output::send_spooled() {
   std::string bytes(write_size, '\0');
   for (std::ptrdiff_t count = 1; count != 0;) {
     count = system::read(spool, bytes.data(), bytes.size());
-    if (count < 0) throw cannot_read_temporary(system::error_text()).in(shown_name());
+    if (count < 0)
+      throw usage_error("the temporary file of this output cannot be read back: {}", system::error_text())
+          .in(shown_name());
     if (count > 0) send_compressed({bytes.data(), static_cast<std::size_t>(count)});
   }
   spool_.reset();

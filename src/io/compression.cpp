@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/errors.hpp"
+#include "error.hpp"
 #include "io/zstandard.hpp"
 #include "text/file_ending.hpp"
 
@@ -84,9 +84,11 @@ Source<std::string> decoded(Source<std::string> bytes) {
       }
       const bool was_ended = state->decoder.ended();
       if (buffers.in.empty() && was_ended && state->at_end) return std::nullopt;
-      if (!state->decoder.step(buffers)) throw compressed_data_damaged(Decoder::name);
+      if (!state->decoder.step(buffers))
+        throw data_error("the {} data are damaged; expected a valid file; copy or create it again", Decoder::name);
       const bool stuck = state->at_end && buffers.in.empty() && buffers.size == 0;
-      if (stuck && !state->decoder.ended()) throw compressed_data_cut(Decoder::name);
+      if (stuck && !state->decoder.ended())
+        throw data_error("the {} data end too early; expected a complete file; copy or create it again", Decoder::name);
     }
     state->left = buffers.in;
     buffers.out.resize(buffers.size);

@@ -5,11 +5,21 @@
 #include <memory>
 #include <utility>
 
+#include "error.hpp"
 #include "io/converter.hpp"
-#include "io/errors.hpp"
 
 namespace tcb {
 using namespace std::string_view_literals;
+
+namespace {
+
+Error not_in_encoding(std::string_view encoding) {
+  return data_error(
+      "the text is not in {}, as its byte order mark says; expected text; check whether the file is complete",
+      encoding);
+}
+
+}  // namespace
 
 std::string_view encoding_of_mark(std::string_view beginning) {
   constexpr std::array marks{std::pair{"\xFF\xFE\0\0"sv, "UTF-32"sv}, std::pair{"\0\0\xFE\xFF"sv, "UTF-32"sv},

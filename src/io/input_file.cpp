@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/errors.hpp"
+#include "error.hpp"
 #include "io/system.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 
@@ -28,13 +29,21 @@ struct Descriptor {
   }
 };
 
-Error reading_failed() { return system::failed_as_folder() ? input_is_folder() : cannot_read(system::error_text()); }
+Error input_is_folder() {
+  return usage_error("this is a folder; expected a file; give {} and {} to process the files in it", option::recursive,
+                     option::output_dir);
+}
+
+Error reading_failed() {
+  return system::failed_as_folder() ? input_is_folder() : usage_error("cannot be read: {}", system::error_text());
+}
 
 int open_for_reading(const std::string& path) {
   if (path == "-") return system::standard_input;
   const int descriptor = system::open_to_read(path);
   if (descriptor >= 0) return descriptor;
-  const Error error = system::failed_as_folder() ? input_is_folder() : cannot_open(system::error_text());
+  const Error error =
+      system::failed_as_folder() ? input_is_folder() : usage_error("cannot be opened: {}", system::error_text());
   throw error.in(shown_name(path));
 }
 
@@ -126,7 +135,11 @@ Source<std::string> read_file(const std::string& path) {
     const std::ptrdiff_t count = system::read(file->number, bytes.data(), bytes.size());
     if (count < 0) throw reading_failed().in(shown_name(path));
     if (count == 0) {
-      if (!parts->are_whole()) throw input_changed().in(shown_name(path));
+      if (!parts->are_whole())
+        throw usage_error(
+            "the file changed while it was read; expected a complete file; wait until it is written, or read what it "
+            "holds so far through a pipe, as in cat FILE | tcbsample")
+            .in(shown_name(path));
       return std::nullopt;
     }
     bytes.resize(static_cast<std::size_t>(count));

@@ -7,11 +7,13 @@
 #include <optional>
 #include <utility>
 
-#include "io/errors.hpp"
+#include "error.hpp"
 #include "io/input_file.hpp"
 #include "io/path_text.hpp"
 #include "io/system.hpp"
+#include "option_names.hpp"
 #include "text/file_ending.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -39,12 +41,24 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
   while (const std::optional<std::string> text = bytes()) {
     for (const char c : *text) {
       if (c == end) {
-        if (options.nul && name.empty()) throw empty_name_in_list().in(shown_name(options.list));
+        if (options.nul && name.empty())
+          throw usage_error(
+              "the list of files has an empty name; expected a name before each NUL byte, as find -print0 prints them")
+              .in(shown_name(options.list));
         take();
       } else {
-        if (c == '\0') throw nul_in_list().in(shown_name(options.list));
+        if (c == '\0')
+          throw usage_error(
+              "the list of files has a NUL byte; expected one name per line; give {} if the names end in NUL",
+              option::null)
+              .in(shown_name(options.list));
         name += c;
-        if (name.size() > longest_name) throw long_name_in_list(longest_name).in(shown_name(options.list));
+        if (name.size() > longest_name)
+          throw usage_error(
+              "the list of files has a name of more than {} bytes; expected one name per line; give {} if the names "
+              "end in NUL",
+              longest_name, option::null)
+              .in(shown_name(options.list));
       }
     }
   }
@@ -80,7 +94,7 @@ void append_folder(Inputs& inputs, const std::string& folder, const InputListOpt
       ++inputs.others;
     }
   }
-  if (error) throw cannot_read_folder(error.message()).in(folder);
+  if (error) throw usage_error("the folder cannot be read: {}", error.message()).in(folder);
   std::sort(inputs.files.begin() + static_cast<std::ptrdiff_t>(begin), inputs.files.end(),
             [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
 }
@@ -120,7 +134,12 @@ void require_distinct_outputs(const std::vector<InputFile>& files, const OutputP
     for (std::size_t j = i; j-- > 0 && by_hash[j].first == by_hash[i].first;) {
       const InputFile& other = files[by_hash[j].second];
       const std::string path = output_path(file, outputs);
-      if (real.of(path) == real.of(output_path(other, outputs))) throw same_output(path, other.path).in(file.path);
+      if (real.of(path) == real.of(output_path(other, outputs)))
+        throw usage_error(
+            "its output {} is also the output of {}; expected an output for each input; rename one of the inputs, or "
+            "process them into different folders",
+            path, other.path)
+            .in(file.path);
     }
   }
 }
@@ -139,7 +158,8 @@ std::optional<Identity> identity_of_output(const std::string& path) {
 }
 
 Error output_over_input(const std::string& output) {
-  if (output != "-") return output_is_input(output);
+  if (output != "-")
+    return usage_error("its output {} would replace an input; expected a different file; give another output", output);
   return usage_error("standard output would overwrite an input; expected a different file; send it to another file");
 }
 
@@ -182,14 +202,22 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOpti
 }
 
 [[noreturn]] void refuse_none(const Inputs& inputs, const InputListOptions& options) {
-  if (inputs.others == 0 && !options.list.empty()) throw empty_list().in(shown_name(options.list));
-  throw no_inputs_in_folders(inputs.others, options.endings);
+  if (inputs.others == 0 && !options.list.empty())
+    throw usage_error("the list of files has no names; expected one per line; add some").in(shown_name(options.list));
+  if (inputs.others == 0) {
+    throw usage_error("the folders hold no files; expected at least one; give other folders");
+  }
+  throw usage_error(
+      "the folders hold no input (other files: {}); expected names that end in one of {}; give {} to take all files",
+      inputs.others, listed(options.endings), option::input_format);
 }
 
 }  // namespace
 
 std::string output_path(const InputFile& file, const OutputPaths& outputs) {
-  if (file.path == "-") throw standard_input_without_name();
+  if (file.path == "-")
+    throw usage_error("standard input has no name, but {} names each output after its input; give {} instead",
+                      option::output_dir, option::output);
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
   const fs::path stem = fs::path(without_compression(path_text(kept))).stem();

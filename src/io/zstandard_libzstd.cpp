@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "io/errors.hpp"
+#include "error.hpp"
 #include "io/zstandard.hpp"
 
 namespace tcb {
@@ -25,7 +25,10 @@ bool Unzstd::step(Buffers& buffers) {
   ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
   ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
   const std::size_t result = ZSTD_decompressStream(state_->stream.get(), &out, &in);
-  if (ZSTD_getErrorCode(result) == ZSTD_error_frameParameter_windowTooLarge) throw zstandard_window_too_large();
+  if (ZSTD_getErrorCode(result) == ZSTD_error_frameParameter_windowTooLarge)
+    throw data_error(
+        "the Zstandard data need a window of more than 128 MiB of memory; expected at most 128 MiB; decompress the "
+        "file with zstd -d --long=31 first");
   if (ZSTD_isError(result) != 0) return false;
   buffers.in.remove_prefix(in.pos);
   buffers.size = out.pos;

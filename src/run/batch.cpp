@@ -2,16 +2,30 @@
 #include "run/batch.hpp"
 
 #include <atomic>
+#include <new>
 #include <optional>
 #include <set>
+#include <stdexcept>
+#include <system_error>
 
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "io/system.hpp"
-#include "run/errors.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {
+
+Error failure_of(const std::exception& failure) {
+  if (const auto* const error = dynamic_cast<const Error*>(&failure)) return *error;
+  const bool is_memory = dynamic_cast<const std::bad_alloc*>(&failure) != nullptr ||
+                         dynamic_cast<const std::length_error*>(&failure) != nullptr;
+  if (is_memory) return usage_error("out of memory");
+  if (const auto* const refused = dynamic_cast<const std::system_error*>(&failure)) {
+    return usage_error("the system refused a part of the work: {}", refused->code().message());
+  }
+  return usage_error("the program failed by a fault of its own, and wrote no output; report the command and its input");
+}
+
 namespace {
 
 /// Files of at least this size use all threads; smaller ones share them.

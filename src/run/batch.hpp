@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +13,9 @@
 #include "run/progress.hpp"
 
 namespace tcb {
+
+/// What a person is told of an exception; the texts of libraries are not for people.
+Error failure_of(const std::exception& failure);
 
 /// An output of a product: rows, keys or a picture.
 class BatchOutput {

@@ -12,12 +12,12 @@
 #include "keys/parameterize.hpp"
 #include "keys/velocities.hpp"
 #include "option_names.hpp"
-#include "run/errors.hpp"
 #include "sample/build.hpp"
 #include "sample/curve_errors.hpp"
 #include "sample/errors.hpp"
 #include "sample/look_up.hpp"
 #include "sample/tolerance.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -51,7 +51,11 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
                  spec_.preset == spline::Preset::nel, spec_.closed} {
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
-  if (has_duration && unit == TimeUnit::frames) throw duration_of_frames(schema.time.name);
+  if (has_duration && unit == TimeUnit::frames)
+    throw usage_error(
+        "the times in column {} are frames, which have no duration; expected their rate; give it with {}, as in {} 24, "
+        "or give frames without a unit",
+        in_quotes(schema.time.name), option::input_fps, option::input_fps);
   if (unit && unit != TimeUnit::frames) {
     request_.convert_seconds(units_per_second(*unit));
     if (spec_.is_period_in_seconds) *spec_.period *= units_per_second(*unit);
@@ -68,7 +72,10 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     std::ranges::for_each(request_.places, take_frame);
   }
   if (timed_ && spec_.parameter) {
-    throw parameter_with_times(schema.time.name).about(option::parameter);
+    throw data_error(
+        "column \"{}\" has times already; expected keys without times; remove {}, or choose the columns with {}",
+        schema.time.name, option::parameter, option::columns)
+        .about(option::parameter);
   }
   require_rotations(spec_, request.fields, request_);
   require_fitting_rotations(spec_, needs_.metric, request_.mode == Mode::emit);
@@ -163,7 +170,7 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
   Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels());
   const auto expected = [estimate = std::move(estimate)] { return estimate->rows(); };
-  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected};
+  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected, {}, extent.first};
 }
 
 /// The first and the last time of the curve.
@@ -326,12 +333,26 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
   const auto expected = [rows] { return static_cast<double>(rows); };
   if (request_.mode == Mode::arc_at) {
     const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->curve().length().value);
-    return {look_up(curve, locator, request_.side()), locator, nullptr, facts, fast_rows(locator), expected};
+    return {look_up(curve, locator, request_.side()),
+            locator,
+            nullptr,
+            facts,
+            fast_rows(locator),
+            expected,
+            {},
+            extent.first};
   }
   const Time& end = *extent.last;
   const auto locator =
       std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolations, extent.first, end, spec_.frames);
-  return {look_up(curve, locator, request_.side()), locator, nullptr, facts, fast_rows(locator), expected};
+  return {look_up(curve, locator, request_.side()),
+          locator,
+          nullptr,
+          facts,
+          fast_rows(locator),
+          expected,
+          {},
+          extent.first};
 }
 
 /// Evaluates rows exactly, and rounds each number once.

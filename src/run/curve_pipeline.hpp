@@ -62,6 +62,7 @@ struct PlacedCurve {
   Evaluate evaluate = {};
   std::function<double()> expected_rows = {};  ///< about the number of rows, by the segments that were made so far
   std::shared_ptr<ExactRows> golden = {};      ///< null: rows are not exact
+  Time first_key = {};                         ///< its time
 
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }

@@ -49,6 +49,7 @@ class FileRun {
       Source<KeyBlock> keys = provenance.observe_keys(curve->keys);
       if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
       PlacedCurve placed = pipeline_->place(std::move(keys));  // segments, measure, place
+      writer_.set_first_time(placed.first_key);
       placed.blocks = progress_->observe_rows(std::move(placed.blocks), placed.expected_rows, rows);
       placed.blocks = provenance.observe_rows(std::move(placed.blocks));
       writer_.write(printed(placed, labels));  // evaluate, print
@@ -71,9 +72,20 @@ class FileRun {
     if (curve_info_ == nullptr) {
       writer_.begin(input.schema, live_, preset_in_words(pipeline_->facts()), shown_name(path_));
       if (const auto others = writer_.channels_in_extras(); !others.empty()) notes_.add(channels_in_extras(others));
+      if (const auto frames = played_frames(input, *curve.curve_info)) writer_.set_frames(*frames);
     }
     curve_info_ = curve.curve_info;
     writer_.begin_curve(curve.group);
+  }
+
+  /// The frames that are asked for, where rows have the same distance in time; nothing: their rate follows from the
+  /// rows.
+  std::optional<PlayedFrames> played_frames(const Input& input, const CurveInfo& info) const {
+    if (job_.samples.takes_frames()) return PlayedFrames{info.frames->rate, info.frames->seconds};
+    const SamplingRequest& request = pipeline_->request();
+    const bool is_even = !request.keys && (request.end == EndPolicy::drop || request.end == EndPolicy::keep);
+    if (request.mode != Mode::step || !is_even) return std::nullopt;
+    return PlayedFrames{units_per_second(input.schema.time.unit.value_or(TimeUnit::s)) / request.step};
   }
 
   /// The labels of a curve, which are the texts of its keys after those of groups; null if there are none.

@@ -1,8 +1,9 @@
 // Sample options: the samples that are requested of each curve, where groups may have their own places.
 #include "run/sample_options.hpp"
 
+#include <fmt/ranges.h>
+
 #include "option_names.hpp"
-#include "run/errors.hpp"
 #include "schema/key_block.hpp"
 
 namespace tcb {
@@ -10,12 +11,24 @@ namespace tcb {
 const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::string_view option,
                                              const CurveKeys& curve, const Schema& schema) {
   const auto found = places.find(contents(curve.group));
-  if (found == places.end()) throw group_without_places(group_title(schema.groups, curve.group)).about(option);
+  if (found == places.end())
+    throw data_error("the file has no rows for the curve {}; expected rows for each curve; add some",
+                     fmt::join(group_title(schema.groups, curve.group), ", "))
+        .about(option);
   return found->second;
 }
 
 SamplingRequest SampleOptions::of(const CurveKeys& curve, const Schema& schema) const {
   SamplingRequest own = request;
+  if (takes_frames()) {
+    const std::optional<ViewerFrames>& frames = curve.curve_info->frames;
+    if (!frames) throw Error(*unless_frames);
+    own.mode = Mode::step;
+    own.step = frames->step;
+    own.from = 0;
+    own.to = frames->step * Rational(frames->count - 1);
+    return own;
+  }
   if (grouped_places.empty()) return own;
   own.places = places_of_group(grouped_places, request.mode == Mode::at ? option::at : option::arc_at, curve, schema);
   return own;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "error.hpp"
 #include "keys/curves.hpp"
 #include "numbers/rational.hpp"
 #include "sample/request.hpp"
@@ -23,7 +25,10 @@ const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::s
 /// The samples that are requested of each curve.
 struct SampleOptions {
   SamplingRequest request;
-  GroupedPlaces grouped_places;  ///< instead of request.places, if groups have their own
+  GroupedPlaces grouped_places;             ///< instead of request.places, if groups have their own
+  std::optional<Error> unless_frames = {};  ///< the samples are the frames of the input; the error where it has none
+
+  bool takes_frames() const { return unless_frames.has_value(); }
 
   /// The request for one curve. Throws: Error (data) for a group without places.
   SamplingRequest of(const CurveKeys& curve, const Schema& schema) const;

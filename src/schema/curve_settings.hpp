@@ -1,6 +1,7 @@
 // Curve settings: the settings of a curve as they are given, and where they come from.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "numbers/rational.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {
@@ -45,9 +47,17 @@ struct CurveSettings {
   bool no_ease = false;
 };
 
+/// The frames in which a viewer plays a curve: one at 0, step, 2 step, ... in the unit of the times.
+struct ViewerFrames {
+  Rational rate, seconds;  ///< frames per second, and how long all are shown, as the input says
+  std::uint64_t count = 0;
+  Rational step;
+};
+
 /// The information of an input about a curve, besides its keys.
 struct CurveInfo {
   CurveSettings settings;
+  std::optional<ViewerFrames> frames = {};
   std::vector<std::pair<std::string, TextPosition>> places = {};  ///< the text position of each setting
   std::string id = {};                                            ///< a text as in schema/texts.hpp
 };

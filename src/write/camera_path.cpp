@@ -47,9 +47,10 @@ void CameraPath::add(const Table& rows, std::size_t cells_per_row) {
 
 std::string CameraPath::tail(const Rational& unit) const {
   const Rational duration = (exact_time(last_) - exact_time(first_)) * unit;
-  const Rational step = rows_ > 1 && duration > 0 ? duration / Rational(rows_ - 1) : Rational(1);
-  return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(1 / step),
-                     nearest_double(Rational(rows_) * step));
+  const Rational mean = rows_ > 1 && duration > 0 ? Rational(rows_ - 1) / duration : Rational(1);
+  const PlayedFrames frames = frames_.value_or(PlayedFrames{mean});
+  return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(frames.rate),
+                     nearest_double(frames.seconds.value_or(Rational(rows_) / frames.rate)));
 }
 
 Layout camera_layout(const std::vector<OutputColumn>& columns) {

@@ -7,11 +7,20 @@
 #include <iterator>
 #include <utility>
 
+#include "error.hpp"
+#include "option_names.hpp"
 #include "schema/pose_formats.hpp"
-#include "write/errors.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error text_in_binary_format(std::string_view column, std::string_view format) {
+  return data_error(
+      "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as csv, to "
+      "{}, or remove the column",
+      in_quotes(column), format, option::output_format);
+}
 
 std::ptrdiff_t signed_size(std::size_t size) { return static_cast<std::ptrdiff_t>(size); }
 
@@ -44,7 +53,11 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
     throw text_in_binary_format(columns.labels.front(), format_of(options.format).name);
   }
   if (has_pose_rows(format_of(options.format)) && groups_ + columns.labels.size() > 0) {
-    throw text_in_poses(groups_ > 0 ? columns.groups.front() : columns.labels.front(), format_of(options.format).name);
+    throw data_error(
+        "column {} holds text, but {} holds only times and poses; expected rows without text; give another format, "
+        "such as csv, to {}",
+        in_quotes(groups_ > 0 ? columns.groups.front() : columns.labels.front()), format_of(options.format).name,
+        option::output_format);
   }
   std::vector<OutputColumn> all;
   for (const std::string& name : columns.names()) all.push_back({name});
@@ -73,7 +86,10 @@ std::string Frame::begin(std::span<const std::string> group, bool divided) {
   rows_.before[0] = cells + all_.before[groups_];
   if (!divided || !any_rows_) return "";
   if (all_.divider.empty()) {
-    throw several_curves_in_one_table(format_of(options_.format).name);
+    throw data_error(
+        "there is more than one curve, but {} holds one table of rows; expected one curve; give another format, such "
+        "as csv, to {}",
+        format_of(options_.format).name, option::output_format);
   }
   return all_.between_rows + all_.divider;
 }

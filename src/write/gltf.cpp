@@ -11,11 +11,15 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 #include <utility>
 
+#include "error.hpp"
 #include "io/base64.hpp"
+#include "option_names.hpp"
 #include "schema/texts.hpp"
-#include "write/errors.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -25,6 +29,17 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view track_column = "track";
 constexpr std::string_view target_track = "target";  // what a camera looks at: a node of its own
 constexpr std::size_t numbers_of_piece = 4;          // of a channel: position and velocity at both ends
+
+Error no_target_of_node(const std::vector<std::string>& channels) {
+  return data_error(
+      "the channels are {}; expected three of a translation, one rotation, or sx, sy and sz of a scale; choose others "
+      "with {}, or give another format to {}",
+      listed(channels), option::columns, option::output_format);
+}
+
+Error animation_without_rows() {
+  return data_error("a curve has no row in the range; expected one at least; give a longer range");
+}
 
 /// The place of a channel among those of a scale; 3: it is none.
 std::size_t axis_of_scale(std::string_view name) {
@@ -115,7 +130,10 @@ std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& tr
   std::vector<Target> targets{targets_.front()};
   const bool is_rotation = targets.front().path == "rotation";
   if (is_rotation || track == "position" || track == target_track) return targets;
-  if (track != "scale") throw no_target_of_track(track);
+  if (track != "scale")
+    throw data_error(
+        "the track {} is no position, rotation or scale that a node has; expected one of these; choose others with {}",
+        in_quotes(track), option::only);
   targets.front().path = "scale";
   return targets;
 }
@@ -129,10 +147,11 @@ void GltfScene::begin_curve(const std::vector<std::string>& group) {
     if (texts.back() != target_track) texts.pop_back();
   }
   std::string name = texts.empty() ? "curve" : fmt::format("{}", fmt::join(texts, " "));
-  const auto has_path = [&](const Node& node) {
-    return node.name == name && node.targets.front().path == targets.front().path;
-  };
-  if (std::ranges::any_of(nodes_, has_path)) throw several_curves_of_node(name);
+  if (!known_.emplace(name, targets.front().path).second)
+    throw data_error(
+        "there is more than one curve of {}; expected one for each node of an animation; give another format, such as "
+        "csv, to {}",
+        in_quotes(name), option::output_format);
   nodes_.push_back({std::move(name), {}, std::move(targets), std::vector<std::vector<double>>(other_channels_.size())});
 }
 
@@ -159,13 +178,19 @@ void GltfScene::add(std::string_view rows) {
 /// number.
 void GltfScene::add_time(double time) {
   const double seconds = time * seconds_;
-  if (seconds < 0) throw time_before_start_of_animation(seconds);
+  if (seconds < 0)
+    throw data_error("a keyframe is at {} seconds; expected times from 0 on, as animations have them; give {} {}",
+                     seconds, option::time_zero, time);
   constexpr float infinity = std::numeric_limits<float>::infinity();
   auto rounded = static_cast<float>(seconds);
   std::vector<float>& times = nodes_.back().times;
   if (!times.empty() && !(rounded > times.back())) {
     const bool is_step = are_pieces_ && rounded == times.back();
-    if (!is_step) throw times_not_in_single_precision(seconds);
+    if (!is_step)
+      throw data_error(
+          "the keyframe at {} seconds has the time of the one before it in single precision; expected times that "
+          "differ there; give fewer samples, or {} first to count the times from the first key",
+          seconds, option::time_zero);
     rounded = std::nextafter(rounded, infinity);
   }
   times.push_back(rounded);
@@ -173,7 +198,8 @@ void GltfScene::add_time(double time) {
 
 void GltfScene::add_number(Target& target, double number) {
   if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max())) {
-    throw number_beyond_single_precision(number);
+    throw data_error(
+        "{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the keys down", number);
   }
   target.values.push_back(static_cast<float>(number));
 }
@@ -220,15 +246,16 @@ void GltfScene::end_curve() {
 std::string GltfScene::text() {
   Buffer buffer;
   Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
-  std::vector<std::string> names;
+  std::unordered_map<std::string_view, std::size_t> numbers_of_names;
+  std::vector<Json> others;  // of each node
   for (const Node& node : nodes_) {
     if (node.times.empty()) throw animation_without_rows();
-    const auto known = std::ranges::find(names, node.name);
-    const auto number = static_cast<std::size_t>(known - names.begin());
-    if (known == names.end()) {
-      names.push_back(node.name);
+    const auto [known, is_new] = numbers_of_names.emplace(node.name, nodes.size());
+    const std::size_t number = known->second;
+    if (is_new) {
       nodes.push_back(Json{{"name", node.name}});
       numbers.push_back(number);
+      others.emplace_back();
     }
     const std::size_t times = buffer.add(node.times, 1);
     for (const Target& target : node.targets) {
@@ -237,11 +264,15 @@ std::string GltfScene::text() {
                               {"interpolation", are_pieces_ ? "CUBICSPLINE" : "LINEAR"},
                               {"output", buffer.add(target.values, target.channels.size())}});
     }
-    for (std::size_t i = 0; i < others_.size(); ++i) extras[node.name][others_[i]] = node.others[i];
+    for (std::size_t i = 0; i < others_.size(); ++i) others[number][others_[i]] = node.others[i];
   }
   if (nodes_.empty()) throw animation_without_rows();
   Json animation{{"channels", channels}, {"samplers", samplers}};
-  if (!extras.is_null()) animation["extras"] = extras;
+  for (std::size_t number = 0; !others_.empty() && number < others.size(); ++number) {
+    if (extras.is_null()) extras = Json::object();
+    extras.get_ref<Json::object_t&>().emplace_back(nodes[number]["name"], std::move(others[number]));
+  }
+  if (!extras.is_null()) animation["extras"] = std::move(extras);
   Json file{{"asset", Json{{"version", "2.0"}, {"generator", "tcbsample"}}},
             {"scene", 0},
             {"scenes", Json::array({Json{{"nodes", numbers}}})},

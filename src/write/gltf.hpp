@@ -11,8 +11,10 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "schema/schema.hpp"
@@ -72,6 +74,7 @@ class GltfScene {
   std::vector<std::string> others_;
   std::vector<double> pieces_;  ///< of the current curve, row after row
   std::vector<Node> nodes_;
+  std::set<std::pair<std::string, std::string_view>> known_;  ///< names of nodes, with the path of their first target
 };
 
 }  // namespace tcb

@@ -8,10 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include "error.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "schema/key_block.hpp"
 #include "write/camera_path.hpp"
-#include "write/errors.hpp"
 
 namespace tcb {
 
@@ -101,7 +102,10 @@ char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& not
     return write_cell(out, kind, cell);
   }
   if (!notation.is_text() && cell.lo != 0) {
-    throw time_not_a_double(time_text(cell));
+    throw data_error(
+        "time {} has more digits than a double holds; expected a double, or a text format; give another format, such "
+        "as csv, to {}",
+        time_text(cell), option::output_format);
   }
   return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
 }

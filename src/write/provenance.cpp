@@ -6,10 +6,10 @@
 #include <deque>
 #include <string_view>
 
+#include "error.hpp"
 #include "io/input_file.hpp"
 #include "io/sha256.hpp"
 #include "text/utf8.hpp"
-#include "write/errors.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
@@ -91,7 +91,9 @@ Source<std::string> verified(const Source<std::string>& bytes, const std::string
     sha256.add(*more);
     parts.push_back(std::move(*more));
   }
-  if (const std::string digest = sha256.digest(); digest != expected) throw checksum_differs(digest, expected, from);
+  if (const std::string digest = sha256.digest(); digest != expected)
+    throw data_error("its SHA-256 is {}; expected {}, as recorded in {}; give the recorded file", digest, expected,
+                     from);
   return [parts = std::move(parts)]() mutable -> std::optional<std::string> {
     if (parts.empty()) return std::nullopt;
     std::string next = std::move(parts.front());
@@ -112,7 +114,9 @@ Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& name, S
   auto& inputs = tally_->provenance.inputs;
   const auto& earlier = request_->earlier.inputs;
   if (!earlier.empty()) {
-    if (inputs.size() == earlier.size()) throw made_from_fewer_inputs(request_->from, earlier.size());
+    if (inputs.size() == earlier.size())
+      throw usage_error("there are more key files than {} was made from; expected {}; remove the rest", request_->from,
+                        earlier.size());
     const auto& [first_name, digest] = earlier[inputs.size()];
     bytes = verified(bytes, digest, request_->from);
     inputs.emplace_back(first_name, "");  // the file may have another name now
@@ -177,7 +181,8 @@ std::string ProvenanceRecorder::before_rows(FormatId format) const {
 std::string ProvenanceRecorder::after_rows(FormatId format) const {
   if (tally_ == nullptr) return "";
   if (tally_->provenance.inputs.size() < request_->earlier.inputs.size()) {
-    throw made_from_more_inputs(request_->from, request_->earlier.inputs.size());
+    throw usage_error("there are fewer key files than {} was made from; expected {}; add the rest", request_->from,
+                      request_->earlier.inputs.size());
   }
   return text_after_rows(tally_->provenance, format);
 }

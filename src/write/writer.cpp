@@ -4,14 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
+#include "error.hpp"
+#include "numbers/decimal_time.hpp"
+#include "option_names.hpp"
+#include "sample/cells.hpp"
 #include "schema/errors.hpp"
 #include "schema/pose_formats.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
-#include "write/errors.hpp"
-#include "write/pose_cells.hpp"
 
 namespace tcb {
 
@@ -19,9 +23,14 @@ namespace {
 
 /// Throws: Error (data) where the name is another column's, or the file's is not UTF-8.
 void add_file_column(OutputColumns& columns, const std::string& name, const std::string& file) {
-  if (std::ranges::count(columns.names(), name) > 0) throw file_column_taken(name);
+  if (std::ranges::count(columns.names(), name) > 0)
+    throw data_error("there already is a column {}; expected another name for the column of files; give {}=NAME",
+                     in_quotes(name), option::file_column);
   const std::size_t invalid = find_invalid_utf8(file);
-  if (invalid != std::string::npos) throw file_name_not_utf8(file[invalid]);
+  if (invalid != std::string::npos)
+    throw data_error(
+        "the name of the file has the byte {:02X}, which is not UTF-8; expected UTF-8 for {}; rename the file",
+        static_cast<unsigned char>(file[invalid]), option::file_column);
   columns.groups.insert(columns.groups.begin(), name);
 }
 
@@ -39,20 +48,99 @@ std::string with_crlf(std::string_view text) {
   return result;
 }
 
+Error dates_from_time_zero() {
+  return usage_error("times that count from {} are no dates; expected another notation; give {} seconds, or neither",
+                     option::time_zero, option::time_format);
+}
+
 /// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
 void require_path_with_yaw(const Schema& schema) {
   const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
-  if (schema.channels.size() != 3 && !has_yaw) throw no_path_with_yaw(schema.channels);
-  if (!schema.rotations.empty()) throw no_path_with_yaw(schema.channels);
+  if ((schema.channels.size() != 3 && !has_yaw) || !schema.rotations.empty()) {
+    throw data_error(
+        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with {}, as in "
+        "position=x:y:z:yaw",
+        listed(schema.channels), option::columns);
+  }
   const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
-  if (unit != TimeUnit::s) throw durations_not_in_seconds(row_of(unit).name);
+  if (unit != TimeUnit::s)
+    throw data_error(
+        "the times are in {}, but the durations of polynomials are in seconds; expected times in seconds; convert "
+        "them, or give {} where they are frames",
+        row_of(unit).name, option::input_fps);
+}
+
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+
+/// The names of channels besides the position that a format has: those that it needs, and those that may follow.
+std::vector<std::string_view> other_channels(const PoseFormat& format) {
+  std::vector<std::string_view> channels;
+  if (format_of(format.format).family != FormatFamily::cameras) return channels;
+  const std::vector<std::string_view> numbers = rotation_columns_of(format);
+  for (const std::string_view column : format.columns) {
+    if (std::ranges::count(axes, column) + std::ranges::count(numbers, column) == 0) channels.push_back(column);
+  }
+  channels.insert(channels.end(), format.others.begin(), format.others.end());
+  return channels;
+}
+
+/// The names of the cells of a row in the format.
+std::vector<std::string_view> names_of_cells(const PoseFormat& format, const Schema& schema) {
+  const std::vector<RotationColumns> rotations = rotation_columns(schema);
+  const std::vector<std::string_view> numbers = rotation_columns_of(format), others = other_channels(format);
+  std::vector<std::string_view> names;
+  if (format.has_time_in_rows()) names.emplace_back("t");
+  std::size_t positions = 0;
+  for (const PositionCell& cell : position_cells(schema.channels.size(), rotations)) {
+    if (cell.rotation != PositionCell::none) {
+      names.push_back(numbers[cell.number]);
+    } else if (std::ranges::count(others, schema.channels[cell.channel]) > 0) {
+      names.emplace_back(schema.channels[cell.channel]);
+    } else {
+      names.push_back(positions < axes.size() ? axes[positions] : "");
+      ++positions;
+    }
+  }
+  if (positions != axes.size() || rotations.size() != 1) {
+    throw data_error(
+        "each row of {} is a pose, but the curve has channels of position: {}, rotations: {}; expected 3 channels and "
+        "1 rotation; choose them with {} and {}, or give another format, such as csv, to {}",
+        format_of(format.format).name, positions, rotations.size(), option::columns, option::rotation,
+        option::output_format);
+  }
+  return names;
+}
+
+/// For each column of the format, the number of the cell in rows of a time, if the format has one, and a position.
+/// Requires: rotations are shown in the form of the format. Throws: Error (data) unless the rows have a position of
+/// three channels, one rotation, and the other channels of the format.
+std::vector<std::size_t> pose_cells(const PoseFormat& format, const Schema& schema) {
+  const std::vector<std::string_view> names = names_of_cells(format, schema);
+  std::vector<std::size_t> order;
+  const auto find = [&](std::string_view column) {
+    const auto found = std::ranges::find(names, column);
+    if (found != names.end()) order.push_back(static_cast<std::size_t>(found - names.begin()));
+    return found != names.end();
+  };
+  for (const std::string_view column : format.columns) {
+    if (!find(column))
+      throw data_error(
+          "no channel is {}, which every row of {} has; expected a column of that name; add one, or give another "
+          "format to {}",
+          in_quotes(column), format_of(format.format).name, option::output_format);
+  }
+  if (!other_channels(format).empty()) std::ranges::for_each(format.others, find);
+  return order;
 }
 
 }  // namespace
 
 TextMarks Writer::marks_for(const Schema& schema) const {
   if (options_.like_input) {
-    if (!schema.marks) throw input_without_marks();
+    if (!schema.marks)
+      throw usage_error(
+          "the input is JSON, which has neither a delimiter nor a decimal mark; expected delimited text; remove {}",
+          option::like_input);
     return *schema.marks;
   }
   return {options_.delimiter.value_or(format_of(options_.format).delimiter), options_.decimal};
@@ -93,7 +181,9 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     const std::string provenance = recorder_.before_rows(format.id);
     output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + frame_.head());
   } else if (columns.names() != columns_.names()) {
-    throw columns_differ_from_before(columns.names(), columns_.names());
+    throw data_error(
+        "the columns are {}; expected {}, as in the earlier files; give {} to write an output for each file",
+        listed(columns.names()), listed(columns_.names()), option::output_dir);
   }
   output_.set_live(live);
 }
@@ -109,8 +199,11 @@ void Writer::begin_curve(std::vector<std::string> group) {
 void Writer::set_times(const Schema& schema) {
   const auto given = options_.time_notation;
   if (has_pose_rows(format_of(options_.format))) return set_times_of_poses(schema.time);
+  if (options_.time_zero && given && is_date(*given)) throw dates_from_time_zero();
   if (!given) {
-    if (format_of(options_.format).family != FormatFamily::array) notation_ = schema.time.notation;
+    const bool are_dates = options_.time_zero && is_date(schema.time.notation);
+    const bool are_numbers = format_of(options_.format).family == FormatFamily::array || are_dates;
+    if (!are_numbers) notation_ = schema.time.notation;
     dates_ = schema.time.dates;
     return;
   }
@@ -127,7 +220,10 @@ void Writer::set_times_of_poses(const TimeSchema& time) {
   if (time.unit == TimeUnit::frames) throw times_without_rate(time.name);
   whole_times_ = format.unit == TimeUnit::ns;
   if (!time.unit && time.notation == TimeNotation::seconds && whole_times_) {
-    throw poses_without_unit_of_time(time.name, format_of(options_.format).name);
+    throw data_error(
+        "the times in column {} have no known unit, but those of {} are in nanoseconds; expected a unit; give {} s if "
+        "they are seconds",
+        in_quotes(time.name), format_of(options_.format).name, option::time_unit);
   }
   unit_ = units_per_second(format.unit.value_or(TimeUnit::s)) / units_per_second(time.unit.value_or(TimeUnit::s));
 }
@@ -161,7 +257,10 @@ std::vector<std::string> Writer::texts(const Table& table) const {
     const auto text = time_in_words(seconds, notation_, rate, decimals, dates_);
     if (!text) {
       const char* const name = notation_ == TimeNotation::clock ? "clock" : is_date(notation_) ? "a date" : "timecode";
-      throw time_not_in_notation(time_text(table.cells[i]), name);
+      throw data_error(
+          "the time {} of a row cannot be written as {}; expected a time that is not before 0 and is at a frame for "
+          "timecode, and a year from 0 to 9999 for a date; give {} seconds",
+          time_text(table.cells[i]), name, option::time_format);
     }
     const bool has_clock = text->find(':') != std::string::npos;
     texts[i] = in_quotes ? json_text(*text) : has_clock ? with_decimal(*text, marks_.decimal) : *text;
@@ -180,11 +279,36 @@ Table Writer::ordered(const Table& table) const {
   return result;
 }
 
+void Writer::set_first_time(const Time& first) {
+  if (options_.time_zero && !zero_) zero_ = options_.time_zero->time.value_or(exact_time(first));
+}
+
+void Writer::set_frames(const PlayedFrames& frames) {
+  if (cameras_ != nullptr) cameras_->set_frames(frames);
+}
+
+/// A time of a golden row is its text. Decimals stay decimals.
+Table Writer::from_zero(Table rows) const {
+  for (std::size_t i = 0; i < rows.cells.size(); ++i) {
+    if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
+    std::optional<Rational> time;
+    if (!rows.texts.empty() && !rows.texts[i].empty()) time = parse_rational(std::exchange(rows.texts[i], ""));
+    const Rational shifted = (time ? *time : exact_time(rows.cells[i])) - *zero_;
+    const Time decimal = nearest_time(shifted, digits_of_time);
+    rows.cells[i] = exact_time(decimal) == shifted ? decimal : nearest_time(shifted);
+  }
+  return rows;
+}
+
 void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
   const bool is_first = first && frame_.is_first();
+  if (zero_ && order_.empty()) {
+    const Table rows = from_zero(table);
+    return append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
+  }
   if (order_.empty()) return append_rows(out, layout, columns_.numbers, table.cells, texts(table), is_first);
   if (cameras_ != nullptr) cameras_->add(table, cells_);
-  const Table rows = ordered(table);
+  const Table rows = zero_ ? from_zero(ordered(table)) : ordered(table);
   append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
 }
 

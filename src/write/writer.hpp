@@ -21,6 +21,11 @@
 
 namespace tcb {
 
+/// The time that is subtracted from those of rows.
+struct TimeZero {
+  std::optional<Rational> time;  ///< in the unit of the times; nothing: that of the first key of the output
+};
+
 /// The form of an output.
 struct WriterOptions {
   FormatId format = FormatId::csv;
@@ -34,6 +39,7 @@ struct WriterOptions {
   std::optional<std::string> file_column = {};     ///< the name of a first column with that of the input's file
   std::optional<TimeNotation> time_notation = {};  ///< nothing: that of the input
   std::optional<Rational> frame_rate = {};         ///< of timecode and frames
+  std::optional<TimeZero> time_zero = {};          ///< from which times count
 };
 
 /// One output of the rows of one file or of several.
@@ -57,6 +63,12 @@ class Writer {
 
   /// Begins the rows of the next curve of the file.
   void begin_curve(std::vector<std::string> group);
+
+  /// Takes note of the first key of the next curve, for times that count from that of the output.
+  void set_first_time(const Time& first);
+
+  /// Sets the frames in which the rows are played, where the format has a rate.
+  void set_frames(const PlayedFrames& frames);
 
   /// The text of some rows; from any thread until the next begin_curve().
   std::string print(const Table& table, bool first) const;
@@ -87,6 +99,8 @@ class Writer {
 
   /// The table with the cells of each row in the order of the columns.
   Table ordered(const Table& table) const;
+  /// The rows with times that count from zero_.
+  Table from_zero(Table rows) const;
   /// Appends the text of the rows of a table.
   void append(std::string& out, const Layout& layout, const Table& table, bool first) const;
 
@@ -94,14 +108,15 @@ class Writer {
   Output output_;
   OutputColumns columns_;
   std::size_t cells_ = 0;                ///< of a row, before they are ordered
-  std::vector<std::size_t> order_;       ///< of the cells of rows: as in pose_cells(); empty: as they are
+  std::vector<std::size_t> order_;       ///< of the cells of rows, by the columns of poses; empty: as they are
   std::unique_ptr<CameraPath> cameras_;  ///< of a camera path
   std::unique_ptr<GltfScene> scene_;     ///< of an animation
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
   TextMarks marks_;
-  Rational unit_ = 1;         ///< of the times, in seconds, where they are printed in another one
-  bool whole_times_ = false;  ///< they are rounded to whole numbers
+  Rational unit_ = 1;             ///< of the times, in seconds, where they are printed in another one
+  bool whole_times_ = false;      ///< they are rounded to whole numbers
+  std::optional<Rational> zero_;  ///< from which they count
   Frame frame_;
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "run/errors.hpp"
 
 namespace {
 

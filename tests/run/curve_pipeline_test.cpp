@@ -8,7 +8,6 @@
 
 #include "error.hpp"
 #include "keys.hpp"
-#include "run/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -103,7 +102,10 @@ std::pair<std::string, std::uint64_t> refusal(const CurveSettings& settings, con
 TEST(CurvePipeline, a_parameterization_is_refused_with_a_time_column) {
   CurveSettings settings;
   settings.parameter = TextSetting{"chordal"};
-  EXPECT_EQ(refusal(settings).first, "--parameter: " + parameter_with_times(schema_of_x().time.name).message());
+  EXPECT_EQ(
+      refusal(settings).first,
+      "--parameter: column \"t\" has times already; expected keys without times; remove --parameter, or choose the "
+      "columns with --columns");
 }
 
 TEST(CurvePipeline, a_wrong_setting_of_the_input_is_an_error_at_its_member) {

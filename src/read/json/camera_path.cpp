@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -142,7 +143,7 @@ class KeyframeReader : public MemberReader {
 class AroundReader : public MemberReader {
  public:
   using MemberReader::MemberReader;
-  std::optional<WrittenNumber> tension, fov, transition;
+  std::optional<WrittenNumber> tension, fov, transition, rate, seconds;
   bool is_cycle = false;
 
  private:
@@ -154,6 +155,8 @@ class AroundReader : public MemberReader {
   bool on_number(const spline::Time<double>& value) override {
     if (std::optional<WrittenNumber>* const one = number(); one != nullptr && !in_array()) *one = number_of(value);
     if (member() == "is_cycle") throw at_value(json::true_or_false_expected(number_of(value).decimal));
+    if (!in_array() && member() == "fps") rate = number_of(value);
+    if (!in_array() && member() == "seconds") seconds = number_of(value);
     return true;
   }
   bool on_text(std::string_view text) override {
@@ -173,8 +176,9 @@ class AroundReader : public MemberReader {
 /// A camera path as it is written.
 struct PathOfCameras {
   std::vector<Keyframe> keyframes;
-  WrittenNumber tension, transition;  ///< of all keyframes, and of those that have no own
-  std::optional<WrittenNumber> fov;   ///< of keyframes that have none
+  WrittenNumber tension, transition;           ///< of all keyframes, and of those that have no own
+  std::optional<WrittenNumber> fov;            ///< of keyframes that have none
+  std::optional<WrittenNumber> rate, seconds;  ///< of its frames
   bool is_cycle = false;
   bool has_render_times = false;
   TextPosition position;
@@ -217,6 +221,8 @@ PathOfCameras read_camera_path(Source<std::string> bytes) {
   path.tension = settings.tension.value_or(WrittenNumber{0, "0"});
   path.transition = settings.transition.value_or(WrittenNumber{usual_transition, "0.5"});
   path.fov = settings.fov;
+  path.rate = settings.rate;
+  path.seconds = settings.seconds;
   path.is_cycle = settings.is_cycle;
   path.has_render_times =
       std::ranges::any_of(path.keyframes, [](const Keyframe& one) { return one.render_time.has_value(); });
@@ -294,6 +300,17 @@ std::optional<TextSetting> metric_of(const Columns& columns, const TextPosition&
   return TextSetting{fmt::format("{}", fmt::join(numbers, ",")), {"metric", position}};
 }
 
+/// The frames that the viewer renders of a path that lasts so long: int(fps * seconds) of doubles, evenly in time.
+std::optional<ViewerFrames> frames_of(const PathOfCameras& path, const Rational& duration) {
+  constexpr double most = 1e9;
+  if (!path.rate || !(path.rate->value > 0) || duration <= 0) return std::nullopt;
+  const Rational seconds = path.seconds ? exact_number(*path.seconds) : duration;
+  const double count = std::floor(path.rate->value * nearest_double(seconds));
+  if (!(count >= 1) || count > most) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(count);
+  return ViewerFrames{exact_number(*path.rate), seconds, whole, duration / Rational(whole)};
+}
+
 }  // namespace
 
 std::optional<bool> begins_camera_path(std::string_view beginning) {
@@ -336,8 +353,9 @@ Records open_camera_path(Source<std::string> bytes, const InputOptions& options)
   CurveInfo& info = records.keys.curve_info;
   info.settings.preset = {std::string(spline::name_of(spline::Preset::nerfstudio)), {"preset", path.position}};
   info.settings.closed = {path.is_cycle, {"is_cycle", path.position}};
+  const Rational period = path.is_cycle ? seconds + transition_to(path.keyframes.front(), path) : seconds;
+  info.frames = frames_of(path, period);
   if (path.is_cycle) {
-    const Rational period = seconds + transition_to(path.keyframes.front(), path);
     info.settings.period = {ratio_text(period), {"is_cycle", path.position}};
   }
   info.settings.metric = metric_of(records.columns, path.position);
