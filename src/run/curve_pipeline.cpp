@@ -161,7 +161,7 @@ Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent&
 PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent,
                                           std::shared_ptr<const RowEstimate> estimate) const {
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
-  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels());
+  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels(), request_.side());
   const auto expected = [estimate = std::move(estimate)] { return estimate->rows(); };
   return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected};
 }

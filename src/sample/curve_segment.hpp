@@ -36,7 +36,8 @@ struct CurveSegmentOf {
   std::span<const AngleColumn> angles = {};
   std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
 
-  const FrameTimes* frames = nullptr;  ///< where times are frames in seconds
+  const FrameTimes* frames = nullptr;       ///< where times are frames in seconds
+  spline::Side side = spline::Side::right;  ///< of a place between two parts of the ease, that on which a row there is
 
   /// A time with the digits that a double omits; where times are frames, from an origin of their own.
   spline::Time<S> precise(const spline::Time<S>& t) const {
@@ -77,6 +78,7 @@ struct SampleOf {
   spline::Time<S> t;
   spline::LocalParameter<S> at;
   std::optional<S> s = std::nullopt;
+  std::optional<spline::EasePart> part = std::nullopt;  ///< of the ease, where the scalar may not decide it
 };
 using Sample = SampleOf<double>;
 
