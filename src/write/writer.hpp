@@ -36,6 +36,9 @@ struct WriterOptions {
   std::optional<Rational> frame_rate = {};         ///< of timecode and frames
 };
 
+/// The notation in which rows show times.
+TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time);
+
 /// One output of the rows of one file or of several.
 class Writer {
  public:
