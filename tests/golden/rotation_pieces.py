@@ -76,7 +76,7 @@ for number in range(curves):
         options += ["--period", repr(times[-1])]
     elif "--preset" not in options:
         options += ["--ends", rng.choice(end_rules)]
-    options += ["--equal-speed"] if not given and rng.random() < 0.3 else []
+    options += ["--equal-speed"] if not given and not sparse and rng.random() < 0.3 else []
     options += ["--missing", "skip-cell"] if sparse else []
     options += ["--golden"] if rng.random() < 0.3 else []
     what = f"seed {seed} curve {number}: {' '.join(options)}\n{text}"
