@@ -218,6 +218,7 @@ class RowPoint {
     segment.rotation_columns = rows_.exact.channels.rotations;
     segment.angles = rows_.exact.channels.angles;
     segment.turns = turns_;
+    segment.side = rows_.side;
     return segment;
   }
 
@@ -257,20 +258,38 @@ class RowPoint {
 
   S time(const Time& shown) const {
     if (!rows_.exact.decimal && !rows_.exact.channels.frames && shown.lo == 0) return S(shown.hi);
-    return scalar_of<S>(exact_number(shown, rows_.exact.decimal, rows_.exact.channels.frames));
+    return scalar_of<S>(exact_shown(shown));
+  }
+  Rational exact_shown(const Time& shown) const {
+    return exact_number(shown, rows_.exact.decimal, rows_.exact.channels.frames);
   }
 
   /// The sample at a time on the current segment.
   SampleOf<S> sample_at(const CurveSegment& fast, const Time& shown) const {
     if (shown == fast.start || shown == fast.end) return sample_at_key(segment_, shown != fast.start);
-    const S t = time(shown);
-    return {t, segment_.time_map()(t)};
+    return sample_inside(time(shown), exact_shown(shown));
   }
 
   SampleOf<S> sample_at(const Rational& exact) const {
     if (const auto end = key_at(exact)) return sample_at_key(segment_, *end);
-    const S t = scalar_of<S>(exact);
-    return {t, segment_.time_map()(t)};
+    return sample_inside(scalar_of<S>(exact), exact);
+  }
+
+  /// The sample at a time on the current segment, as it is at this scalar and as a rational.
+  SampleOf<S> sample_inside(const S& t, const Rational& exact) const {
+    const auto part = ease_part(exact);
+    return {t, segment_.time_map()(t, part), std::nullopt, part};
+  }
+
+  /// The part of the ease at a time on the current segment; nothing where there is none, or where distances make the
+  /// times of the keys.
+  std::optional<spline::EasePart> ease_part(const Rational& t) const {
+    const ExactCurve& curve = rows_.exact;
+    if (!segment_.warp.has_ease() || curve.exponent) return std::nullopt;
+    const std::size_t number = segment_.number, next = number + 1 < curve.keys.size() ? number + 1 : 0;
+    const Rational &start = curve.keys.times[number], end = next > 0 ? curve.keys.times[next] : *curve.end;
+    const spline::Warp<Rational> warp(curve.keys.eases[number].out, curve.keys.eases[next].in);
+    return warp.part(t - start, end - t, end - start, rows_.side);
   }
 
   /// Whether a time is that of the key at the end of the current segment, or at its start; nothing for others.
@@ -296,7 +315,14 @@ class RowPoint {
       const std::vector<S>& times = curve_->times();
       outside_ = map_to_curve<S>(rows_.exact.extrapolations, times.front(), times.back(), t);
       segment_ = segment(spline::segment_at_time<S>(times, outside_->t, rows_.side));
-      sample_ = {t, segment_.time_map()(outside_->t)};
+      const auto& keys = rows_.exact.keys.times;
+      const Rational exact = row.time ? *row.time : exact_shown(shown);
+      const auto part = segment_.warp.has_ease() && !rows_.exact.exponent
+                            ? ease_part(map_to_curve<Rational>(rows_.exact.extrapolations, keys.front(),
+                                                               rows_.exact.end.value_or(keys.back()), exact)
+                                            .t)
+                            : std::nullopt;
+      sample_ = {t, segment_.time_map()(outside_->t, part), std::nullopt, part};
     }
     sample_.t = t;
   }

@@ -1,10 +1,9 @@
-// Frame times: times of frames in seconds with the digits that doubles omit.
+// Frame times: the exact times that the texts of times name, with the digits that doubles omit.
 #include "numbers/frame_times.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-
-#include "numbers/decimal_time.hpp"
 
 namespace tcb {
 namespace {
@@ -12,7 +11,48 @@ namespace {
 constexpr std::int64_t parts_of_frame = 1000;
 constexpr std::int64_t most = std::int64_t{1} << 40;  ///< so that a quotient of double-doubles has the nearest double
 
+/// The decimal of a time: that of a double is its shortest one.
+LongDecimal named(const Time& time) { return decimal_of(with_all_digits(time)); }
+
+/// The difference of two decimals as the double-double that depends on it alone.
+Time difference(const LongDecimal& a, const LongDecimal& b) {
+  __extension__ using Whole = __int128;
+  constexpr int most_digits = 37, largest_power = 22;  // of whole numbers, and of powers of ten that are doubles
+  const int exponent = a.digits == 0 ? b.exponent : b.digits == 0 ? a.exponent : std::min(a.exponent, b.exponent);
+  const auto fits = [&](const LongDecimal& decimal) {
+    return decimal.digits == 0 || decimal.size() + decimal.exponent - exponent <= most_digits;
+  };
+  if (!(fits(a) && fits(b) && exponent <= 0 && exponent >= -largest_power)) {
+    const Rational exact = a.value() - b.value();
+    const double high = nearest_double(exact);
+    return spline::DoubleDouble::normalized(high, nearest_double(exact - Rational(high)));
+  }
+  const auto whole = [&](const LongDecimal& decimal) {
+    auto digits = static_cast<Whole>(decimal.digits);
+    for (int i = exponent; digits != 0 && i < decimal.exponent; ++i) digits *= 10;
+    return decimal.negative ? -digits : digits;
+  };
+  Whole units = whole(a) - whole(b);
+  double power = 1;
+  for (int i = exponent; i < 0; ++i) {
+    if (units % 10 == 0) {
+      units /= 10;
+    } else {
+      power *= 10;
+    }
+  }
+  const auto high = static_cast<double>(units);
+  const auto low = static_cast<double>(units - static_cast<Whole>(high));
+  return spline::DoubleDouble::normalized(high, low) / Time(power);
+}
+
 }  // namespace
+
+FrameTimes FrameTimes::decimals() {
+  FrameTimes times;
+  times.are_decimals_ = true;
+  return times;
+}
 
 FrameTimes::FrameTimes(const Rational& rate) {
   const Rational parts = rate * parts_of_frame;
@@ -39,21 +79,31 @@ std::optional<double> FrameTimes::number(const Time& time) const {
 
 std::optional<Rational> FrameTimes::exact(const Time& time) const {
   const auto found = number(time);
-  if (!found) return std::nullopt;
+  if (!found) return are_decimals_ ? std::optional(exact_time(time)) : std::nullopt;
   return Rational(*found) * Rational(seconds_) / Rational(ticks_);
 }
 
 FrameTimes FrameTimes::from(const Time& origin) const {
   FrameTimes frames = *this;
   frames.origin_ = number(origin).value_or(0);
+  frames.decimal_origin_ = origin;
   return frames;
 }
 
 Time FrameTimes::elapsed(const Time& time) const {
+  if (are_decimals_) return difference(named(time), named(decimal_origin_));
   const auto found = number(time);
   return found ? time_of(*found - origin_) : time - time_of(origin_);
 }
 
-Time FrameTimes::time(const Time& elapsed) const { return as_double(elapsed + time_of(origin_)); }
+Time FrameTimes::time(const Time& elapsed) const {
+  return are_decimals_ ? elapsed + with_all_digits(decimal_origin_) : as_double(elapsed + time_of(origin_));
+}
+
+Time FrameTimes::key_time(const Time& elapsed) const {
+  const Time near = time(elapsed);
+  if (!are_decimals_ || this->elapsed(near.hi) == elapsed) return as_double(near);
+  return rounded_to(Rational(elapsed.hi) + Rational(elapsed.lo) + exact_time(decimal_origin_), digits_of_time);
+}
 
 }  // namespace tcb

@@ -34,6 +34,17 @@ CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const S
   return make_spec(merged(settings, of_input), schema.channels, rotations, schema.angles);
 }
 
+/// The times that the texts of rows name: where these are times in words, or frames; nothing: they are numbers.
+std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSchema& time) {
+  if (!time.is_given) return std::nullopt;
+  const TimeNotation notation = request.time_notation.value_or(time.notation);
+  if (is_date(notation) || notation == TimeNotation::clock) return FrameTimes::decimals();
+  if (time.frame_rate) return FrameTimes(*time.frame_rate);
+  const bool shows_frames = counts_frames(notation) && request.frame_rate && time.unit != TimeUnit::frames;
+  if (!shows_frames) return std::nullopt;
+  return FrameTimes(*request.frame_rate / (time.unit ? units_per_second(*time.unit) : Rational(1)));
+}
+
 }  // namespace
 
 CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits,
@@ -61,11 +72,11 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     if (spec_.is_period_in_seconds) *spec_.period *= units_per_second(*unit);
   }
   if (!unit) request_.likely_unit = schema.time.epoch_unit;
-  if (schema.time.frame_rate) request_.frames = spec_.frames = FrameTimes(*schema.time.frame_rate);
+  request_.frames = spec_.frames = named_times(request, schema.time);
   const auto take_frame = [this](Rational& time) {  // whose printed time it is
     if (const auto frame = request_.frames->exact(nearest_time(time))) time = *frame;
   };
-  if (request_.frames && !by_length(request_.mode)) {
+  if (request_.frames && !request_.frames->are_decimals() && !by_length(request_.mode)) {
     for (auto* const bound : {&request_.from, &request_.to}) {
       if (*bound) take_frame(**bound);
     }
@@ -168,7 +179,7 @@ Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent&
 PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent,
                                           std::shared_ptr<const RowEstimate> estimate) const {
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
-  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels());
+  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels(), request_.side());
   const auto expected = [estimate = std::move(estimate)] { return estimate->rows(); };
   return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected, {}, extent.first};
 }

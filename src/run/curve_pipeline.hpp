@@ -36,6 +36,8 @@ struct CurveRequest {
   std::vector<std::size_t> fields = {};      ///< of the rows, as indices into fields()
   std::optional<GoldenOptions> golden = {};  ///< rows are exact, and rounded once
   unsigned threads = 1;
+  std::optional<TimeNotation> time_notation = {};  ///< in which rows show times; nothing: that of the input
+  std::optional<Rational> frame_rate = {};         ///< of the rows' frames
 };
 
 /// How a curve is built.

@@ -65,8 +65,13 @@ class FileRun {
   /// Begins the rows of the next curve. Curves with the same information share their rules.
   void begin(const Input& input, const CurveKeys& curve) {
     if (curve.curve_info != curve_info_ || !job_.samples.grouped_places.empty()) {
-      const CurveRequest request{job_.samples.of(curve, input.schema), job_.keys.rules, job_.rows.fields, job_.golden,
-                                 threads_};
+      const CurveRequest request{job_.samples.of(curve, input.schema),
+                                 job_.keys.rules,
+                                 job_.rows.fields,
+                                 job_.golden,
+                                 threads_,
+                                 notation_of_times(job_.rows, input.schema.time),
+                                 job_.rows.frame_rate};
       pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info);
     }
     if (curve_info_ == nullptr) {

@@ -39,7 +39,7 @@ void make_precise(std::vector<Time>& times, const std::optional<FrameTimes>& fra
 /// The block of these segments, with their times as doubles where they are frames.
 SegmentBlock finished(SegmentBlock block, const Rules& rules, const SegmentOptions& options) {
   if (options.frames) {
-    for (Time& time : block.segments.times) time = options.frames->time(time);
+    for (Time& time : block.segments.times) time = options.frames->key_time(time);
   }
   if (options.measured) measure(block, rules);
   return block;

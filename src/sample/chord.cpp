@@ -255,7 +255,8 @@ double Chord::on_graph(const CurveSegment& segment, double low, double high) {
 /// The fraction of the chord's duration at a fraction of the segment's.
 double Chord::place(const CurveSegment& segment, const Time& passed) const {
   if (to_->t == from_->t) return 0;
-  return ((segment.start - from_->t + passed * (segment.end - segment.start)) / (to_->t - from_->t)).hi;
+  const Time start = segment.precise(segment.start), from = segment.precise(from_->t);
+  return ((start - from + passed * segment.duration()) / (segment.precise(to_->t) - from)).hi;
 }
 
 /// Where u has these coefficients of s, s^2 and s^3, and the chord is at `first` and `last` of its duration at the ends

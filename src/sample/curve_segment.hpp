@@ -36,7 +36,8 @@ struct CurveSegmentOf {
   std::span<const AngleColumn> angles = {};
   std::span<const spline::Quaternion<S>> turns = {};  ///< last key times the inverse of the first, where cycle is given
 
-  const FrameTimes* frames = nullptr;  ///< where times are frames in seconds
+  const FrameTimes* frames = nullptr;       ///< where times are frames in seconds
+  spline::Side side = spline::Side::right;  ///< of a place between two parts of the ease, that on which a row there is
 
   /// A time with the digits that a double omits; where times are frames, from an origin of their own.
   spline::Time<S> precise(const spline::Time<S>& t) const {
@@ -68,7 +69,10 @@ inline const spline::Cubic<double>& metric_cubic(const CurveSegment& segment, st
 
 /// The exact time at a local parameter.
 inline Time time_on(const CurveSegment& segment, double u) {
-  return segment.start + segment.warp.inverse({u, u - 1}) * (segment.end - segment.start);
+  const Time part = segment.warp.inverse({u, u - 1});
+  const bool has_decimals = segment.frames != nullptr && segment.frames->are_decimals();
+  if (has_decimals) return segment.frames->time(segment.precise(segment.start) + part * segment.duration());
+  return segment.start + part * (segment.end - segment.start);
 }
 
 /// A sample: its time, its local parameter, and its arc length in the arc modes.
@@ -77,6 +81,7 @@ struct SampleOf {
   spline::Time<S> t;
   spline::LocalParameter<S> at;
   std::optional<S> s = std::nullopt;
+  std::optional<spline::EasePart> part = std::nullopt;  ///< of the ease, where the scalar may not decide it
 };
 using Sample = SampleOf<double>;
 
@@ -103,8 +108,7 @@ spline::Time<S> time_at(const CurveSegmentOf<S>& segment, const spline::Time<S>&
                         const spline::LocalParameter<S>& at) {
   const auto rounded = [&](const spline::Time<S>& t) {
     if constexpr (std::is_same_v<S, double>) {
-      if (segment.frames != nullptr) return segment.frames->time(t);
-      return rounded_time(t, segment.decimals);
+      return rounded_time(segment.frames != nullptr ? segment.frames->time(t) : t, segment.decimals);
     } else {
       return t;
     }

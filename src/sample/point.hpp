@@ -55,8 +55,9 @@ class Point {
   bool at_start() const { return sample_->at.u == S(0); }
   bool at_end() const { return sample_->at.w == S(0); }
 
-  /// The elapsed fraction of the segment's duration.
+  /// The elapsed fraction of the segment's duration, and the part of its ease there.
   S u() const;
+  spline::EasePart part() const;
   /// One component. Outside the curve the end is extended by its velocity, or moved by whole cycles.
   S position(std::size_t channel);
   spline::Quaternion<S> rotation(std::size_t index) const { return rotation_at(index).value(); }
@@ -82,7 +83,7 @@ class Point {
   }
 
   void set_derivatives();
-  RotationAt<S> rotation_at(std::size_t index) const { return {*segment_, index, *sample_, u(), outside_}; }
+  RotationAt<S> rotation_at(std::size_t index) const { return {*segment_, index, *sample_, u(), part(), outside_}; }
 
   const CurveSegmentOf<S>* segment_ = nullptr;
   const SampleOf<S>* sample_ = nullptr;
@@ -106,6 +107,18 @@ S Point<S>::u() const {
   // The inverse of a warp has roots, so exact scalars prefer the time, from which the place was computed.
   const spline::Time<S>& t = outside_ == nullptr ? sample_->t : outside_->t;
   return spline::high_part<S>((t - segment_->start) / (segment_->end - segment_->start));
+}
+
+template <class S>
+spline::EasePart Point<S>::part() const {
+  const CurveSegmentOf<S>& segment = *segment_;
+  if (!segment.warp.has_ease()) return spline::EasePart::middle;
+  if (sample_->part) return *sample_->part;
+  if (sample_->s || at_start() || at_end()) return segment.warp.part(sample_->at, segment.side);
+  using W = spline::working_t<S>;
+  const spline::Time<S> t = segment.precise(outside_ == nullptr ? sample_->t : outside_->t);
+  return segment.warp.part(W(t - segment.precise(segment.start)), W(segment.precise(segment.end) - t),
+                           W(segment.duration()), segment.side);
 }
 
 template <class S>
@@ -137,7 +150,7 @@ void Point<S>::set_derivatives() {
     return;
   }
   spline::set_derivatives<S>(derivatives_, segment_->cubics, sample_->at, segment_->warp, u(),
-                             spline::high_part<S>(segment_->duration()));
+                             spline::high_part<S>(segment_->duration()), part());
   if (outside_ == nullptr) return;
   if (spline::high_part<S>(outside_->beyond) != S(0)) {
     derivatives_.acceleration.assign(zero, S(0));
@@ -268,7 +281,9 @@ class PathShape {
     const auto& segment = point.segment();
     if (segment.start == segment.end || (point.outside() != nullptr && point.outside()->holds)) return {};
     const S u = point.u(), duration = segment.duration();
-    return {segment.warp.first_derivative(u) / duration, segment.warp.second_derivative(u) / (duration * duration)};
+    const spline::EasePart part = point.part();
+    return {segment.warp.first_derivative(u, part) / duration,
+            segment.warp.second_derivative(u, part) / (duration * duration)};
   }
   bool moves(Point<S>& point) const {
     const S least = doubt_ * rates(point).first;

@@ -12,10 +12,10 @@ namespace tcb {
 template <class S>
 class RotationAt {
  public:
-  /// `u`: the elapsed fraction of the segment's duration. `outside`: null on the curve.
+  /// `u`: the elapsed fraction of the segment's duration. `part`: of its ease. `outside`: null on the curve.
   RotationAt(const CurveSegmentOf<S>& segment, std::size_t index, const SampleOf<S>& sample, const S& u,
-             const OutsideOf<S>* outside)
-      : segment_(segment), index_(index), sample_(sample), u_(u), outside_(outside) {}
+             spline::EasePart part, const OutsideOf<S>* outside)
+      : segment_(segment), index_(index), sample_(sample), u_(u), part_(part), outside_(outside) {}
 
   /// The quaternion. Outside the curve, `linear` keeps turning at the rate of the end, `offset` adds the turn of the
   /// whole curve once per period, and `repeat` negates the quaternion in odd periods where its sign would jump.
@@ -47,7 +47,7 @@ class RotationAt {
 
  private:
   spline::Vector3<S> rate_on_curve() const {
-    const S du = segment_.warp.first_derivative(u_) / spline::high_part<S>(segment_.duration());
+    const S du = segment_.warp.first_derivative(u_, part_) / spline::high_part<S>(segment_.duration());
     const auto rate = segment_.rotations[index_].rate(sample_.at);
     return {rate[0] * du, rate[1] * du, rate[2] * du};
   }
@@ -61,6 +61,7 @@ class RotationAt {
   std::size_t index_;
   const SampleOf<S>& sample_;
   S u_;
+  spline::EasePart part_;
   const OutsideOf<S>* outside_;
 };
 

@@ -17,8 +17,8 @@ namespace {
 /// Takes the segments in order and has the sampler place the rows on each.
 class Placer {
  public:
-  Placer(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels)
-      : blocks_(std::move(segments)), sampler_(std::move(sampler)), channels_(std::move(channels)) {}
+  Placer(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels, spline::Side side)
+      : blocks_(std::move(segments)), sampler_(std::move(sampler)), channels_(std::move(channels)), side_(side) {}
 
   std::optional<SampleBlock> next() {
     while (placed_.empty() && !segment_follows()) {
@@ -72,7 +72,8 @@ class Placer {
                          .rotations = segments.rotations_of(i),
                          .rotation_columns = channels_.rotations,
                          .angles = channels_.angles,
-                         .frames = channels_.frames ? &*channels_.frames : nullptr};
+                         .frames = channels_.frames ? &*channels_.frames : nullptr,
+                         .side = side_};
     if (last && block_->closes) segment.end_key = 0;
     decimals_ = std::max({decimals_, decimals_of(segment.start), decimals_of(segment.end)});
     segment.decimals = decimals_;
@@ -85,6 +86,7 @@ class Placer {
   Source<SegmentBlock> blocks_;
   std::shared_ptr<Sampler> sampler_;
   CurveChannels channels_;
+  spline::Side side_;
   std::shared_ptr<const SegmentBlock> block_;
   std::size_t index_ = 0;
   std::uint64_t number_ = 0;
@@ -106,8 +108,9 @@ std::uint64_t SampleBlock::rows() const {
   return rows;
 }
 
-Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels) {
-  const auto placer = std::make_shared<Placer>(std::move(segments), std::move(sampler), std::move(channels));
+Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels,
+                          spline::Side side) {
+  const auto placer = std::make_shared<Placer>(std::move(segments), std::move(sampler), std::move(channels), side);
   return [placer] { return placer->next(); };
 }
 

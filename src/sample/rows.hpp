@@ -29,8 +29,10 @@ struct SampleBlock {
   std::uint64_t rows() const;
 };
 
-/// The samples of a curve in order, in blocks, each as soon as its segments are known.
-Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels);
+/// The samples of a curve in order, in blocks, each as soon as its segments are known. `side`: of a place between two
+/// parts of an ease, that on which a row there is.
+Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels,
+                          spline::Side side = spline::Side::right);
 
 /// The cells of some rows, row after row.
 struct Table {

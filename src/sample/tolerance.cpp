@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "sample/chord.hpp"
 #include "sample/errors.hpp"
@@ -25,6 +26,8 @@
 
 namespace tcb {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Finds row after row along a curve.
 class Walker {
@@ -61,6 +64,9 @@ class Walker {
     }
     needed.add(to);
   }
+
+  /// Sets `place` to the key with this number, as the end of the segment before it.
+  void set_key(CurvePoint& place, std::uint64_t number) const { set(place, curve_.segment(number - 1), 1); }
 
   bool is_end(const CurvePoint& place) const { return place.segment + 1 == curve_.size() && place.u == 1; }
 
@@ -133,8 +139,10 @@ class Walker {
   template <class RootOf>
   static Tried last_reached(const Tried& start, double guess, const RootOf& root_of) {
     constexpr double least = 1 - 1e-4, aim = 1 - 3e-5;  // near enough: at most a ten-thousandth more rows
-    Tried low = start, high{1, std::numeric_limits<double>::infinity()}, before = start, last = high;
+    Tried low = start, high{1, infinity}, before = start, last = high;
     const auto is_narrow = [&] {
+      const double middle = low.u + (high.u - low.u) / 2;
+      if (!(low.u < middle && middle < high.u)) return true;  // no double is between them
       return low.u > start.u ? high.u - low.u <= 1e-9 * (low.u - start.u) : high.u - low.u <= 0x1p-48;
     };
     for (int step = 0; low.root < least && !is_narrow(); ++step) {
@@ -188,9 +196,6 @@ class Walker {
     place.t = t;
     for (std::size_t i = 0; i < place.x.size(); ++i) place.x[i] = spline::position(metric_cubic(segment, i), at);
   }
-
-  /// The same for the key with this number, as the end of the segment before it.
-  void set_key(CurvePoint& place, std::uint64_t number) const { set(place, curve_.segment(number - 1), 1); }
 
   /// Chords start here.
   void set_start(const CurvePoint& from) {
@@ -286,6 +291,18 @@ class Walker {
   double step_ = 0;                   ///< from the last row but one to the last one, in segments
 };
 
+/// Throws: Error (usage) where positions at a place are rounded by more than the tolerance.
+void require_resolution(const CurvePoint& place, double tolerance) {
+  for (const double number : place.x) {
+    const double size = std::abs(number), rounding = (std::nextafter(size, infinity) - size) / 2;
+    if (rounding <= tolerance) continue;
+    throw usage_error(
+        "the tolerance is too small: a position of {} at {} is rounded by up to {:.4g}; give a larger tolerance",
+        number, time_text(place.t), rounding)
+        .about(option::tolerance);
+  }
+}
+
 }  // namespace
 
 ToleranceRows rows_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
@@ -300,10 +317,16 @@ ToleranceRows rows_within_tolerance(const ShownCurve& curve, const CurveToleranc
   times.push_back(place.t);
   NeededRows needed(tolerance.distance);
   needed.add(place);
+  require_resolution(place, tolerance.distance);
+  for (std::uint64_t key = 1; key <= curve.size(); ++key) {
+    walker.set_key(next, key);
+    require_resolution(next, tolerance.distance);
+  }
   while (!walker.is_end(place)) {
     walker.set_next(place, next);
     if (tolerance.limits_distance()) walker.add_points(needed, place, next);
     std::swap(place, next);
+    require_resolution(place, tolerance.distance);
     times.push_back(rounded_time(place.t, curve.segment(place.segment).decimals));
     if (times.size() > max_rows) require_rows(Rational(times.size() - 1), max_rows);
   }

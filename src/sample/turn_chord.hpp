@@ -26,8 +26,8 @@ class TurnChord {
 
   /// The arcs between two points.
   void set(const TurnPlace& from, const TurnPlace& to) {
-    from_ = from.t;
-    duration_ = to.t - from.t;
+    from_ = from.segment.precise(from.t);
+    duration_ = to.segment.precise(to.t) - from_;
     arcs_.clear();
     for (std::size_t i = 0; i < from.segment.rotations.size(); ++i) {
       const auto start = from.segment.rotations[i].at(from.at), end = to.segment.rotations[i].at(to.at);
@@ -63,7 +63,7 @@ class TurnChord {
     std::array<double, places + 1> squares;
     for (std::size_t i = 0; i < squares.size(); ++i) {
       const Time t = start + (end - start) * Time(static_cast<double>(i) / places);
-      const double part = ((t - from_) / duration_).hi;
+      const double part = ((segment.precise(t) - from_) / duration_).hi;
       squares[i] = 0;
       if (part <= 0 || part >= 1) continue;  // the arc joins two points of the curve
       const auto turn = spline::conjugate(spline::normalized(arcs_[arc].at(part, 1 - part))) *

@@ -196,21 +196,28 @@ void Writer::begin_curve(std::vector<std::string> group) {
   group_ = std::move(group);
 }
 
-void Writer::set_times(const Schema& schema) {
-  const auto given = options_.time_notation;
-  if (has_pose_rows(format_of(options_.format))) return set_times_of_poses(schema.time);
-  if (options_.time_zero && given && is_date(*given)) throw dates_from_time_zero();
+TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time) {
+  const auto given = options.time_notation;
+  const Format& format = format_of(options.format);
+  if (has_pose_rows(format) || format.family == FormatFamily::scene) return TimeNotation::seconds;
   if (!given) {
-    const bool are_dates = options_.time_zero && is_date(schema.time.notation);
-    const bool are_numbers = format_of(options_.format).family == FormatFamily::array || are_dates;
-    if (!are_numbers) notation_ = schema.time.notation;
+    const bool are_numbers = format.family == FormatFamily::array || (options.time_zero && is_date(time.notation));
+    return are_numbers ? TimeNotation::seconds : time.notation;
+  }
+  const bool drops = given == TimeNotation::smpte && time.notation == TimeNotation::drop_frame;
+  return drops ? TimeNotation::drop_frame : *given;
+}
+
+void Writer::set_times(const Schema& schema) {
+  if (has_pose_rows(format_of(options_.format))) return set_times_of_poses(schema.time);
+  if (options_.time_zero && options_.time_notation && is_date(*options_.time_notation)) throw dates_from_time_zero();
+  notation_ = notation_of_times(options_, schema.time);
+  if (!options_.time_notation) {
     dates_ = schema.time.dates;
     return;
   }
   if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
   if (schema.time.unit) unit_ = Rational(1) / units_per_second(*schema.time.unit);
-  const bool drops = given == TimeNotation::smpte && schema.time.notation == TimeNotation::drop_frame;
-  notation_ = drops ? TimeNotation::drop_frame : *given;
 }
 
 /// The times of poses are numbers in the unit of their format. Those without a known unit are taken as seconds.

@@ -42,6 +42,9 @@ struct WriterOptions {
   std::optional<TimeZero> time_zero = {};          ///< from which times count
 };
 
+/// The notation in which rows show times.
+TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time);
+
 /// One output of the rows of one file or of several.
 class Writer {
  public:

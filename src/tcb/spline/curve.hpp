@@ -186,6 +186,7 @@ class Curve {
     std::size_t segment;
     LocalParameter<S> local;
     S passed;  ///< the elapsed fraction of the segment's duration
+    EasePart part;
   };
 
   static BuildResult<Curve> of_keys(const CurveKeys<S>& keys, const CurveRules<S>& rules);
@@ -335,7 +336,9 @@ typename Curve<S>::Spot Curve<S>::spot_inside(const Time<S>& t, Side side) const
   const std::size_t i = find_time(t, side);
   const W duration = times[i + 1] - times[i];
   const S passed = duration == W(0) ? S(0) : high_part<S>((t - times[i]) / duration);
-  return {i, TimeMap<S>(times[i], times[i + 1], segments_.warp(i))(t), passed};
+  const Warp<S> warp = segments_.warp(i);
+  const EasePart part = warp.part(W(t - times[i]), W(times[i + 1] - t), duration, side);
+  return {i, TimeMap<S>(times[i], times[i + 1], warp)(t), passed, part};
 }
 
 /// Sets the numbers of all channels at a place on a segment.
@@ -362,7 +365,7 @@ template <class S>
 Vector3<S> Curve<S>::turn_rate(const Spot& at, std::size_t number) const requires has_roots<S> {
   const S h = high_part<S>(segments_.times[at.segment + 1] - segments_.times[at.segment]);
   if (h == S(0)) return {S(0), S(0), S(0)};
-  const S rate = segments_.warp(at.segment).first_derivative(at.passed) / h;
+  const S rate = segments_.warp(at.segment).first_derivative(at.passed, at.part) / h;
   const auto [x, y, z] = segments_.rotations_of(at.segment)[number].rate(at.local);
   return {x * rate, y * rate, z * rate};
 }
@@ -390,7 +393,7 @@ void Curve<S>::derivative(std::size_t order, const Time<S>& t, std::span<S> out,
   const auto cubics = segments_[at.segment];
   const Warp<S> warp = segments_.warp(at.segment);
   for (std::size_t i = 0; i < std::min(out.size(), cubics.size()); ++i) {
-    out[i] = h == S(0) ? S(0) : time_derivative(order, cubics[i], at.local, warp, at.passed, h);
+    out[i] = h == S(0) ? S(0) : time_derivative(order, cubics[i], at.local, warp, at.passed, h, at.part);
   }
   if constexpr (has_roots<S>) rotation_derivative(order, at, out);
 }

@@ -35,7 +35,11 @@ class ChannelKeys {
         channel_(channel),
         numbers_(std::move(numbers)),
         rules_(std::move(rules)),
-        period_(std::move(period)) {}
+        period_(std::move(period)) {
+    if constexpr (has_roots<S>) {
+      for (const KeyRotation& rotation : rules_.rotations) returns_negated_.push_back(period_ && is_negated(rotation));
+    }
+  }
 
   /// Segments from key `first` to key `to`, counted among this channel's keys; on a closed curve any range of integers.
   Segments<S> own_segments(std::ptrdiff_t first, std::ptrdiff_t to) const {
@@ -45,10 +49,10 @@ class ChannelKeys {
     return segments(window, rules_);
   }
 
-  /// Appends the cubics of the only channel between the keys `first` and `to` of the curve: parts of those between its
-  /// own keys. Before the first of these and after the last, an open curve is constant. `times`: of all keys of the
-  /// curve, and if it is closed of its end.
-  void append_cubics(std::vector<Cubic<S>>& cubics, std::size_t first, std::size_t to,
+  /// Appends the cubics of a channel between the keys `first` and `to` of the curve: parts of those between its own
+  /// keys. Before the first of these and after the last, an open curve is constant. `times`: of all keys of the curve,
+  /// and if it is closed of its end.
+  void append_cubics(std::vector<Cubic<S>>& cubics, std::size_t channel, std::size_t first, std::size_t to,
                      const std::vector<Time<S>>& times, PartOfSegment<S> part) const {
     const Own own = own_between(first, to);
     for (std::size_t number = first; number < to; ++number) {
@@ -56,9 +60,9 @@ class ChannelKeys {
       if (own.has(at)) {
         const std::size_t i = own.index(at);
         const Time<S>&start = own.segments.times[i], &end = own.segments.times[i + 1];
-        cubics.push_back(part(own.segments[i][0], start, end, times[number], times[number + 1]));
+        cubics.push_back(part(own.segments[i][channel_ ? 0 : channel], start, end, times[number], times[number + 1]));
       } else {
-        const S rest = keys_.position(nearest_number(at))[*channel_];
+        const S rest = keys_.position(nearest_number(at))[channel];
         cubics.push_back(cubic<S>(rest, rest, working_t<S>(0), working_t<S>(0)));
       }
     }
@@ -114,7 +118,33 @@ class ChannelKeys {
     return own;
   }
 
-  /// Appends its keys from number `from` to `to`, on a closed curve by periodic extension.
+  /// Whether a rotation has the opposite sign when a closed curve is back at its first key.
+  bool is_negated(const KeyRotation& rotation) const requires has_roots<S> {
+    const std::size_t first = numbers_.front(), last = numbers_.back();
+    Quaternion<S> q = rotation_of<S>(keys_.position(last), rotation.channels);
+    if (rotation.turn && !keys_.turns.empty()) {
+      q = q * exponential(keys_.turns[first * keys_.turns_per_key() + *rotation.turn]);
+    }
+    return dot(q, rotation_of<S>(keys_.position(first), rotation.channels)) < S(0);
+  }
+
+  /// Negates the rotations of the last key that return with the opposite sign.
+  void negate_last(Keys<S>& keys) const {
+    const std::size_t start = (keys.size() - 1) * keys.channels;
+    for (std::size_t i = 0; i < returns_negated_.size(); ++i) {
+      for (const std::size_t channel : rules_.rotations[i].channels) {
+        if (!returns_negated_[i]) continue;
+        keys.positions[start + channel] = S(0) - keys.positions[start + channel];
+        if (keys.velocities.empty()) continue;
+        auto& [in, out] = keys.velocities[start + channel];
+        in = S(0) - in;
+        out = S(0) - out;
+      }
+    }
+  }
+
+  /// Appends its keys from number `from` to `to`, on a closed curve by periodic extension: the keys of the period in
+  /// which the curve begins have the signs that were given.
   void append_own(Keys<S>& keys, std::ptrdiff_t from, std::ptrdiff_t to) const {
     const std::ptrdiff_t count = last() + 1;
     for (std::ptrdiff_t number = from; number <= to; ++number) {
@@ -123,6 +153,7 @@ class ChannelKeys {
       if (!period_) continue;
       const auto periods = static_cast<int>((number - own) / count);
       keys.times.back() = after_periods<S>(keys.times.back(), period_->start, period_->end, periods);
+      if ((periods - (number_at(0) < 0 ? -1 : 0)) % 2 != 0) negate_last(keys);
     }
   }
   void append_key(Keys<S>& keys, std::size_t number) const {
@@ -143,6 +174,7 @@ class ChannelKeys {
   std::vector<std::size_t> numbers_;
   CurveRules<S> rules_;
   std::optional<Period<S>> period_;
+  std::vector<bool> returns_negated_ = {};  ///< of each rotation of the rules
 };
 
 /// The rules for one channel that runs through its own keys, with its own velocities at the ends.
@@ -209,14 +241,14 @@ class CurveKeys {
       return result;
     }
     Segments<S> result{channels_.size(), std::move(times), {}, {}};
-    set_columns(result.cubics, channels_, to - first, [&](const ChannelKeys<S>& channel, std::vector<Cubic<S>>& own) {
-      channel.append_cubics(own, first, to, times_, part_);
+    set_columns(result.cubics, channels_.size(), to - first, [&](std::size_t channel, std::vector<Cubic<S>>& own) {
+      source_of(channel).append_cubics(own, channel, first, to, times_, part_);
     });
     if constexpr (has_roots<S>) {
-      const auto append_rotations = [&](const ChannelKeys<S>& rotation, std::vector<RotationSegment<S>>& own) {
-        rotation.append_rotations(own, first, to, times_);
+      const auto append_rotations = [&](std::size_t rotation, std::vector<RotationSegment<S>>& own) {
+        rotations_[rotation].append_rotations(own, first, to, times_);
       };
-      set_columns(result.rotations, rotations_, to - first, append_rotations);
+      set_columns(result.rotations, rotations_.size(), to - first, append_rotations);
     }
     return result;
   }
@@ -231,15 +263,23 @@ class CurveKeys {
     return numbers;
   }
 
-  /// Interleaves the per-source entries so that those of one segment are contiguous.
+  /// Where positions are missing, the keys of a channel: of a rotation by components those of the rotation.
+  const ChannelKeys<S>& source_of(std::size_t channel) const {
+    for (std::size_t i = 0; i < rotations_.size(); ++i) {
+      const bool has_cubics = has_roots<S> && rules_.rotation_rules.curve == RotationCurve::components;
+      if (has_cubics && rules_.rotations[i].has(channel)) return rotations_[i];
+    }
+    return channels_[channel];
+  }
+
+  /// Interleaves the entries of each column so that those of one segment are contiguous.
   template <class T, class AppendOwn>
-  static void set_columns(std::vector<T>& entries, const std::vector<ChannelKeys<S>>& sources, std::size_t size,
-                          AppendOwn append_own) {
-    entries.resize(size * sources.size());
-    for (std::size_t i = 0; i < sources.size(); ++i) {
+  static void set_columns(std::vector<T>& entries, std::size_t columns, std::size_t size, AppendOwn append_own) {
+    entries.resize(size * columns);
+    for (std::size_t i = 0; i < columns; ++i) {
       std::vector<T> own;
-      append_own(sources[i], own);
-      for (std::size_t k = 0; k < size; ++k) entries[k * sources.size() + i] = std::move(own[k]);
+      append_own(i, own);
+      for (std::size_t k = 0; k < size; ++k) entries[k * columns + i] = std::move(own[k]);
     }
   }
 

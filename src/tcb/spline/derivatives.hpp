@@ -69,25 +69,29 @@ S derivative_of_cubic_term(std::size_t order, const LocalDerivatives<S>& x, cons
 }
 
 /// The derivative of one channel by time, of any order from 1, at the place reached after the fraction u of the
-/// duration h. It is 0 beyond the ninth.
+/// duration h, in a part of the ease; where none is given, at a place between two parts in the later one. It is 0 beyond
+/// the ninth.
 template <class S>
 S time_derivative(std::size_t order, const Cubic<S>& cubic, const LocalParameter<S>& at, const Warp<S>& warp,
-                  const S& u, const S& h) {
+                  const S& u, const S& h, std::optional<EasePart> given_part = {}) {
   const LocalDerivatives<S> local = local_derivatives(cubic, at);
-  const S rate = warp.first_derivative(u) / h;
-  const S change = warp.second_derivative(u) / (h * h);
+  const EasePart part = given_part ? *given_part : warp.part(u);
+  const S rate = warp.first_derivative(u, part) / h;
+  const S change = warp.second_derivative(u, part) / (h * h);
   const S of_quadratic = derivative_of_quadratic_warp<S>(order, local, rate, change);
   if (!warp.is_cubic()) return of_quadratic;
   return of_quadratic + derivative_of_cubic_term<S>(order, local, rate, change, warp.third_derivative() / (h * h * h));
 }
 
-/// Sets the derivatives by time at the place reached after the fraction u of the duration h.
+/// Sets the derivatives by time at the place reached after the fraction u of the duration h, in a part of the ease, as
+/// for time_derivative().
 template <class S>
 void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, const LocalParameter<S>& at,
-                     const Warp<S>& warp, const S& u, const S& h) {
+                     const Warp<S>& warp, const S& u, const S& h, std::optional<EasePart> given_part = {}) {
   using std::abs;
-  const S rate = warp.first_derivative(u) / h;
-  const S change = warp.second_derivative(u) / (h * h);
+  const EasePart part = given_part ? *given_part : warp.part(u);
+  const S rate = warp.first_derivative(u, part) / h;
+  const S change = warp.second_derivative(u, part) / (h * h);
   const S third = warp.is_cubic() ? S(warp.third_derivative() / (h * h * h)) : S(0);
   [[maybe_unused]] const S unit(0x1p-50);
   of.velocity.clear();

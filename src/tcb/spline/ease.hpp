@@ -13,10 +13,17 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <type_traits>
 
+#include "tcb/spline/key.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {
+
+/// The parts of a segment with ease: it speeds up, keeps its rate, and slows down. The second derivative jumps between
+/// them.
+enum class EasePart : std::uint8_t { first, middle, last };
 
 /// The warp of one segment: that of ease, with f + e at most 1, or a cubic, or the identity.
 template <class S>
@@ -53,14 +60,45 @@ class Warp {
 
   bool is_identity() const { return kind_ == Kind::identity; }
   bool is_cubic() const { return kind_ == Kind::cubic; }
+  bool has_ease() const { return kind_ == Kind::ease; }
 
   /// The local parameter after the fraction u of the segment's duration. `left` is 1 - u.
   LocalParameter<S> at(const W& u, const W& left) const {
+    if (has_ease()) return at(u, left, u < first_ ? EasePart::first : left > last_ ? EasePart::middle : EasePart::last);
+    return at(u, left, EasePart::middle);
+  }
+  /// That in a part of the ease, which decides nothing for other warps.
+  LocalParameter<S> at(const W& u, const W& left, EasePart part) const {
     if (is_identity()) return u < left ? from_start<S>(u) : from_end<S>(left);
     if (is_cubic()) return u < left ? from_start<S>(cubic_at(u, first_)) : from_end<S>(cubic_at(left, last_));
-    if (u < first_) return from_start<S>(k_ / first_ * u * u);
-    if (left > last_) return from_start<S>(k_ * (u + u - first_));
+    if (part == EasePart::first) return from_start<S>(k_ / first_ * u * u);
+    if (part == EasePart::middle) return from_start<S>(k_ * (u + u - first_));
     return from_end<S>(last_ == W(0) ? W(0) : k_ / last_ * left * left);
+  }
+
+  /// The part of the ease after a time of the segment's duration; `left`: the rest of it. Between two parts the one on
+  /// this side, also where doubles are as near as the rounding errors of double-doubles. Without ease the middle.
+  EasePart part(const W& passed, const W& left, const W& duration, Side side) const {
+    if (!has_ease()) return EasePart::middle;
+    const auto is_within = [&](const W& time, const W& of_part, Side at_its_end) {
+      const W beyond = time - of_part * duration;
+      [[maybe_unused]] W near(0);
+      if constexpr (std::is_same_v<S, double>) near = W(0x1p-98) * duration;
+      const bool with_end = side == at_its_end || of_part == W(1);
+      return of_part > W(0) && (with_end ? beyond <= near : beyond < -near);
+    };
+    if (is_within(passed, first_, Side::left)) return EasePart::first;
+    return is_within(left, last_, Side::right) ? EasePart::last : EasePart::middle;
+  }
+  EasePart part(const S& u, Side side = Side::right) const { return part(W(u), W(1) - W(u), W(1), side); }
+  /// The part at a local parameter.
+  EasePart part(const LocalParameter<S>& place, Side side) const {
+    if (!has_ease()) return EasePart::middle;
+    const S first = high_part<S>(k_ * first_), last = high_part<S>(-(k_ * last_));
+    const bool with_first = side == Side::left || first_ == W(1), with_last = side == Side::right || last_ == W(1);
+    if (first_ > W(0) && (place.u < first || (with_first && place.u == first))) return EasePart::first;
+    if (last_ > W(0) && (place.w > last || (with_last && place.w == last))) return EasePart::last;
+    return EasePart::middle;
   }
 
   /// The inverse of at(): the fraction of the duration at a local parameter.
@@ -82,23 +120,25 @@ class Warp {
   S end_of_first_part() const { return is_cubic() ? S(1) : high_part<S>(k_ * first_); }
   S start_of_last_part() const { return is_cubic() ? S(1) : high_part<S>(W(1) - k_ * last_); }
 
-  /// The derivatives of the warp after the fraction u of the duration.
-  S first_derivative(const S& u) const {
+  /// The derivatives of the warp after the fraction u of the duration, in a part of the ease.
+  S first_derivative(const S& u, EasePart part) const {
     if (is_identity()) return S(1);
     const S f = high_part<S>(first_), e = high_part<S>(last_), k = high_part<S>(k_);
     const S left = S(1) - u;
     if (is_cubic()) return left * (f + u * (S(6) - S(3) * f)) + e * u * (S(3) * u - S(2));
-    if (u < f || f == S(1)) return S(2) * k / f * u;
-    return left > e || e == S(0) ? S(2) * k : S(2) * k / e * left;
+    if (part == EasePart::first) return S(2) * k / f * u;
+    return part == EasePart::middle || e == S(0) ? S(2) * k : S(2) * k / e * left;
   }
-  S second_derivative(const S& u) const {
+  S first_derivative(const S& u) const { return first_derivative(u, part(u)); }
+  S second_derivative(const S& u, EasePart part) const {
     if (is_identity()) return S(0);
     const S f = high_part<S>(first_), e = high_part<S>(last_), k = high_part<S>(k_);
     const S left = S(1) - u;
     if (is_cubic()) return left * (S(6) - S(4) * f - S(2) * e) + u * (S(2) * f + S(4) * e - S(6));
-    if (u < f || f == S(1)) return S(2) * k / f;
-    return left > e || e == S(0) ? S(0) : S(-2) * k / e;
+    if (part == EasePart::first) return S(2) * k / f;
+    return part == EasePart::middle || e == S(0) ? S(0) : S(-2) * k / e;
   }
+  S second_derivative(const S& u) const { return second_derivative(u, part(u)); }
   S third_derivative() const { return is_cubic() ? S(6) * high_part<S>(k_) : S(0); }
 
  private:
@@ -142,7 +182,9 @@ class TimeMap {
       : start_(start), end_(end), warp_(warp), duration_(elapsed<S>(start, end)), plain_(warp.is_identity()) {}
 
   /// Requires: start <= t <= end.
-  LocalParameter<S> operator()(const Time<S>& t) const {
+  LocalParameter<S> operator()(const Time<S>& t) const { return (*this)(t, std::nullopt); }
+  /// Also where the part of the ease is known, which an inexact scalar may not decide.
+  LocalParameter<S> operator()(const Time<S>& t, std::optional<EasePart> part) const {
     if (t == start_) return {S(0), S(-1)};
     if (t == end_) return {S(1), S(0)};
     const W passed = elapsed<S>(start_, t);
@@ -150,6 +192,7 @@ class TimeMap {
     if (plain_ && low_part<S>(passed) == S(0) && low_part<S>(left) == S(0) && low_part<S>(duration_) == S(0)) {
       return {high_part<S>(passed) / high_part<S>(duration_), -high_part<S>(left) / high_part<S>(duration_)};
     }
+    if (part && !plain_) return warp_.at(passed / duration_, left / duration_, *part);
     if (passed < left) return plain_ ? from_start<S>(passed / duration_) : warped(passed / duration_);
     return plain_ ? from_end<S>(left / duration_) : warped_from_end(left / duration_);
   }

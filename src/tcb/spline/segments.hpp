@@ -16,7 +16,7 @@ namespace tcb::spline {
 
 /// Successive segments. Shapes: one more time than segments; `channels` cubics per segment; one warp per
 /// segment, or none if no key has ease and the timing is even; as many rotations per segment as the rules have, which
-/// replace the cubics of their channels.
+/// replace the cubics of their channels; those by components are these cubics, normalized.
 template <class S>
 struct Segments {
   std::size_t channels = 0;

@@ -33,7 +33,7 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   }
   result.times.push_back(keys.times[window.last_key()]);
   if constexpr (has_roots<S>) {
-    result.rotations = rotation_segments(window, rules);
+    set_rotations(result, window, rules);
   }
   return result;
 }

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "tcb/spline/detail/tangents.hpp"
 #include "tcb/spline/rotation.hpp"
+#include "tcb/spline/segments.hpp"
 #include "tcb/spline/window.hpp"
 
 namespace tcb::spline {
@@ -40,15 +42,7 @@ class RotationOfWindow {
 
   /// The curves between the keys, segment after segment.
   std::vector<RotationSegment<S>> segments() const {
-    Window<S> turns = window_;  // of as many channels as a chord has numbers
-    turns.keys.channels = is_linear_ ? 4 : 3;
-    turns.keys.positions.assign(keys_.size() * turns.keys.channels, S(0));
-    set_velocities(turns.keys);
-    if (window_.keys.has_channel_tcbs()) {  // all numbers take those of the first
-      turns.keys.tcbs.clear();
-      for (std::size_t key = 0; key < keys_.size(); ++key)
-        turns.keys.tcbs.push_back(window_.keys.tcb(key, rotation_.channels[0]));
-    }
+    const Window<S> turns = window_of_chords();
     const Tangents tangents(turns, rules_, [&](std::size_t key, std::size_t i) { return W(chords_[key][i]); });
     std::vector<RotationSegment<S>> result;
     for (std::size_t key = window_.first_key(); key < window_.last_key(); ++key) {
@@ -57,8 +51,45 @@ class RotationOfWindow {
     return result;
   }
 
+  bool is_of_components() const { return is_linear_; }
+
+  /// Replaces the cubics of the four numbers between the keys with those of this curve, whose keys have the signs that
+  /// join them, also where a closed curve returns to its first key. Requires: is_of_components().
+  void set_cubics(std::vector<Cubic<S>>& cubics) const {
+    Window<S> turns = window_of_chords();
+    const auto number = [&](std::size_t key, std::size_t i) {
+      const auto& [x, y, z, w] = keys_[key];
+      return std::array{x, y, z, w}[i];
+    };
+    if constexpr (std::is_same_v<S, double>) keep_given_velocities(turns.keys, number);
+    const Tangents tangents(turns, rules_, [&](std::size_t key, std::size_t i) {
+      return exact_difference(number(key + 1, i), number(key, i));
+    });
+    for (std::size_t key = window_.first_key(); key < window_.last_key(); ++key) {
+      Cubic<S>* const of_segment = cubics.data() + (key - window_.first_key()) * window_.keys.channels;
+      for (std::size_t i = 0; i < rotation_.channels.size(); ++i) {
+        of_segment[rotation_.channels[i]] =
+            cubic<S>(number(key, i), number(key + 1, i), tangents.outgoing(key)[i], tangents.incoming(key + 1)[i]);
+      }
+    }
+  }
+
  private:
   using Chord = std::array<S, 4>;  ///< a logarithm and 0, or the differences of the four numbers
+
+  /// The window with the chords' numbers as channels.
+  Window<S> window_of_chords() const {
+    Window<S> turns = window_;
+    turns.keys.channels = is_linear_ ? 4 : 3;
+    turns.keys.positions.assign(keys_.size() * turns.keys.channels, S(0));
+    set_velocities(turns.keys);
+    if (window_.keys.has_channel_tcbs()) {  // all numbers take those of the first
+      turns.keys.tcbs.clear();
+      for (std::size_t key = 0; key < keys_.size(); ++key)
+        turns.keys.tcbs.push_back(window_.keys.tcb(key, rotation_.channels[0]));
+    }
+    return turns;
+  }
 
   Chord chord(std::size_t key) const {
     const Quaternion<S>&from = keys_[key], &to = keys_[key + 1];
@@ -94,6 +125,25 @@ class RotationOfWindow {
     for (std::size_t key = 0; key < keys_.size(); ++key) {
       const Chord in = velocity(key, &Velocity<S>::in), out = velocity(key, &Velocity<S>::out);
       for (std::size_t i = 0; i < turns.channels; ++i) turns.velocities.push_back({in[i], out[i]});
+    }
+  }
+  /// Takes the given velocities as they are, or negated, where those of a key differ from them by rounding alone.
+  template <class Number>
+  void keep_given_velocities(Keys<S>& turns, const Number& number) const {
+    const Keys<S>& keys = window_.keys;
+    for (std::size_t key = 0; has_velocities() && key < keys_.size(); ++key) {
+      const auto is_given = [&](const S& sign) {
+        bool same = true;
+        for (std::size_t i = 0; i < 4; ++i) {
+          same = same && number(key, i) == sign * keys.position(key)[rotation_.channels[i]];
+        }
+        return same;
+      };
+      const S sign(is_given(S(1)) ? 1 : is_given(S(-1)) ? -1 : 0);
+      for (std::size_t i = 0; sign != S(0) && i < 4; ++i) {
+        const auto& [in, out] = keys.velocities[key * keys.channels + rotation_.channels[i]];
+        turns.velocities[key * 4 + i] = {sign * in, sign * out};
+      }
     }
   }
   /// The velocity as that of a logarithm (only the turning part), equal for q and -q.
@@ -149,17 +199,18 @@ class RotationOfWindow {
   std::vector<Chord> chords_;
 };
 
-/// All rotation curves of a window, segment by segment.
+/// Sets all rotation curves of a window, segment by segment, and the cubics of numbers of which they are made.
 template <class S>
-std::vector<RotationSegment<S>> rotation_segments(const Window<S>& window, const CurveRules<S>& rules) {
-  std::vector<RotationSegment<S>> result;
+void set_rotations(Segments<S>& segments, const Window<S>& window, const CurveRules<S>& rules) {
+  std::vector<RotationSegment<S>>& result = segments.rotations;
   const std::size_t count = rules.rotations.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const auto one = RotationOfWindow<S>(window, rules, rules.rotations[i]).segments();
+    const RotationOfWindow<S> rotation(window, rules, rules.rotations[i]);
+    if (rotation.is_of_components()) rotation.set_cubics(segments.cubics);
+    const auto one = rotation.segments();
     result.resize(one.size() * count);
     for (std::size_t segment = 0; segment < one.size(); ++segment) result[segment * count + i] = one[segment];
   }
-  return result;
 }
 
 }  // namespace tcb::spline
