@@ -37,6 +37,7 @@ struct Found {
   std::size_t node = JsonCell::missing;   ///< its value
   std::size_t place = JsonCell::missing;  ///< of its name on the tape
   bool is_spread = false;                 ///< its numbers are columns of their own
+  bool is_of_whole = false;               ///< all numbers around it are columns
   const JsonTape* tape = nullptr;
 
   Error at(const Error& error) const { return error.about(path).at(tape->position(place)); }
@@ -313,7 +314,7 @@ struct Arrays {
 std::string lone_array(const std::vector<Found>& members) {
   std::vector<std::string> all, usual;
   for (const Found& member : members) {
-    if (is_plain_number(member) || member.is_spread) return "";
+    if (is_plain_number(member)) return "";
     const bool is_velocity = std::ranges::count(velocity_arrays, member.name, &VelocityArray::name) > 0;
     if (!is_number_array(member) || has_role(member.name) || is_of_rotation(member) || is_velocity) continue;
     all.push_back(member.name);
@@ -470,6 +471,7 @@ void spread(std::vector<Found>& members, const ColumnOptions& options) {
       if (!names_it(inner) && !is_taken) continue;
       if (is_position && inner.route.size() == 2) inner.name = inner.route[1];
       members[i].is_spread = true;
+      inner.is_of_whole = is_position || (!in_array && lacks_position);
       members.push_back(std::move(inner));
     }
   }
@@ -594,16 +596,29 @@ struct Cells {
   std::size_t cell, cells;
 };
 
+/// Whether a name is that of the seconds or of the nanoseconds of a time, and the other part is there too.
+bool has_both_time_parts(const std::vector<Found>& found, std::string_view name) {
+  const auto part = time_part_of(name);
+  return part && std::ranges::any_of(found, [&](const Found& member) {
+           const auto other = time_part_of(member.name);
+           return other && other->stem == part->stem && other->part != part->part;
+         });
+}
+
 /// For each cell, whether it holds a number that may have a role or be a position.
 std::vector<bool> numeric_cells(const std::vector<Found>& found, const std::vector<Cells>& cells,
                                 const std::vector<std::string>& header, const Arrays& arrays) {
   const bool has_array =
       std::ranges::any_of(found, [&](const auto& member) { return arrays.has(member) && !arrays.is_rotation(member); });
+  const bool lacks_time = std::ranges::none_of(found, [](const Found& member) {
+    return !time_part_of(member.name) && (role_of_name(member.name) == Role::time || is_usual_time(member.name));
+  });
   std::vector<bool> numeric;
   for (std::size_t i = 0; i < found.size(); ++i) {
     // Where there is an array of positions, no other number is a position.
     const bool is_single = !found[i].array && !arrays.has(found[i]);
-    const bool is_other = has_array && is_single && role_of_name(found[i].name) == Role::position;
+    const bool is_time = lacks_time && has_both_time_parts(found, found[i].name);
+    const bool is_other = has_array && is_single && !is_time && role_of_name(found[i].name) == Role::position;
     const bool is_number = !found[i].text && (!is_other || is_of_channel_in(found[i].name, header));
     numeric.resize(cells[i].cell + cells[i].cells, is_number);
   }
@@ -626,6 +641,7 @@ void add_member(std::vector<Member>& members, const Found& found, const Cells& c
       level->push_back({.name = found.route[step]});
       outer = level->end() - 1;
     }
+    outer->is_whole = outer->is_whole || found.is_of_whole || is_spread_always(found.route[0]);
     level = &outer->inner;
   }
   level->push_back({.name = found.route.back(),

@@ -49,6 +49,7 @@ struct JsonColumns {
     std::size_t cells = 0;  ///< the number of its cells; 0: it is ignored
     bool required = false;
     std::size_t number = 0;          ///< among all members
+    bool is_whole = false;           ///< all numbers in it have cells
     std::vector<Member> inner = {};  ///< the members of an object, or the elements of an array, that have cells
 
     bool is_nested() const { return !inner.empty(); }

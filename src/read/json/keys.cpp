@@ -173,9 +173,9 @@ class KeyReader {
     cell_ = &cell;
     is_provenance_ = is_provenance_ || cell.name == "meta";
     const Member* const member = find(columns_.members, cell.name, tape_.kind(cell.value), expected);
-    if (member != nullptr) return read_value(*member, cell.value);
-    const bool is_spread = cell.name == "tcb" || cell.name == "rotation";
-    if (!is_spread || tape_.kind(cell.value) != Kind::object) return refuse_unknown(cell.value);
+    const bool is_spread = (cell.name == "tcb" || cell.name == "rotation") && tape_.kind(cell.value) == Kind::object;
+    if (member != nullptr && (!is_spread || member->is_nested())) return read_value(*member, cell.value);
+    if (!is_spread) return refuse_unknown(cell.value);
     tape_.for_each_member(cell.value, [&](std::size_t, std::size_t value) {
       refuse_unknown(value);
       return true;
@@ -259,9 +259,8 @@ class KeyReader {
       return true;
     };
     if (kind == Kind::object) {
-      tape_.for_each_member(value, [&](std::size_t name, std::size_t inner) {
-        return read(tape_.text(name), inner, !is_spread_always(member.name));
-      });
+      tape_.for_each_member(
+          value, [&](std::size_t name, std::size_t inner) { return read(tape_.text(name), inner, !member.is_whole); });
     } else if (kind == Kind::array && member.inner[0].name.starts_with('[')) {
       std::size_t index = 0;
       tape_.for_each_element(value, [&](std::size_t inner) { return read(fmt::format("[{}]", index++), inner, true); });
@@ -270,8 +269,6 @@ class KeyReader {
                                         "it"));
     }
   }
-
-  static bool is_spread_always(std::string_view name) { return name == "tcb" || name == "rotation"; }
 
   void read_cell(const Column& column, std::size_t value) {
     switch (tape_.kind(value)) {

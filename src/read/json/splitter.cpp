@@ -19,7 +19,7 @@ Error ends_early() {
 /// The characters that determine where records end.
 constexpr std::array<bool, 256> is_structure = [] {
   std::array<bool, 256> found{};
-  for (const char c : std::string_view("\"[]{},\n")) found[static_cast<unsigned char>(c)] = true;
+  for (const char c : std::string_view("\"[]{},")) found[static_cast<unsigned char>(c)] = true;
   return found;
 }();
 
@@ -267,9 +267,6 @@ bool JsonSplitter::scan_records() {
         if (!is_list || depth_ != 0) break;
         boundary_ = at_;
         ++records_;
-        break;
-      case '\n':
-        if (!is_list && depth_ == 0) boundary_ = at_ + 1;
         break;
       case ']':
         if (is_list && depth_ == 0) {

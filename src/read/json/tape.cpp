@@ -98,7 +98,8 @@ class JsonTape::Events {
   }
 
   bool add_whole_number() {
-    const char* end = begin() + 1;
+    const char* end = begin() + (*begin() == '-' ? 1 : 0);
+    if (*end++ == '0') return add(Kind::number, static_cast<std::size_t>(end - now_));
     while (end != text_.data() + text_.size() && *end >= '0' && *end <= '9') ++end;
     return add(Kind::number, static_cast<std::size_t>(end - now_));
   }
