@@ -91,6 +91,7 @@ inline constexpr std::string_view output_dir = "--output-dir";
 inline constexpr std::string_view files = "--files";
 inline constexpr std::string_view null = "--null";
 inline constexpr std::string_view only = "--only";
+inline constexpr std::string_view records = "--records";
 inline constexpr std::string_view recursive = "--recursive";
 inline constexpr std::string_view suffix = "--suffix";
 inline constexpr std::string_view update = "--update";

@@ -223,6 +223,10 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) {
        for (const std::string_view pattern : split(text, ',')) to.keys.input.only.emplace_back(pattern);
      }},
+    {option::records, "", "PATH", input_group,
+     "Reads the list of keys at this path of JSON, such as data.result[0].values; with * for any name, each list is a "
+     "curve",
+     "", other, recorded, [](Typed& to, Text text) { to.keys.input.records = text; }},
     {option::missing, "", "POLICY", input_group,
      "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips the "
      "key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",

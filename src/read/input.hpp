@@ -14,7 +14,7 @@
 namespace tcb {
 
 /// The shapes of JSON inputs.
-enum class JsonShape { list, object, curves, lines, table, table_by_index };
+enum class JsonShape { list, object, curves, lines, table, table_by_index, any };
 
 /// What was found at the beginning of an input.
 struct InputFacts {
@@ -22,6 +22,7 @@ struct InputFacts {
   std::string encoding = {};                                 ///< from which text was converted to UTF-8; empty: none
   bool names_quaternion = false;                             ///< as in DelimitedHead
   JsonShape shape = JsonShape::list;                         ///< of JSON
+  std::string records = {};                                  ///< the path of the list of keys in JSON of any shape
   std::optional<spline::Tcb<double>> tcb = {};               ///< of all keys, as the file has it
   std::string comment = {};                                  ///< the prefix of its comment lines; empty: it has none
   std::vector<std::string> roles = {};                       ///< names of columns that shape a curve, such as tension

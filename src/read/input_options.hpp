@@ -36,6 +36,7 @@ struct InputOptions {
   RotationOptions rotation = {};
   std::vector<Renaming> renamings = {};  ///< of columns in the output
   std::vector<std::string> only = {};    ///< patterns of the tracks to read; empty: all
+  std::string records = {};              ///< the path of the list of keys in JSON; empty: found by its shape
   unsigned threads = 1;                  ///< at most
 };
 

@@ -51,7 +51,8 @@ Facts input_facts(const Input& input) {
                               "an object with curves",
                               "one key per line",
                               "a table",
-                              "a table whose index is the time"};
+                              "a table whose index is the time",
+                              "a list in another one"};
   const Format& format = format_of(input.facts.format);
   Facts facts{{"format", std::string(format.name)}};
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };

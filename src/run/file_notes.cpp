@@ -70,6 +70,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     add(is_all ? text_converted(input.facts.encoding) : names_converted(input.facts.encoding));
   }
   if (input.facts.shape == JsonShape::table_by_index) add(index_is_time());
+  if (options.input.records.empty() && !input.facts.records.empty()) add(keys_at(input.facts.records));
   if (input.facts.names_quaternion) add(names_of_quaternion());
   if (!input.schema.time.is_given && !options.rules.parameter) add(no_time_column());
   if (input.schema.time.notation == TimeNotation::date) add(dates_in_utc(input.schema.time.name));

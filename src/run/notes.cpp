@@ -6,6 +6,7 @@
 #include "exact/precision_levels.hpp"
 #include "option_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 
@@ -43,6 +44,10 @@ Note names_of_quaternion() {
                   "them as positions",
                   option::rotation),
       true};
+}
+
+Note keys_at(std::string_view path) {
+  return {fmt::format("the keys are the list {}; {} takes another one", in_quotes(path), option::records), true};
 }
 
 Note index_is_time() { return {"the index of the table is taken as the time", true}; }

@@ -30,6 +30,8 @@ Note angles_jump(std::string_view angles, bool may_be_euler);
 Note names_of_quaternion();
 /// The index of a table in JSON is not a count of its rows, and no column is the time.
 Note index_is_time();
+/// The only list in JSON that can be keys.
+Note keys_at(std::string_view path);
 Note no_time_column();
 Note channels_in_extras(const std::vector<std::string>& names);
 Note other_tracks_left_out(const std::vector<std::string>& names);

@@ -9,21 +9,27 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
-#include "read/json/errors.hpp"
-#include "read/json/object_reader.hpp"
-#include "read/json/splitter.hpp"
+#include "option_names.hpp"
+#include "read/json/keys.hpp"
+#include "read/json/shapes.hpp"
+#include "read/json/tape.hpp"
 #include "read/key_builder.hpp"
+#include "read/text_bytes.hpp"
 #include "read/written_number.hpp"
 #include "schema/pose_formats.hpp"
 
 namespace tcb {
 namespace {
+
+using Json = nlohmann::json;
+using Kind = JsonNode::Kind;
 
 constexpr std::string_view keyframe_list = "keyframes";
 constexpr std::size_t matrix_size = 16;  // 4 x 4, row by row
@@ -43,191 +49,245 @@ struct Keyframe {
   }
 };
 
-/// Reads objects by the members that they may have.
-class MemberReader : public JsonObjectReader {
- public:
-  using JsonObjectReader::JsonObjectReader;
-
- protected:
-  bool on_member(const std::string& name) override {
-    member_ = name;
-    return true;
-  }
-  std::string_view member() const override { return member_; }
-
-  /// The number of a member that is a number.
-  WrittenNumber number_of(const spline::Time<double>& value) const {
-    return {value.hi, decimal().empty() ? time_text(value) : std::string(decimal())};
-  }
-
- private:
-  std::string member_;
-};
-
-class KeyframeReader : public MemberReader {
- public:
-  using MemberReader::MemberReader;
-  std::vector<Keyframe> found;
-
- private:
-  bool on_key_start() override {
-    Keyframe& keyframe = found.emplace_back();
-    keyframe.position = key_position();
-    keyframe.number = key_number();
-    seen_.clear();
-    return true;
-  }
-  bool on_member(const std::string& name) override {
-    (void)MemberReader::on_member(name);
-    const bool repeats = std::ranges::count(seen_, name) > 0;
-    seen_.push_back(name);
-    return repeats ? fault(json::member_repeats()) : true;
-  }
-  std::optional<WrittenNumber>* number() {
-    Keyframe& keyframe = found.back();
-    if (member() == "fov") return &keyframe.fov;
-    if (member() == "override_transition_sec") return &keyframe.transition;
-    return member() == "render_time" ? &keyframe.render_time : nullptr;
-  }
-  bool on_number(const spline::Time<double>& value) override {
-    if (member() == "matrix") {
-      if (!in_array()) return fault(json::array_expected());
-      if (element() < matrix_size) found.back().matrix.push_back(number_of(value));
-      return true;
-    }
-    if (member() == "override_transition_enabled") return fault(json::true_or_false_expected(number_of(value).decimal));
-    std::optional<WrittenNumber>* const one = number();
-    if (one == nullptr) return true;
-    if (in_array()) return fault(json::number_expected());
-    *one = number_of(value);
-    return true;
-  }
-  bool on_text(std::string_view text) override {
-    if (member() == "matrix") return fault(in_array() ? json::not_a_number(text) : json::matrix_is_text());
-    if (member() == "override_transition_enabled") {
-      if (is_quoted() || in_array()) return fault(json::true_or_false_expected(text));
-      found.back().has_own_transition = text == "true";
-    }
-    return number() == nullptr || fault(json::not_a_number(text));
-  }
-  bool on_null() override { return member() != "matrix" || fault(json::array_expected()); }
-  bool on_nested() override {
-    if (member() == "matrix" && in_array()) return fault(json::number_expected());
-    return number() == nullptr || fault(json::number_expected());
-  }
-  bool on_array_end() override {
-    if (member() != "matrix" || element() == matrix_size) return true;
-    return fault(json::matrix_size(element()));
-  }
-  bool on_key_end() override {
-    const Keyframe& keyframe = found.back();
-    if (std::ranges::count(seen_, "matrix") == 0) add(at_key(json::matrix_missing()));
-    if (keyframe.matrix.size() < matrix_size || !keyframe.faults.empty()) return true;
-    const auto is_number = [&](std::size_t i, double value) { return keyframe.matrix[i].value == value; };
-    const bool is_pose = is_number(12, 0) && is_number(13, 0) && is_number(14, 0) && is_number(15, 1);
-    if (!is_pose) add(keyframe.at(json::last_row_of_matrix(), "matrix"));
-    return true;
-  }
-
-  /// Adds a fault of the current value; true. An array is one fault.
-  bool fault(const Error& error) {
-    if (found.back().faults.empty()) add(at_value(error));
-    return true;
-  }
-  void add(Error error) { found.back().faults.push_back(std::move(error)); }
-
-  std::vector<std::string> seen_;
-};
-
-/// The members around the keyframes.
-class AroundReader : public MemberReader {
- public:
-  using MemberReader::MemberReader;
-  std::optional<WrittenNumber> tension, fov, transition, rate, seconds;
-  bool is_cycle = false;
-
- private:
-  std::optional<WrittenNumber>* number() {
-    if (member() == "smoothness_value") return &tension;
-    if (member() == "default_fov") return &fov;
-    return member() == "default_transition_sec" ? &transition : nullptr;
-  }
-  bool on_number(const spline::Time<double>& value) override {
-    if (std::optional<WrittenNumber>* const one = number(); one != nullptr && !in_array()) *one = number_of(value);
-    if (member() == "is_cycle") throw at_value(json::true_or_false_expected(number_of(value).decimal));
-    if (!in_array() && member() == "fps") rate = number_of(value);
-    if (!in_array() && member() == "seconds") seconds = number_of(value);
-    return true;
-  }
-  bool on_text(std::string_view text) override {
-    if (number() != nullptr) throw at_value(json::not_a_number(text));
-    if (member() != "is_cycle") return true;
-    if (is_quoted() || in_array()) throw at_value(json::true_or_false_expected(text));
-    is_cycle = text == "true";
-    return true;
-  }
-  bool on_null() override { return true; }
-  bool on_nested() override {
-    if (number() != nullptr) throw at_value(json::number_expected());
-    return true;
-  }
-};
-
 /// A camera path as it is written.
 struct PathOfCameras {
-  std::vector<Keyframe> keyframes;
-  WrittenNumber tension, transition;           ///< of all keyframes, and of those that have no own
-  std::optional<WrittenNumber> fov;            ///< of keyframes that have none
-  std::optional<WrittenNumber> rate, seconds;  ///< of its frames
+  std::vector<Keyframe> keyframes = {};
+  WrittenNumber tension = {}, transition = {};           ///< of all keyframes, and of those that have no own
+  std::optional<WrittenNumber> fov = {};                 ///< of keyframes that have none
+  std::optional<WrittenNumber> rate = {}, seconds = {};  ///< of its frames
   bool is_cycle = false;
   bool has_render_times = false;
-  TextPosition position;
-  std::string members;  ///< as in Schema
+  TextPosition position = {};
+  std::string members = {};  ///< as in Schema
 };
 
-/// The members besides the cameras and their rate, as they are to be written again.
-std::string members_of(const std::string& text) {
-  auto members = nlohmann::ordered_json::parse(text);
-  for (const char* const made : {"camera_path", "fps", "seconds"}) members.erase(made);
-  return members.dump();
+Error array_expected() {
+  return data_error("this is not an array; expected one of numbers, as in the first key; correct it");
+}
+Error number_expected() { return data_error("this is not a number; expected one, as in the first key; correct it"); }
+Error not_a_number(std::string_view text) {
+  return data_error("{} is not a number; expected a number; correct it", in_quotes(text));
+}
+Error true_or_false_expected(std::string_view found) {
+  return data_error("found {}; expected true or false; correct it", in_quotes(found));
+}
+Error no_keyframes() {
+  return data_error(
+      "the input has no keyframes; expected an object with a list \"keyframes\" that is not empty, as nerfstudio saves "
+      "camera paths; give another {}",
+      option::input_format);
 }
 
-PathOfCameras read_camera_path(Source<std::string> bytes) {
-  PathOfCameras path;
-  std::string text;
-  JsonSplitter splitter(mapped(std::move(bytes),
-                               [&text](std::string part) {
-                                 text += part;
-                                 return part;
-                               }),
-                        keyframe_list);
-  constexpr double usual_transition = 0.5;  // of the viewer, where a file has none
-  std::optional<JsonPart> around;
-  while (std::optional<JsonPart> part = splitter.next()) {
-    if (part->kind == JsonPart::Kind::object) {
-      around = std::move(part);
-      continue;
-    }
-    if (splitter.shape() != JsonShape::object) break;
-    KeyframeReader reader(*part);
-    reader.parse();
-    std::ranges::move(reader.found, std::back_inserter(path.keyframes));
+/// Reads a camera path from its tape.
+class CameraPathReader {
+ public:
+  explicit CameraPathReader(const JsonTape& tape) : tape_(tape) {}
+
+  PathOfCameras read() {
+    if (tape_.kind(0) != Kind::object) throw no_keyframes();
+    path_.position = tape_.position(0);
+    const auto list = tape_.member(0, keyframe_list);
+    if (!list || tape_.kind(*list) != Kind::array) throw no_keyframes().at(path_.position);
+    counted_position_ = {path_.position.line, path_.position.column};
+    tape_.for_each_element(*list, [&](std::size_t value) { return read_keyframe(value), true; });
+    if (path_.keyframes.empty()) throw no_keyframes().at(path_.position);
+    constexpr double usual_transition = 0.5;  // of the viewer, where a file has none
+    path_.tension = number_around("smoothness_value").value_or(WrittenNumber{0, "0"});
+    path_.transition = number_around("default_transition_sec").value_or(WrittenNumber{usual_transition, "0.5"});
+    path_.fov = number_around("default_fov");
+    path_.rate = number_if_any("fps");
+    path_.seconds = number_if_any("seconds");
+    read_cycle();
+    path_.has_render_times =
+        std::ranges::any_of(path_.keyframes, [](const Keyframe& one) { return one.render_time.has_value(); });
+    path_.members = members_besides_cameras();
+    return std::move(path_);
   }
-  if (!around || splitter.shape() != JsonShape::object) throw json::no_keyframes();
-  AroundReader settings(*around);
-  settings.parse();
-  path.position = {"", around->chunk.line, around->chunk.column};
-  if (path.keyframes.empty()) throw json::no_keyframes().at(path.position);
-  path.tension = settings.tension.value_or(WrittenNumber{0, "0"});
-  path.transition = settings.transition.value_or(WrittenNumber{usual_transition, "0.5"});
-  path.fov = settings.fov;
-  path.rate = settings.rate;
-  path.seconds = settings.seconds;
-  path.is_cycle = settings.is_cycle;
-  path.has_render_times =
-      std::ranges::any_of(path.keyframes, [](const Keyframe& one) { return one.render_time.has_value(); });
-  path.members = members_of(text);
-  return path;
+
+ private:
+  WrittenNumber number_of(std::size_t value) const {
+    const std::string_view decimal = tape_.written(value);
+    return {parse_number(decimal).value_or(0), std::string(decimal)};
+  }
+  /// The characters of a text, or a word as it is written.
+  std::string_view text_of(std::size_t value) const {
+    return tape_.kind(value) == Kind::string ? tape_.text(value) : tape_.written(value);
+  }
+  Error at(std::size_t value, const Error& error) const {
+    return error.about(tape_.path(0, value).substr(1)).at(tape_.position(value));
+  }
+
+  void read_keyframe(std::size_t value) {
+    if (tape_.kind(value) != Kind::object) throw not_a_record(tape_, value, false);
+    const std::string_view text = tape_.part().chunk.text;
+    counted_position_ = position_after(text.substr(counted_, tape_[value].begin - counted_), counted_position_);
+    counted_ = tape_[value].begin;
+    Keyframe& keyframe = path_.keyframes.emplace_back();
+    keyframe.number = path_.keyframes.size() - 1;
+    keyframe.position = counted_position_;
+    std::unordered_set<std::string_view> names;
+    tape_.for_each_member(value, [&](std::size_t name, std::size_t member) {
+      if (!names.insert(tape_.text(name)).second) {
+        add_fault(keyframe, name, data_error("the key has this member twice; expected it once; remove one"));
+      }
+      read_member(keyframe, tape_.text(name), member);
+      return true;
+    });
+    if (!names.contains("matrix")) {
+      keyframe.faults.push_back(
+          data_error("the keyframe has no matrix; expected a 4 x 4 matrix of 16 numbers, row by row; add it, or remove "
+                     "the keyframe")
+              .at({"", keyframe.position.line, keyframe.position.column}));
+    }
+    if (keyframe.matrix.size() < matrix_size || !keyframe.faults.empty()) return;
+    const auto is_number = [&](std::size_t i, double number) { return keyframe.matrix[i].value == number; };
+    if (is_number(12, 0) && is_number(13, 0) && is_number(14, 0) && is_number(15, 1)) return;
+    keyframe.faults.push_back(keyframe.at(
+        data_error("the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row by row; "
+                   "correct it, or transpose the matrix"),
+        "matrix"));
+  }
+
+  /// An array is one fault.
+  void add_fault(Keyframe& keyframe, std::size_t value, const Error& error) const {
+    if (keyframe.faults.empty()) keyframe.faults.push_back(at(value, error));
+  }
+
+  void read_member(Keyframe& keyframe, std::string_view name, std::size_t value) const {
+    const Kind kind = tape_.kind(value);
+    if (name == "matrix") return read_matrix(keyframe, value);
+    if (name == "override_transition_enabled") {
+      keyframe.has_own_transition = tape_.written(value) == "true";
+      if (kind == Kind::boolean || kind == Kind::null || kind == Kind::object) return;
+      return add_fault(keyframe, value, true_or_false_expected(text_of(value)));
+    }
+    std::optional<WrittenNumber>* const number = name == "fov"                       ? &keyframe.fov
+                                                 : name == "override_transition_sec" ? &keyframe.transition
+                                                 : name == "render_time"             ? &keyframe.render_time
+                                                                                     : nullptr;
+    if (number == nullptr || kind == Kind::null) return;
+    if (kind == Kind::number) {
+      *number = number_of(value);
+    } else {
+      add_fault(keyframe, value, tape_[value].is_nested() ? number_expected() : not_a_number(text_of(value)));
+    }
+  }
+
+  void read_matrix(Keyframe& keyframe, std::size_t value) const {
+    if (tape_.kind(value) == Kind::string) {
+      return add_fault(keyframe, value,
+                       data_error("the matrix is a text, as in files of nerfstudio before version 1, whose curve is "
+                                  "another one; expected 16 numbers; give {} json {} camera_path {} uniform {} "
+                                  "position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11] for its frames",
+                                  option::input_format, option::records, option::parameter, option::columns));
+    }
+    if (tape_.kind(value) != Kind::array) return add_fault(keyframe, value, array_expected());
+    tape_.for_each_element(value, [&](std::size_t element) {
+      const Kind kind = tape_.kind(element);
+      if (kind == Kind::number) {
+        if (keyframe.matrix.size() < matrix_size) keyframe.matrix.push_back(number_of(element));
+      } else {
+        add_fault(keyframe, element,
+                  tape_[element].is_nested() ? number_expected()
+                  : kind == Kind::null       ? array_expected()
+                                             : not_a_number(text_of(element)));
+      }
+      return true;
+    });
+    const std::size_t size = tape_.count(value);
+    if (size == matrix_size) return;
+    add_fault(
+        keyframe, value,
+        data_error("the matrix has {} number{}; expected 16, row by row; correct it", size, size == 1 ? "" : "s"));
+  }
+
+  /// A number among the members around the keyframes, of which arrays and null are none.
+  std::optional<WrittenNumber> number_around(std::string_view name) const {
+    const auto value = tape_.member(0, name);
+    if (!value || tape_.kind(*value) == Kind::null || tape_.kind(*value) == Kind::array) return std::nullopt;
+    if (tape_.kind(*value) == Kind::number) return number_of(*value);
+    throw at(*value, tape_.kind(*value) == Kind::object ? number_expected() : not_a_number(text_of(*value)));
+  }
+
+  /// A member around the keyframes, if it is a number.
+  std::optional<WrittenNumber> number_if_any(std::string_view name) const {
+    const auto value = tape_.member(0, name);
+    return value && tape_.kind(*value) == Kind::number ? std::optional(number_of(*value)) : std::nullopt;
+  }
+
+  void read_cycle() {
+    const auto value = tape_.member(0, "is_cycle");
+    if (!value || tape_.kind(*value) == Kind::null || tape_.kind(*value) == Kind::object) return;
+    if (tape_.kind(*value) != Kind::boolean) throw at(*value, true_or_false_expected(text_of(*value)));
+    path_.is_cycle = tape_.written(*value) == "true";
+  }
+
+  /// The members besides the cameras and their rate, as they are to be written again.
+  std::string members_besides_cameras() const {
+    std::string all;
+    std::unordered_set<std::string_view> names;
+    tape_.for_each_member(0, [&](std::size_t name, std::size_t value) {
+      const std::string_view text = tape_.text(name);
+      if (!names.insert(text).second) {
+        throw at(name, data_error("the object has this member twice; expected it once; remove one"));
+      }
+      const bool is_made = text == "camera_path" || text == "fps" || text == "seconds";
+      if (!is_made) write_member(all, name, value);
+      return true;
+    });
+    return "{" + all + "}";
+  }
+
+  void write_member(std::string& text, std::size_t name, std::size_t value) const {
+    if (!text.empty() && text.back() != '{') text += ',';
+    text += Json(std::string(tape_.text(name))).dump() + ":";
+    write(text, value);
+  }
+
+  void write(std::string& text, std::size_t value) const {
+    switch (tape_.kind(value)) {
+      case Kind::object:
+        text += '{';
+        tape_.for_each_member(
+            value, [&](std::size_t name, std::size_t member) { return write_member(text, name, member), true; });
+        text += '}';
+        return;
+      case Kind::array:
+        text += '[';
+        tape_.for_each_element(value, [&](std::size_t element) {
+          if (text.back() != '[') text += ',';
+          return write(text, element), true;
+        });
+        text += ']';
+        return;
+      case Kind::string: text += Json(std::string(tape_.text(value))).dump(); return;
+      case Kind::number: text += number_in_json(tape_.written(value)); return;
+      case Kind::null: text += "null"; return;
+      default: text += tape_.written(value);
+    }
+  }
+
+  /// A whole number as it is; others as nlohmann-json writes them.
+  static std::string number_in_json(std::string_view decimal) {
+    const std::string text = json_number_text(decimal);
+    const bool is_whole = decimal.find_first_of(".eE") == std::string_view::npos && decimal != "-0";
+    return is_whole && text == decimal ? text : decimal == "-0" ? "0" : Json(parse_number(decimal).value_or(0)).dump();
+  }
+
+  const JsonTape& tape_;
+  PathOfCameras path_;
+  std::size_t counted_ = 0;        ///< a place in the text,
+  LinePosition counted_position_;  ///< and its position
+};
+
+PathOfCameras read_camera_path(const Source<std::string>& bytes) {
+  TextBytes text_bytes(bytes);
+  JsonPart part{JsonPart::Kind::whole, {}};
+  while (text_bytes.append_to(part.chunk.text, {1, 1})) {
+  }
+  if (std::ranges::all_of(part.chunk.text, is_json_blank)) throw no_keyframes();
+  const JsonTape tape(part);
+  return CameraPathReader(tape).read();
 }
 
 /// The names of the columns of keys.
@@ -245,7 +305,12 @@ Rational transition_to(Keyframe& keyframe, const PathOfCameras& path) {
   const WrittenNumber& number = is_own ? *keyframe.transition : path.transition;
   const std::string_view member = is_own ? "override_transition_sec" : "default_transition_sec";
   Rational seconds = exact_number(number);
-  if (!(seconds > 0)) keyframe.faults.push_back(keyframe.at(json::transition_not_positive(number.decimal), member));
+  if (!(seconds > 0))
+    keyframe.faults.push_back(
+        keyframe.at(data_error("the transition takes {} seconds; expected a number above 0; correct it, "
+                               "or remove the keyframe",
+                               number.decimal),
+                    member));
   return seconds;
 }
 
@@ -255,7 +320,9 @@ std::vector<WrittenNumber> numbers_of(Keyframe& keyframe, const PathOfCameras& p
   if (keyframe.matrix.size() < matrix_size) return numbers;
   for (const std::size_t i : {3U, 7U, 11U, 0U, 1U, 2U, 4U, 5U, 6U, 8U, 9U, 10U}) numbers.push_back(keyframe.matrix[i]);
   const auto add = [&](const std::optional<WrittenNumber>& number, std::string_view member) {
-    if (!number) keyframe.faults.push_back(keyframe.at(json::number_of_keyframe_missing(member), member));
+    if (!number)
+      keyframe.faults.push_back(keyframe.at(
+          data_error("the keyframe has no {}; expected a number in every keyframe; add it", member), member));
     numbers.push_back(number.value_or(WrittenNumber{}));
   };
   add(keyframe.fov ? keyframe.fov : path.fov, "fov");
@@ -281,7 +348,10 @@ void add_key(KeyBuilder& keys, Keyframe& keyframe, const PathOfCameras& path, co
     }
     if (keys.keeps_decimals()) keys.keep_decimal(column, decimal);
     if (keys.scales() && !keys.scale(column, decimal)) {
-      keys.add_fault(keyframe.at(json::number_too_large(decimal), columns.name_of(column)));
+      keys.add_fault(
+          keyframe.at(data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
+                                 in_quotes(decimal)),
+                      columns.name_of(column)));
     }
   }
   if (!keys.end_key()) return;
@@ -314,15 +384,23 @@ std::optional<ViewerFrames> frames_of(const PathOfCameras& path, const Rational&
 }  // namespace
 
 std::optional<bool> begins_camera_path(std::string_view beginning) {
-  const std::size_t first = beginning.find_first_not_of(" \t\r\n");
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = beginning.find_first_not_of(blanks);
   if (first == std::string_view::npos) return std::nullopt;
   if (beginning[first] != '{') return false;
   const std::size_t nested = beginning.find_first_of("[{}", first + 1);
   if (nested == std::string_view::npos) return std::nullopt;
   const std::string_view members = beginning.substr(0, nested);
   const std::size_t name = members.rfind('"', members.find_last_not_of(" \t\r\n:"));
-  return beginning[nested] == '[' && name != std::string_view::npos &&
-         members.substr(0, name + 1).ends_with("\"keyframes\"");
+  const bool is_list = beginning[nested] == '[' && name != std::string_view::npos &&
+                       members.substr(0, name + 1).ends_with("\"keyframes\"");
+  if (!is_list) return false;
+  const std::size_t keyframe = beginning.find_first_not_of(blanks, nested + 1);
+  if (keyframe == std::string_view::npos) return std::nullopt;
+  if (beginning[keyframe] != '{') return true;
+  const std::size_t end = beginning.find_first_of("{}", keyframe + 1);
+  if (beginning.substr(keyframe, end - keyframe).find("\"matrix\"") != std::string_view::npos) return true;
+  return end == std::string_view::npos ? std::nullopt : std::optional(false);
 }
 
 InputOptions options_of_camera_path(InputOptions options) {
@@ -334,8 +412,8 @@ InputOptions options_of_camera_path(InputOptions options) {
 }
 
 Records open_camera_path(Source<std::string> bytes, const InputOptions& options) {
-  if (options.delimited != DelimitedOptions{}) throw json::options_of_delimited_text();
-  PathOfCameras path = read_camera_path(std::move(bytes));
+  refuse_options_of_text(options);
+  PathOfCameras path = read_camera_path(bytes);
   const std::vector<std::string> names = names_of(path);
   Records records;
   records.columns = at_position(path.position, [&] {

@@ -11,8 +11,8 @@
 
 namespace tcb {
 
-/// Whether the beginning of a text is that of a camera path: the first list in an object is "keyframes". Nothing: that
-/// depends on the text that follows.
+/// Whether the beginning of a text is that of a camera path: the first list in an object is "keyframes", and the first
+/// one of these has a matrix. Nothing: that depends on the text that follows.
 std::optional<bool> begins_camera_path(std::string_view beginning);
 
 /// The options with the rotation of camera paths and their unit of times, unless others are requested.

@@ -1,50 +1,66 @@
 // Provenance in JSON: the member "meta" of an earlier output.
 #include "read/json/provenance.hpp"
 
-#include <nlohmann/json.hpp>
-#include <string>
+#include <algorithm>
+#include <optional>
+
+#include "error.hpp"
+#include "read/json/tape.hpp"
 
 namespace tcb {
 namespace {
 
-using Json = nlohmann::json;
+using Kind = JsonNode::Kind;
 
-/// The text without its rows.
-Json without_rows(std::string_view text) {
-  const auto keep = [](int, Json::parse_event_t event, Json& parsed) {
-    return event != Json::parse_event_t::key || (parsed != "rows" && parsed != "curves");
-  };
-  return Json::parse(text, keep, false);
+std::string text_of(const JsonTape& tape, std::size_t object, std::string_view name) {
+  const auto found = tape.member(object, name);
+  return found && tape.kind(*found) == Kind::string ? std::string(tape.text(*found)) : "";
 }
 
-std::string_view last_line(std::string_view text) {
-  const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;
-  const std::size_t before = text.substr(0, end).find_last_of('\n');
-  return text.substr(0, end).substr(before == std::string_view::npos ? 0 : before + 1);
+/// Calls f for each element of a member that is an array.
+template <class F>
+void for_each_of(const JsonTape& tape, std::size_t object, std::string_view name, const F& f) {
+  const auto found = tape.member(object, name);
+  if (!found || tape.kind(*found) != Kind::array) return;
+  tape.for_each_element(*found, [&](std::size_t value) { return f(value), true; });
 }
 
-std::string text_of(const Json& object, const char* name) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+std::optional<EarlierOutput> provenance_of(const JsonTape& tape) {
+  if (tape.kind(0) != Kind::object) return std::nullopt;
+  const auto meta = tape.member(0, "meta");
+  if (!meta || tape.kind(*meta) != Kind::object) return std::nullopt;
+  EarlierOutput provenance;
+  provenance.program = text_of(tape, *meta, "program");
+  for_each_of(tape, *meta, "options", [&](std::size_t option) {
+    if (tape.kind(option) == Kind::string) provenance.options.emplace_back(tape.text(option));
+  });
+  for_each_of(tape, *meta, "inputs", [&](std::size_t input) {
+    if (tape.kind(input) != Kind::object) return;
+    provenance.inputs.emplace_back(text_of(tape, input, "name"), text_of(tape, input, "sha256"));
+  });
+  return provenance;
 }
 
 }  // namespace
 
+/// It is in the object around the rows or the curves, or in one of the lines, of which it is the last.
 EarlierOutput json_provenance(std::string_view text) {
   if (text.find("\"meta\"") == std::string_view::npos) return {};
-  Json whole = without_rows(text);
-  if (whole.is_discarded()) whole = without_rows(last_line(text));
-  if (!whole.is_object() || !whole.contains("meta") || !whole["meta"].is_object()) return {};
-  const Json& object = whole["meta"];
-  EarlierOutput provenance;
-  provenance.program = text_of(object, "program");
-  for (const Json& option : object.value("options", Json::array())) {
-    if (option.is_string()) provenance.options.push_back(option.get<std::string>());
+  JsonSplitter splitter(
+      [left = std::optional(std::string(text))]() mutable { return std::exchange(left, std::nullopt); });
+  EarlierOutput found;
+  try {
+    while (const std::optional<JsonPart> part = splitter.next()) {
+      if (part->kind == JsonPart::Kind::list) continue;
+      JsonTape tape(*part);
+      do {
+        if (tape.size() == 0) continue;
+        if (auto provenance = provenance_of(tape)) found = *std::move(provenance);
+      } while (part->kind == JsonPart::Kind::values && tape.read_next());
+    }
+  } catch (const Error&) {  // a text that is not JSON, or is cut off
   }
-  for (const Json& input : object.value("inputs", Json::array())) {
-    if (input.is_object()) provenance.inputs.emplace_back(text_of(input, "name"), text_of(input, "sha256"));
-  }
-  return provenance;
+  return found;
 }
 
 }  // namespace tcb

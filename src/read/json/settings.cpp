@@ -4,135 +4,143 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
-#include "numbers/print_number.hpp"
 #include "option_names.hpp"
-#include "read/json/errors.hpp"
-#include "read/json/object_reader.hpp"
+#include "read/json/tape.hpp"
 #include "schema/roles.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
+using Kind = JsonNode::Kind;
+
+constexpr std::array<std::string_view, 9> settings{"preset",   "tangents", "ends",   "closed", "period",
+                                                   "channels", "keys",     "curves", "id"};
+
 /// Options that are not members.
 constexpr std::array options_only{option::equal_speed,     option::parameter, option::metric,
                                   option::extrapolate,     option::no_ease,   option::rotation_curve,
                                   option::rotation_output, option::angles,    option::normalize};
 
-class SettingsReader : public JsonObjectReader {
+class SettingsReader {
  public:
-  using JsonObjectReader::JsonObjectReader;
+  explicit SettingsReader(const JsonPart& part) : tape_(part) {
+    found.path = part.chunk.path;
+    found.position = {"", part.chunk.line, part.chunk.column};
+    if (tape_.kind(0) != Kind::object) throw data_error("found no keys; expected at least two; add them");
+    tape_.for_each_member(0, [&](std::size_t name, std::size_t value) {
+      name_ = name;
+      member_ = tape_.text(name);
+      read(value);
+      return true;
+    });
+  }
   JsonCurveInfo found;
 
  private:
-  bool on_member(const std::string& name) override {
-    constexpr std::array<std::string_view, 9> known{"preset",   "tangents", "ends",   "closed", "period",
-                                                    "channels", "keys",     "curves", "id"};
-    member_ = name;
-    known_ = std::ranges::find(known, name) != known.end();
-    require_no_loss(name);
-    if (!known_) {
-      const std::string nearest = nearest_name(name, known);
-      if (nearest.empty()) return true;
-      throw at_value(json::no_setting(nearest));
+  void read(std::size_t value) {
+    const bool is_setting = std::ranges::count(settings, member_) > 0;
+    require_no_loss();
+    if (!is_setting) return read_other(value);
+    if (!settings_.insert(member_).second) {
+      throw at(name_, data_error("the object has this member twice; expected it once; remove one"));
     }
-    if (std::ranges::find(members_, name) != members_.end()) throw at_value(json::setting_repeats());
-    members_.push_back(name);
-    return true;
-  }
-
-  std::string_view member() const override { return member_; }
-
-  /// Throws: Error (data) for a name that has a meaning only elsewhere.
-  void require_no_loss(const std::string& name) const {
-    constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
-    const auto of_channel = channel_role_of(name);
-    const bool is_tcb = of_channel && of_channel->role < Role::velocity;
-    if (name == "tcb" || is_tcb || std::ranges::count(of_keys, role_of_name(name)) > 0) {
-      throw at_value(json::setting_of_keys());
-    }
-    std::string option = "--" + name;
-    std::ranges::replace(option, '_', '-');
-    const auto known = std::ranges::find(options_only, option);
-    if (known != options_only.end()) throw at_value(json::setting_is_option(*known));
-  }
-
-  bool on_number(const spline::Time<double>& value) override {
-    note_number();
-    return take(time_text(value));
-  }
-  void on_deep_value(bool is_number) override {
-    if (is_number) note_number();
-  }
-  bool on_null() override { return take("null"); }
-  bool on_nested() override {
-    if (member_ == "id") throw at_value(json::id_expected());
-    return take("an object");
-  }
-  bool on_text(std::string_view text) override {
-    if (member_ != "id" || !is_quoted()) return take(text);
-    found.curve_info.id = '"' + std::string(text);
-    return true;
+    if (tape_.kind(value) != Kind::array) return take(value, false);
+    tape_.for_each_element(value, [&](std::size_t element) { return take(element, true), true; });
   }
 
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
-  void note_number() {
-    if (known_ || member_ == "meta" || std::ranges::count(found.unused, member_) > 0) return;
-    found.unused.push_back(member_);
+  void read_other(std::size_t value) {
+    const std::string nearest = nearest_name(member_, settings);
+    if (!nearest.empty()) throw at(name_, data_error("there is no such setting; did you mean {}?", nearest));
+    bool has_number = false;
+    for (std::size_t i = value; i < tape_[value].next; ++i) has_number = has_number || tape_.kind(i) == Kind::number;
+    if (has_number && member_ != "meta" && others_.insert(member_).second) found.unused.emplace_back(member_);
   }
 
-  bool take(std::string_view text) {
-    if (!known_) return true;
-    const std::string value(text);
-    CurveSettings& settings = found.curve_info.settings;
-    if (member_ != "id") found.curve_info.places.emplace_back(member_, value_position());
-    if (member_ == "channels") take_channel(value);
-    if (member_ == "preset") settings.preset = {value, {"preset", value_position()}};
-    if (member_ == "tangents") settings.tangents = {value, {"tangents", value_position()}};
-    if (member_ == "ends" && settings.ends && in_array()) {
-      settings.ends->value += "," + value;
-    } else if (member_ == "ends") {
-      settings.ends = {value, {"ends", value_position()}};
+  /// Throws: Error (data) for a name that has a meaning only elsewhere.
+  void require_no_loss() const {
+    constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
+    const auto of_channel = channel_role_of(member_);
+    const bool is_tcb = of_channel && of_channel->role < Role::velocity;
+    if (member_ == "tcb" || is_tcb || std::ranges::count(of_keys, role_of_name(member_)) > 0) {
+      throw at(name_, data_error("this member is outside the keys; expected it in each key; move it there"));
     }
-    if (member_ == "period") settings.period = {value, {"period", value_position()}};
+    std::string option = "--" + std::string(member_);
+    std::ranges::replace(option, '_', '-');
+    const auto known = std::ranges::find(options_only, option);
+    if (known == options_only.end()) return;
+    throw at(name_,
+             data_error("this is an option, not a setting of a file; expected it on the command line; remove it, "
+                        "and give {}",
+                        *known));
+  }
+
+  /// Takes a value of a setting, or an element of it.
+  void take(std::size_t value, bool in_array) {
+    const Kind kind = tape_.kind(value);
+    const bool is_quoted = kind == Kind::string;
+    const std::string text = is_quoted                  ? std::string(tape_.text(value))
+                             : kind == Kind::number     ? json_number_text(tape_.written(value))
+                             : tape_[value].is_nested() ? "an object"
+                                                        : std::string(tape_.written(value));
     if (member_ == "id") {
-      if (in_array()) throw at_value(json::id_expected());
-      found.curve_info.id = value == "null" ? "" : value;
+      if (in_array || tape_[value].is_nested()) {
+        throw at(value, data_error("this is not a text or a number; expected one; correct it"));
+      }
+      found.curve_info.id = is_quoted ? '"' + text : text == "null" ? "" : text;
+      return;
     }
-    if (member_ != "closed") return true;
-    if (is_quoted() || (text != "true" && text != "false")) {
-      throw at_value(json::true_or_false_expected(value));
+    auto& places = found.curve_info.places;
+    const bool is_first = places.empty() || places.back().first != member_;
+    if (is_first) places.emplace_back(member_, tape_.position(value));
+    if (member_ == "channels") {
+      if (!in_array || !is_quoted) {
+        throw at(value, data_error("this is not an array of names in quotes; expected one; correct it"));
+      }
+      found.channels.push_back(text);
     }
-    settings.closed = {text == "true", {"closed", value_position()}};
-    return true;
+    if (member_ == "closed" && kind != Kind::boolean) {
+      throw at(value, data_error("found {}; expected true or false; correct it", in_quotes(text)));
+    }
+    set(text, is_first, places.back().second);
   }
 
-  void take_channel(const std::string& name) {
-    if (!in_array() || !is_quoted()) throw at_value(json::channel_names_expected());
-    found.channels.push_back(name);
+  void set(const std::string& text, bool is_first, const TextPosition& position) {
+    CurveSettings& curve = found.curve_info.settings;
+    if (member_ == "preset") curve.preset = {text, {"preset", position}};
+    if (member_ == "tangents") curve.tangents = {text, {"tangents", position}};
+    if (member_ == "period") curve.period = {text, {"period", position}};
+    if (member_ == "closed") curve.closed = {text == "true", {"closed", position}};
+    if (member_ == "ends" && !is_first) curve.ends->value += "," + text;
+    if (member_ == "ends" && is_first) curve.ends = {text, {"ends", position}};
   }
 
-  std::string member_;
-  bool known_ = false;  ///< the member is a setting
-  std::vector<std::string> members_;
+  Error at(std::size_t value, const Error& error) const {
+    const std::string path = tape_.path(0, value);
+    const std::string& curve = found.path;
+    return error.about(curve.empty() ? path.substr(1) : curve + path).at(tape_.position(value));
+  }
+
+  JsonTape tape_;
+  std::size_t name_ = 0;
+  std::string_view member_;
+  std::unordered_set<std::string_view> settings_, others_;
 };
 
 }  // namespace
 
-JsonCurveInfo read_curve_info(const JsonPart& part) {
-  SettingsReader reader(part);
-  reader.parse();
-  reader.found.path = part.chunk.path;
-  reader.found.position = {"", part.chunk.line, part.chunk.column};
-  return std::move(reader.found);
-}
+JsonCurveInfo read_curve_info(const JsonPart& part) { return std::move(SettingsReader(part).found); }
 
 std::vector<std::string> channels_before_keys(const Chunk& text) {
   if (text.text.empty()) return {};
+  JsonPart part{JsonPart::Kind::object, text};
+  part.chunk.text += "[]}";
   try {
-    return read_curve_info({JsonPart::Kind::object, text, {"]}"}}).channels;
+    return read_curve_info(part).channels;
   } catch (const Error&) {
     return {};  // thrown again when the whole object is read
   }

@@ -1,5 +1,7 @@
-// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves, JSON Lines, tables.
+// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves, JSON Lines, tables, and any others.
 #include "read/json/shapes.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <deque>
@@ -7,18 +9,23 @@
 #include <utility>
 
 #include "option_names.hpp"
-#include "read/json/errors.hpp"
-#include "read/json/key_reader.hpp"
-#include "read/json/members.hpp"
+#include "read/json/columns.hpp"
+#include "read/json/keys.hpp"
 #include "read/json/settings.hpp"
 #include "read/json/splitter.hpp"
 #include "read/json/tables.hpp"
 #include "stream/ordered_map.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
+using Kind = JsonNode::Kind;
 using SharedColumns = std::shared_ptr<const JsonColumns>;
+
+Error no_text() {
+  return data_error("the input has no keys; expected a JSON object for each key; see {}", option::help);
+}
 
 /// A part of the text, and the meaning of the members of its keys.
 struct Task {
@@ -39,15 +46,71 @@ Parsed parse_part(const Task& task) {
   return {parse_json(task.part, *task.columns), {}, task.columns};
 }
 
-/// The parts of the text with the meaning of their keys, which the first key of each list determines.
-Source<Task> tasks(const std::shared_ptr<JsonSplitter>& splitter, const InputOptions& options) {
-  return [splitter, options, columns = SharedColumns()]() mutable -> std::optional<Task> {
-    std::optional<JsonPart> part = splitter->next();
+/// The values on the tape that are in the place of keys, in the first part of a list or of several values, up to a
+/// number that is enough for their columns.
+std::vector<std::size_t> first_values(JsonTape& tape) {
+  constexpr std::size_t enough = 1000;
+  std::vector<std::size_t> values;
+  if (tape.part().kind == JsonPart::Kind::list) {
+    tape.for_each_element(0, [&](std::size_t value) { return values.push_back(value), values.size() < enough; });
+    return values;
+  }
+  try {
+    for (std::size_t next = 0; values.size() < enough && tape.read_next(true); next = tape.size()) {
+      values.push_back(next);
+    }
+  } catch (const Error&) {
+    if (values.empty()) throw;  // others are thrown again when the keys are read
+  }
+  return values;
+}
+
+/// The meaning of the members of the first keys of a part.
+JsonColumns columns_of(const JsonPart& part, bool are_rows, const InputOptions& options,
+                       const std::vector<std::string>& channels) {
+  JsonTape tape(part);
+  const std::vector<std::size_t> values = first_values(tape);
+  std::vector<std::size_t> keys;
+  for (const std::size_t value : values) {
+    if (tape.kind(value) == (are_rows ? Kind::array : Kind::object)) {
+      keys.push_back(value);
+    } else if (keys.empty() && (tape.kind(value) != Kind::null || part.kind != JsonPart::Kind::list)) {
+      throw not_a_record(tape, value, are_rows);
+    }
+  }
+  if (keys.empty())
+    throw data_error("no key before or after a comma; expected an object; remove the comma").at(tape.position_at(1));
+  const auto first = static_cast<std::size_t>(std::ranges::find(values, keys[0]) - values.begin());
+  const std::vector<std::string> names = are_rows ? usual_names(tape.count(keys[0])) : std::vector<std::string>{};
+  const auto cells = [&](std::size_t key) {
+    if (!are_rows) return members_of(tape, keys[key]);
+    JsonCells row;
+    tape.for_each_element(keys[key], [&](std::size_t value) {
+      if (row.size() < names.size()) row.push_back({names[row.size()], value, value});
+      return true;
+    });
+    return row;
+  };
+  const std::string path =
+      fmt::format("{}[{}]", part.chunk.path.empty() ? "keys" : part.chunk.path, part.chunk.first + first);
+  JsonColumns columns = find_members(tape, {keys.size(), cells, path, keys[0]}, options, channels);
+  columns.row_names = names;
+  return columns;
+}
+
+/// The parts of the text with the meaning of their keys, which the first key of each list determines. `first`: the
+/// first part, and `columns` those of its keys if they are known.
+Source<Task> tasks(JsonPart first, SharedColumns columns, const std::shared_ptr<JsonSplitter>& splitter,
+                   const InputOptions& options) {
+  return [splitter, options, first = std::optional(std::move(first)),
+          columns = std::move(columns)]() mutable -> std::optional<Task> {
+    std::optional<JsonPart> part = first ? std::exchange(first, std::nullopt) : splitter->next();
     if (!part) return std::nullopt;
     if (part->kind == JsonPart::Kind::object) return Task{std::move(*part), std::exchange(columns, nullptr)};
     if (columns == nullptr) {
       const auto channels = channels_before_keys(splitter->before_keys());
-      columns = std::make_shared<const JsonColumns>(find_members(*part, options, channels));
+      const bool are_rows = splitter->shape() == JsonShape::table;
+      columns = std::make_shared<const JsonColumns>(columns_of(*part, are_rows, options, channels));
     }
     return Task{std::move(*part), columns};
   };
@@ -99,12 +162,17 @@ Source<KeyBlock> blocks_of(std::deque<KeyBlock> blocks) {
   };
 }
 
-void require_same_columns(const Columns& first, const Curve& curve) {
-  const Columns& columns = curve.columns.columns;
+std::string columns_in_words(const Columns& columns) {
+  return fmt::format("{} and {}", in_quotes(columns.time), listed(columns.channels));
+}
+
+void require_same_columns(const Columns& first, const Columns& columns, const std::string& path) {
   if (columns.channels == first.channels && columns.time == first.time &&
       columns.has(Role::time) == first.has(Role::time))
     return;
-  throw json::curves_differ(columns.time, columns.channels, first.time, first.channels).about(curve.path);
+  throw data_error("the keys have {}; expected {}, as in the first curve; give all curves the same members",
+                   columns_in_words(columns), columns_in_words(first))
+      .about(path);
 }
 
 /// It is the object around all curves, which comes last. Throws: Error (data) for settings there.
@@ -112,12 +180,16 @@ bool is_around_curves(const Curve& curve) {
   if (!curve.blocks.empty() || !curve.members.path.empty()) return false;
   const auto& places = curve.members.curve_info.places;
   if (places.empty()) return true;
-  throw json::setting_outside_curves().about(places[0].first).at(places[0].second);
+  throw data_error("this setting is outside the curves; expected it in each curve; move it there")
+      .about(places[0].first)
+      .at(places[0].second);
 }
 
 Error no_keys(const JsonCurveInfo& members) {
-  if (members.path.empty()) return json::no_keys().at(members.position);
-  return json::curve_without_keys().about(members.path).at(members.position);
+  if (members.path.empty()) return data_error("found no keys; expected at least two; add them").at(members.position);
+  return data_error("found no keys; expected at least two; add them, or remove the curve")
+      .about(members.path)
+      .at(members.position);
 }
 
 /// The blocks of a curve with its information.
@@ -138,7 +210,7 @@ Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
     while (left.empty()) {
       std::optional<Curve> curve = read_curve(parts);
       if (!curve || is_around_curves(*curve)) return std::nullopt;
-      if (!curve->blocks.empty()) require_same_columns(columns, *curve);
+      if (!curve->blocks.empty()) require_same_columns(columns, curve->columns.columns, curve->path);
       left = marked(std::move(*curve));
     }
     KeyBlock block = std::move(left.front());
@@ -152,80 +224,190 @@ Records records_of(const JsonColumns& meaning, JsonShape shape) {
   records.columns.cells.resize(meaning.found);
   records.columns.named = true;
   records.facts.shape = shape;
+  records.keys.traits.may_break = true;  // also at null in place of a key
   return records;
 }
 
 Records open_list(Source<Task> source, JsonShape shape, unsigned threads) {
   std::optional<Task> first = source();
-  if (!first) throw json::no_text();
+  if (!first) throw no_text();
   Records records = records_of(*first->columns, shape);
   const auto parse = [](const Task& task) { return parse_json(task.part, *task.columns); };
   records.keys.blocks = ordered_map(preceded_by(std::move(*first), std::move(source)), parse, threads);
   return records;
 }
 
-Records open_text(Source<std::string> bytes, const InputOptions& options) {
-  const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
-  Source<Task> source = tasks(splitter, options);
-  std::optional<Task> first = source();
-  if (!first) throw json::no_text();
-  const JsonShape shape = splitter->shape();
-  source = preceded_by(std::move(*first), std::move(source));
-  const bool curves = shape == JsonShape::curves;
-  Records records;
-  if (!curves && shape != JsonShape::object) {
-    records = open_list(std::move(source), shape, options.threads);
-  } else {
-    Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
-    std::optional<Curve> curve = read_curve(parts);
-    if (!curve) throw json::no_text();
-    if (curve->columns.members.empty()) throw no_keys(curve->members);
-    records = records_of(curve->columns, shape);
-    std::vector<std::string>& ignored = records.columns.ignored;
-    ignored.insert(ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
-    if (!curves) {
-      records.keys.curve_info = std::move(curve->members.curve_info);
-      records.keys.blocks = blocks_of(std::move(curve->blocks));
-    } else {
-      if (!records.columns.groups.empty()) throw json::groups_of_curves();
-      records.columns.groups = {"id"};
-      records.keys.traits.own_curves = true;
-      records.keys.blocks = keys_of_curves(std::move(parts), std::move(*curve));
-    }
+void require_no_groups(const Columns& columns) {
+  if (columns.groups.empty()) return;
+  throw data_error(
+      "the curves of \"curves\" are separate already; expected keys of several curves in one list; remove {}",
+      option::group);
+}
+
+/// An object with keys, or with curves. Keys are held until the members around them are known.
+Records open_objects(Source<Task> source, JsonShape shape, unsigned threads) {
+  Source<Parsed> parts = ordered_map(std::move(source), parse_part, threads);
+  std::optional<Curve> curve = read_curve(parts);
+  if (!curve) throw no_text();
+  if (curve->columns.members.empty()) throw no_keys(curve->members);
+  Records records = records_of(curve->columns, shape);
+  std::vector<std::string>& ignored = records.columns.ignored;
+  ignored.insert(ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
+  if (shape == JsonShape::object) {
+    records.keys.curve_info = std::move(curve->members.curve_info);
+    records.keys.blocks = blocks_of(std::move(curve->blocks));
+    return records;
   }
-  records.keys.traits.may_break = true;  // also at null in place of a key
+  require_no_groups(records.columns);
+  records.columns.groups = {"id"};
+  records.keys.traits.own_curves = true;
+  records.keys.blocks = keys_of_curves(std::move(parts), std::move(*curve));
   return records;
 }
 
-/// The same keys without text positions.
-KeyBlock without_positions(KeyBlock block) {
-  std::ranges::fill(block.text_positions.lines, 0);
-  std::ranges::fill(block.text_positions.columns, 0);
-  for (Error& fault : block.faults.errors) fault = fault.without_position();
-  return block;
+JsonColumns columns_of(const JsonTable& table, const InputOptions& options) {
+  return find_members(table.tape(), table.first_records(), options, {});
 }
 
-/// The keys of a table. Its text is not that of the input, so errors have paths such as "[3].x", but no positions.
-Records open_table(JsonTable table, const InputOptions& options) {
-  Source<std::string> list = [text = std::optional(std::move(table.list))]() mutable {
-    return std::exchange(text, std::nullopt);
+/// The keys of a table in blocks.
+Source<KeyBlock> keys_of(JsonTable table, JsonColumns columns) {
+  constexpr std::size_t rows_of_block = 1000;
+  const TextPosition begin = table.tape().position_at(0);
+  return [table = std::move(table), columns = std::move(columns),
+          cursor = TableCursor{.position = {begin.line, begin.column}}]() mutable -> std::optional<KeyBlock> {
+    if (cursor.row >= table.size()) return std::nullopt;
+    KeyBlock block = parse_table(table, cursor, std::min(cursor.row + rows_of_block, table.size()), columns);
+    if (block.faults.unreadable || block.faults.errors.size() >= most_faults) cursor.row = table.size();
+    return block;
   };
+}
+
+Records open_table(JsonTable table, const InputOptions& options, bool is_root) {
+  JsonColumns columns = columns_of(table, options);
+  const JsonShape shape = !is_root                     ? JsonShape::any
+                          : table.has_times_in_index() ? JsonShape::table_by_index
+                                                       : JsonShape::table;
+  Records records = records_of(columns, shape);
+  if (!is_root) records.facts.records = table.path();
+  records.keys.blocks = keys_of(std::move(table), std::move(columns));
+  return records;
+}
+
+/// Several lists are curves, whose ids are the paths.
+Records open_tables(std::vector<JsonTable> tables, const InputOptions& options) {
+  if (tables.size() == 1) return open_table(std::move(tables[0]), options, false);
+  JsonColumns columns = columns_of(tables[0], options);
+  Records records = records_of(columns, JsonShape::any);
+  require_no_groups(records.columns);
+  records.columns.groups = {"id"};
+  records.facts.records = options.records;
+  records.keys.traits.own_curves = true;
+  records.keys.blocks = [tables = std::move(tables), options, first = columns.columns, next = std::size_t{0},
+                         keys = Source<KeyBlock>()]() mutable -> std::optional<KeyBlock> {
+    while (true) {
+      if (keys) {
+        if (auto block = keys()) return block;
+      }
+      if (next == tables.size()) return std::nullopt;
+      const JsonTable& table = tables[next++];
+      JsonColumns its_columns = columns_of(table, options);
+      require_same_columns(first, its_columns.columns, table.path());
+      keys = keys_of(table, std::move(its_columns));
+      auto block = keys();
+      if (!block) continue;
+      CurveInfo info;
+      info.id = '"' + table.path();
+      block->curve_info = std::make_shared<const CurveInfo>(std::move(info));
+      return block;
+    }
+  };
+  return records;
+}
+
+/// A text that is one object, if its members are those of a key; else nothing, or the reason.
+std::optional<Records> open_one_key(const std::shared_ptr<const WholeJson>& text, const InputOptions& options,
+                                    std::optional<Error>& reason) {
+  JsonPart part{JsonPart::Kind::values, text->part.chunk};
+  part.chunk.path = "keys";
   try {
-    Records records = open_text(std::move(list), options);
-    records.facts.shape = table.has_times_in_index ? JsonShape::table_by_index : JsonShape::table;
-    records.keys.blocks = mapped(std::move(records.keys.blocks), without_positions);
-    return records;
+    const auto columns = std::make_shared<const JsonColumns>(columns_of(part, false, options, {}));
+    if (!columns->columns.has(Role::time) && !options.columns.timeless) return std::nullopt;
+    Source<Task> task = [task = std::optional(Task{std::move(part), columns})]() mutable {
+      return std::exchange(task, std::nullopt);
+    };
+    return open_list(std::move(task), JsonShape::lines, options.threads);
   } catch (const Error& error) {
-    throw error.without_position();
+    reason = error;
+    return std::nullopt;
   }
+}
+
+/// A text of any shape: a table, one key, or the lists in it.
+Records open_whole(JsonPart part, const InputOptions& options) {
+  const auto text = std::make_shared<const WholeJson>(std::move(part));
+  if (!options.records.empty()) return open_tables(find_tables(text, options.records), options);
+  std::optional<Error> reason;
+  if (text->tape.kind(0) == Kind::object) {
+    auto table = JsonTable::find(text, 0, "", true);
+    if (table && table->size() > 0) return open_table(*std::move(table), options, true);
+    if (auto records = open_one_key(text, options, reason)) return *std::move(records);
+  }
+  std::vector<JsonTable> tables = find_tables(text, "");
+  if (!tables.empty()) return open_tables(std::move(tables), options);
+  if (reason) throw *reason;
+  throw data_error(
+      "found no list of keys; expected an array of objects or of rows, or an object of columns; give {} if it is there",
+      option::records)
+      .at({"", 1, 1});
+}
+
+/// Whether the first element of a list is an object that holds a list of records.
+bool holds_table_in_first(const JsonPart& part) {
+  try {
+    const JsonTape tape(part);
+    return tape.size() > 1 && tape.kind(1) == Kind::object && holds_table(tape, 1);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+JsonPart whole_text(Source<std::string> bytes) {
+  JsonSplitter splitter(std::move(bytes));
+  return splitter.whole({JsonPart::Kind::list, {"]"}});
 }
 
 }  // namespace
 
+void refuse_options_of_text(const InputOptions& options) {
+  if (options.delimited == DelimitedOptions{}) return;
+  throw usage_error(
+      "{}, {}, {}, {}, {} and {} have no effect on JSON; remove them, or, if the input is not JSON, give its format "
+      "with {}",
+      option::delimiter, option::header, option::no_header, option::comment, option::decimal, option::thousands,
+      option::input_format);
+}
+
 Records open_json(Source<std::string> bytes, const InputOptions& options) {
-  if (options.delimited != DelimitedOptions{}) throw json::options_of_delimited_text();
-  std::optional<JsonTable> table = take_table(bytes);
-  return table ? open_table(*std::move(table), options) : open_text(std::move(bytes), options);
+  refuse_options_of_text(options);
+  if (!options.records.empty()) return open_whole(whole_text(std::move(bytes)), options);
+  const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
+  std::optional<JsonPart> first = splitter->next();
+  if (!first) throw no_text();
+  const JsonShape shape = splitter->shape();
+  if (first->kind == JsonPart::Kind::whole) return open_whole(*std::move(first), options);
+  SharedColumns columns;
+  if (shape == JsonShape::list) {
+    try {
+      columns = std::make_shared<const JsonColumns>(columns_of(*first, false, options, {}));
+    } catch (const Error&) {
+      if (!holds_table_in_first(*first)) throw;
+      return open_whole(splitter->whole(*std::move(first)), options);
+    }
+  }
+  Source<Task> source = tasks(*std::move(first), std::move(columns), splitter, options);
+  const bool is_object = shape == JsonShape::object || shape == JsonShape::curves;
+  return is_object ? open_objects(std::move(source), shape, options.threads)
+                   : open_list(std::move(source), shape, options.threads);
 }
 
 }  // namespace tcb

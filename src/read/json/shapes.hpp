@@ -11,8 +11,12 @@
 
 namespace tcb {
 
-/// Opens JSON of any shape: an array of keys, an object with "keys", one with "curves", or JSON Lines. Keys of an
-/// object are held until its settings are known. Requires: the bytes have no byte order mark. Throws: Error (data).
+/// Throws: Error (usage) for options of delimited text.
+void refuse_options_of_text(const InputOptions& options);
+
+/// Opens JSON of any shape: an array of keys, an object with "keys", one with "curves", JSON Lines, a table, or a list
+/// in another shape. Keys of an object are held until its settings are known. Requires: the bytes have no byte order
+/// mark. Throws: Error (data).
 Records open_json(Source<std::string> bytes, const InputOptions& options);
 
 }  // namespace tcb

@@ -4,20 +4,119 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
-
-#include "read/json/errors.hpp"
+#include <array>
 
 namespace tcb {
 namespace {
 
-constexpr std::size_t longest_part = 64UL * 1024 * 1024;
+constexpr std::size_t longest_record = 64UL * 1024 * 1024;
+constexpr std::size_t longest_text = 1024UL * 1024 * 1024;  // that is read whole
 
-/// Names that are longer than those of lists are kept up to here.
-constexpr std::size_t longest_name = 16;
+Error ends_early() {
+  return data_error("not JSON: the text ends too early; expected the rest of the last value; complete it");
+}
+
+/// The characters that determine where records end.
+constexpr std::array<bool, 256> is_structure = [] {
+  std::array<bool, 256> found{};
+  for (const char c : std::string_view("\"[]{},")) found[static_cast<unsigned char>(c)] = true;
+  return found;
+}();
+
+bool is_json_blank(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return tcb::is_json_blank(c); });
+}
+
+/// The closing quote of the string that `at` is in, or `end`. `escaped`: a backslash precedes `at`; on return at `end`,
+/// whether one precedes what follows.
+const char* find_closing_quote(const char* at, const char* end, bool& escaped) {
+  if (at != end && escaped) {
+    escaped = false;
+    ++at;
+  }
+  while (at != end && *at != '"') {
+    while (at != end && *at != '"' && *at != '\\') ++at;
+    if (at == end || *at == '"') break;
+    escaped = at + 1 == end;
+    at += escaped ? 1 : 2;
+  }
+  return at;
+}
 
 }  // namespace
+
+std::size_t end_of_json_value(std::string_view text, std::size_t at) {
+  for (std::size_t depth = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      bool escaped = false;
+      const char* const quote = find_closing_quote(text.data() + at + 1, text.data() + text.size(), escaped);
+      at = static_cast<std::size_t>(quote - text.data());
+    } else if (c == '{' || c == '[') {
+      ++depth;
+    } else if (c == '}' || c == ']') {
+      if (depth <= 1) return at + 1;
+      --depth;
+    } else if (c == '\n' && depth == 0) {
+      return at;
+    }
+  }
+  return text.size();
+}
+
+/// False if the text ends in the string.
+bool JsonSplitter::skip_string() {
+  const char* const begin = text_.data();
+  const char* const end = begin + text_.size();
+  const char* const quote = find_closing_quote(begin + at_, end, escaped_);
+  in_string_ = quote == end;
+  at_ = static_cast<std::size_t>(quote - begin) + (in_string_ ? 0 : 1);
+  return !in_string_;
+}
+
+/// False if the text ends in the blanks.
+bool JsonSplitter::skip_blanks() {
+  while (!at_end() && tcb::is_json_blank(text_[at_])) ++at_;
+  return !at_end();
+}
+
+/// Skips from an opening brace to just before the closing one, where no other brace and no backslash is between.
+void JsonSplitter::skip_plain_object() {
+  // Without another brace and without a backslash, quotes come in pairs up to a brace outside of strings.
+  const std::size_t end = text_.find('}', at_);
+  if (end == std::string::npos) return;
+  std::uint8_t odd = 0, doubtful = 0;
+  for (const char c : std::string_view(text_).substr(at_ + 1, end - at_ - 1)) {
+    odd = static_cast<std::uint8_t>(odd ^ static_cast<std::uint8_t>(c == '"'));
+    doubtful = static_cast<std::uint8_t>(doubtful | static_cast<std::uint8_t>(c == '{') |
+                                         static_cast<std::uint8_t>(c == '\\'));
+  }
+  if (odd == 0 && doubtful == 0) at_ = end - 1;
+}
+
+/// Cuts off and returns the text up to `end`.
+Chunk JsonSplitter::take(std::size_t end) {
+  std::string rest = text_.substr(end);
+  text_.resize(end);
+  Chunk chunk{std::exchange(text_, std::move(rest)), line_, column_};
+  column_ = column_after(chunk.text, column_);
+  line_ += count_lines(chunk.text);
+  at_ -= std::min(at_, end);
+  return chunk;
+}
+
+bool JsonSplitter::read_more() {
+  const bool is_record = stage_ == Stage::list || stage_ == Stage::values;
+  if (is_record && text_.size() > longest_record) {
+    throw here(data_error("a key is longer than 64 MiB; expected a shorter one; remove what it does not need"));
+  }
+  if (text_.size() > longest_text) {
+    throw here(data_error(
+        "the text around the keys, or of this shape, is longer than 1 GiB; expected less, or an array of keys; remove "
+        "what it does not need"));
+  }
+  return bytes_.append_to(text_, {line_, column_});
+}
 
 /// "curves[2]" and the path within it, or the latter alone.
 std::string JsonSplitter::path(std::string_view list) const {
@@ -26,58 +125,69 @@ std::string JsonSplitter::path(std::string_view list) const {
 }
 
 bool JsonSplitter::scan_start() {
-  scanner_.skip_blanks();
-  if (scanner_.at_end()) return false;
-  if (scanner_.now() == '[') {
-    begin_list_of(JsonShape::list);
-  } else if (scanner_.now() == '{') {
+  if (!skip_blanks()) return false;
+  const char first = text_[at_];
+  if (first == '{') {
     stage_ = Stage::object;
-  } else {
-    shape_ = JsonShape::lines;
-    stage_ = Stage::lines;
+    return true;
   }
+  if (first != '[') {
+    shape_ = JsonShape::lines;
+    stage_ = Stage::values;
+    return true;
+  }
+  const std::size_t second = text_.find_first_not_of(" \t\r\n", at_ + 1);
+  if (second == std::string::npos) return false;
+  if (text_[second] == '[') {
+    const std::size_t third = text_.find_first_not_of(" \t\r\n", second + 1);
+    if (third == std::string::npos) return false;
+    if (text_[third] == '[' || text_[third] == '{') {  // rows hold no nested values
+      shape_ = JsonShape::any;
+      stage_ = Stage::rest;
+      return true;
+    }
+  }
+  begin_list_of(text_[second] == '[' ? JsonShape::table : JsonShape::list);
   return true;
 }
 
-/// Begins a list, if the array that begins here is that of the keys or of the curves.
-bool JsonSplitter::begin_list() {
-  const bool is_name = list_.empty() ? name_ == "keys" || name_ == "rows" : name_ == list_;
-  const bool keys = !has_list_ && is_name;
-  const bool curves = !shape_ && list_.empty() && name_ == "curves";
-  if (keys || curves) begin_list_of(keys ? JsonShape::object : JsonShape::curves);
-  return keys || curves;
+/// Whether the array that begins here is that of the keys or of the curves.
+bool JsonSplitter::begins_list(bool& needs_more) const {
+  const std::string_view name = std::string_view(text_).substr(name_begin_, name_end_ - name_begin_);
+  if (!shape_ && name == "curves") return true;
+  if (has_list_ || (name != "keys" && name != "rows")) return false;
+  const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
+  needs_more = next == std::string::npos;
+  return !needs_more && std::string_view("[-0123456789").find(text_[next]) == std::string_view::npos;
 }
 
-/// The keys or the curves begin after the current bracket.
+void JsonSplitter::begin_list() {
+  const bool is_curves = !shape_ && text_[name_begin_] == 'c';
+  begin_list_of(is_curves ? JsonShape::curves : JsonShape::object);
+}
+
+/// The keys or the curves begin at the current bracket.
 void JsonSplitter::begin_list_of(JsonShape shape) {
   if (!shape_) shape_ = shape;
-  Chunk before = scanner_.take(scanner_.at + 1);
-  depth_ = 0;
+  Chunk before = take(at_ + (shape == JsonShape::curves ? 1 : 0));
+  depth_ = name_begin_ = name_end_ = 0;
   if (shape == JsonShape::curves) {
     before_curves_ = std::move(before);
     stage_ = Stage::between_curves;
     return;
   }
   if (shape == JsonShape::object) before_ = std::move(before);
+  at_ = 1;
   stage_ = Stage::list;
   has_list_ = is_first_cut_ = true;
   is_list_closed_ = false;
   records_ = records_cut_ = 0;
 }
 
-/// All elements are cut off, up to the closing bracket.
-void JsonSplitter::end_list() {
-  if (shape_ == JsonShape::list) {
-    (void)scanner_.take(1);
-    stage_ = Stage::after_list;
-  } else {
-    stage_ = Stage::object;
-    depth_ = 2;
-  }
-}
-
+/// The text begins with the closing bracket of the curves.
 void JsonSplitter::end_curves() {
   before_ = std::move(before_curves_);
+  before_.text.pop_back();  // the opening bracket, which cut_object() adds
   has_list_ = true;
   shape_ = JsonShape::object;  // from here on
   stage_ = Stage::object;
@@ -86,61 +196,81 @@ void JsonSplitter::end_curves() {
 
 /// Scans an object for its keys or curves, and to its end.
 bool JsonSplitter::scan_object() {
-  while (!scanner_.at_end()) {
-    const char c = scanner_.now();
-    if (scanner_.in_string) {
-      const std::size_t begin = scanner_.at;
-      const bool is_whole = scanner_.skip_string();
-      const std::size_t end = scanner_.at - (is_whole ? 1 : 0);
-      if (depth_ == 1) name_.append(scanner_.view().substr(begin, std::min(end - begin, longest_name)));
-      if (!is_whole) return false;
+  while (!at_end()) {
+    if (in_string_) {
+      if (!skip_string()) return false;
+      if (depth_ == 1) name_end_ = at_ - 1;
       continue;
     }
+    const char c = text_[at_];
+    bool needs_more = false;
     if (c == '"') {
-      scanner_.in_string = true;
-      name_.clear();
-    } else if (c == '[' && depth_ == 1 && begin_list()) {
+      in_string_ = true;
+      if (depth_ == 1) name_begin_ = name_end_ = at_ + 1;
+    } else if (c == '[' && depth_ == 1 && begins_list(needs_more)) {
+      begin_list();
       return true;
+    } else if (needs_more) {
+      return false;
     } else if (c == '{' || c == '[') {
       ++depth_;
     } else if ((c == '}' || c == ']') && --depth_ == 0) {
-      ++scanner_.at;
-      if (!shape_) {
-        shape_ = JsonShape::lines;
-        stage_ = Stage::lines;
-        ++records_;
+      ++at_;
+      if (shape_ == JsonShape::curves) {
+        boundary_ = at_;
+      } else {
+        stage_ = shape_ ? Stage::rest : Stage::after_first_object;
       }
-      if (shape_ == JsonShape::curves) boundary_ = scanner_.at;
-      if (shape_ != JsonShape::object) return true;
-      depth_ = 1;  // what follows is an error that the parser finds
-      continue;
+      return true;
     }
-    ++scanner_.at;
+    ++at_;
   }
   return false;
+}
+
+/// The first object has no keys: it is one of several values, or the whole text.
+bool JsonSplitter::scan_after_first_object() {
+  if (!skip_blanks()) return false;
+  shape_ = JsonShape::lines;
+  stage_ = Stage::values;
+  boundary_ = at_;
+  ++records_;
+  return true;
 }
 
 /// Scans records to the end of the text, or of the list that they are elements of.
 bool JsonSplitter::scan_records() {
   const bool is_list = stage_ == Stage::list;
-  for (; !scanner_.at_end(); ++scanner_.at) {
-    if (!scanner_.skip_to_structure()) return false;
-    switch (scanner_.now()) {
+  const char* const begin = text_.data();
+  const char* const end = begin + text_.size();
+  for (;; ++at_) {
+    const char* now = begin + at_;
+    for (;;) {
+      if (in_string_) {
+        at_ = static_cast<std::size_t>(now - begin);
+        if (!skip_string()) return false;
+        now = begin + at_;
+      }
+      while (now != end && !is_structure[static_cast<unsigned char>(*now)]) ++now;
+      in_string_ = now != end && *now == '"';
+      if (!in_string_) break;
+      ++now;
+    }
+    at_ = static_cast<std::size_t>(now - begin);
+    if (now == end) return false;
+    switch (*now) {
       case '{':
-        if (depth_ == 0) scanner_.skip_plain_object();
+        if (depth_ == 0) skip_plain_object();
         [[fallthrough]];
       case '[': ++depth_; break;
       case ',':
         if (!is_list || depth_ != 0) break;
-        boundary_ = scanner_.at;
+        boundary_ = at_;
         ++records_;
-        break;
-      case '\n':
-        if (!is_list && depth_ == 0) boundary_ = scanner_.at + 1;
         break;
       case ']':
         if (is_list && depth_ == 0) {
-          boundary_ = scanner_.at;
+          boundary_ = at_;
           ++records_;
           is_list_closed_ = true;
           return true;
@@ -148,23 +278,25 @@ bool JsonSplitter::scan_records() {
         [[fallthrough]];
       case '}':  // one that nothing opened stays in its record, where the parser finds it
         if (depth_ > 0) --depth_;
-        if (!is_list && depth_ == 0) ++records_;
+        if (is_list || depth_ != 0) break;
+        boundary_ = at_ + 1;
+        ++records_;
         break;
       default: break;
     }
   }
-  return false;
 }
 
 /// Between curves: nothing but commas, up to the next one or the end of their list.
 bool JsonSplitter::scan_between_curves() {
-  scanner_.skip_blanks();
-  (void)scanner_.take(scanner_.at);
-  if (scanner_.at_end()) return false;
-  const char c = scanner_.now();
+  const bool more = skip_blanks();
+  (void)take(at_);
+  if (!more) return false;
+  const char c = text_[at_];
   if (c == '{' && has_comma_) {
     stage_ = Stage::object;
     has_list_ = has_comma_ = false;
+    name_begin_ = name_end_ = 0;
     before_ = {};
     return true;
   }
@@ -172,18 +304,13 @@ bool JsonSplitter::scan_between_curves() {
     end_curves();
     return true;
   }
-  if (c != ',' || has_comma_) {
-    throw at_scanner(has_comma_ ? json::curve_expected() : json::comma_between_curves_expected());
+  if (has_comma_) throw here(data_error("no curve here; expected an object with \"keys\"; correct the text"));
+  if (c != ',') {
+    throw here(data_error("no comma after a curve; expected one, or the end of \"curves\"; correct the text"));
   }
-  (void)scanner_.take(1);
+  (void)take(1);
   has_comma_ = true;
   return true;
-}
-
-void JsonSplitter::require_end() {
-  scanner_.skip_blanks();
-  (void)scanner_.take(scanner_.at);
-  if (!scanner_.at_end()) throw at_scanner(json::text_after_list());
 }
 
 /// Continues in the current text; false if more must be read.
@@ -191,11 +318,18 @@ bool JsonSplitter::scan() {
   switch (stage_) {
     case Stage::start: return scan_start();
     case Stage::object: return scan_object();
+    case Stage::after_first_object: return scan_after_first_object();
     case Stage::list:
-    case Stage::lines: return scan_records();
+    case Stage::values: return scan_records();
     case Stage::between_curves: return scan_between_curves();
-    case Stage::after_list: require_end(); return false;
-    case Stage::unclosed_list:
+    case Stage::after_list:
+      if (skip_blanks()) {
+        (void)take(at_);
+        throw here(data_error("there is text after the array of keys; expected nothing; remove it"));
+      }
+      return false;
+    case Stage::rest:
+    case Stage::unclosed:
     case Stage::end: break;
   }
   return false;
@@ -204,29 +338,44 @@ bool JsonSplitter::scan() {
 /// The object that ends at `end`, without its keys.
 JsonPart JsonSplitter::cut_object(std::size_t end) {
   JsonPart part{JsonPart::Kind::object, std::exchange(before_, {})};
-  (has_list_ ? part.after : part.chunk) = scanner_.take(end);
+  Chunk rest = take(end);
+  if (has_list_) {
+    part.chunk.text += '[';
+    part.seam = part.chunk.text.size();
+    part.after = {rest.line, rest.column};
+    part.chunk.text += rest.text;
+  } else {
+    part.chunk = std::move(rest);
+  }
   part.chunk.path = path("");
   ++curve_;
   return part;
 }
 
-JsonPart JsonSplitter::cut_lines(std::size_t end) {
-  JsonPart part{JsonPart::Kind::lines, scanner_.take(end)};
+JsonPart JsonSplitter::cut_values(std::size_t end) {
+  JsonPart part{JsonPart::Kind::values, take(end)};
   part.chunk.first = std::exchange(records_cut_, records_);
-  part.chunk.path = path(list_.empty() ? "keys" : list_);
+  part.chunk.path = path("keys");
   return part;
 }
 
-/// The elements before `end`, and the comma or the bracket after them; nothing in an empty list.
-std::optional<JsonPart> JsonSplitter::cut_elements(std::size_t end) {
-  JsonPart part{JsonPart::Kind::elements, scanner_.take(end)};
+/// The elements before `end`, where a comma or the closing bracket is, in brackets; nothing in an empty list.
+std::optional<JsonPart> JsonSplitter::cut_list(std::size_t end) {
+  JsonPart part{JsonPart::Kind::list, take(end)};
+  const bool is_empty_list = std::exchange(is_first_cut_, false) && is_list_closed_ &&
+                             is_json_blank(std::string_view(part.chunk.text).substr(1));
+  part.chunk.text += ']';
   part.chunk.first = std::exchange(records_cut_, records_);
-  part.chunk.path = path(list_.empty() ? "keys" : list_);
-  const bool is_empty_list = std::exchange(is_first_cut_, false) && is_list_closed_ && is_json_blank(part.chunk.text);
-  if (is_list_closed_) {
-    end_list();
-  } else if (scanner_.size() != 0) {
-    (void)scanner_.take(1);
+  part.chunk.path = path("keys");
+  if (!is_list_closed_) {
+    if (!text_.empty()) text_[0] = '[';  // in place of the comma
+    at_ = std::min(std::max<std::size_t>(at_, 1), text_.size());
+  } else if (shape_ == JsonShape::list || shape_ == JsonShape::table) {
+    (void)take(1);
+    stage_ = Stage::after_list;
+  } else {
+    stage_ = Stage::object;
+    depth_ = 2;
   }
   return is_empty_list ? std::nullopt : std::optional(std::move(part));
 }
@@ -234,8 +383,8 @@ std::optional<JsonPart> JsonSplitter::cut_elements(std::size_t end) {
 /// The records up to the last boundary.
 std::optional<JsonPart> JsonSplitter::cut() {
   const std::size_t end = *std::exchange(boundary_, std::nullopt);
-  if (stage_ == Stage::list) return cut_elements(end);
-  if (stage_ == Stage::lines) return cut_lines(end);
+  if (stage_ == Stage::list) return cut_list(end);
+  if (stage_ == Stage::values) return cut_values(end);
   JsonPart part = cut_object(end);
   stage_ = Stage::between_curves;
   return part;
@@ -244,26 +393,26 @@ std::optional<JsonPart> JsonSplitter::cut() {
 /// What is left at the end of the input.
 std::optional<JsonPart> JsonSplitter::cut_rest() {
   if (stage_ == Stage::list) {
-    stage_ = Stage::unclosed_list;
-    if (!is_json_blank(scanner_.view())) return cut_elements(scanner_.size());
-    throw at_scanner(json::ends_early());
+    stage_ = Stage::unclosed;
+    if (!is_json_blank(std::string_view(text_).substr(1))) return cut_list(text_.size());
+    (void)take(text_.size());
+    throw here(ends_early());
   }
   if (stage_ == Stage::between_curves) end_curves();
   const Stage stage = std::exchange(stage_, Stage::end);
-  if (stage == Stage::object && shape_) return cut_object(scanner_.size());
-  if (is_json_blank(scanner_.view())) return std::nullopt;
-  return cut_lines(scanner_.size());
-}
-
-bool JsonSplitter::read_more() {
-  if (scanner_.size() > longest_part) {
-    throw at_scanner(stage_ == Stage::object ? json::object_too_long() : json::key_too_long());
-  }
-  return scanner_.read_more();
+  const bool is_object = stage == Stage::object || stage == Stage::rest;
+  if (is_object && shape_ && shape_ != JsonShape::any) return cut_object(text_.size());
+  if (is_json_blank(text_)) return std::nullopt;
+  if (stage == Stage::values) return cut_values(text_.size());
+  shape_ = JsonShape::any;
+  return JsonPart{JsonPart::Kind::whole, take(text_.size())};
 }
 
 std::optional<JsonPart> JsonSplitter::next() {
-  if (stage_ == Stage::unclosed_list) throw at_scanner(json::ends_early());
+  if (stage_ == Stage::unclosed) {
+    (void)take(text_.size());
+    throw here(ends_early());
+  }
   while (stage_ != Stage::end) {
     const bool more = scan();
     if (!more && !boundary_ && !read_more()) return cut_rest();
@@ -271,6 +420,25 @@ std::optional<JsonPart> JsonSplitter::next() {
     if (auto part = cut()) return part;
   }
   return std::nullopt;
+}
+
+JsonPart JsonSplitter::whole(JsonPart first) {
+  Chunk& chunk = first.chunk;
+  chunk.text.pop_back();
+  if (is_list_closed_) {
+    chunk.text += ']';
+  } else if (!text_.empty()) {
+    text_[0] = ',';
+  }
+  text_.insert(0, chunk.text);
+  line_ = chunk.line;
+  column_ = chunk.column;
+  stage_ = Stage::rest;
+  while (read_more()) {
+  }
+  stage_ = Stage::end;
+  shape_ = JsonShape::any;
+  return {JsonPart::Kind::whole, take(text_.size())};
 }
 
 }  // namespace tcb

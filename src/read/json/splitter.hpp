@@ -2,7 +2,7 @@
 //
 // The text may be an array of keys, an object with an array "keys" among its members, an object with an array
 // "curves" of such objects, or one key object after another (JSON Lines). "rows", which the program writes, is read
-// as "keys".
+// as "keys". A text of another shape is one part.
 #pragma once
 
 #include <cstddef>
@@ -12,37 +12,45 @@
 #include <string_view>
 #include <utility>
 
+#include "error.hpp"
 #include "read/chunk.hpp"
 #include "read/input.hpp"
-#include "read/json/scanner.hpp"
+#include "read/text_bytes.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
 
-/// A part of a JSON text, which is a JSON text itself, or would be one in brackets.
+inline bool is_json_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
+/// Where the value that begins at `at` ends, by its strings and brackets, or the end of the text.
+std::size_t end_of_json_value(std::string_view text, std::size_t at);
+
+/// A part of a JSON text.
 struct JsonPart {
   enum class Kind {
-    elements,  ///< of an array, with the commas between them and without its brackets
-    lines,     ///< each of which is blank or a JSON text
-    object,    ///< around an array that was cut out, without the elements and with the brackets
+    list,    ///< an array of whole records of an array, of which there may be more
+    values,  ///< records one after the other
+    object,  ///< around an array that was cut out, whose place is `seam`
+    whole,   ///< the whole text, of any shape
   };
-  Kind kind = Kind::elements;
-  Chunk chunk;       ///< the text; of an object, up to the opening bracket of the array
-  Chunk after = {};  ///< the text of an object from the closing bracket of the array on; empty if it has no array
+  Kind kind = Kind::list;
+  Chunk chunk;
+  std::size_t seam = std::string::npos;  ///< what follows this place of the text comes from
+  LinePosition after = {};               ///< this position
 };
 
 /// Cuts a text in the memory of a few records. Every byte is in a part or is checked here, so parsing the parts finds
 /// every fault.
 class JsonSplitter {
  public:
-  /// `list`: the name of the array of keys; empty: "keys" or "rows", also in an array "curves".
-  explicit JsonSplitter(Source<std::string> bytes, std::string_view list = {})
-      : scanner_(std::move(bytes)), list_(list) {}
+  explicit JsonSplitter(Source<std::string> bytes) : bytes_(std::move(bytes)) {}
 
   /// The next part: keys, or the object around the keys before. Nothing at the end.
-  /// Throws: Error (data) for text after an array, for an array that is not closed, and for a key or the rest of an
-  /// object over 64 MiB.
+  /// Throws: Error (data) for text after an array, for an array that is not closed, and for a record that is too long.
   std::optional<JsonPart> next();
+
+  /// The whole text, of which one part was taken. Requires: that was the first one, a list.
+  JsonPart whole(JsonPart first);
 
   /// Requires: next() was called.
   JsonShape shape() const { return shape_.value_or(JsonShape::lines); }
@@ -51,43 +59,53 @@ class JsonSplitter {
   const Chunk& before_keys() const { return before_; }
 
  private:
-  /// What the current text is.
-  enum class Stage { start, object, list, between_curves, lines, after_list, unclosed_list, end };
+  enum class Stage { start, object, after_first_object, rest, list, between_curves, values, after_list, unclosed, end };
+
+  bool at_end() const { return at_ == text_.size(); }
+  bool skip_string();
+  bool skip_blanks();
+  void skip_plain_object();
+  Chunk take(std::size_t end);
+  bool read_more();
 
   bool scan();
   bool scan_start();
   bool scan_object();
+  bool scan_after_first_object();
   bool scan_records();
   bool scan_between_curves();
-  void require_end();
-  bool begin_list();
+  bool begins_list(bool& needs_more) const;
+  void begin_list();
   void begin_list_of(JsonShape shape);
-  void end_list();
   void end_curves();
   std::optional<JsonPart> cut();
-  std::optional<JsonPart> cut_elements(std::size_t end);
-  JsonPart cut_lines(std::size_t end);
+  std::optional<JsonPart> cut_list(std::size_t end);
+  JsonPart cut_values(std::size_t end);
   JsonPart cut_object(std::size_t end);
   std::optional<JsonPart> cut_rest();
-  bool read_more();
   std::string path(std::string_view list) const;
-  Error at_scanner(const Error& error) const { return error.at({"", scanner_.line, scanner_.column}); }
+  Error here(const Error& error) const { return error.at({"", line_, column_}); }
 
-  JsonScanner scanner_;
-  std::string_view list_;
+  TextBytes bytes_;
+  std::string text_;                     ///< read and not yet cut off
+  std::size_t at_ = 0;                   ///< scanned up to here
+  std::uint64_t line_ = 1, column_ = 1;  ///< of the first character
+  bool in_string_ = false;               ///< at_ is inside a string,
+  bool escaped_ = false;                 ///< after a backslash
+
   Stage stage_ = Stage::start;
   std::optional<JsonShape> shape_;               ///< nothing: not known yet
   std::optional<std::size_t> boundary_;          ///< the end of the last whole record
   std::uint64_t records_ = 0, records_cut_ = 0;  ///< whole records of the list that were scanned, and cut off
-  std::size_t depth_ = 0;                        ///< of open brackets in the current object, list or line
+  std::size_t depth_ = 0;                        ///< of open brackets in the current object, list or value
   bool is_first_cut_ = true;                     ///< of the list
   bool is_list_closed_ = false;
-  bool has_list_ = false;    ///< the list of the current object was found
-  bool has_comma_ = true;    ///< a curve may follow
-  std::string name_;         ///< the beginning of the last string of the current object
-  std::uint64_t curve_ = 0;  ///< number of the current curve
-  Chunk before_;             ///< the current object up to its list
-  Chunk before_curves_;      ///< the object around the curves, up to them
+  bool has_list_ = false;                      ///< the list of the current object was found
+  bool has_comma_ = true;                      ///< a curve may follow
+  std::size_t name_begin_ = 0, name_end_ = 0;  ///< the last string of the current object
+  std::uint64_t curve_ = 0;                    ///< number of the current curve
+  Chunk before_;                               ///< the current object up to its list
+  Chunk before_curves_;                        ///< the object around the curves, up to them
 };
 
 }  // namespace tcb

@@ -1,350 +1,530 @@
-// Tables in JSON: rows that are arrays, and values by column, as pandas and NumPy users write them.
+// Tables in JSON: the lists of records in a text of any shape, however these are laid out.
 #include "read/json/tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <string_view>
+#include <array>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
-#include <vector>
 
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
-#include "read/json/errors.hpp"
-#include "read/json/scanner.hpp"
+#include "option_names.hpp"
 #include "schema/usual_names.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-/// How a text holds a table.
-enum class TableForm {
-  none,     ///< not at all
-  unknown,  ///< more of the text is needed
-  rows,     ///< [[0,1],[1,2]]
-  split,    ///< {"columns":["t","x"],"index":[0,1],"data":[[0,1],[1,2]]}
-  table,    ///< {"schema":{...},"data":[{"index":0,"t":0,"x":1},...]}
-  columns,  ///< {"t":{"0":0,"1":1},"x":{"0":1,"1":2}}
-  index,    ///< {"0":{"t":0,"x":1},"1":{"t":1,"x":2}}
-  lists,    ///< {"t":[0,1],"x":[1,2]}
-};
+using Kind = JsonNode::Kind;
 
 /// Whether a name may be an index of rows: a number, or a time in words.
 bool is_index(std::string_view name) { return parse_number(name) || find_notation(name); }
 
-/// The beginning of a text, for its form.
-class TableBeginning {
- public:
-  explicit TableBeginning(std::string_view text) : text_(text) {}
-
-  TableForm form() {
-    const char outer = next();
-    if (outer == '[') return next() == '[' ? TableForm::rows : at_end_ ? TableForm::unknown : TableForm::none;
-    if (outer != '{') return at_end_ ? TableForm::unknown : TableForm::none;
-    for (bool first = true;; first = false) {
-      const std::string_view name = next_name();
-      const char value = next();
-      if (at_end_) return TableForm::unknown;
-      if (value == '{' && first) return form_of_objects(name);
-      if (value != '[') return TableForm::none;
-      if (name == "columns" || name == "index" || name == "data")
-        return next() != '{' ? TableForm::split : TableForm::none;
-      if (is_usual_time(name)) return next() != '{' ? TableForm::lists : TableForm::none;
-      if (!skip_array()) return at_end_ ? TableForm::unknown : TableForm::none;
-      if (next() != ',') return at_end_ ? TableForm::unknown : TableForm::none;
-    }
+bool holds_kind(const JsonTape& tape, std::size_t value, Kind kind) {
+  for (std::size_t at = value; at < tape[value].next; ++at) {
+    if (tape.kind(at) == kind) return true;
   }
-
- private:
-  TableForm form_of_objects(std::string_view name) {
-    if (name == "schema") return TableForm::table;
-    if (next() != '"') return at_end_ ? TableForm::unknown : TableForm::none;
-    --at_;
-    const std::string_view inner = next_name();
-    if (at_end_) return TableForm::unknown;
-    return is_index(name) ? TableForm::index : is_index(inner) ? TableForm::columns : TableForm::none;
-  }
-
-  /// The next character that is not blank, which is passed.
-  char next() {
-    while (at_ < text_.size() && is_json_blank(text_[at_])) ++at_;
-    at_end_ = at_ == text_.size();
-    return at_end_ ? '\0' : text_[at_++];
-  }
-
-  /// A name, up to its colon; empty where there is none.
-  std::string_view next_name() {
-    if (next() != '"') return {};
-    const std::string_view name = rest_of_string();
-    return next() == ':' ? name : std::string_view();
-  }
-
-  /// Passes the rest of an array; false if it holds objects, or if the text ends.
-  bool skip_array() {
-    for (std::size_t depth = 1; depth > 0;) {
-      const char c = next();
-      if (at_end_ || c == '{') return false;
-      if (c == '"') rest_of_string();
-      depth += c == '[' ? 1 : 0;
-      depth -= c == ']' ? 1 : 0;
-    }
-    return true;
-  }
-
-  /// The characters up to the closing quote, which is passed.
-  std::string_view rest_of_string() {
-    bool escaped = false;
-    const char* const begin = text_.data() + at_;
-    const char* const end = find_closing_quote(begin, text_.data() + text_.size(), escaped);
-    at_ = std::min(static_cast<std::size_t>(end - text_.data()) + 1, text_.size());
-    return {begin, static_cast<std::size_t>(end - begin)};
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  bool at_end_ = false;
-};
-
-/// A value; numbers and strings are as written.
-struct JsonValue {
-  std::string text = {};  ///< of a number, a string, or a word
-  bool is_array = false, is_object = false;
-  std::vector<JsonValue> elements = {};  ///< of an array, or of the members of an object
-  std::vector<std::string> names = {};
-
-  const JsonValue* member(std::string_view name) const {
-    const auto found = std::ranges::find(names, name);
-    return found == names.end() ? nullptr : &elements[static_cast<std::size_t>(found - names.begin())];
-  }
-
-  std::string json() const {
-    if (!is_array && !is_object) return text;
-    std::string all;
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      if (i > 0) all += ',';
-      if (is_object) all += nlohmann::json(names[i]).dump() + ":";
-      all += elements[i].json();
-    }
-    return (is_array ? "[" : "{") + all + (is_array ? "]" : "}");
-  }
-};
-
-/// Builds a value from the events of nlohmann-json, whose names it has.
-class ValueBuilder {
- public:
-  using Json = nlohmann::json;
-  bool null() { return add({"null"}); }
-  bool boolean(bool value) { return add({value ? "true" : "false"}); }
-  bool number_integer(Json::number_integer_t value) { return add({fmt::format("{}", value)}); }
-  bool number_unsigned(Json::number_unsigned_t value) { return add({fmt::format("{}", value)}); }
-  bool number_float(Json::number_float_t, const std::string& text) { return add({text}); }
-  bool string(const std::string& text) { return add({Json(text).dump()}); }
-  bool binary(const Json::binary_t&) { return false; }
-  bool start_object(std::size_t) { return open({.text = {}, .is_object = true}); }
-  bool start_array(std::size_t) { return open({.text = {}, .is_array = true}); }
-  bool key(const std::string& name) {
-    open_.back()->names.push_back(name);
-    return true;
-  }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) { return false; }
-
-  JsonValue take() { return std::move(root_); }
-
- private:
-  JsonValue& place(JsonValue value) {
-    if (open_.empty()) return root_ = std::move(value);
-    return open_.back()->elements.emplace_back(std::move(value));
-  }
-  bool add(JsonValue value) {
-    place(std::move(value));
-    return true;
-  }
-  bool open(JsonValue value) {
-    constexpr std::size_t most_depth = 8;  // of a table with arrays in its cells, and more
-    if (open_.size() == most_depth) return false;
-    open_.push_back(&place(std::move(value)));
-    return true;
-  }
-  bool close() {
-    open_.pop_back();
-    return true;
-  }
-
-  JsonValue root_;
-  std::vector<JsonValue*> open_;  ///< arrays and objects around the next value
-};
-
-/// Rows of cells with the names of their columns.
-struct TableRows {
-  std::vector<std::string> names;
-  std::vector<std::string> index = {};  ///< of each row, as JSON; empty: none
-  std::vector<std::vector<std::string>> rows = {};
-};
-
-std::vector<std::string> texts_of(const JsonValue& array) {
-  std::vector<std::string> all;
-  for (const JsonValue& value : array.elements) all.push_back(value.json());
-  return all;
+  return false;
 }
 
-std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }
-
-/// The names of columns of which none is given, as of text without a header.
-std::vector<std::string> usual_names(std::size_t columns) {
-  std::vector<std::string> names{json_string("t")};
-  for (std::size_t i = 1; i < columns; ++i) {
-    names.push_back(columns <= 4 ? json_string(std::string(1, "xyz"[i - 1])) : json_string(fmt::format("p{}", i)));
-  }
-  return names;
+bool is_number(const JsonTape& tape, std::size_t value) {
+  const Kind kind = tape.kind(value);
+  return kind == Kind::number || (kind == Kind::string && parse_number(tape.text(value)));
 }
 
-TableRows table_of_rows(const JsonValue& rows, std::vector<std::string> names) {
-  TableRows table{std::move(names)};
-  if (table.names.empty() && !rows.elements.empty()) table.names = usual_names(rows.elements[0].elements.size());
-  for (const JsonValue& row : rows.elements) {
-    table.rows.push_back(texts_of(row));
-    if (table.rows.back().size() != table.names.size()) {
-      throw json::row_of_other_size(table.rows.size() - 1, table.rows.back().size(), table.names.size());
-    }
+/// Whether an array or object is not empty, and its values are all of a kind.
+bool has_only(const JsonTape& tape, std::size_t value, Kind kind) {
+  const bool is_object = tape.kind(value) == Kind::object;
+  std::size_t at = value + 1;
+  for (; at < tape[value].next; at = tape[at].next) {
+    if (is_object) ++at;
+    if (tape.kind(at) != kind) return false;
   }
-  return table;
+  return at > value + 1;
 }
 
-TableRows split_table(const JsonValue& text) {
-  const JsonValue *const columns = text.member("columns"), *const data = text.member("data"),
-                         *index = text.member("index");
-  if (columns == nullptr || data == nullptr) throw json::table_incomplete();
-  TableRows table = table_of_rows(*data, texts_of(*columns));
-  if (index != nullptr) table.index = texts_of(*index);
-  return table;
+/// The first values of a value to which f applies, through objects, not arrays.
+template <class F>
+bool any_inside(const JsonTape& tape, std::size_t object, const F& f) {
+  bool found = false;
+  tape.for_each_member(object, [&](std::size_t name, std::size_t value) {
+    found = f(tape.text(name), value) || (tape.kind(value) == Kind::object && any_inside(tape, value, f));
+    return !found;
+  });
+  return found;
 }
 
-/// The objects of "data", without the index that counts them.
-TableRows schema_table(const JsonValue& text) {
-  const JsonValue* const data = text.member("data");
-  if (data == nullptr) throw json::table_incomplete();
-  TableRows table;
-  for (const JsonValue& row : data->elements) {
-    if (table.names.empty()) std::ranges::transform(row.names, std::back_inserter(table.names), json_string);
-    if (row.elements.size() != table.names.size()) {
-      throw json::row_of_other_size(table.rows.size(), row.elements.size(), table.names.size());
-    }
-    table.rows.push_back(texts_of(row));
-  }
-  if (table.names.empty() || table.names[0] != json_string("index")) return table;
-  table.names.erase(table.names.begin());
-  for (auto& row : table.rows) {
-    table.index.push_back(std::move(row.front()));
-    row.erase(row.begin());
-  }
-  return table;
+bool has_number(const JsonTape& tape, std::size_t object) {
+  return any_inside(tape, object, [&](std::string_view, std::size_t value) {
+    const bool is_array = tape.kind(value) == Kind::array && tape[value].next > value + 1;
+    return is_number(tape, is_array ? value + 1 : value);
+  });
 }
 
-/// The members of objects: those of each column by the index of the row, or the other way round.
-TableRows table_of_objects(const JsonValue& text, bool by_column) {
-  TableRows table;
-  std::map<std::string, std::size_t, std::less<>> rows, columns;
-  const auto number_in = [](auto& numbers, const std::string& name) {
-    return numbers.emplace(name, numbers.size()).first->second;
-  };
-  const auto set = [&](const std::string& row, const std::string& column, const JsonValue& value) {
-    const std::size_t r = number_in(rows, row), c = number_in(columns, column);
-    if (c == table.names.size()) table.names.push_back(json_string(column));
-    if (r == table.rows.size()) {
-      table.rows.emplace_back();
-      table.index.push_back(parse_number(row) ? row : json_string(row));
-    }
-    table.rows[r].resize(std::max(c + 1, table.rows[r].size()), "null");
-    table.rows[r][c] = value.json();
-  };
-  for (std::size_t i = 0; i < text.names.size(); ++i) {
-    const JsonValue& members = text.elements[i];
-    for (std::size_t j = 0; j < members.names.size(); ++j) {
-      set(by_column ? members.names[j] : text.names[i], by_column ? text.names[i] : members.names[j],
-          members.elements[j]);
-    }
-  }
-  for (auto& row : table.rows) row.resize(table.names.size(), "null");
-  return table;
+bool has_time(const JsonTape& tape, std::size_t object) {
+  return any_inside(tape, object, [&](std::string_view name, std::size_t value) {
+    return !tape[value].is_nested() && (is_usual_time(name) || time_part_of(name));
+  });
 }
 
-TableRows table_of_lists(const JsonValue& text) {
-  TableRows table;
-  for (std::size_t i = 0; i < text.names.size(); ++i) {
-    const JsonValue& list = text.elements[i];
-    table.names.push_back(json_string(text.names[i]));
-    if (i == 0) table.rows.resize(list.elements.size());
-    if (!list.is_array || list.elements.size() != table.rows.size()) {
-      throw json::columns_differ_in_length(text.names[i], list.elements.size(), text.names[0], table.rows.size());
-    }
-    for (std::size_t row = 0; row < table.rows.size(); ++row) table.rows[row].push_back(list.elements[row].json());
-  }
-  return table;
-}
-
-TableRows table_of(TableForm form, const JsonValue& text) {
-  switch (form) {
-    case TableForm::rows: return table_of_rows(text, {});
-    case TableForm::split: return split_table(text);
-    case TableForm::table: return schema_table(text);
-    case TableForm::columns: return table_of_objects(text, true);
-    case TableForm::index: return table_of_objects(text, false);
-    default: return table_of_lists(text);
-  }
-}
-
-/// Whether the index counts the rows from 0, as it does unless it is given.
-bool counts_rows(const std::vector<std::string>& index) {
-  for (std::size_t i = 0; i < index.size(); ++i) {
-    if (index[i] != fmt::format("{}", i)) return false;
-  }
-  return true;
-}
-
-JsonTable list_of(TableRows table) {
-  const bool has_time = std::ranges::any_of(
-      table.names, [](std::string_view name) { return is_usual_time(name.substr(1, name.size() - 2)); });
-  const bool takes_index = !has_time && !counts_rows(table.index);
-  std::string list = "[";
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    list += row == 0 ? "{" : ",{";
-    if (takes_index) list += "\"time\":" + table.index[row] + ",";
-    for (std::size_t i = 0; i < table.names.size(); ++i) {
-      list += (i == 0 ? "" : ",") + table.names[i] + ":" + table.rows[row][i];
-    }
-    list += "}";
-  }
-  return {list + "]", takes_index};
+Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns) {
+  return data_error("row {} of the table has {} cell{}; expected {}, one for each column; correct it", row, cells,
+                    cells == 1 ? "" : "s", columns);
 }
 
 }  // namespace
 
-std::optional<JsonTable> take_table(Source<std::string>& bytes) {
-  constexpr std::size_t longest_beginning = std::size_t{1} << 16;
-  std::string text;
-  TableForm form = TableForm::unknown;
-  while (form == TableForm::unknown && text.size() < longest_beginning) {
-    auto more = bytes();
-    if (!more) break;
-    text += *more;
-    form = TableBeginning(text).form();
+std::vector<std::string> usual_names(std::size_t columns) {
+  std::vector<std::string> names = default_channel_names(columns == 0 ? 0 : columns - 1);
+  names.insert(names.begin(), "t");
+  return names;
+}
+
+std::optional<JsonTable> JsonTable::find(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path,
+                                         bool is_root) {
+  JsonTable table(std::move(text), value, std::move(path));
+  if (!table.find_layout(is_root)) return std::nullopt;
+  table.decide_index();
+  return table;
+}
+
+bool JsonTable::find_layout(bool is_root) {
+  const JsonTape& tape = text_->tape;
+  if (tape.kind(value_) == Kind::array) {
+    const bool is_list = has_only(tape, value_, Kind::object);
+    if (!is_list && !has_only(tape, value_, Kind::array)) return false;
+    rows_ = tape.elements(value_);
+    size_ = rows_.size();
+    if (!is_list) read_rows(tape.count(rows_[0]));
+    if (!is_list && names_.empty()) names_ = usual_names(tape.count(rows_[0]));
+    return true;
   }
-  if (form == TableForm::unknown || form == TableForm::none) {
-    bytes = preceded_by(std::move(text), std::move(bytes));
-    return std::nullopt;
+  if (tape.kind(value_) != Kind::object || tape[value_].next == value_ + 1) return false;
+  const std::string_view first = tape.text(value_ + 1);
+  const std::size_t inner = value_ + 2;
+  if (tape.kind(inner) == Kind::object) {
+    if (is_root && first == "schema" && tape.member(value_, "data")) return read_schema(), true;
+    if (tape[inner].next == inner + 1) return false;
+    if (is_index(first) && has_only(tape, value_, Kind::object)) return read_index(), true;
+    return is_index(tape.text(inner + 1)) && has_only(tape, value_, Kind::object) ? (read_columns(), true) : false;
   }
-  while (const std::optional<std::string> more = bytes()) text += *more;
-  ValueBuilder builder;
-  if (!nlohmann::json::sax_parse(text, &builder)) {  // whose errors the reader of lists explains
-    bytes = [text = std::optional(std::move(text))]() mutable { return std::exchange(text, std::nullopt); };
-    return std::nullopt;
+  if (is_index(first) && has_only(tape, value_, Kind::array)) return read_index(), true;
+  const auto is_flat = [&](std::size_t value) {
+    return tape.kind(value) == Kind::array && !holds_kind(tape, value, Kind::object);
+  };
+  bool is_split = false, has_times = false;
+  tape.for_each_member(value_, [&](std::size_t name, std::size_t value) {
+    const std::string_view text = tape.text(name);
+    const bool begins_with_object = value + 1 < tape[value].next && tape.kind(value + 1) == Kind::object;
+    if (tape.kind(value) != Kind::array || begins_with_object) return !is_root;
+    is_split = text == "columns" || text == "index" || text == "data";
+    has_times = is_usual_time(text);
+    return !is_split && !has_times && (!is_root || is_flat(value));
+  });
+  if (is_split) return read_split(), true;
+  if (has_times) return read_lists(), true;
+  return false;
+}
+
+/// Rows that are arrays. Throws: Error (data) for one of another size.
+void JsonTable::read_rows(std::size_t columns) {
+  const JsonTape& tape = text_->tape;
+  layout_ = Layout::rows;
+  size_ = rows_.size();
+  for (std::size_t row = 0; row < size_; ++row) {
+    const bool is_row = tape.kind(rows_[row]) == Kind::array;
+    const std::size_t cells = is_row ? tape.count(rows_[row]) : 0;
+    if (cells != columns) throw row_of_other_size(row, cells, columns).at(tape.position(rows_[row]));
   }
-  return list_of(table_of(form, builder.take()));
+}
+
+void JsonTable::read_split() {
+  const JsonTape& tape = text_->tape;
+  const auto columns = tape.member(value_, "columns"), data = tape.member(value_, "data"),
+             index = tape.member(value_, "index");
+  const bool is_whole = columns && data && tape.kind(*columns) == Kind::array && tape.kind(*data) == Kind::array;
+  if (!is_whole) {
+    throw data_error("the table has no \"data\", or no \"columns\"; expected both, as pandas writes them; complete it")
+        .at(tape.position(value_));
+  }
+  tape.for_each_element(*columns, [&](std::size_t name) {
+    names_.emplace_back(tape.kind(name) == Kind::string ? tape.text(name) : tape.written(name));
+    return true;
+  });
+  rows_ = tape.elements(*data);
+  read_rows(names_.size());
+  if (!index) return;
+  if (tape.kind(*index) == Kind::array) index_ = tape.elements(*index);
+  if (index_.size() != size_) {
+    throw data_error("the index of the table has {} values; expected {}, one for each row of \"data\"; correct it",
+                     index_.size(), size_)
+        .at(tape.position(*index));
+  }
+}
+
+/// The objects of "data", without the index that counts them.
+void JsonTable::read_schema() {
+  const JsonTape& tape = text_->tape;
+  const std::size_t data = *tape.member(value_, "data");
+  const bool is_list = tape.kind(data) == Kind::array && has_only(tape, data, Kind::object);
+  if (!is_list) {
+    throw data_error("\"data\" is no list of rows; expected an object for each row, as pandas writes them; correct it")
+        .at(tape.position(data));
+  }
+  rows_ = tape.elements(data);
+  size_ = rows_.size();
+  const JsonCells first = members_of(tape, rows_[0]);
+  has_index_member_ = !first.empty() && first[0].name == "index";
+  if (!has_index_member_) return;
+  for (const std::uint32_t row : rows_)
+    index_.push_back(static_cast<std::uint32_t>(tape.member(row, "index").value_or(row)));
+}
+
+/// An array for each column, as long as the first one.
+void JsonTable::read_lists() {
+  const JsonTape& tape = text_->tape;
+  layout_ = Layout::lists;
+  tape.for_each_member(value_, [&](std::size_t name, std::size_t value) {
+    if (tape.kind(value) != Kind::array) return true;
+    lists_.push_back(tape.elements(value));
+    names_.emplace_back(tape.text(name));
+    if (lists_.size() == 1) size_ = lists_[0].size();
+    if (lists_.back().size() == size_) return true;
+    throw data_error("the column {} has {} value{}; expected {}, as many as {}; correct it", in_quotes(names_.back()),
+                     lists_.back().size(), lists_.back().size() == 1 ? "" : "s", size_, in_quotes(names_[0]))
+        .at(tape.position(name));
+  });
+}
+
+/// A row for each member, whose name is its index.
+void JsonTable::read_index() {
+  const JsonTape& tape = text_->tape;
+  std::unordered_set<std::string_view> names;
+  tape.for_each_member(value_, [&](std::size_t name, std::size_t value) {
+    index_.push_back(static_cast<std::uint32_t>(name));
+    rows_.push_back(static_cast<std::uint32_t>(value));
+    if (tape.kind(value) != Kind::object) return true;
+    for (const JsonCell& cell : members_of(tape, value)) {
+      const bool is_number = tape.kind(cell.value) == Kind::number || tape.kind(cell.value) == Kind::null;
+      if (names.insert(cell.name).second && rows_.size() > 1 && is_number) names_.emplace_back(cell.name);
+    }
+    return true;
+  });
+  size_ = rows_.size();
+  if (tape.kind(rows_[0]) != Kind::array) return;
+  names_ = default_channel_names(tape.count(rows_[0]));
+  read_rows(names_.size());
+}
+
+/// Members of each column by the index of their row. The rows come in the order in which they are found.
+void JsonTable::read_columns() {
+  const JsonTape& tape = text_->tape;
+  layout_ = Layout::columns;
+  std::unordered_map<std::string_view, std::uint32_t> rows;
+  tape.for_each_member(value_, [&](std::size_t column, std::size_t values) {
+    tape.for_each_member(values, [&](std::size_t name, std::size_t value) {
+      const auto [row, is_new] = rows.emplace(tape.text(name), static_cast<std::uint32_t>(rows.size()));
+      if (is_new) index_.push_back(static_cast<std::uint32_t>(name));
+      cells_.push_back({row->second, static_cast<std::uint32_t>(names_.size()), static_cast<std::uint32_t>(value)});
+      return true;
+    });
+    names_.emplace_back(tape.text(column));
+    return true;
+  });
+  std::ranges::stable_sort(cells_, {}, &Cell::row);
+  size_ = rows.size();
+  row_begins_.resize(size_ + 1);
+  for (const Cell& cell : cells_) ++row_begins_[cell.row + 1];
+  for (std::size_t row = 0; row < size_; ++row) row_begins_[row + 1] += row_begins_[row];
+}
+
+/// The index is the time where no column is, unless it counts the rows from 0, as it does where it is not given.
+void JsonTable::decide_index() {
+  if (index_.empty()) return;
+  const JsonTape& tape = text_->tape;
+  const auto is_time = [](std::string_view name) { return is_usual_time(name); };
+  bool has_time = std::ranges::any_of(names_, is_time);
+  if (layout_ == Layout::objects) {
+    for (const JsonCell& cell : members_of(tape, rows_[0])) has_time = has_time || is_time(cell.name);
+  }
+  bool counts_rows = true;
+  for (std::size_t row = 0; row < index_.size() && counts_rows; ++row) {
+    const bool is_name = tape.kind(index_[row]) == Kind::name;
+    counts_rows = (is_name ? tape.text(index_[row]) : tape.written(index_[row])) == fmt::format("{}", row);
+  }
+  takes_index_ = !has_time && !counts_rows;
+}
+
+std::size_t JsonTable::place(std::size_t row) const {
+  switch (layout_) {
+    case Layout::lists: return lists_[0][row];
+    case Layout::columns: return cells_[row_begins_[row]].value;
+    default: return rows_[row];
+  }
+}
+
+JsonCells JsonTable::cells(std::size_t row) const {
+  const JsonTape& tape = text_->tape;
+  JsonCells cells;
+  if (takes_index_) cells.push_back({"time", index_[row], index_[row]});
+  switch (layout_) {
+    case Layout::objects:
+      for (const JsonCell& cell : members_of(tape, rows_[row])) {
+        if (!has_index_member_ || cell.name != "index") cells.push_back(cell);
+      }
+      break;
+    case Layout::rows:
+      tape.for_each_element(rows_[row], [&, column = std::size_t{0}](std::size_t value) mutable {
+        cells.push_back({names_[column++], value, value});
+        return true;
+      });
+      break;
+    case Layout::lists:
+      for (std::size_t column = 0; column < names_.size(); ++column) {
+        cells.push_back({names_[column], lists_[column][row], lists_[column][row]});
+      }
+      break;
+    case Layout::columns:
+      for (std::size_t i = row_begins_[row]; i < row_begins_[row + 1]; ++i) {
+        cells.push_back({names_[cells_[i].column], cells_[i].value, cells_[i].value});
+      }
+  }
+  return cells;
+}
+
+FirstRecords JsonTable::first_records() const {
+  const auto first = [this] {
+    JsonCells found = cells(0);
+    if (layout_ != Layout::objects && layout_ != Layout::columns) return found;
+    std::unordered_set<std::string_view> there;
+    for (const JsonCell& cell : found) there.insert(cell.name);
+    JsonCells all;
+    if (takes_index_) all.push_back(found[0]);
+    if (layout_ == Layout::objects) all = found;
+    std::size_t next = all.size();
+    for (const std::string& name : names_) {
+      if (there.insert(name).second) {
+        all.push_back({name});
+      } else if (layout_ == Layout::columns && next < found.size() && found[next].name == name) {
+        all.push_back(found[next++]);
+      }
+    }
+    return all;
+  };
+  return {size_, [this, first](std::size_t row) { return row == 0 ? first() : cells(row); },
+          fmt::format("{}[0]", path_.empty() ? "keys" : path_), place(0)};
+}
+
+namespace {
+
+/// How well a value serves as keys.
+enum class Fit { none, without_times, with_times };
+
+/// A list of rows of numbers, all of one size, or of objects with numbers.
+Fit fit_of_array(const JsonTape& tape, std::size_t array) {
+  if (has_only(tape, array, Kind::object)) {
+    const std::size_t first = array + 1;
+    if (tape[first].next == tape[array].next || !has_number(tape, first)) return Fit::none;
+    return has_time(tape, first) ? Fit::with_times : Fit::without_times;
+  }
+  if (!has_only(tape, array, Kind::array)) return Fit::none;
+  const std::vector<std::uint32_t> rows = tape.elements(array);
+  const std::size_t columns = tape.count(rows[0]);
+  if (rows.size() < 2 || columns < 2) return Fit::none;
+  std::optional<double> before;
+  bool rises = true;
+  for (const std::uint32_t row : rows) {
+    bool is_row = tape.count(row) == columns;
+    tape.for_each_element(row, [&](std::size_t value) { return is_row = is_row && is_number(tape, value); });
+    if (!is_row) return Fit::none;
+    const bool is_string = tape.kind(row + 1) == Kind::string;
+    const auto number = parse_number(is_string ? tape.text(row + 1) : tape.written(row + 1));
+    rises = rises && (!before || *number > *before);
+    before = number;
+  }
+  return rises ? Fit::with_times : Fit::without_times;
+}
+
+/// An object whose members are rows by their times, or columns of one size with a time among them.
+Fit fit_of_object(const JsonTape& tape, std::size_t object) {
+  if (tape.count(object) < 2) return Fit::none;
+  bool are_times = true, has_lists = false, has_times = false, are_equal = true;
+  std::optional<std::size_t> size;
+  tape.for_each_member(object, [&](std::size_t name, std::size_t value) {
+    are_times = are_times && is_index(tape.text(name)) && tape[value].is_nested() && tape[value].next > value + 1;
+    if (tape.kind(value) != Kind::array) return true;
+    const bool is_flat = !holds_kind(tape, value, Kind::object);
+    const std::size_t count = tape.count(value);
+    are_equal = are_equal && is_flat && count >= 2 && count == size.value_or(count);
+    size = count;
+    has_lists = true;
+    has_times = has_times || is_usual_time(tape.text(name));
+    return true;
+  });
+  const bool are_rows = has_only(tape, object, Kind::array) || has_only(tape, object, Kind::object);
+  if (are_times && are_rows) return Fit::with_times;
+  return has_lists && are_equal && has_times ? Fit::with_times : Fit::none;
+}
+
+Fit fit_of(const JsonTape& tape, std::size_t value) {
+  if (tape.kind(value) == Kind::array) return fit_of_array(tape, value);
+  return tape.kind(value) == Kind::object ? fit_of_object(tape, value) : Fit::none;
+}
+
+/// A value with its path.
+struct Place {
+  std::size_t value;
+  std::string path;
+};
+
+/// Finds the values that fit, of which none holds another one.
+template <class F>
+void find_fits(const JsonTape& tape, const Place& place, const F& found) {
+  const Fit fit = fit_of(tape, place.value);
+  if (fit != Fit::none) return found(place, fit);
+  if (tape.kind(place.value) == Kind::object) {
+    tape.for_each_member(place.value, [&](std::size_t name, std::size_t value) {
+      const std::string_view dot = place.path.empty() ? "" : ".";
+      if (tape[value].is_nested())
+        find_fits(tape, {value, fmt::format("{}{}{}", place.path, dot, tape.text(name))}, found);
+      return true;
+    });
+  } else if (tape.kind(place.value) == Kind::array) {
+    std::size_t index = 0;
+    tape.for_each_element(place.value, [&](std::size_t value) {
+      const std::size_t number = index++;
+      if (tape[value].is_nested()) find_fits(tape, {value, fmt::format("{}[{}]", place.path, number)}, found);
+      return true;
+    });
+  }
+}
+
+/// The rest of a path after a step, if the path begins with it.
+std::optional<std::string_view> after_step(std::string_view path, std::string_view step) {
+  for (const std::string_view known : {step, std::string_view("*")}) {
+    if (!path.starts_with(known)) continue;
+    const std::string_view rest = path.substr(known.size());
+    if (rest.empty() || rest[0] == '[') return rest;
+    if (rest[0] == '.') return rest.substr(1);
+  }
+  return std::nullopt;
+}
+
+/// Finds the values at the end of a path.
+template <class F>
+void follow(const JsonTape& tape, const Place& place, std::string_view path, const F& found) {
+  if (path.empty()) return found(place);
+  if (tape.kind(place.value) == Kind::object) {
+    tape.for_each_member(place.value, [&](std::size_t name, std::size_t value) {
+      const std::string_view text = tape.text(name);
+      const std::string_view dot = place.path.empty() ? "" : ".";
+      if (const auto rest = after_step(path, text))
+        follow(tape, {value, fmt::format("{}{}{}", place.path, dot, text)}, *rest, found);
+      return true;
+    });
+  } else if (tape.kind(place.value) == Kind::array) {
+    std::size_t index = 0;
+    tape.for_each_element(place.value, [&](std::size_t value) {
+      const std::string step = fmt::format("[{}]", index++);
+      auto rest = after_step(path, step);
+      if (!rest && path.starts_with("[*]")) rest = after_step(path, "[*]");
+      if (rest) follow(tape, {value, place.path + step}, *rest, found);
+      return true;
+    });
+  }
+}
+
+/// Files of other products, by their members.
+struct OtherJson {
+  std::array<std::string_view, 3> members;
+  std::string_view name, remedy;
+};
+constexpr std::array other_json{
+    OtherJson{{"frames", "transform_matrix", ""},
+              "a transforms.json of poses without times",
+              "give --records frames --parameter uniform --columns "
+              "position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]"},
+    OtherJson{{"layers", "ip", "op"}, "a Lottie animation", "export its keyframes as a table"},
+    OtherJson{{"tracks", "times", "values"},
+              "a clip of three.js, whose values are not by key",
+              "write an object of time and position for each key"},
+    OtherJson{{"sheetsById", "", ""},
+              "a project of Theatre.js",
+              "give --records with the path of \"keyframes\", and --columns position=value"},
+    OtherJson{{"fileType", "mission", "groundStation"},
+              "a plan of QGroundControl, whose items have no times",
+              "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
+    OtherJson{{"fileType", "mission", ""},
+              "a plan of QGroundControl, whose items have no times",
+              "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
+    OtherJson{
+        {"asset", "accessors", "animations"}, "a glTF scene, whose keys are in a buffer", "export them as a table"},
+    OtherJson{{"type", "coordinates", ""},
+              "GeoJSON, whose places have no times",
+              "give --records with the path of \"coordinates\" and --parameter uniform --columns position=1:2"},
+};
+
+const OtherJson* find_other(const JsonTape& tape) {
+  std::unordered_set<std::string_view> names;
+  for (std::size_t at = 0; at < tape.size(); ++at) {
+    if (tape.kind(at) == Kind::name) names.insert(tape.text(at));
+  }
+  const auto found = std::ranges::find_if(other_json, [&](const OtherJson& other) {
+    return std::ranges::all_of(other.members, [&](auto name) { return name.empty() || names.contains(name); });
+  });
+  return found == other_json.end() ? nullptr : &*found;
+}
+
+std::string listed_paths(const std::vector<Place>& places) {
+  std::vector<std::string> paths;
+  for (const Place& place : places) paths.push_back(place.path.empty() ? "the whole text" : place.path);
+  return listed(paths);
+}
+
+}  // namespace
+
+bool holds_table(const JsonTape& tape, std::size_t value) {
+  bool found = false;
+  find_fits(tape, {value, ""}, [&](const Place&, Fit fit) { found = found || fit != Fit::none; });
+  return found;
+}
+
+std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text, std::string_view path) {
+  const JsonTape& tape = text->tape;
+  std::vector<Place> with_times, others, requested;
+  find_fits(tape, {0, ""},
+            [&](const Place& place, Fit fit) { (fit == Fit::with_times ? with_times : others).push_back(place); });
+  const std::vector<Place>& fitting = with_times.empty() ? others : with_times;
+  if (!path.empty()) {
+    follow(tape, {0, ""}, path, [&](const Place& place) { requested.push_back(place); });
+    if (requested.empty()) {
+      throw usage_error("{} {}: there is no such value; expected the path of a list of records{}{}; correct it",
+                        option::records, path, fitting.empty() ? "" : ", such as ", listed_paths(fitting));
+    }
+  } else if (const OtherJson* const other = find_other(tape); other != nullptr && fitting.size() != 1) {
+    throw data_error("this is {}; expected a list of keys; {}", other->name, other->remedy).at({"", 1, 1});
+  } else if (fitting.size() > 1) {
+    throw data_error("{} lists may be the keys: {}; expected one; give {} {}, or another one of these", fitting.size(),
+                     listed_paths(fitting), option::records, fitting[0].path)
+        .at({"", 1, 1});
+  }
+  std::vector<JsonTable> tables;
+  for (const Place& place : path.empty() ? fitting : requested) {
+    auto table = JsonTable::find(text, place.value, place.path, false);
+    if (table && table->size() > 0) {
+      tables.push_back(*std::move(table));
+    } else if (!path.empty()) {
+      throw data_error(
+          "{}: this is no list of records; expected an array of objects or of rows, or an object of "
+          "columns; give another path",
+          place.path)
+          .at(tape.position(place.value));
+    }
+  }
+  return tables;
 }
 
 }  // namespace tcb

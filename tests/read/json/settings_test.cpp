@@ -48,8 +48,8 @@ TEST(JsonSettings, errors_have_their_position) {
 }
 
 TEST(JsonSettings, channels_before_the_keys_are_read_before_them) {
-  EXPECT_THAT(channels_before_keys({R"({"channels":["x"],"keys":[)"}), testing::ElementsAre("x"));
-  EXPECT_THAT(channels_before_keys({R"({"keys":[)"}), testing::IsEmpty());
+  EXPECT_THAT(channels_before_keys({R"({"channels":["x"],"keys":)"}), testing::ElementsAre("x"));
+  EXPECT_THAT(channels_before_keys({R"({"keys":)"}), testing::IsEmpty());
 }
 
 TEST(JsonSettings, an_option_is_an_error_that_names_it) {

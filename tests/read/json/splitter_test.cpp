@@ -12,9 +12,10 @@ using testing::ElementsAre;
 
 /// Everything that a splitter hands on.
 struct Split {
-  std::vector<std::string> texts;
-  std::vector<std::string> places;  ///< "LINE:COLUMN PATH #FIRST"
+  std::vector<std::string> texts;   ///< of lists without their brackets
+  std::vector<std::string> places;  ///< "LINE:COLUMN PATH #FIRST" of what follows the bracket
   std::vector<JsonPart> objects;
+  std::vector<std::string> whole;
   std::optional<JsonShape> shape;
 };
 
@@ -24,12 +25,13 @@ Split split(const std::string& text, std::size_t piece = std::string::npos) {
   while (const auto part = splitter.next()) {
     const Chunk& chunk = part->chunk;
     if (!result.shape) result.shape = splitter.shape();
-    if (part->kind == JsonPart::Kind::object) {
-      result.objects.push_back(*part);
-      continue;
-    }
-    result.texts.push_back(chunk.text);
-    result.places.push_back(fmt::format("{}:{} {}#{}", chunk.line, chunk.column,
+    if (part->kind == JsonPart::Kind::object) result.objects.push_back(*part);
+    if (part->kind == JsonPart::Kind::whole) result.whole.push_back(chunk.text);
+    if (part->kind == JsonPart::Kind::object || part->kind == JsonPart::Kind::whole) continue;
+    const bool is_list = part->kind == JsonPart::Kind::list;
+    if (is_list) EXPECT_TRUE(chunk.text.starts_with('[') && chunk.text.ends_with(']')) << chunk.text;
+    result.texts.push_back(is_list ? chunk.text.substr(1, chunk.text.size() - 2) : chunk.text);
+    result.places.push_back(fmt::format("{}:{} {}#{}", chunk.line, chunk.column + (is_list ? 1 : 0),
                                         chunk.path == "keys" ? "" : chunk.path + " ", chunk.first));
   }
   return result;
@@ -37,7 +39,9 @@ Split split(const std::string& text, std::size_t piece = std::string::npos) {
 
 /// The object around keys, as "TEXT|LINE:COLUMN TEXT" with the position of the text after the keys.
 std::string shown_object(const JsonPart& part) {
-  return fmt::format("{}|{}:{} {}", part.chunk.text, part.after.line, part.after.column, part.after.text);
+  if (part.seam == std::string::npos) return part.chunk.text;
+  return fmt::format("{}|{}:{} {}", part.chunk.text.substr(0, part.seam), part.after.line, part.after.column,
+                     part.chunk.text.substr(part.seam));
 }
 
 TEST(JsonSplit, an_array_is_cut_into_elements) {
@@ -102,8 +106,29 @@ TEST(JsonSplit, between_curves_there_are_commas_and_nothing_else) {
 
 TEST(JsonSplit, json_lines_are_cut_after_lines) {
   const Split cut = split("{\"t\":0}\n\n{\"t\":1}\n", 1);
-  EXPECT_THAT(cut.texts, ElementsAre("{\"t\":0}\n", "\n", "{\"t\":1}\n"));
-  EXPECT_THAT(cut.places, ElementsAre("1:1 #0", "2:1 #1", "3:1 #1"));
+  EXPECT_THAT(cut.texts, ElementsAre("{\"t\":0}\n\n", "{\"t\":1}"));
+  EXPECT_THAT(cut.places, ElementsAre("1:1 #0", "3:1 #1"));
+}
+
+TEST(JsonSplit, objects_are_values_wherever_they_end) {
+  EXPECT_THAT(split("{\"t\":0}{\"t\":\n1}", 1).texts, ElementsAre("{\"t\":0}", "{\"t\":\n1}"));
+}
+
+TEST(JsonSplit, one_object_without_keys_and_rows_of_rows_are_whole) {
+  for (const std::string text : {"{\"a\":[{\"t\":0}]} ", "[[[0]]]", " [[{}]]", "{\"keys\":[[0,1],[1,2]]}", "{\"a\":"}) {
+    EXPECT_THAT(split(text).whole, ElementsAre(text));
+    EXPECT_THAT(split(text, 1).whole, ElementsAre(text));
+  }
+  EXPECT_EQ(split("[[0,1],[1,2]]").shape, JsonShape::table);
+}
+
+TEST(JsonSplit, a_list_can_be_made_whole_again) {
+  const std::string text = "[{\"t\":0},\n{\"t\":[1]} ] \n";
+  for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+    JsonSplitter splitter(pieces(text, piece));
+    auto first = splitter.next();
+    EXPECT_EQ(splitter.whole(*std::move(first)).chunk.text, text) << piece;
+  }
 }
 
 TEST(JsonSplit, an_empty_list_has_no_chunks) {
@@ -150,7 +175,7 @@ TEST(JsonSplit, every_byte_of_an_array_is_in_a_part_at_its_position) {
 }
 
 TEST(JsonSplit, an_array_that_is_not_closed_is_an_error_after_its_last_element) {
-  for (const std::string text : {"[{},{\"a\":", "[{},{\"a\":\"", "[{},", "[{},{}", "[", "{\"keys\":[{}"}) {
+  for (const std::string text : {"[{},{\"a\":", "[{},{\"a\":\"", "[{},", "[{},{}", "{\"keys\":[{}"}) {
     for (std::size_t piece = 1; piece <= text.size(); ++piece) {
       EXPECT_EQ(error_of([&] { split(text, piece); }),
                 fmt::format("f:1:{}: error: not JSON: the text ends too early; expected the rest of the last value; "
@@ -159,8 +184,8 @@ TEST(JsonSplit, an_array_that_is_not_closed_is_an_error_after_its_last_element) 
     }
   }
   JsonSplitter splitter(pieces("[{},{}", 4));
-  EXPECT_EQ(splitter.next()->chunk.text, "{}");
-  EXPECT_EQ(splitter.next()->chunk.text, "{}");
+  EXPECT_EQ(splitter.next()->chunk.text, "[{}]");
+  EXPECT_EQ(splitter.next()->chunk.text, "[{}]");
 }
 
 TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
@@ -172,11 +197,13 @@ TEST(JsonSplit, text_after_an_array_is_an_error_at_its_position) {
   }
 }
 
-TEST(JsonSplit, a_key_is_passed_on_before_more_is_read) {
+TEST(JsonSplit, a_key_is_passed_on_before_more_is_read_once_it_is_not_the_only_one) {
   int asked = 0;
-  JsonSplitter splitter([&]() -> std::optional<std::string> { return ++asked == 1 ? "{\"t\":0}\n" : "{\"t\":1}\n"; });
-  EXPECT_THAT(splitter.next()->chunk.text, testing::HasSubstr("{\"t\":0}"));
-  EXPECT_EQ(asked, 1);
+  JsonSplitter splitter([&]() -> std::optional<std::string> { return ++asked, "{\"t\":0}\n"; });
+  for (int key = 0; key < 3; ++key) {
+    EXPECT_THAT(splitter.next()->chunk.text, testing::HasSubstr("{\"t\":0}"));
+    EXPECT_EQ(asked, std::max(2, key + 1));
+  }
 }
 
 }  // namespace

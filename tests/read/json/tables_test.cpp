@@ -1,76 +1,118 @@
-// Tables in JSON: which texts are tables, and the list that each form gives.
+// Tables in JSON: the lists of records in a text, and the cells of each layout.
 #include "read/json/tables.hpp"
 
 #include <gtest/gtest.h>
 
-#include <string>
-
-#include "error.hpp"
+#include "read/reading.hpp"
 
 namespace tcb {
 namespace {
 
-/// The list of a table in parts of a size; "none" for other texts, whose bytes have to stay.
-std::string list_of_text(const std::string& text, std::size_t size) {
-  Source<std::string> bytes = [&text, size, at = std::size_t{0}]() mutable -> std::optional<std::string> {
-    if (at >= text.size()) return std::nullopt;
-    return text.substr(std::exchange(at, at + size), size);
-  };
-  const std::optional<JsonTable> table = take_table(bytes);
-  if (table) return (table->has_times_in_index ? "by index: " : "") + table->list;
-  std::string all;
-  while (const auto part = bytes()) all += *part;
-  EXPECT_EQ(all, text);
-  return "none";
+std::shared_ptr<const WholeJson> whole(const std::string& text) {
+  return std::make_shared<const WholeJson>(JsonPart{JsonPart::Kind::whole, {text}});
 }
 
-void expect_list(const std::string& text, const std::string& list) {
-  for (const std::size_t size : {1U, 7U, 1000U}) EXPECT_EQ(list_of_text(text, size), list) << text << " by " << size;
+/// The rows of a table as NAME=CELL, with the sign ? for a cell of the first row that others have.
+std::string rows_of(const JsonTable& table) {
+  std::string shown = table.has_times_in_index() ? "by index: " : "";
+  const FirstRecords records = table.first_records();
+  for (std::size_t row = 0; row < records.count; ++row) {
+    for (const JsonCell& cell : records.cells(row)) {
+      shown += fmt::format("{}={} ", cell.name,
+                           cell.value == JsonCell::missing ? "?" : std::string(table.tape().written(cell.value)));
+    }
+    shown += "; ";
+  }
+  return shown;
 }
 
-TEST(JsonTables, all_forms_give_the_same_list) {
-  const std::string list = R"([{"t":0,"x":1.50},{"t":1,"x":2}])";
-  expect_list("[[0,1.50],[1,2]]", list);
-  expect_list(R"({"columns":["t","x"],"index":[0,1],"data":[[0,1.50],[1,2]]})", list);
-  expect_list(R"({"index":[0,1],"columns":["t","x"],"data":[[0,1.50],[1,2]]})", list);
-  expect_list(R"({"schema":{"fields":[]},"data":[{"index":0,"t":0,"x":1.50},{"index":1,"t":1,"x":2}]})", list);
-  expect_list(R"( {"t" : {"0":0,"1":1}, "x" : {"0":1.50,"1":2}})", list);
-  expect_list(R"({"0":{"t":0,"x":1.50},"1":{"t":1,"x":2}})", list);
-  expect_list(R"({"t":[0,1],"x":[1.50,2]})", list);
+std::string table_of(const std::string& text) {
+  const auto table = JsonTable::find(whole(text), 0, "", true);
+  return table ? rows_of(*table) : "none";
+}
+
+/// The paths of the lists in a text that can be keys, or the error.
+std::string paths(const std::string& text, std::string_view records = "") {
+  std::string shown;
+  const std::string error = error_of([&] {
+    for (const JsonTable& table : find_tables(whole(text), records)) shown += table.path() + " ";
+  });
+  return error == "no error" ? shown : error;
+}
+
+TEST(JsonTables, all_layouts_have_the_same_cells) {
+  const std::string rows = "t=0 x=1.50 ; t=1 x=2 ; ";
+  EXPECT_EQ(table_of("[[0,1.50],[1,2]]"), rows);
+  EXPECT_EQ(table_of(R"({"columns":["t","x"],"index":[0,1],"data":[[0,1.50],[1,2]]})"), rows);
+  EXPECT_EQ(table_of(R"({"index":[0,1],"columns":["t","x"],"data":[[0,1.50],[1,2]]})"), rows);
+  EXPECT_EQ(table_of(R"({"schema":{"fields":[]},"data":[{"index":0,"t":0,"x":1.50},{"t":1,"x":2,"index":1}]})"), rows);
+  EXPECT_EQ(table_of(R"( {"t" : {"0":0,"1":1}, "x" : {"0":1.50,"1":2}})"), rows);
+  EXPECT_EQ(table_of(R"({"0":{"t":0,"x":1.50},"1":{"t":1,"x":2}})"), rows);
+  EXPECT_EQ(table_of(R"({"t":[0,1],"x":[1.50,2]})"), rows);
+  EXPECT_EQ(table_of("[[0,1,2,3,4]]"), "t=0 p1=1 p2=2 p3=3 p4=4 ; ");
 }
 
 TEST(JsonTables, an_index_that_is_no_count_is_the_time) {
-  expect_list(R"({"x":{"0.5":1,"1.50":2}})", R"(by index: [{"time":0.5,"x":1},{"time":1.50,"x":2}])");
-  expect_list(R"({"x":{"2024-01-01":1}})", R"(by index: [{"time":"2024-01-01","x":1}])");
-  expect_list(R"({"columns":["x"],"index":[0,1],"data":[[1],[2]]})", R"([{"x":1},{"x":2}])");
-  expect_list(R"({"columns":["t"],"index":[5],"data":[[1]]})", R"([{"t":1}])");
+  EXPECT_EQ(table_of(R"({"x":{"0.5":1,"1.50":2}})"), R"(by index: time="0.5" x=1 ; time="1.50" x=2 ; )");
+  EXPECT_EQ(table_of(R"({"0.5":[1,2],"1.5":[3,4]})"), R"(by index: time="0.5" x=1 y=2 ; time="1.5" x=3 y=4 ; )");
+  EXPECT_EQ(table_of(R"({"columns":["x"],"index":[0,1],"data":[[1],[2]]})"), "x=1 ; x=2 ; ");
+  EXPECT_EQ(table_of(R"({"columns":["t"],"index":[5],"data":[[1]]})"), "t=1 ; ");
 }
 
-TEST(JsonTables, cells_may_be_texts_arrays_or_missing) {
-  expect_list(R"({"t":[0],"position":[[1,2]],"name":["a\"b"]})", R"([{"t":0,"position":[1,2],"name":"a\"b"}])");
-  expect_list(R"({"t":{"0":0,"1":1},"x":{"1":2}})", R"([{"t":0,"x":null},{"t":1,"x":2}])");
+TEST(JsonTables, cells_that_a_row_does_not_have_take_no_place) {
+  EXPECT_EQ(table_of(R"({"t":{"0":0,"1":1},"x":{"1":2},"y":{"1":3,"0":4}})"), "t=0 x=? y=4 ; t=1 x=2 y=3 ; ");
+  EXPECT_EQ(table_of(R"({"0":{"t":0},"1":{"t":1,"x":2}})"), "t=0 x=? ; t=1 x=2 ; ");
 }
 
-TEST(JsonTables, columns_without_names_are_t_and_x_y_z) {
-  expect_list("[[0,1,2,3]]", R"([{"t":0,"x":1,"y":2,"z":3}])");
-  expect_list("[[0,1,2,3,4]]", R"([{"t":0,"p1":1,"p2":2,"p3":3,"p4":4}])");
-}
-
-TEST(JsonTables, other_texts_stay) {
-  for (const char* text :
-       {"", "[", "[]", "{", "{}", R"([{"t":0,"x":1}])", R"({"keys":[{"t":0}]})", R"({"curves":[]})", "0",
-        R"({"channels":["x","y"],"keys":[{"time":0,"position":[1,2]}]})", R"({"time":0,"position":[1,2]})",
-        R"({"position":[1,2],"time":0})", R"({"tcb":{"x":[0,0,0]},"time":0,"x":1})", R"({"x":[0,"a\"],[",1]})",
-        "[[0,1]", "[[[[[[[[[[[[0"}) {
-    expect_list(text, "none");
+TEST(JsonTables, other_texts_are_none) {
+  for (const char* text : {"[]", "{}", R"({"time":0,"position":[1,2]})", R"({"position":[1,2],"time":0})",
+                           R"({"tcb":{"x":[0,0,0]},"time":0,"x":1})", R"({"x":[0,"a\"],[",1]})", "[1,2]"}) {
+    EXPECT_EQ(table_of(text), "none") << text;
   }
 }
 
-TEST(JsonTables, incomplete_ones_are_refused) {
-  for (const char* text :
-       {R"({"t":[0,1],"x":[1]})", "[[0,1],[2]]", R"({"columns":["t"],"index":[0]})", R"({"schema":{"fields":[]}})"}) {
-    EXPECT_THROW(list_of_text(text, 100), Error) << text;
+TEST(JsonTables, rows_columns_and_indices_that_differ_in_length_are_refused) {
+  for (const char* text : {R"({"t":[0,1],"x":[1]})", "[[0,1],[2]]", R"({"columns":["t"],"index":[0]})",
+                           R"({"columns":["x","y"],"index":[5],"data":[[0,1],[1,2],[2,3],[3,4]]})",
+                           R"({"columns":["t"],"columns":["x"],"data":[[0]]})",
+                           R"({"columns":["t"],"index":{},"data":[[0]]})", R"({"schema":{},"data":5})"}) {
+    EXPECT_THROW(table_of(text), Error) << text;
   }
+}
+
+TEST(JsonTables, lists_are_found_with_their_paths) {
+  EXPECT_EQ(paths(R"({"fps":30,"animation":[{"frame":0,"zoom":1},{"frame":24,"zoom":2}]})"), "animation ");
+  EXPECT_EQ(paths(R"({"a":{"points":[{"t":0,"p":{"x":1}},{"t":1,"p":{"x":2}}]},"tags":["a"],"size":[1,2]})"),
+            "a.points ");
+  EXPECT_EQ(paths(R"({"data":{"result":[{"metric":{},"values":[[1,"2"],[3,"4"]]}]}})"), "data.result[0].values ");
+  EXPECT_EQ(paths(R"({"b":{"leg":{"rotation":{"0.0":[0,1],"0.5":[1,2]}}}})"), "b.leg.rotation ");
+  EXPECT_EQ(paths(R"({"hourly":{"time":["2024-01-01T00:00","2024-01-01T01:00"],"x":[1,2]},"v":1})"), "hourly ");
+  EXPECT_EQ(paths(R"({"marks":[{"x":1},{"x":2}],"keys2":[{"t":0,"x":1},{"t":1,"x":1}]})"), "keys2 ")
+      << "the only one with times";
+}
+
+TEST(JsonTables, several_lists_are_an_error_that_names_them) {
+  const std::string text = R"({"a":[[0,1],[1,2]],"b":[{"c":[[0,1],[1,3]]}]})";
+  EXPECT_EQ(
+      paths(text),
+      "f:1:1: error: 2 lists may be the keys: a, b[0].c; expected one; give --records a, or another one of these");
+  EXPECT_EQ(paths(text, "b[0].c"), "b[0].c ");
+  EXPECT_EQ(paths(text, "b[*].c"), "b[0].c ");
+  EXPECT_EQ(paths(R"({"m":{"p.q":{"k":[[0,1],[1,2]]},"r":{"k":[[0,1]]}}})", "m.*.k"), "m.p.q.k m.r.k ");
+  EXPECT_EQ(paths(R"({"m":{"p.q":{"k":[[0,1],[1,2]]}}})", "m.p.q.k"), "m.p.q.k ");
+  EXPECT_EQ(paths(text, "c"),
+            "usage: f: error: --records c: there is no such value; expected the path of a list of records, such as a, "
+            "b[0].c; correct it");
+  EXPECT_EQ(paths(R"({"a":{"b":5}})", "a.b"),
+            "f:1:11: error: a.b: this is no list of records; expected an array of objects or of rows, or an object of "
+            "columns; give another path");
+}
+
+TEST(JsonTables, files_of_other_products_are_named) {
+  EXPECT_NE(paths(R"({"v":"5","fr":30,"ip":0,"op":60,"layers":[{"ks":{}}]})").find("a Lottie animation"),
+            std::string::npos);
+  EXPECT_NE(paths(R"({"name":"c","tracks":[{"name":"a","times":[0,1],"values":[0,1,2,3]}]})").find("three.js"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
-// Members of JSON keys: roles and names, as the first key has them.
-#include "read/json/members.hpp"
+// Columns of JSON: roles and names, as the first key has them.
+#include "read/json/columns.hpp"
 
 #include <gmock/gmock.h>
 
-#include "read/json/key_reader.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -106,23 +105,52 @@ TEST(JsonMembers, a_repeated_member_in_the_first_key_is_an_error) {
               HasSubstr("keys[0].x: the key has this member twice; expected it once; remove one"));
 }
 
-TEST(JsonMembers, the_first_key_determines_the_members) {
-  const JsonPart part{JsonPart::Kind::elements, {R"({"t":0,"position":[1,2],"name":"a","T":1})"}};
-  const JsonColumns columns = find_members(part, {}, {"a", "b"});
-  ASSERT_GE(columns.members.size(), 4U);
-  EXPECT_TRUE(columns.members[1].array);
-  EXPECT_EQ(columns.members[1].cells, 2U);
-  EXPECT_EQ(columns.columns.cells[columns.members[2].cell].role, Role::ignored);
-  EXPECT_TRUE(columns.members[0].required && columns.members[1].required);
-  EXPECT_FALSE(columns.members[2].required || columns.members[3].required);
-  EXPECT_EQ(shown_key(parse_json(part, columns), 0), "1: 0 1 2 [1 0 0]\n");
+TEST(JsonMembers, a_text_is_a_number_if_a_later_key_has_one_or_all_are_signs_of_missing_ones) {
+  InputOptions options;
+  options.keys.missing = Missing::skip_row;
+  EXPECT_EQ(read(R"([{"t":0,"x":"lost"},{"t":1,"x":1}])", options),
+            "f:1:13: error: keys[0].x: \"lost\" is not a number; expected a number; correct it");
+  EXPECT_EQ(read(R"([{"t":0,"y":0,"x":"N/A"},{"t":1,"y":1,"x":"-"},{"t":2,"y":2,"x":3}])", options),
+            "t y x\n1: 2 2 3\n");
+  EXPECT_EQ(read(R"([{"t":0,"y":0,"x":"a"},{"t":1,"y":1,"x":"-"}])", options), "t y\n1: 0 0\n1: 1 1\n");
+}
+
+TEST(JsonMembers, numbers_in_objects_are_columns_with_their_paths) {
+  const std::string stamped =
+      R"([{"header":{"stamp":{"sec":1,"nanosec":500},"frame_id":"a"},"pose":{"point":{"x":2}}},)"
+      R"({"pose":{"point":{"x":3}},"header":{"stamp":{"nanosec":0,"sec":2},"frame_id":"a"}}])";
+  EXPECT_EQ(read(stamped, with_columns("position=pose.point.x,time=header.stamp.sec,ignore=header.stamp.nanosec")),
+            "header.stamp.sec pose.point.x\n1: 1 2\n1: 2 3\n");
+  EXPECT_THAT(read(stamped), testing::StartsWith("header.stamp pose.point.x\n"));
+  EXPECT_EQ(read(R"([{"t":0,"v":[1,[2,3]]},{"t":1,"v":[4,[5,6]]}])", with_columns("position=v[1][1]:v[0]")),
+            "t v[1][1] v[0]\n1: 0 3 1\n1: 1 6 4\n");
+  EXPECT_THAT(
+      read(R"([{"t":0,"a":{"x":1}},{"t":1,"a":{"y":1}}])"),
+      testing::AllOf(HasSubstr("keys[1].a.y: the first key has no such number"), HasSubstr("no member \"a.x\"")));
+}
+
+TEST(JsonMembers, an_object_or_the_only_array_is_the_position) {
+  EXPECT_EQ(read(R"([{"time":0,"position":{"x":0,"y":1}},{"time":10,"position":{"x":1,"y":2}}])"),
+            "time x y\n1: 0 0 1\n1: 10 1 2\n");
+  EXPECT_EQ(read(R"([{"time":0,"value":[0,1]},{"time":1,"value":[2,3]}])"), "time x y\n1: 0 0 1\n1: 1 2 3\n");
+  EXPECT_EQ(read(R"([{"positions":[0,1],"velocities":[5,6],"time_from_start":{"sec":1,"nanosec":0}}])"),
+            "time_from_start x y\n1: 1 0 1\n");
+  EXPECT_THAT(read(R"([{"t":0,"a":[1],"b":[2]}])"), HasSubstr("keys[0].a: this array is not used"));
+}
+
+TEST(JsonMembers, many_members_take_linear_time) {
+  std::string first = "{\"t\":0", second = "}";
+  for (int i = 0; i < 20000; ++i) {
+    first += fmt::format(",\"m{}\":[]", i);
+    second = fmt::format(",\"m{}\":[]{}", i, second);
+  }
+  EXPECT_EQ(read("[" + first + ",\"x\":1},{\"t\":1,\"x\":2" + second + "]"), "t x\n1: 0 1\n1: 1 2\n");
 }
 
 TEST(JsonMembers, a_text_is_an_error_where_the_name_or_the_text_is_that_of_a_number) {
-  EXPECT_EQ(read(R"([{"t":"soon","x":1}])"),
-            "f:1:7: error: keys[0].t: \"soon\" is not a number; expected a number without quotes; correct it");
-  EXPECT_EQ(read(R"([{"t":0,"x":"1.5"}])"),
-            "f:1:13: error: keys[0].x: \"1.5\" is not a number; expected a number without quotes; correct it");
+  EXPECT_EQ(
+      read(R"([{"t":"soon","x":1}])"),
+      "f:1:7: error: keys[0].t: \"soon\" is not a number; expected a number; correct it, or give --columns ignore=t");
   EXPECT_EQ(read(R"([{"t":0,"x":1,"note":""}])"), "t x\n1: 0 1\n");
   EXPECT_EQ(read(R"([{"t":0,"x":1,"note":"a"}])"), "t x\n1: 0 1\n");
 }

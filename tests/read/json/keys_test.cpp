@@ -1,5 +1,5 @@
-// Reader of JSON keys: numbers, texts, missing values, and every error with its position.
-#include "read/json/key_reader.hpp"
+// JSON keys: numbers, texts, missing values, and every error with its position.
+#include "read/json/keys.hpp"
 
 #include <gmock/gmock.h>
 
@@ -40,14 +40,29 @@ TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
             "f:2:12: error: keys[1].x: found null; expected a number; fill it in, or give --missing "
             "skip-row, skip-cell or break");
   EXPECT_EQ(second(first, R"({"t":"é","x":1})"),
-            "f:2:6: error: keys[1].t: \"é\" is not a number; expected a number without quotes; correct it");
+            "f:2:6: error: keys[1].t: \"é\" is not a number; expected a number; correct it");
   EXPECT_EQ(second(first, R"({"é":"ü","t":1,"x":true})"),
-            "f:2:20: error: keys[1].x: \"true\" is not a number; expected a number without quotes; correct it");
+            "f:2:20: error: keys[1].x: \"true\" is not a number; expected a number; correct it");
   EXPECT_EQ(read(R"([{"t":0,"x":null}])"),
             "f:1:13: error: keys[0].x: found null; expected a number; fill it in, or give --missing "
             "skip-row, skip-cell or break");
-  EXPECT_EQ(read(R"([{"t":0,"position":[1,"2",3]}])"),
-            "f:1:23: error: keys[0].position[1]: \"2\" is not a number; expected a number without quotes; correct it");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1,"b",3]}])"),
+            "f:1:23: error: keys[0].position[1]: \"b\" is not a number; expected a number; correct it");
+}
+
+TEST(JsonKeys, numbers_may_be_in_quotes) {
+  EXPECT_EQ(read(R"([{"t":"0","position":["1.5",2]},{"t":1,"position":[2,"-3e0"]}])"),
+            "t x y\n1: 0 1.5 2\n1: 1 2 -3\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1},{"t":"0.5","x":"2"}])"), "t x\n1: 0 1\n1: 0.5 2\n");
+}
+
+TEST(JsonKeys, nan_is_a_missing_number) {
+  EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":NaN})"),
+            "f:2:12: error: keys[1].x: found \"NaN\"; expected a number; fill it in, or give --missing skip-row, "
+            "skip-cell or break");
+  InputOptions options;
+  options.keys.missing = Missing::skip_row;
+  EXPECT_EQ(read(R"([{"t":0,"x":NaN},{"t":1,"x":2},{"t":NaN,"x":2}])", options), "t x\n1: 1 2\n");
 }
 
 TEST(JsonKeys, a_missing_new_or_repeated_member_is_an_error) {
@@ -115,8 +130,8 @@ TEST(JsonKeys, keys_have_the_texts_of_groups_and_labels) {
 TEST(JsonKeys, faults_do_not_end_the_reading) {
   EXPECT_EQ(
       read("[{\"t\":0,\"x\":1},\n{\"t\":\"a\",\"x\":\"b\"},\n{\"t\":2,\"x\":3},\n{\"t\":4,\"y\":5}]"),
-      "f:2:6: error: keys[1].t: \"a\" is not a number; expected a number without quotes; correct it\n"
-      "f:2:14: error: keys[1].x: \"b\" is not a number; expected a number without quotes; correct it\n"
+      "f:2:6: error: keys[1].t: \"a\" is not a number; expected a number; correct it\n"
+      "f:2:14: error: keys[1].x: \"b\" is not a number; expected a number; correct it\n"
       "f:4:1: error: the key has no member \"x\"; expected the members of the first key; add it, or give --missing "
       "skip-row, skip-cell or break\n"
       "f:4:12: error: keys[3].y: the first key has no such number; expected the same members in every key; add it "

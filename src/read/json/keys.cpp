@@ -1,0 +1,476 @@
+// JSON keys: records on a tape become keys.
+#include "read/json/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "numbers/parse_number.hpp"
+#include "numbers/time_notation.hpp"
+#include "option_names.hpp"
+#include "read/errors.hpp"
+#include "read/key_builder.hpp"
+
+namespace tcb {
+namespace {
+
+using Column = Columns::Column;
+using Kind = JsonNode::Kind;
+using Member = JsonColumns::Member;
+using Members = std::vector<Member>;
+
+bool is_text(const Column& column) { return column.role == Role::group || column.role == Role::carry; }
+
+/// Passes the members of keys to the key builder, as cells.
+class KeyReader {
+ public:
+  KeyReader(const JsonTape& tape, const JsonColumns& columns)
+      : tape_(tape),
+        columns_(columns),
+        signs_(columns.rules.signs),
+        keys_(columns.columns, columns.rules, columns.units),
+        list_(tape.part().chunk.path),
+        number_(tape.part().chunk.first),
+        seen_(columns.all_members) {
+    counted_position_ = {tape.part().chunk.line, tape.part().chunk.column};
+    find_required(columns.members);
+  }
+
+  /// Continues in the list that another reader has read. `number`: of the next record.
+  void continue_at(std::string list, std::uint64_t number, std::size_t byte, LinePosition position) {
+    list_ = std::move(list);
+    number_ = number;
+    counted_ = byte;
+    counted_position_ = position;
+  }
+  std::size_t counted() const { return counted_; }
+  LinePosition counted_position() const { return counted_position_; }
+
+  bool is_full() const { return keys_.is_full(); }
+  void add_fault(Error error) { keys_.add_fault(std::move(error)); }
+  KeyBlock finish() { return keys_.finish(list_); }
+  KeyBlock finish_unreadable(const Error& error) {
+    add_fault(error);
+    keys_.set_unreadable();
+    return finish();
+  }
+  void skip_record() { ++number_; }
+
+  /// Reads a record: an object, a row in an array, or null, which breaks the curve if `may_break`.
+  /// Throws: Error (data) for another value.
+  void read_record(std::size_t record, bool may_break) {
+    const Kind kind = tape_.kind(record);
+    const bool is_row = !columns_.row_names.empty();
+    if (kind == Kind::object && !is_row) return read_object(record);
+    if (kind == Kind::array && is_row) return read_row(record);
+    if (kind == Kind::null && tape_.written(record) == "null" && may_break) {
+      keys_.break_curve();
+      return skip_record();
+    }
+    throw not_a_record(tape_, record, is_row);
+  }
+
+  /// `place`: where the record begins.
+  void read_cells(const JsonCells& cells, std::size_t place) {
+    begin_key(place);
+    std::size_t expected = 0;
+    for (const JsonCell& cell : cells) read_member(cell, expected);
+    end_key(place);
+  }
+
+ private:
+  void read_object(std::size_t record) {
+    begin_key(record);
+    std::size_t expected = 0;
+    tape_.for_each_member(record, [&](std::size_t name, std::size_t value) {
+      read_member({tape_.text(name), value, name}, expected);
+      return true;
+    });
+    end_key(record);
+  }
+
+  void read_row(std::size_t record) {
+    begin_key(record);
+    std::size_t expected = 0, index = 0;
+    const auto& names = columns_.row_names;
+    tape_.for_each_element(record, [&](std::size_t value) {
+      if (index < names.size()) read_member({names[index], value, value}, expected);
+      ++index;
+      return true;
+    });
+    if (index != names.size()) {
+      add_fault(data_error("row {} of the table has {} cell{}; expected {}, one for each column; correct it", number_,
+                           index, index == 1 ? "" : "s", names.size())
+                    .at(tape_.position(record)));
+    }
+    end_key(record);
+  }
+
+  void begin_key(std::size_t place) {
+    keys_.begin_key();
+    count_to(tape_[place].begin);
+    tcb_given_ = 0;
+    std::ranges::fill(seen_, 0);
+    is_provenance_ = false;
+  }
+
+  void end_key(std::size_t place) {
+    const std::uint64_t number = number_++;
+    if (is_provenance_ && std::ranges::count(seen_, 1) == 0) return;
+    for (const Member* member : required_) {
+      if (seen_[member->number] == 0) miss_member(*member, place);
+    }
+    if (!keys_.complete_time()) add_fault(time_parts_not_whole(columns_.columns.time).at(tape_.position(place)));
+    if (!keys_.end_key()) return;
+    keys_.set_number(number);
+    keys_.set_position(counted_position_.line, counted_position_.column);
+  }
+
+  /// Counts the lines to a place behind the last one.
+  void count_to(std::size_t byte) {
+    const std::string_view text = tape_.part().chunk.text;
+    counted_position_ = position_after(text.substr(counted_, byte - counted_), counted_position_);
+    counted_ = byte;
+  }
+
+  void find_required(const Members& members) {
+    for (const Member& member : members) {
+      if (member.required) required_.push_back(&member);
+      find_required(member.inner);
+    }
+  }
+
+  /// The member with a name, of the kind of a value. `expected`: its place, if all keys have the same order.
+  const Member* find(const Members& members, std::string_view name, Kind kind, std::size_t& expected) {
+    const auto is_it = [&](const Member& member) {
+      return member.name == name && member.is_nested() == (kind == Kind::object);
+    };
+    if (expected < members.size() && is_it(members[expected])) return &members[expected++];
+    constexpr std::size_t few = 16;
+    auto found = members.end();
+    if (members.size() <= few) {
+      found = std::ranges::find_if(members, is_it);
+      if (found == members.end()) found = std::ranges::find(members, name, &Member::name);
+    } else {
+      auto& places = places_[&members];
+      if (places.empty()) {
+        for (std::size_t i = 0; i < members.size(); ++i) places.emplace(members[i].name, i);
+      }
+      const auto [first, last] = places.equal_range(name);
+      for (auto at = first; at != last; ++at) {
+        const auto member = members.begin() + static_cast<std::ptrdiff_t>(at->second);
+        if (found == members.end() || is_it(*member)) found = member;
+      }
+    }
+    if (found == members.end()) return nullptr;
+    expected = static_cast<std::size_t>(found - members.begin()) + 1;
+    return &*found;
+  }
+
+  void read_member(const JsonCell& cell, std::size_t& expected) {
+    cell_ = &cell;
+    is_provenance_ = is_provenance_ || cell.name == "meta";
+    const Member* const member = find(columns_.members, cell.name, tape_.kind(cell.value), expected);
+    const bool is_spread = (cell.name == "tcb" || cell.name == "rotation") && tape_.kind(cell.value) == Kind::object;
+    if (member != nullptr && (!is_spread || member->is_nested())) return read_value(*member, cell.value);
+    if (!is_spread) return refuse_unknown(cell.value);
+    tape_.for_each_member(cell.value, [&](std::size_t, std::size_t value) {
+      refuse_unknown(value);
+      return true;
+    });
+  }
+
+  /// Numbers that the first key does not have are faults.
+  void refuse_unknown(std::size_t value) {
+    const std::size_t first = tape_.kind(value) == Kind::array ? value + 1 : value;
+    const bool is_number = first < tape_[value].next && tape_.kind(first) == Kind::number;
+    if (is_number && !is_provenance_) {
+      add_value_fault(first, data_error("the first key has no such number; expected the same members in every key; add "
+                                        "it there"));
+    }
+  }
+
+  void read_value(const Member& member, std::size_t value) {
+    if (member.is_nested()) return read_inner(member, value);
+    if (seen_[member.number] != 0) {
+      add_value_fault(cell_->place, data_error("the key has this member twice; expected it once; remove one"));
+      return;
+    }
+    seen_[member.number] = 1;
+    if (member.cells == 0) return;
+    const Column& column = columns_.columns.cells[member.cell];
+    switch (tape_.kind(value)) {
+      case Kind::array: return member.array ? read_array(member, value) : refuse_array(member, value);
+      case Kind::object: return column.role == Role::ignored ? void() : add_shape_fault(member, value);
+      case Kind::number:
+      case Kind::null:
+        if (member.array && (tape_.kind(value) == Kind::number || column.role != Role::ignored)) {
+          return add_shape_fault(member, value);
+        }
+        break;
+      default: break;
+    }
+    read_cell(column, value);
+  }
+
+  void read_array(const Member& member, std::size_t array) {
+    std::size_t index = 0;
+    tape_.for_each_element(array, [&](std::size_t value) {
+      if (index++ >= member.cells) return true;
+      const Column& column = columns_.columns.cells[member.cell + index - 1];
+      if (!tape_[value].is_nested()) {
+        read_cell(column, value);
+      } else if (column.role != Role::ignored) {
+        add_shape_fault(member, value);
+      }
+      return true;
+    });
+    if (index == member.cells) return;
+    add_value_fault(array, data_error("the array has {} element{}; expected {}, as in the first key; correct it", index,
+                                      index == 1 ? "" : "s", member.cells));
+  }
+
+  void refuse_array(const Member& member, std::size_t array) {
+    const bool is_ignored = columns_.columns.cells[member.cell].role == Role::ignored;
+    std::size_t fault = array;
+    tape_.for_each_element(array, [&](std::size_t value) {
+      if (is_ignored && tape_.kind(value) != Kind::number) return true;
+      fault = value;
+      return false;
+    });
+    const bool is_empty = tape_[array].next == array + 1;
+    if (is_empty || fault != array) add_shape_fault(member, fault);
+  }
+
+  /// The members of an object, or the elements of an array, that have columns.
+  void read_inner(const Member& member, std::size_t value) {
+    const Kind kind = tape_.kind(value);
+    if (kind == Kind::null) return;  // what a key needs is missing
+    std::size_t expected = 0;
+    const auto read = [&](std::string_view name, std::size_t inner, bool is_known_only) {
+      const Member* const found = find(member.inner, name, tape_.kind(inner), expected);
+      if (found != nullptr) {
+        read_value(*found, inner);
+      } else if (!is_known_only) {
+        refuse_unknown(inner);
+      }
+      return true;
+    };
+    if (kind == Kind::object) {
+      tape_.for_each_member(
+          value, [&](std::size_t name, std::size_t inner) { return read(tape_.text(name), inner, !member.is_whole); });
+    } else if (kind == Kind::array && member.inner[0].name.starts_with('[')) {
+      std::size_t index = 0;
+      tape_.for_each_element(value, [&](std::size_t inner) { return read(fmt::format("[{}]", index++), inner, true); });
+    } else {
+      add_value_fault(value, data_error("this is not an object or an array; expected one, as in the first key; correct "
+                                        "it"));
+    }
+  }
+
+  void read_cell(const Column& column, std::size_t value) {
+    switch (tape_.kind(value)) {
+      case Kind::number: {
+        const std::string_view decimal = tape_.written(value);
+        const bool is_sign = !signs_.empty() && column.role != Role::ignored && !is_text(column) &&
+                             std::ranges::count(signs_, decimal) > 0;
+        return is_sign ? miss(column, value, in_quotes(decimal)) : store(column, decimal, value);
+      }
+      case Kind::null: return read_null(column, value);
+      case Kind::boolean: return read_text(column, tape_.written(value), value);
+      default: return read_text(column, tape_.text(value), value);
+    }
+  }
+
+  void read_null(const Column& column, std::size_t value) {
+    if (column.role == Role::ignored || column.role == Role::carry) return;
+    if (!is_text(column)) {
+      const std::string_view sign = tape_.written(value);
+      return miss(column, value, sign == "null" ? "null" : in_quotes(sign));
+    }
+    if (keys_.miss(column)) return;
+    add_value_fault(value, data_error("found null; expected a text; fill it in, or give {} skip-row", option::missing));
+  }
+
+  void read_text(const Column& column, std::string_view text, std::size_t value) {
+    if (column.role == Role::ignored) return keys_.set_mark(column, text);
+    const bool is_quoted = tape_.kind(value) != Kind::boolean;
+    if (is_text(column)) return keys_.set_text(column, (is_quoted ? "\"" : "") + std::string(text));
+    const bool is_sign = is_quoted && is_missing_sign(text, signs_);
+    const bool is_time = column.role == Role::time && is_quoted;
+    if (is_time && keys_.set_time_in_words(column, text)) return;
+    const bool is_number = is_quoted && !is_sign && parse_number(text).has_value();
+    if (is_time && !is_number && (find_notation(text) || (!keys_.has_times_as_numbers() && !is_sign))) {
+      const bool has_notation = columns_.units.notation == find_notation(text);
+      add_value_fault(value, has_notation
+                                 ? data_error("{} does not exist; expected a date of the calendar, a time of day "
+                                              "without leap seconds, and an undropped frame below the rate; correct it",
+                                              in_quotes(text))
+                                 : time_in_other_notation(text));
+      return;
+    }
+    if (is_sign) return miss(column, value, in_quotes(text));
+    if (is_number) return store(column, text, value);
+    add_value_fault(value, data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
+  }
+
+  static Error time_in_other_notation(std::string_view time) {
+    return data_error("{} is not in the notation of the first time; expected one notation in all keys; convert it",
+                      in_quotes(time));
+  }
+
+  /// A number is missing. `sign`: as a message shows it.
+  void miss(const Column& column, std::size_t value, const std::string& sign) {
+    if (keys_.miss(column)) return;
+    add_value_fault(value, data_error("found {}; expected a number; fill it in, or give {} skip-row{} or break", sign,
+                                      option::missing, column.role == Role::time ? "" : ", skip-cell"));
+  }
+
+  /// A number, or one in quotes.
+  void store(const Column& column, std::string_view decimal, std::size_t value) {
+    if (column.role == Role::time && !keys_.has_times_as_numbers()) {
+      return add_value_fault(value, time_in_other_notation(decimal));
+    }
+    const auto number = [&] { return parse_number(decimal).value_or(0); };
+    switch (column.role) {
+      case Role::ignored: return keys_.set_mark(column, decimal);
+      case Role::group:
+      case Role::carry: return keys_.set_text(column, json_number_text(decimal));
+      case Role::time: keys_.set_time(parse_time(decimal).value_or(Time(0))); break;
+      case Role::tension: store_once(0, column, number(), value); break;
+      case Role::continuity: store_once(1, column, number(), value); break;
+      case Role::bias: store_once(2, column, number(), value); break;
+      default: keys_.number(column) = number();
+    }
+    if (keys_.keeps_decimals()) keys_.keep_decimal(column, std::string(decimal));
+    if (keys_.scales() && !keys_.scale(column, decimal)) {
+      add_value_fault(value, data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
+                                        in_quotes(decimal)));
+    }
+  }
+
+  /// Tension, continuity or bias: a member, or a number of "tcb", but not both.
+  void store_once(unsigned place, const Column& column, double number, std::size_t value) {
+    if (((tcb_given_ >> place) & 1U) != 0) {
+      add_value_fault(value, data_error("this parameter is given twice, in \"tcb\" and alone; expected it once; remove "
+                                        "one"));
+    }
+    tcb_given_ |= 1U << place;
+    keys_.number(column) = number;
+  }
+
+  void miss_member(const Member& member, std::size_t place) {
+    const auto begin = columns_.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell);
+    const auto end = begin + static_cast<std::ptrdiff_t>(member.cells);
+    if (std::all_of(begin, end, [&](const Column& column) { return keys_.miss(column); })) return;
+    if (is_full()) return;
+    add_fault(data_error("the key has no member {}; expected the members of the first key; add it, or give {} "
+                         "skip-row{} or break",
+                         in_quotes(member.title), option::missing, begin->role == Role::time ? "" : ", skip-cell")
+                  .at(tape_.position(place)));
+  }
+
+  /// Adds a fault of a value of the current member.
+  void add_value_fault(std::size_t value, const Error& fault) {
+    if (is_full()) return;
+    const std::string path = fmt::format("{}[{}].{}{}", list_.empty() ? "keys" : list_, number_, cell_->name,
+                                         value == cell_->place ? "" : tape_.path(cell_->value, value));
+    add_fault(fault.about(path).at(tape_.position(value)));
+  }
+
+  void add_shape_fault(const Member& member, std::size_t value) {
+    const bool text = is_text(columns_.columns.cells[member.cell]);
+    add_value_fault(value,
+                    member.array
+                        ? data_error("this is not an array; expected one of numbers, as in the first key; correct it")
+                    : text ? data_error("this is not a text or a number; expected one, as in the first key; correct it")
+                           : data_error("this is not a number; expected one, as in the first key; correct it"));
+  }
+
+  const JsonTape& tape_;
+  const JsonColumns& columns_;
+  const std::vector<std::string>& signs_;
+  KeyBuilder keys_;
+  std::string list_;
+  std::uint64_t number_;             ///< of the current or the next record
+  std::vector<unsigned char> seen_;  ///< 1 for the members of the current key; bits would take longer
+  std::vector<const Member*> required_;
+  std::unordered_map<const Members*, std::unordered_multimap<std::string_view, std::size_t>> places_;
+  const JsonCell* cell_ = nullptr;  ///< the current member
+  bool is_provenance_ = false;      ///< the object has "meta", and is no key if it has no member of a key
+  unsigned tcb_given_ = 0;          ///< a bit for each of the three
+  std::size_t counted_ = 0;         ///< a place in the text,
+  LinePosition counted_position_;   ///< and its position
+};
+
+}  // namespace
+
+Error not_a_record(const JsonTape& tape, std::size_t value, bool is_row) {
+  const Kind kind = tape.kind(value);
+  const std::string what = kind == Kind::number   ? "a number"
+                           : kind == Kind::null   ? std::string(tape.written(value))
+                           : kind == Kind::array  ? "an array"
+                           : kind == Kind::object ? "an object"
+                           : kind == Kind::string ? in_quotes(tape.text(value))
+                                                  : in_quotes(tape.written(value));
+  return data_error("found {} as a key; expected {}; correct it", what, is_row ? "an array" : "an object")
+      .at(tape.position(value));
+}
+
+KeyBlock parse_table(const JsonTable& table, TableCursor& cursor, std::size_t last, const JsonColumns& columns) {
+  KeyReader reader(table.tape(), columns);
+  reader.continue_at(table.path(), cursor.row, cursor.byte, cursor.position);
+  try {
+    for (; cursor.row < last && !reader.is_full(); ++cursor.row) {
+      reader.read_cells(table.cells(cursor.row), table.place(cursor.row));
+    }
+  } catch (const Error& error) {
+    return reader.finish_unreadable(error);
+  }
+  cursor.byte = reader.counted();
+  cursor.position = reader.counted_position();
+  return reader.finish();
+}
+
+KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) {
+  if (part.kind == JsonPart::Kind::values) {
+    JsonTape tape(part);
+    KeyReader reader(tape, columns);
+    for (bool more = true; more && !reader.is_full();) {
+      try {
+        more = tape.read_next();
+        if (more) reader.read_record(0, false);
+      } catch (const Error& error) {
+        reader.add_fault(error);
+        reader.skip_record();
+      }
+    }
+    return reader.finish();
+  }
+  try {
+    const JsonTape tape(part);
+    KeyReader reader(tape, columns);
+    try {
+      if (tape[0].next == 1) {
+        throw data_error("no key before or after a comma; expected an object; remove the comma")
+            .at(tape.position_at(1));
+      }
+      tape.for_each_element(0, [&](std::size_t record) {
+        reader.read_record(record, true);
+        return !reader.is_full();
+      });
+    } catch (const Error& error) {
+      return reader.finish_unreadable(error);
+    }
+    return reader.finish();
+  } catch (const Error& error) {
+    KeyBuilder keys(columns.columns, columns.rules, columns.units);
+    keys.add_fault(error);
+    keys.set_unreadable();
+    return keys.finish(part.chunk.path);
+  }
+}
+
+}  // namespace tcb
