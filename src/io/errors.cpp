@@ -23,13 +23,6 @@ Error input_changed() {
           "holds so far through a pipe, as in cat FILE | tcbsample"};
 }
 
-Error not_in_encoding(std::string_view encoding) {
-  return {Exit::data,
-          fmt::format("the text is not in {}, as its byte order mark says; expected text; check whether the "
-                      "file is complete",
-                      encoding)};
-}
-
 Error compressed_data_damaged(std::string_view compression) {
   return {Exit::data,
           fmt::format("the {} data are damaged; expected a valid file; copy or create it again", compression)};

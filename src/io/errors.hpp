@@ -15,9 +15,6 @@ Error cannot_read(std::string_view reason);
 Error input_is_folder();
 Error input_changed();
 
-// Encodings. `encoding` is the name of one.
-Error not_in_encoding(std::string_view encoding);
-
 // Decompressing. `compression` is its name, such as "gzip".
 Error compressed_data_damaged(std::string_view compression);
 Error compressed_data_cut(std::string_view compression);

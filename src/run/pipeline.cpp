@@ -73,7 +73,9 @@ class FileRun {
       if (const auto others = writer_.channels_in_extras(); !others.empty()) notes_.add(channels_in_extras(others));
     }
     curve_info_ = curve.curve_info;
-    writer_.begin_curve(curve.group);
+    const auto euler = input.facts.euler_tracks.find(curve.group);
+    writer_.begin_curve(curve.group,
+                        euler == input.facts.euler_tracks.end() ? std::nullopt : std::optional(euler->second));
   }
 
   /// The labels of a curve, which are the texts of its keys after those of groups; null if there are none.

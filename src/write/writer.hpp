@@ -56,7 +56,7 @@ class Writer {
   std::vector<std::string> channels_in_extras() const;
 
   /// Begins the rows of the next curve of the file.
-  void begin_curve(std::vector<std::string> group);
+  void begin_curve(std::vector<std::string> group, const std::optional<EulerTrack>& euler = {});
 
   /// The text of some rows; from any thread until the next begin_curve().
   std::string print(const Table& table, bool first) const;
