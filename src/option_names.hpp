@@ -18,6 +18,7 @@ inline constexpr std::string_view tcb_scale = "--tcb-scale";
 inline constexpr std::string_view decimal = "--decimal";
 inline constexpr std::string_view thousands = "--thousands";
 inline constexpr std::string_view group = "--group";
+inline constexpr std::string_view max_memory = "--max-memory";
 inline constexpr std::string_view missing = "--missing";
 inline constexpr std::string_view na = "--na";
 inline constexpr std::string_view time_unit = "--time-unit";

@@ -60,7 +60,6 @@ const std::map<std::string, std::vector<std::string>> packages{
     {"fast_float", {"numbers/"}},
     {"CLI", {"cli/"}},
     {"nettle", {"io/"}},
-    {"iconv.h", {"io/"}},
     {"zlib.h", {"io/"}},
     {"zstd.h", {"io/"}},
 };

@@ -227,6 +227,9 @@ constexpr OptionRow option_rows[] = {
      "Reads the list of keys at this path of JSON, such as data.result[0].values; with * for any name, each list is a "
      "curve",
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.records = text; }},
+    {option::max_memory, "", "SIZE", input_group,
+     "Fails if a file whose format is kept as a whole needs more memory, such as 512MiB or 4GiB", "1GiB", other,
+     unrecorded, [](Typed& to, Text text) { to.keys.input.max_memory = memory_size(text); }},
     {option::missing, "", "POLICY", input_group,
      "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips the "
      "key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",

@@ -6,6 +6,7 @@
 
 #include "cli/errors.hpp"
 #include "option_names.hpp"
+#include "read/other_files.hpp"
 #include "schema/formats.hpp"
 
 namespace tcb {

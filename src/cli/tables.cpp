@@ -44,15 +44,15 @@ std::string option_object(const OptionRow& row) {
 }  // namespace
 
 std::string tables_text() {
-  std::vector<std::string> options, presets;
+  std::vector<std::string> options, preset_rows;
   for_each_group([](std::string_view) {}, [&options](const OptionRow& row) { options.push_back(option_object(row)); });
   for (const auto& row : spline::presets) {
-    presets.push_back(fmt::format(R"({{"name":{},"tangents":{},"ends":{},"timing":{},"product":{}}})",
+    preset_rows.push_back(fmt::format(R"({{"name":{},"tangents":{},"ends":{},"timing":{},"product":{}}})",
                                   json_text(row.name), json_text(name_of(row.tangents)), json_text(name_of(row.ends)),
                                   json_text(name_of(row.timing)), json_text(row.product)));
   }
   return fmt::format("{{\"version\":{},\n\"options\":[\n{}],\n\"presets\":[\n{}]}}", json_text(TCBSAMPLE_VERSION),
-                     fmt::join(options, ",\n"), fmt::join(presets, ",\n"));
+                     fmt::join(options, ",\n"), fmt::join(preset_rows, ",\n"));
 }
 
 }  // namespace tcb

@@ -12,6 +12,7 @@
 #include "numbers/print_number.hpp"
 #include "sample/fields.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -110,6 +111,31 @@ std::uint64_t count_between(const std::string& text, std::uint64_t least, std::u
     throw not_a_whole_number(text, least, most);
   }
   return whole_number(*value);
+}
+
+std::uint64_t memory_size(const std::string& text) {
+  struct SizeUnit {
+    std::string_view name;
+    std::uint64_t bytes;
+  };
+  constexpr std::array<SizeUnit, 9> units{{{"", 1},
+                                           {"B", 1},
+                                           {"kB", 1'000},
+                                           {"KiB", 1ULL << 10},
+                                           {"MB", 1'000'000},
+                                           {"MiB", 1ULL << 20},
+                                           {"GB", 1'000'000'000},
+                                           {"GiB", 1ULL << 30},
+                                           {"TiB", 1ULL << 40}}};
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  const auto unit = std::ranges::find(units, std::string_view(text).substr(end), &SizeUnit::name);
+  const auto number = parse_rational(text.substr(0, end));
+  constexpr std::uint64_t least = 1ULL << 20, most = 1ULL << 50;
+  const Rational bytes = number && unit != units.end() ? *number * Rational(unit->bytes) : Rational(0);
+  if (bytes < least || bytes > most) {
+    throw usage_error("{} is no size of memory; expected 1MiB to 1024TiB, such as 512MiB or 4GiB", in_quotes(text));
+  }
+  return whole_number(Rational(numerator(bytes) / denominator(bytes)));
 }
 
 int digit_count(const std::string& text, int least) {

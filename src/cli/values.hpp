@@ -86,6 +86,8 @@ Rational ratio_or(Fault fault, std::string_view text);
 std::uint64_t positive_count(const std::string& text);
 /// A whole number from `least` to `most`, also as 1e9.
 std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most);
+/// Bytes, as a number with a unit such as MiB or GB, or without one.
+std::uint64_t memory_size(const std::string& text);
 /// In digits alone.
 int digit_count(const std::string& text, int least);
 CurveTolerance curve_tolerance(const std::string& text);

@@ -1,4 +1,6 @@
-// Encodings: text in UTF-16, UTF-32 or Windows-1252 to UTF-8.
+// Encodings: text in UTF-16, UTF-32 or Windows-1252 to UTF-8, in the same way on all systems.
+//
+// Source: the Unicode Standard, chapter 3.9, and Microsoft's table of code page 1252.
 #pragma once
 
 #include <optional>
@@ -9,17 +11,23 @@
 
 namespace tcb {
 
-/// The encoding that a byte order mark names, other than UTF-8; empty: none.
-std::string_view encoding_of_mark(std::string_view beginning);
+enum class Encoding {
+  utf8,
+  utf16,
+  utf32,
+  windows_1252,  ///< which spreadsheets write without a mark; it has all printable characters of Latin-1
+};
 
-/// The encoding of texts that spreadsheets write without a mark; it has all printable characters of Latin-1.
-inline constexpr std::string_view windows_1252 = "WINDOWS-1252";
+std::string_view name_of(Encoding encoding);
 
-/// A text in UTF-8; nothing if it is no text in this encoding, or if the system does not know that.
-std::optional<std::string> in_utf8(std::string_view text, std::string_view encoding);
+/// The encoding that a byte order mark names; nothing else than a mark is looked at.
+Encoding encoding_of_mark(std::string_view beginning);
 
-/// The bytes of a text in UTF-8, without a byte order mark; nothing if the system does not know the encoding.
-/// Its pulls throw Error (data) for bytes that are no text in the encoding.
-std::optional<Source<std::string>> in_utf8(Source<std::string> bytes, std::string_view encoding);
+/// A text in UTF-8; nothing if it is no text in this encoding.
+std::optional<std::string> in_utf8(std::string_view text, Encoding encoding);
+
+/// The bytes of a text in UTF-8, without a byte order mark. Its pulls throw Error (data) for bytes that are no text in
+/// the encoding, after the text before them.
+Source<std::string> in_utf8(Source<std::string> bytes, Encoding encoding);
 
 }  // namespace tcb

@@ -50,8 +50,8 @@ std::optional<int> take_exponent(std::string_view text) {
 }
 
 Rational scaled_by_ten(const std::string& digits, int exponent) {
-  constexpr int most = 18;  // digits that 63 bits hold
-  if (digits.size() <= most && std::abs(exponent) <= most) {
+  constexpr int longest = 18;  // digits that 63 bits hold
+  if (digits.size() <= longest && std::abs(exponent) <= longest) {
     std::int64_t whole = 0;
     (void)std::from_chars(digits.data(), digits.data() + digits.size(), whole);
     const Rational power = whole_power_of_ten(std::abs(exponent));

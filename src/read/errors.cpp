@@ -9,32 +9,6 @@
 
 namespace tcb {
 
-Error compressed_input(std::string_view compression, std::string_view command) {
-  return {Exit::data, fmt::format("the file is compressed with {}; expected text, or a file compressed with gzip or "
-                                  "Zstandard; decompress it, as in {} FILE | tcbsample",
-                                  compression, command)};
-}
-
-Error input_in_other_format(std::string_view format) {
-  return {Exit::data,
-          fmt::format("this is {}; expected text with a key in each row, or JSON; export the keys as CSV or "
-                      "JSON",
-                      format)};
-}
-
-Error table_in_other_format(std::string_view format, std::string_view function) {
-  return {Exit::data,
-          fmt::format("this is {}; expected text with a key in each row, or JSON; convert it, as in python3 -c 'import "
-                      "pandas, sys; pandas.{}(sys.argv[1]).to_csv(sys.stdout, index=False)' FILE | tcbsample",
-                      format, function)};
-}
-
-Error text_not_in_utf8(std::string_view encoding) {
-  return {Exit::data,
-          fmt::format("the text is in {}; expected UTF-8; convert it, for example with iconv -f {} -t UTF-8", encoding,
-                      encoding)};
-}
-
 Error two_byte_order_marks() {
   return {Exit::data, "the text begins with two byte order marks; expected at most one; remove one"};
 }
@@ -84,34 +58,6 @@ Error file_without_tracks(std::string_view format) {
                            "as .lws; remove the option, or choose columns with {}",
                            format, option::columns))
       .about(option::only);
-}
-
-Error not_an_npy() {
-  return {Exit::data, fmt::format("the file is no array of NumPy; expected one that numpy.save wrote; give another {}",
-                                  option::input_format)};
-}
-
-Error npy_ends_early() {
-  return {Exit::data, "the array ends early; expected as many rows as its header has; save it again"};
-}
-
-Error npy_header_unknown(std::string_view text) {
-  return {Exit::data,
-          fmt::format("the header of the array has {}; expected that of versions 1 to 3 of the format; save the "
-                      "array again with numpy.save",
-                      in_quotes(text))};
-}
-
-Error npy_column_not_a_number(std::string_view column, std::string_view type) {
-  return {Exit::data, fmt::format("the array{} is of type {}; expected floats of 32 or 64 bits, integers or booleans; "
-                                  "convert it, as with array.astype(float)",
-                                  column.empty() ? "" : fmt::format(" has column {}, which", in_quotes(column)), type)};
-}
-
-Error npy_of_other_shape(std::size_t dimensions, bool is_structured) {
-  return {Exit::data,
-          fmt::format("the {}array has {} dimensions; expected {}; change its shape, as with numpy.column_stack",
-                      is_structured ? "structured " : "", dimensions, is_structured ? "1" : "2, a row for each key")};
 }
 
 Error no_provenance() {

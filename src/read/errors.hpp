@@ -11,11 +11,6 @@
 namespace tcb {
 
 // The first bytes.
-Error compressed_input(std::string_view compression, std::string_view command);
-Error input_in_other_format(std::string_view format);
-/// `function` of pandas reads it.
-Error table_in_other_format(std::string_view format, std::string_view function);
-Error text_not_in_utf8(std::string_view encoding);
 Error two_byte_order_marks();
 Error blank_beginning();
 
@@ -33,13 +28,6 @@ Error options_of_text(std::string_view format);
 
 // Files without tracks.
 Error file_without_tracks(std::string_view format);
-
-// NumPy arrays.
-Error not_an_npy();
-Error npy_ends_early();
-Error npy_header_unknown(std::string_view text);
-Error npy_column_not_a_number(std::string_view column, std::string_view type);
-Error npy_of_other_shape(std::size_t dimensions, bool is_structured);
 
 // Earlier outputs.
 Error no_provenance();

@@ -1,12 +1,14 @@
 // Input: an opened input, which is the meaning of its records, facts about it, and its keys.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
+#include "schema/euler_track.hpp"
 #include "schema/formats.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
@@ -19,18 +21,20 @@ enum class JsonShape { list, object, curves, lines, table, table_by_index, any }
 /// What was found at the beginning of an input.
 struct InputFacts {
   FormatId format = FormatId::csv;
-  std::string encoding = {};                                 ///< from which text was converted to UTF-8; empty: none
-  bool names_quaternion = false;                             ///< as in DelimitedHead
-  JsonShape shape = JsonShape::list;                         ///< of JSON
-  std::string records = {};                                  ///< the path of the list of keys in JSON of any shape
-  std::optional<spline::Tcb<double>> tcb = {};               ///< of all keys, as the file has it
-  std::string comment = {};                                  ///< the prefix of its comment lines; empty: it has none
-  std::vector<std::string> roles = {};                       ///< names of columns that shape a curve, such as tension
-  bool is_recording = false;                                 ///< keys are samples; their columns shape no curve
-  std::vector<std::string> constant_tracks = {};             ///< names of tracks that are left out as they never change
-  std::vector<std::string> other_tracks = {};                ///< names of those left out as they have other channels
-  std::vector<std::string> ignored = {};                     ///< names of columns without a role
-  std::optional<spline::RotationForm> likely_rotation = {};  ///< that columns without names and roles may be
+  std::string encoding = {};                      ///< from which text was converted to UTF-8; empty: none
+  bool names_quaternion = false;                  ///< as in DelimitedHead
+  JsonShape shape = JsonShape::list;              ///< of JSON
+  std::string records = {};                       ///< the path of the list of keys in JSON of any shape
+  std::optional<spline::Tcb<double>> tcb = {};    ///< of all keys, as the file has it
+  std::string comment = {};                       ///< the prefix of its comment lines; empty: it has none
+  std::vector<std::string> roles = {};            ///< names of columns that shape a curve, such as tension
+  bool is_recording = false;                      ///< keys are samples; their columns shape no curve
+  std::vector<std::string> constant_tracks = {};  ///< names of tracks that are left out as they never change
+  std::vector<std::string> other_objects = {};    ///< names of those left out for the first that moves
+  std::vector<std::string> other_tracks = {};     ///< names of those left out as they have other channels
+  std::map<std::vector<std::string>, EulerTrack> euler_tracks = {};  ///< by the groups of their curves, as texts
+  std::vector<std::string> ignored = {};                             ///< names of columns without a role
+  std::optional<spline::RotationForm> likely_rotation = {};          ///< that columns without names and roles may be
 };
 
 /// The records of an input as the reader of its format finds them.

@@ -1,11 +1,13 @@
 // Input options: what is requested of the reading of an input.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "numbers/parse_number.hpp"
+#include "read/memory_use.hpp"
 #include "schema/column_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/formats.hpp"
@@ -34,10 +36,11 @@ struct InputOptions {
   KeyRules keys = {};
   UnitOptions units = {};
   RotationOptions rotation = {};
-  std::vector<Renaming> renamings = {};  ///< of columns in the output
-  std::vector<std::string> only = {};    ///< patterns of the tracks to read; empty: all
-  std::string records = {};              ///< the path of the list of keys in JSON; empty: found by its shape
-  unsigned threads = 1;                  ///< at most
+  std::vector<Renaming> renamings = {};           ///< of columns in the output
+  std::vector<std::string> only = {};             ///< patterns of the tracks to read; empty: all
+  std::string records = {};                       ///< the path of the list of keys in JSON; empty: found by its shape
+  std::uint64_t max_memory = default_max_memory;  ///< in bytes, of what a reader must keep
+  unsigned threads = 1;                           ///< at most
 };
 
 }  // namespace tcb

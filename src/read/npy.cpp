@@ -1,6 +1,8 @@
 // NumPy arrays: the rows of .npy files as lines of delimited text.
 #include "read/npy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,12 +15,25 @@
 #include <vector>
 
 #include "numbers/print_number.hpp"
-#include "read/errors.hpp"
+#include "option_names.hpp"
+#include "read/memory_use.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
 
 constexpr char npy_delimiter = '\t';
+
+Error ends_early() {
+  return data_error("the array ends early; expected as many rows as its header has; save it again");
+}
+
+Error unknown_header(std::string_view text) {
+  return data_error(
+      "the header of the array has {}; expected that of versions 1 to 3 of the format; save the array again with "
+      "numpy.save",
+      in_quotes(text));
+}
 
 /// Bytes that are read as needed.
 class NpyBytes {
@@ -38,7 +53,7 @@ class NpyBytes {
   }
   std::string take_all(std::size_t size) {
     std::string taken = take(size);
-    if (taken.size() < size) throw npy_ends_early();
+    if (taken.size() < size) throw ends_early();
     return taken;
   }
 
@@ -65,7 +80,15 @@ struct NpyArray {
   bool is_fortran = false;  ///< column after column
 };
 
-/// Reads the dictionary of a header.
+Error not_a_number(std::string_view column, std::string_view type) {
+  const std::string which = column.empty() ? "" : fmt::format(" has column {}, which", in_quotes(column));
+  return data_error(
+      "the array{} is of type {}; expected floats of 32 or 64 bits, integers or booleans; convert it, as with "
+      "array.astype(float)",
+      which, type);
+}
+
+/// Reads the dictionary of a header, as Python writes it: {'descr': TYPE, 'fortran_order': BOOL, 'shape': (N, ...), }.
 class NpyHeader {
  public:
   explicit NpyHeader(std::string_view text) : text_(text) {}
@@ -73,27 +96,37 @@ class NpyHeader {
   NpyArray read() {
     NpyArray array;
     std::vector<std::uint64_t> shape;
-    expect('{');
-    while (!skip('}')) {
+    std::vector<std::string> known;
+    list('{', '}', [&] {
+      const std::size_t begin = at_;
       const std::string name = string();
+      if (std::ranges::count(known, name) > 0) refuse(begin);
+      known.push_back(name);
       expect(':');
       if (name == "descr") {
         read_columns(array);
       } else if (name == "fortran_order") {
-        array.is_fortran = word() == "True";
+        array.is_fortran = boolean();
       } else if (name == "shape") {
         shape = numbers();
       } else {
-        refuse();
+        refuse(begin);
       }
-      (void)skip(',');
+    });
+    blanks();
+    if (at_ < text_.size()) refuse(at_);
+    constexpr std::size_t entries = 3;
+    if (known.size() < entries) {
+      throw data_error(
+          "the header of the array lacks an entry; expected descr, fortran_order and shape; save the array again with "
+          "numpy.save");
     }
     set_shape(array, shape);
     return array;
   }
 
  private:
-  [[noreturn]] void refuse() const { throw npy_header_unknown(text_.substr(at_, 20)); }
+  [[noreturn]] void refuse(std::size_t at) const { throw unknown_header(text_.substr(std::min(at, text_.size()), 20)); }
 
   void blanks() { at_ = std::min(text_.find_first_not_of(" \n", at_), text_.size()); }
   bool skip(char c) {
@@ -103,64 +136,94 @@ class NpyHeader {
     return true;
   }
   void expect(char c) {
-    if (!skip(c)) refuse();
+    if (!skip(c)) refuse(at_);
+  }
+  /// A list in brackets: entries that f reads, with commas between them, and one after the last or not. Returns how
+  /// many commas it has.
+  template <class F>
+  std::size_t list(char first, char last, F f) {
+    expect(first);
+    std::size_t commas = 0;
+    while (!skip(last)) {
+      f();
+      if (skip(',')) {
+        ++commas;
+        continue;
+      }
+      expect(last);
+      break;
+    }
+    return commas;
   }
   std::string string() {
     blanks();
     const char quote = at_ < text_.size() ? text_[at_] : '\0';
     const std::size_t end = text_.find(quote, at_ + 1);
-    if ((quote != '\'' && quote != '"') || end == std::string_view::npos) refuse();
+    if ((quote != '\'' && quote != '"') || end == std::string_view::npos) refuse(at_);
     std::string value(text_.substr(at_ + 1, end - at_ - 1));
     at_ = end + 1;
     return value;
   }
-  std::string_view word() {
+  bool boolean() {
     blanks();
-    const std::size_t end = std::min(text_.find_first_not_of("TrueFals", at_), text_.size());
-    return text_.substr(std::exchange(at_, end), end - at_);
+    for (const bool value : {true, false}) {
+      const std::string_view name = value ? "True" : "False";
+      if (!text_.substr(at_).starts_with(name)) continue;
+      at_ += name.size();
+      return value;
+    }
+    refuse(at_);
   }
+  /// A tuple, which with one entry has a comma.
   std::vector<std::uint64_t> numbers() {
     std::vector<std::uint64_t> values;
-    expect('(');
-    while (!skip(')')) {
+    blanks();
+    const std::size_t begin = at_;
+    const std::size_t commas = list('(', ')', [&] {
       blanks();
       std::uint64_t value = 0;
       const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-      if (error != std::errc()) refuse();
+      if (error != std::errc()) refuse(at_);
       at_ = static_cast<std::size_t>(end - text_.data());
       values.push_back(value);
-      (void)skip(',');
-    }
+    });
+    if (values.size() == 1 && commas == 0) refuse(begin);
     return values;
   }
 
   void read_columns(NpyArray& array) {
     blanks();
-    array.is_structured = skip('[');
+    array.is_structured = at_ < text_.size() && text_[at_] == '[';
     if (!array.is_structured) return array.columns.push_back(column("", string()));
-    while (!skip(']')) {
+    list('[', ']', [&] {
       expect('(');
       const std::string name = string();
       expect(',');
       array.columns.push_back(column(name, string()));
-      if (skip(',') && !skip(')')) throw npy_column_not_a_number(name, "an array");
-      (void)skip(')');
-      (void)skip(',');
+      if (skip(',')) throw not_a_number(name, "an array");
+      expect(')');
+    });
+    for (NpyColumn& one : array.columns) {
+      one.offset = array.row_size;
+      array.row_size += one.size;
     }
-    for (NpyColumn& one : array.columns) one.offset = std::exchange(array.row_size, array.row_size + one.size);
   }
 
+  /// A type is the order of bytes, < or >, which is | for single bytes, a kind, and a size.
   static NpyColumn column(const std::string& name, const std::string& type) {
     NpyColumn column{name};
-    const std::size_t size = type.size() == 3 ? static_cast<std::size_t>(type[2] - '0') : 0;
+    const bool is_short = type.size() == 3;
+    const std::size_t size = is_short && type[2] >= '1' && type[2] <= '8' ? static_cast<std::size_t>(type[2] - '0') : 0;
     column.is_big = type.starts_with('>');
-    column.kind = type.size() == 3 ? type[1] : '\0';
+    column.kind = is_short ? type[1] : '\0';
     column.size = size;
+    const bool has_order = column.is_big || type.starts_with('<') || (type.starts_with('|') && size == 1);
     const bool is_float = column.kind == 'f' && (size == 4 || size == 8);
     const bool is_whole =
         (column.kind == 'i' || column.kind == 'u') && (size == 1 || size == 2 || size == 4 || size == 8);
-    if (!is_float && !is_whole && !(column.kind == 'b' && size == 1)) throw npy_column_not_a_number(name, type);
-    if (name.find_first_of("\t\r\n\"") != std::string::npos) throw npy_column_not_a_number(name, "a name with tabs");
+    const bool is_number = is_float || is_whole || (column.kind == 'b' && size == 1);
+    if (!has_order || !is_number) throw not_a_number(name, type);
+    if (name.find_first_of("\t\r\n\"") != std::string::npos) throw not_a_number(name, "a name with tabs");
     return column;
   }
 
@@ -169,11 +232,21 @@ class NpyHeader {
     const std::size_t dimensions = array.is_structured ? 1 : 2;
     const bool is_good = !array.columns.empty() && shape.size() == dimensions &&
                          (array.is_structured || (shape[1] > 0 && shape[1] <= most_columns));
-    if (!is_good) throw npy_of_other_shape(shape.size(), array.is_structured);
+    if (!is_good) {
+      throw data_error("the {}array has {} dimensions; expected {}; change its shape, as with numpy.column_stack",
+                       array.is_structured ? "structured " : "", shape.size(),
+                       array.is_structured ? "1" : "2, a row for each key");
+    }
     array.rows = shape[0];
-    if (array.is_structured) return;
+    if (array.is_structured) {
+      array.is_fortran = false;  // one dimension has one order
+      return;
+    }
     array.columns.resize(shape[1], array.columns.front());
-    for (NpyColumn& one : array.columns) one.offset = std::exchange(array.row_size, array.row_size + one.size);
+    for (NpyColumn& one : array.columns) {
+      one.offset = array.row_size;
+      array.row_size += one.size;
+    }
   }
 
   std::string_view text_;
@@ -201,14 +274,19 @@ void append(std::string& out, const NpyColumn& column, const char* bytes) {
 /// The lines of rows that are read one after the other.
 class NpyRows {
  public:
-  NpyRows(NpyArray array, NpyBytes bytes) : array_(std::move(array)), bytes_(std::move(bytes)) {
-    if (array_.is_fortran) set_columns();
+  NpyRows(NpyArray array, NpyBytes bytes, std::uint64_t max_memory)
+      : array_(std::move(array)), bytes_(std::move(bytes)) {
+    if (array_.is_fortran) set_columns(MemoryUse(max_memory));
   }
 
   std::optional<std::string> operator()() {
-    if (row_ == array_.rows) return std::nullopt;
-    constexpr std::uint64_t most_rows = 1024;
-    const std::uint64_t rows = std::min(most_rows, array_.rows - row_);
+    if (row_ == array_.rows) {
+      if (!array_.is_fortran && !bytes_.take(1).empty()) throw goes_on();
+      return std::nullopt;
+    }
+    constexpr std::uint64_t most_rows = 1024, most_bytes = 1UL << 20;
+    const std::uint64_t rows =
+        std::min({most_rows, std::max<std::uint64_t>(1, most_bytes / array_.row_size), array_.rows - row_});
     const std::string block = array_.is_fortran ? "" : bytes_.take_all(rows * array_.row_size);
     std::string text;
     for (std::uint64_t i = 0; i < rows; ++i) {
@@ -225,18 +303,24 @@ class NpyRows {
   }
 
  private:
-  /// Reads whole columns, as many bytes as there are.
-  void set_columns() {
+  /// Reads whole columns. Throws: Error (data) where there are fewer or more bytes.
+  void set_columns(MemoryUse memory) {
     const std::size_t size = array_.columns.front().size;
     constexpr std::size_t part = 1UL << 20;
     while (true) {
       const std::string more = bytes_.take(part);
+      memory.add(more.size());
       columns_ += more;
       if (more.size() < part) break;
     }
-    if (array_.rows > columns_.size() / size || columns_.size() / size / array_.columns.size() < array_.rows) {
-      throw npy_ends_early();
-    }
+    const std::uint64_t numbers = columns_.size() / size / array_.columns.size();
+    if (array_.rows > numbers) throw ends_early();
+    if (array_.rows * array_.row_size < columns_.size()) throw goes_on();
+  }
+  static Error goes_on() {
+    return data_error(
+        "the file goes on after the array; expected as many rows as its header has; save each array in a file of its "
+        "own");
   }
   const char* in_column(std::uint64_t row, std::size_t column) const {
     return columns_.data() + (column * array_.rows + row) * array_.columns.front().size;
@@ -254,14 +338,17 @@ Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options
   NpyBytes input(std::move(bytes));
   constexpr std::size_t magic = 6;
   const std::string head = input.take_all(magic + 2);
-  if (!head.starts_with("\x93NUMPY")) throw not_an_npy();
+  if (!head.starts_with("\x93NUMPY")) {
+    throw data_error("the file is no array of NumPy; expected one that numpy.save wrote; give another {}",
+                     option::input_format);
+  }
   const auto version = static_cast<unsigned char>(head[magic]);
-  if (version < 1 || version > 3) throw npy_header_unknown(std::to_string(version));
+  if (version < 1 || version > 3) throw unknown_header(std::to_string(version));
   const std::string length = input.take_all(version == 1 ? 2 : 4);
   std::size_t size = 0;
   for (std::size_t i = length.size(); i-- > 0;) size = size << 8 | static_cast<unsigned char>(length[i]);
   constexpr std::size_t longest_header = 1UL << 24;
-  if (size > longest_header) throw npy_header_unknown(std::to_string(size));
+  if (size > longest_header) throw unknown_header(std::to_string(size));
   const std::string header = input.take_all(size);
   NpyArray array = NpyHeader(header).read();
   options.delimited = {};
@@ -272,7 +359,7 @@ Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options
   for (const NpyColumn& column : array.columns) {
     if (array.is_structured) names += (names.empty() ? "" : std::string(1, npy_delimiter)) + column.name;
   }
-  Source<std::string> rows = NpyRows(std::move(array), std::move(input));
+  Source<std::string> rows = NpyRows(std::move(array), std::move(input), options.max_memory);
   return names.empty() ? rows : preceded_by(names + "\n", std::move(rows));
 }
 

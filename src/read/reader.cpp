@@ -2,8 +2,8 @@
 #include "read/reader.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -15,9 +15,9 @@
 #include "read/json/camera_path.hpp"
 #include "read/json/shapes.hpp"
 #include "read/npy.hpp"
+#include "read/other_files.hpp"
 #include "read/poses.hpp"
 #include "read/products/ase.hpp"
-#include "read/products/errors.hpp"
 #include "read/products/fbx.hpp"
 #include "read/products/lightwave.hpp"
 #include "read/products/studio_3ds.hpp"
@@ -28,124 +28,23 @@
 namespace tcb {
 namespace {
 
-using namespace std::string_view_literals;
-
-/// Compressed files that are not read, by their first bytes, and the commands that decompress them.
-struct OtherCompression {
-  std::string_view bytes, name, command;
-};
-constexpr std::array compressions{
-    OtherCompression{"BZh"sv, "bzip2", "bzcat"},
-    OtherCompression{"\xFD\x37zXZ\0"sv, "xz", "xzcat"},
-    OtherCompression{"\x04\x22\x4D\x18"sv, "LZ4", "lz4cat"},
-};
-
-/// Tables that are not read, by their first bytes, and the functions of pandas that read them.
-struct OtherTable {
-  std::string_view bytes, name, function;
-};
-constexpr std::array other_tables{
-    OtherTable{"PAR1"sv, "a Parquet table", "read_parquet"},
-    OtherTable{"ARROW1"sv, "an Arrow or Feather table", "read_feather"},
-    OtherTable{"FEA1"sv, "a Feather table", "read_feather"},
-};
-
-/// Archives by the name of their first file, which is at byte 30.
-struct OtherArchive {
-  std::string_view file, name;
-};
-constexpr std::array other_archives{
-    OtherArchive{"[Content_Types].xml", "an Excel workbook (.xlsx)"},
-    OtherArchive{"_rels/", "an Excel workbook (.xlsx)"},
-    OtherArchive{"xl/", "an Excel workbook (.xlsx)"},
-    OtherArchive{"mimetype", "a LibreOffice document (.ods)"},
-    OtherArchive{"", "a ZIP archive"},
-};
-
-/// The name of an archive of files, which is not read. Source: the ZIP file format, for the length of the name.
-std::string_view archive_name(std::string_view beginning) {
-  constexpr std::size_t size_at = 26, name_at = 30;
-  const std::size_t size = beginning.size() > size_at ? static_cast<unsigned char>(beginning[size_at]) : 0;
-  const std::string_view file = beginning.size() > name_at ? beginning.substr(name_at, size) : "";
-  if (file.ends_with(".npy")) return "a NumPy archive (.npz)";
-  return std::ranges::find_if(other_archives, [&](const auto& row) { return file.starts_with(row.file); })->name;
-}
-
-/// Formats that hold keys, or are taken for such, by their first bytes.
-struct OtherFormat {
-  std::string_view bytes, name;
-};
-constexpr std::array other_formats{
-    OtherFormat{"\xD0\xCF\x11\xE0"sv, "an Excel workbook (.xls)"},
-    OtherFormat{"HIERARCHY"sv, "a BVH motion capture file"},
-    OtherFormat{"#usda"sv, "a USD scene (.usda)"},
-    OtherFormat{"PXR-USDC"sv, "a USD scene (.usdc)"},
-    OtherFormat{"glTF"sv, "a glTF scene (.glb)"},
-    OtherFormat{"//Maya ASCII"sv, "a Maya scene"},
-    OtherFormat{"BLENDER"sv, "a Blender file"},
-    OtherFormat{"Ogawa"sv, "an Alembic scene"},
-    OtherFormat{"\x89HDF"sv, "an HDF5 file"},
-    OtherFormat{"SQLite format 3"sv, "an SQLite database"},
-    OtherFormat{"MATLAB 5.0"sv, "a MATLAB file"},
-    OtherFormat{"#ROSBAG"sv, "a ROS bag"},
-    OtherFormat{"%PDF"sv, "a PDF document"},
-    OtherFormat{"\x89PNG"sv, "a PNG picture"},
-    OtherFormat{"%YAML"sv, "a YAML document"},
-    OtherFormat{"<"sv, "XML or HTML"},
-};
-
-/// A binary FBX file, whose error has a remedy of its own.
-constexpr std::string_view binary_fbx_bytes = "Kaydara FBX";
-
 Error at_first_byte(const Error& error) { return error.at({"", 1, 1}); }
-
-/// Throws: Error (data) for a format that is not read.
-void require_known_format(std::string_view beginning) {
-  const auto begins = [&](const auto& row) { return beginning.starts_with(row.bytes); };
-  const auto compressed = std::ranges::find_if(compressions, begins);
-  if (compressed != compressions.end()) throw at_first_byte(compressed_input(compressed->name, compressed->command));
-  const auto table = std::ranges::find_if(other_tables, begins);
-  if (table != other_tables.end()) throw at_first_byte(table_in_other_format(table->name, table->function));
-  if (beginning.starts_with("PK\x03\x04")) throw at_first_byte(input_in_other_format(archive_name(beginning)));
-  const std::size_t text = std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size());
-  const bool is_gltf = beginning.substr(text).starts_with('{') && beginning.find("\"asset\"") != std::string::npos &&
-                       beginning.find("\"accessors\"") != std::string::npos;
-  if (is_gltf) throw at_first_byte(input_in_other_format("a glTF scene"));
-  beginning.remove_prefix(text);
-  if (beginning.starts_with(binary_fbx_bytes)) throw at_first_byte(binary_fbx());
-  const auto other = std::ranges::find_if(other_formats, begins);
-  if (other != other_formats.end()) throw at_first_byte(input_in_other_format(other->name));
-}
-
-/// Whether further bytes may complete the beginning of another format, which few blanks come before.
-bool may_begin_other_format(std::string_view beginning) {
-  constexpr std::size_t most_blanks = 4096;
-  if (beginning.size() > most_blanks) return false;
-  beginning.remove_prefix(std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size()));
-  const auto may_complete = [&](std::string_view bytes) {
-    return bytes.size() > beginning.size() && bytes.starts_with(beginning);
-  };
-  return may_complete(binary_fbx_bytes) || std::ranges::any_of(other_formats, may_complete, &OtherFormat::bytes);
-}
 
 /// The text in UTF-8 without a byte order mark; `encoding` gets the name of another encoding. Throws: Error (data) for
 /// two marks.
 Source<std::string> without_mark(Source<std::string> bytes, std::string& encoding) {
   std::string beginning;
-  constexpr std::size_t enough = 6;              // for require_known_format(), and for detect()
-  constexpr std::size_t enough_of_archive = 64;  // for archive_name()
-  while (beginning.size() < enough || (beginning.starts_with("PK\x03\x04") && beginning.size() < enough_of_archive) ||
-         may_begin_other_format(beginning)) {
+  constexpr std::size_t enough = 6;  // for detect()
+  while (beginning.size() < enough || may_begin_other_file(beginning)) {
     auto more = bytes();
     if (!more) break;
     beginning += *more;
   }
-  require_known_format(beginning);
-  encoding = encoding_of_mark(beginning);
-  if (!encoding.empty()) {
-    auto text = in_utf8(preceded_by(std::move(beginning), std::move(bytes)), encoding);
-    if (!text) throw at_first_byte(text_not_in_utf8(encoding));
-    return *std::move(text);
+  if (const std::optional<Error> error = other_file(beginning)) throw at_first_byte(*error);
+  const Encoding by_mark = encoding_of_mark(beginning);
+  if (by_mark != Encoding::utf8) {
+    encoding = name_of(by_mark);
+    return in_utf8(preceded_by(std::move(beginning), std::move(bytes)), by_mark);
   }
   if (beginning.starts_with(byte_order_mark)) beginning.erase(0, byte_order_mark.size());
   if (beginning.starts_with(byte_order_mark)) throw at_first_byte(two_byte_order_marks());

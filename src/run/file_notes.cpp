@@ -66,8 +66,9 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     add(is_matrix ? likely_matrix() : likely_quaternion());
   }
   if (!input.facts.encoding.empty()) {
-    const bool is_all = input.facts.encoding != windows_1252;
-    add(is_all ? text_converted(input.facts.encoding) : names_converted(input.facts.encoding));
+    const bool is_all = input.facts.encoding != name_of(Encoding::windows_1252);
+    const std::string_view named = input.keys.traits.has_whole_curves ? "objects and tracks" : "columns";
+    add(is_all ? text_converted(input.facts.encoding) : names_converted(named, input.facts.encoding));
   }
   if (input.facts.shape == JsonShape::table_by_index) add(index_is_time());
   if (options.input.records.empty() && !input.facts.records.empty()) add(keys_at(input.facts.records));
@@ -94,6 +95,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     const std::vector<std::string> names = found_by_elimination(input);
     if (!names.empty()) add(positions_by_elimination(names));
   }
+  if (!input.facts.other_objects.empty()) add(other_objects_left_out(input.facts.other_objects));
   if (!input.facts.other_tracks.empty()) add(other_tracks_left_out(input.facts.other_tracks));
   if (!input.facts.constant_tracks.empty()) add(constant_tracks_left_out(input.facts.constant_tracks));
   if (!input.facts.ignored.empty()) {

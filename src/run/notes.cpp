@@ -16,8 +16,8 @@ Note text_converted(std::string_view encoding) {
   return {fmt::format("the text is in {}, and was converted to UTF-8", encoding), true};
 }
 
-Note names_converted(std::string_view encoding) {
-  return {fmt::format("names of columns are not in UTF-8; they are taken as {}", encoding), true};
+Note names_converted(std::string_view named, std::string_view encoding) {
+  return {fmt::format("names of {} are not in UTF-8; they are taken as {}", named, encoding), true};
 }
 
 Note positions_by_elimination(const std::vector<std::string>& names) {
@@ -58,6 +58,12 @@ Note channels_in_extras(const std::vector<std::string>& names) {
   return {
       fmt::format("in the extras of the animation, as they are no translation, rotation or scale: {}", listed(names)),
       true};
+}
+
+Note other_objects_left_out(const std::vector<std::string>& names) {
+  return {fmt::format("left out, as they do not move the first object: {}; {} reads them, as in {} '*/position'",
+                      listed(names), option::only, option::only),
+          true};
 }
 
 Note other_tracks_left_out(const std::vector<std::string>& names) {

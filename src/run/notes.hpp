@@ -19,7 +19,7 @@ Note reads_terminal();
 /// The text was converted to UTF-8.
 Note text_converted(std::string_view encoding);
 /// Only names and texts of columns were.
-Note names_converted(std::string_view encoding);
+Note names_converted(std::string_view named, std::string_view encoding);
 /// Columns are positions as they have no other role.
 Note positions_by_elimination(const std::vector<std::string>& names);
 /// The times of day or the timecode of keys pass midnight.
@@ -34,6 +34,7 @@ Note index_is_time();
 Note keys_at(std::string_view path);
 Note no_time_column();
 Note channels_in_extras(const std::vector<std::string>& names);
+Note other_objects_left_out(const std::vector<std::string>& names);
 Note other_tracks_left_out(const std::vector<std::string>& names);
 Note constant_tracks_left_out(const std::vector<std::string>& names);
 Note ignored_columns(const std::vector<std::string>& names);

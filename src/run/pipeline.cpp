@@ -80,7 +80,9 @@ class FileRun {
       if (const auto frames = played_frames(input, *curve.curve_info)) writer_.set_frames(*frames);
     }
     curve_info_ = curve.curve_info;
-    writer_.begin_curve(curve.group);
+    const auto euler = input.facts.euler_tracks.find(curve.group);
+    writer_.begin_curve(curve.group,
+                        euler == input.facts.euler_tracks.end() ? std::nullopt : std::optional(euler->second));
   }
 
   /// The frames that are asked for, where rows have the same distance in time; nothing: their rate follows from the

@@ -9,13 +9,6 @@
 
 namespace tcb {
 
-/// The marks of delimited text.
-struct TextMarks {
-  char delimiter = ',';  ///< between cells; ' ' is any run of blanks and tabs
-  char decimal = '.';    ///< in numbers
-  bool crlf = false;     ///< lines end with CR and LF, not LF alone
-};
-
 enum class FormatId : std::size_t {
   csv,
   tsv,
@@ -107,21 +100,8 @@ std::optional<FormatId> find_input_format(std::string_view path);
 std::vector<std::string_view> input_endings();
 std::vector<std::string_view> output_endings();
 
-/// Endings of what is no output of ours, so that none gets such a name: compressed files, tables, scenes, pictures.
-inline constexpr std::array<std::string_view, 58> other_endings{
-    ".bz2",  ".xz",   ".lz4",  ".br",    ".z",       ".zip",  ".7z",     ".rar",     ".tar",     ".tgz",
-    ".xls",  ".xlsx", ".xlsm", ".ods",   ".numbers", ".db",   ".sqlite", ".parquet", ".feather", ".arrow",
-    ".orc",  ".avro", ".h5",   ".hdf5",  ".nc",      ".mat",  ".npz",    ".pkl",     ".pickle",  ".bag",
-    ".mcap", ".xml",  ".yaml", ".yml",   ".toml",    ".html", ".htm",    ".pdf",     ".png",     ".jpg",
-    ".jpeg", ".gif",  ".mp4",  ".bvh",   ".fbx",     ".glb",  ".usd",    ".usda",    ".usdc",    ".usdz",
-    ".abc",  ".dae",  ".obj",  ".blend", ".lws",     ".mot",  ".3ds",    ".ase",
-};
-
 /// The format that can be written and whose ending the path has, in upper or lower case, before that of compressed
 /// files.
 std::optional<FormatId> find_output_format(std::string_view path);
-
-/// The ending of the path if it belongs to a known format that is not ours; otherwise empty.
-std::string_view other_ending(std::string_view path);
 
 }  // namespace tcb

@@ -11,11 +11,17 @@
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_channels.hpp"
-#include "schema/formats.hpp"
 #include "schema/rotation_options.hpp"
 #include "tcb/spline/key.hpp"
 
 namespace tcb {
+
+/// The marks of delimited text.
+struct TextMarks {
+  char delimiter = ',';  ///< between cells; ' ' is any run of blanks and tabs
+  char decimal = '.';    ///< in numbers
+  bool crlf = false;     ///< lines end with CR and LF, not LF alone
+};
 
 /// The times of records.
 struct TimeSchema {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -18,6 +19,8 @@
 #include "io/base64.hpp"
 #include "option_names.hpp"
 #include "schema/texts.hpp"
+#include "tcb/spline/rotation.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -46,6 +49,125 @@ std::size_t axis_of_scale(std::string_view name) {
   constexpr std::array<std::string_view, 3> names{"sx", "sy", "sz"}, long_names{"scale_x", "scale_y", "scale_z"};
   const auto place = [&](const auto& all) { return std::ranges::find(all, name) - all.begin(); };
   return static_cast<std::size_t>(std::min(place(names), place(long_names)));
+}
+
+using Rotation = spline::Quaternion<double>;
+
+/// A rotation by turns around axes, with its velocity.
+class TurningRotation {
+ public:
+  struct Value {
+    Rotation q, velocity;
+  };
+
+  explicit TurningRotation(const EulerTrack& euler) : euler_(euler) {}
+
+  /// At angles and their velocities, in the order of the turns.
+  Value at(const std::array<double, 3>& angles, const std::array<double, 3>& velocities) const {
+    const auto& [bx, by, bz, bw] = euler_.before;
+    const auto& [ax, ay, az, aw] = euler_.after;
+    Value value{{bx, by, bz, bw}, {}};
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      constexpr double largest = 1e6;  // of angles that sines are computed of
+      if (!(std::abs(angles[i]) <= largest)) {
+        throw data_error("an angle of a rotation is {}; expected at most 1e6 in size; take full turns off the angles",
+                         angles[i]);
+      }
+      const auto [sine, cosine] = spline::sine_cosine_of_half(angles[i], euler_.degrees);
+      const double half_speed = velocities[i] * radians() / 2;
+      std::array<double, 3> turn{}, change{};
+      turn[euler_.turns[i].axis] = sine;
+      change[euler_.turns[i].axis] = cosine * half_speed;
+      const Rotation q{turn[0], turn[1], turn[2], cosine}, dq{change[0], change[1], change[2], -sine * half_speed};
+      value = {value.q * q, value.velocity * q + value.q * dq};
+    }
+    const Rotation after{ax, ay, az, aw};
+    return {value.q * after, value.velocity * after};
+  }
+
+  /// Of the unit of the angles.
+  double radians() const { return euler_.degrees ? 3.14159265358979323846 / 180 : 1; }
+
+ private:
+  const EulerTrack& euler_;
+};
+
+/// A part of a piece of angles that are cubics in time.
+class TurningPiece {
+ public:
+  /// `row`: a start, a duration, and positions and velocities of channels.
+  TurningPiece(const EulerTrack& euler, std::span<const double> row) : euler_(&euler), row_(row) {}
+
+  double start() const { return row_[0] + first_ * row_[1]; }
+  double end() const { return row_[0] + last_ * row_[1]; }
+
+  /// At a place from 0 to 1, with the velocity per part.
+  TurningRotation::Value at(double place) const {
+    std::array<double, 3> angles{}, velocities{};
+    const double u = first_ + place * (last_ - first_), v = 1 - u;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const auto [p, d, q, e] = numbers(i);
+      angles[i] = v * v * ((1 + 2 * u) * p + u * d) + u * u * ((1 + 2 * v) * q - v * e);
+      velocities[i] = (last_ - first_) * (6 * u * v * (q - p) + v * (v - 2 * u) * d + u * (u - 2 * v) * e);
+    }
+    return TurningRotation(*euler_).at(angles, velocities);
+  }
+
+  /// Appends parts on which the cubic between both ends, made a rotation, is near enough.
+  void divide(std::vector<TurningPiece>& parts) const {
+    constexpr double shortest = 0x1p-24;  // of the piece
+    const auto is_in_one_float = static_cast<float>(start()) == static_cast<float>(end());
+    if (is_near() || is_in_one_float) return parts.push_back(*this);
+    if (last_ - first_ < shortest) {
+      throw data_error(
+          "the rotation turns too often within the segment at {} for an animation; expected slower angles; give "
+          "samples, as by {}",
+          row_[0], option::fps);
+    }
+    TurningPiece part = *this;
+    part.last_ = (first_ + last_) / 2;
+    part.divide(parts);
+    part.first_ = part.last_;
+    part.last_ = last_;
+    part.divide(parts);
+  }
+
+ private:
+  /// The positions and velocities of an angle at both ends of the piece.
+  std::array<double, 4> numbers(std::size_t turn) const {
+    const std::size_t at = 2 + numbers_of_piece * euler_->turns[turn].channel;
+    return {row_[at], row_[at + 1] * row_[1], row_[at + 2], row_[at + 3] * row_[1]};
+  }
+
+  bool is_near() const {
+    // Turns are slow, so that the derivatives vary little, and the error is largest near the middle.
+    double turns = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [p, d, q, e] = numbers(i);  // the control points of the velocity are d, 3 (q - p) - d - e, e
+      turns += std::max({std::abs(d), std::abs(3 * (q - p) - d - e), std::abs(e)}) * (last_ - first_);
+    }
+    constexpr double eighth = 0.79, limit = 0.01 / 180 * 3.14159265358979323846 / 4;  // half of half the angle
+    if (!(turns * TurningRotation(*euler_).radians() <= eighth)) return false;
+    const auto [q0, v0] = at(0);
+    const auto [q1, v1] = at(1);
+    return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&, &q0 = q0, &v0 = v0, &q1 = q1, &v1 = v1](double u) {
+      const double v = 1 - u;
+      const Rotation cubic =
+          q0 * (v * v * (1 + 2 * u)) + v0 * (v * v * u) + q1 * (u * u * (1 + 2 * v)) + v1 * (-u * u * v);
+      const Rotation off = spline::normalized(cubic) + -at(u).q;
+      return dot(off, off) <= limit * limit;
+    });
+  }
+
+  const EulerTrack* euler_;
+  std::span<const double> row_;
+  double first_ = 0, last_ = 1;  ///< of the piece
+};
+
+/// The rotation that ends before a place of an array.
+Rotation before(const std::vector<float>& values, std::size_t end) {
+  const auto number = [&](std::size_t i) { return static_cast<double>(values[end - 4 + i]); };
+  return {number(0), number(1), number(2), number(3)};
 }
 
 /// Writes arrays into one buffer, and describes them.
@@ -126,8 +248,9 @@ void GltfScene::begin(const Schema& schema) {
   for (const std::size_t channel : others) others_.push_back(schema.channels[channel]);
 }
 
-std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& track) const {
+std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& track, bool has_angles) const {
   std::vector<Target> targets{targets_.front()};
+  if (has_angles) targets.front().path = "rotation";
   const bool is_rotation = targets.front().path == "rotation";
   if (is_rotation || track == "position" || track == target_track) return targets;
   if (track != "scale")
@@ -138,12 +261,12 @@ std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& tr
   return targets;
 }
 
-void GltfScene::begin_curve(const std::vector<std::string>& group) {
+void GltfScene::begin_curve(const std::vector<std::string>& group, const std::optional<EulerTrack>& euler) {
   std::vector<std::string> texts = contents(group);
   const bool is_track = !schema_.groups.empty() && schema_.groups.back() == track_column;
   std::vector<Target> targets = targets_;
   if (is_track) {
-    targets = targets_of_track(texts.back());
+    targets = targets_of_track(texts.back(), euler.has_value());
     if (texts.back() != target_track) texts.pop_back();
   }
   std::string name = texts.empty() ? "curve" : fmt::format("{}", fmt::join(texts, " "));
@@ -152,7 +275,11 @@ void GltfScene::begin_curve(const std::vector<std::string>& group) {
         "there is more than one curve of {}; expected one for each node of an animation; give another format, such as "
         "csv, to {}",
         in_quotes(name), option::output_format);
-  nodes_.push_back({std::move(name), {}, std::move(targets), std::vector<std::vector<double>>(other_channels_.size())});
+  nodes_.push_back({std::move(name),
+                    {},
+                    std::move(targets),
+                    std::vector<std::vector<double>>(other_channels_.size()),
+                    is_track ? euler : std::nullopt});
 }
 
 void GltfScene::add(std::string_view rows) {
@@ -207,6 +334,16 @@ void GltfScene::add_number(Target& target, double number) {
 void GltfScene::add_sample(const std::vector<double>& row) {
   Node& node = nodes_.back();
   add_time(row[0]);
+  if (node.euler) {
+    Target& target = node.targets.front();
+    const std::array angles{row[1 + node.euler->turns[0].channel], row[1 + node.euler->turns[1].channel],
+                            row[1 + node.euler->turns[2].channel]};
+    Rotation q = TurningRotation(*node.euler).at(angles, {}).q;
+    const std::size_t size = target.values.size();
+    if (size > 0 && dot(q, before(target.values, size)) < 0) q = -q;
+    for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
+    return;
+  }
   for (Target& target : node.targets) {
     for (const std::size_t channel : target.channels) add_number(target, row[1 + channel]);
   }
@@ -219,6 +356,7 @@ void GltfScene::end_curve() {
   const std::vector<double> rows = std::exchange(pieces_, {});
   if (rows.empty()) return;
   Node& node = nodes_.back();
+  if (node.euler) return end_curve_of_angles(rows);
   const std::size_t size = 2 + numbers_of_piece * schema_.channels.size(), pieces = rows.size() / size;
   const auto number = [&](std::size_t piece, std::size_t channel, std::size_t i) {
     return rows[piece * size + 2 + numbers_of_piece * channel + i];
@@ -243,6 +381,32 @@ void GltfScene::end_curve() {
   }
 }
 
+void GltfScene::end_curve_of_angles(const std::vector<double>& rows) {
+  Node& node = nodes_.back();
+  Target& target = node.targets.front();
+  const std::size_t size = 2 + numbers_of_piece * schema_.channels.size();
+  std::vector<TurningPiece> parts;
+  for (std::size_t at = 0; at < rows.size(); at += size) {
+    TurningPiece piece(*node.euler, {rows.begin() + static_cast<std::ptrdiff_t>(at), size});
+    piece.divide(parts);
+  }
+  for (const TurningPiece& part : parts) add_time(part.start());
+  add_time(parts.back().end());
+  const auto add = [&](const Rotation& q) {
+    for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
+  };
+  const auto tangent = [&](std::size_t i, double place) {
+    const double duration = static_cast<double>(node.times[i + 1]) - static_cast<double>(node.times[i]);
+    return parts[i].at(place).velocity * (1 / duration);
+  };
+  for (std::size_t key = 0; key <= parts.size(); ++key) {
+    const bool is_last = key == parts.size();
+    add(key == 0 ? Rotation{} : tangent(key - 1, 1));
+    add(is_last ? parts.back().at(1).q : parts[key].at(0).q);
+    add(is_last ? Rotation{} : tangent(key, 0));
+  }
+}
+
 std::string GltfScene::text() {
   Buffer buffer;
   Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
@@ -262,7 +426,7 @@ std::string GltfScene::text() {
       channels.push_back(Json{{"sampler", samplers.size()}, {"target", Json{{"node", number}, {"path", target.path}}}});
       samplers.push_back(Json{{"input", times},
                               {"interpolation", are_pieces_ ? "CUBICSPLINE" : "LINEAR"},
-                              {"output", buffer.add(target.values, target.channels.size())}});
+                              {"output", buffer.add(target.values, target.path == "rotation" ? 4 : 3)}});
     }
     for (std::size_t i = 0; i < others_.size(); ++i) others[number][others_[i]] = node.others[i];
   }

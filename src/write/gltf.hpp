@@ -3,7 +3,8 @@
 // Rows of samples are LINEAR keyframes, rows of pieces exact CUBICSPLINE keyframes with tangents on both sides. A curve
 // is a node, with these targets:
 //   translation  three channels, the first that are nothing else; of a track, those of "position" and "target"
-//   rotation     a rotation, as a quaternion
+//   rotation     a rotation, as a quaternion; of a track, also angles with keys of their own, of which rows of pieces
+//                become as many keyframes as keep the rotation within 0.01 degrees
 //   scale        channels sx, sy, sz or scale_x, scale_y, scale_z; of a track, those of "scale"
 // Numbers of all other channels are in the "extras" of the animation. Arrays have single precision, as the format
 // requires; of two times that it does not distinguish, as at a step, the second is the next number.
@@ -11,12 +12,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "schema/euler_track.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {
@@ -32,7 +35,8 @@ class GltfScene {
 
   /// Begins the rows of a curve. Throws: Error (data) for a second curve of the same group, and for a track that is no
   /// target.
-  void begin_curve(const std::vector<std::string>& group);
+  /// `euler`: angles that its channels are, whose rotations are written.
+  void begin_curve(const std::vector<std::string>& group, const std::optional<EulerTrack>& euler = {});
 
   /// Adds rows, as the bytes of doubles, the lowest first. Throws: Error (data) for times before 0, for those that
   /// single precision does not distinguish, and for numbers beyond it.
@@ -59,10 +63,12 @@ class GltfScene {
     std::vector<float> times = {};
     std::vector<Target> targets = {};
     std::vector<std::vector<double>> others = {};  ///< of each other channel, a number for each keyframe
+    std::optional<EulerTrack> euler = {};          ///< angles of the rotation that is its target
   };
 
-  std::vector<Target> targets_of_track(const std::string& track) const;
+  std::vector<Target> targets_of_track(const std::string& track, bool has_angles) const;
   void add_sample(const std::vector<double>& row);
+  void end_curve_of_angles(const std::vector<double>& rows);
   void add_time(double time);
   static void add_number(Target& target, double number);
 

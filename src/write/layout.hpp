@@ -10,6 +10,7 @@
 #include "numbers/print_number.hpp"
 #include "sample/fields.hpp"
 #include "schema/formats.hpp"
+#include "schema/schema.hpp"
 
 namespace tcb {
 

@@ -188,8 +188,8 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
   output_.set_live(live);
 }
 
-void Writer::begin_curve(std::vector<std::string> group) {
-  if (scene_ != nullptr) return scene_->begin_curve(group);
+void Writer::begin_curve(std::vector<std::string> group, const std::optional<EulerTrack>& euler) {
+  if (scene_ != nullptr) return scene_->begin_curve(group, euler);
   if (options_.file_column) group.insert(group.begin(), file_);
   const std::string text = frame_.begin(group, group_ == group);
   if (!text.empty()) output_.write(text);

@@ -65,7 +65,7 @@ class Writer {
   std::vector<std::string> channels_in_extras() const;
 
   /// Begins the rows of the next curve of the file.
-  void begin_curve(std::vector<std::string> group);
+  void begin_curve(std::vector<std::string> group, const std::optional<EulerTrack>& euler = {});
 
   /// Takes note of the first key of the next curve, for times that count from that of the output.
   void set_first_time(const Time& first);

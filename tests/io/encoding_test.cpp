@@ -14,7 +14,7 @@ using namespace std::string_literals;
 
 /// The text of bytes with a mark, in parts of a size.
 Source<std::string> in_parts(const std::string& bytes, std::size_t size) {
-  return *in_utf8(
+  return in_utf8(
       [&bytes, size, at = std::size_t{0}]() mutable -> std::optional<std::string> {
         if (at >= bytes.size()) return std::nullopt;
         return bytes.substr(std::exchange(at, at + size), size);
@@ -30,11 +30,11 @@ std::string converted(const std::string& bytes, std::size_t size) {
 }
 
 TEST(Encoding, follows_from_the_mark) {
-  EXPECT_EQ(encoding_of_mark("\xFF\xFEt\0"s), "UTF-16");
-  EXPECT_EQ(encoding_of_mark("\xFE\xFF\0t"s), "UTF-16");
-  EXPECT_EQ(encoding_of_mark("\xFF\xFE\0\0"s), "UTF-32");
-  EXPECT_EQ(encoding_of_mark("\0\0\xFE\xFF"s), "UTF-32");
-  EXPECT_EQ(encoding_of_mark("\xEF\xBB\xBFt"), "");
+  EXPECT_EQ(encoding_of_mark("\xFF\xFEt\0"s), Encoding::utf16);
+  EXPECT_EQ(encoding_of_mark("\xFE\xFF\0t"s), Encoding::utf16);
+  EXPECT_EQ(encoding_of_mark("\xFF\xFE\0\0"s), Encoding::utf32);
+  EXPECT_EQ(encoding_of_mark("\0\0\xFE\xFF"s), Encoding::utf32);
+  EXPECT_EQ(encoding_of_mark("\xEF\xBB\xBFt"), Encoding::utf8);
 }
 
 TEST(Encoding, parts_of_any_size_give_the_same_text) {
@@ -64,10 +64,9 @@ TEST(Encoding, the_text_before_other_bytes_comes_first) {
   }
 }
 
-TEST(Encoding, texts_of_spreadsheets_are_windows_1252) {
-  EXPECT_EQ(in_utf8("H\xF6he \x80", windows_1252), "H\u00F6he \u20AC");
-  EXPECT_FALSE(in_utf8("\x81", windows_1252));  // which has no character there
-  EXPECT_FALSE(in_utf8("t", "no such encoding"));
+TEST(Encoding, texts_of_spreadsheets_are_Encoding::windows_1252) {
+  EXPECT_EQ(in_utf8("H\xF6he \x80", Encoding::windows_1252), "H\u00F6he \u20AC");
+  EXPECT_FALSE(in_utf8("\x81", Encoding::windows_1252));  // which has no character there
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ class RecordReader {
 
   void read_text(std::string_view cell, const Columns::Column& column) {
     std::string text = text_of(cell);
-    if (!head_.encoding.empty()) text = in_utf8(text, head_.encoding).value_or(text);
+    if (!head_.encoding.empty()) text = in_utf8(text, Encoding::windows_1252).value_or(text);
     const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string::npos) add_fault(cell, cell_not_utf8(unquoted(cell), text[invalid]));
     if (content(text).empty() && !keys_.miss(column)) add_fault(cell, group_is_empty(head_.columns.name_of(column)));

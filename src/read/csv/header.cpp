@@ -125,16 +125,16 @@ std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data, c
 /// Converts names to UTF-8, as which they can be written to every format. Returns their encoding, if it is another
 /// one: spreadsheets write Windows-1252. Throws: Error (data) for names that are in neither encoding.
 std::string convert_names(std::vector<std::string>& names, const TextPosition& position) {
-  std::string encoding;
+  bool are_converted = false;
   for (std::string& name : names) {
     const std::size_t invalid = find_invalid_utf8(name);
     if (invalid == std::string::npos) continue;
-    encoding = windows_1252;
-    const auto converted = in_utf8(name, encoding);
+    const auto converted = in_utf8(name, Encoding::windows_1252);
     if (!converted) throw column_name_not_utf8(name, name[invalid]).at(position);
     name = *converted;
+    are_converted = true;
   }
-  return encoding;
+  return are_converted ? std::string(name_of(Encoding::windows_1252)) : "";
 }
 
 /// Names x, y, z and w after x, y and z, as in flattened poses, as the quaternion that they are. Whether there are

@@ -51,7 +51,7 @@ void make_linear(TrackChannel& channel) {
 /// Reads the objects of an export.
 class AseExport {
  public:
-  explicit AseExport(std::string_view text) : lines_(text) {}
+  AseExport(std::string_view text, MemoryUse& memory) : lines_(text), memory_(memory) {}
 
   std::vector<Track> read() {
     lines_.require_next();
@@ -105,6 +105,7 @@ class AseExport {
       }
       track_->has_ease = track_->has_ease || key.ease_in.value != 0 || key.ease_out.value != 0;
     }
+    memory_.add(memory_of_key * track_->channels.size());
     for (std::size_t i = 0; i < track_->channels.size(); ++i) {
       key.value = lines_.number_in(2 + i);
       if (track_->rotation && i == angle) key.value = written_number(-exact_number(key.value));
@@ -150,6 +151,7 @@ class AseExport {
   static constexpr std::size_t angle = 3;  ///< among the numbers of a rotation
 
   TextLines lines_;
+  MemoryUse& memory_;
   WrittenNumber rate_{30, "30"}, ticks_{160, "160"};  ///< frames per second, ticks per frame
   std::string object_;
   bool is_tcb_ = false;
@@ -161,8 +163,9 @@ class AseExport {
 }  // namespace
 
 Records open_ase(const Source<std::string>& bytes, const InputOptions& options) {
-  const std::string text = whole_file(bytes);
-  return records_of_tracks(AseExport(text).read(), "t", options);
+  MemoryUse memory(options.max_memory);
+  const std::string text = whole_file(bytes, memory);
+  return records_of_tracks(AseExport(text, memory).read(), "t", options);
 }
 
 }  // namespace tcb

@@ -141,12 +141,6 @@ Error not_an_fbx() {
                   option::input_format)};
 }
 
-Error binary_fbx() {
-  return {Exit::data,
-          "the FBX file is binary; expected an ASCII file; export it as ASCII, or convert it with the FBX Converter of "
-          "Autodesk"};
-}
-
 Error no_such_fbx_version(std::int64_t version) {
   return {Exit::data,
           fmt::format("the FBX file is of version {}; expected 6000 to 7999; export it as FBX 7.4", version)};

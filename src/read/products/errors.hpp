@@ -45,7 +45,6 @@ Error no_such_behavior(std::size_t number);
 
 // FBX.
 Error not_an_fbx();
-Error binary_fbx();
 Error no_such_fbx_version(std::int64_t version);
 Error unexpected_text_in_fbx(std::string_view text);
 Error too_many_levels_in_fbx(std::size_t most);

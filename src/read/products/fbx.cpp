@@ -17,6 +17,7 @@
 #include "read/products/fbx_curve.hpp"
 #include "read/products/fbx_nodes.hpp"
 #include "read/products/tracks.hpp"
+#include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
 namespace {
@@ -25,9 +26,10 @@ namespace {
 struct PropertyRow {
   std::string_view property, old_property, track;
 };
+constexpr std::string_view rotation_track = "rotation";
 constexpr std::array properties{
     PropertyRow{"Lcl Translation", "T", "position"},
-    PropertyRow{"Lcl Rotation", "R", "rotation"},
+    PropertyRow{"Lcl Rotation", "R", rotation_track},
     PropertyRow{"Lcl Scaling", "S", "scale"},
 };
 
@@ -49,6 +51,68 @@ std::string channel_name(std::string_view name) {
   return std::string(name);
 }
 
+/// How many values a node or its array has at most.
+std::size_t values_in(const FbxNode& node) {
+  const FbxNode* const array = node.find("a");
+  return static_cast<std::size_t>(std::ranges::count(array == nullptr ? node.text : array->text, ',')) + 1;
+}
+
+/// The numbers of a property of a model, after its name and its types; nothing where it has no such property.
+std::optional<std::array<double, 3>> property_of(const FbxNode& model, std::string_view wanted, std::size_t count) {
+  for (const FbxNode& list : model.children) {
+    const bool is_new = list.name == "Properties70";
+    if (!is_new && list.name != "Properties60") continue;
+    for (const FbxNode& property : list.children) {
+      FbxValues values(property);
+      if (values.at_end() || values.next() != wanted) continue;
+      for (int skipped = is_new ? 3 : 2; skipped > 0; --skipped) values.next();
+      std::array<double, 3> numbers{};
+      constexpr double largest = 1e6;  // of angles and enumerators
+      for (std::size_t i = 0; i < count; ++i) {
+        numbers[i] = values.next_number().value;
+        if (!(numbers[i] > -largest && numbers[i] < largest)) throw number_of_file_expected(wanted);
+      }
+      return numbers;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Angles around x, then y, then z of the parent, in degrees, as a quaternion.
+std::array<double, 4> rotation_by_angles(const std::array<double, 3>& degrees) {
+  constexpr spline::RotationNotation notation{spline::RotationForm::euler, {0, 1, 2}, false, true};
+  const spline::Quaternion<double> q = spline::quaternion_from(degrees, notation);
+  return {q.x, q.y, q.z, q.w};
+}
+
+/// The angles of a rotation of a model, in the order of the model and between its fixed rotations; nothing where these
+/// or the angles are not known. Throws: Error (data) for properties that are no numbers.
+/// Source: the properties PreRotation, PostRotation and RotationOrder, which count if RotationActive, in the FBX SDK.
+std::optional<EulerTrack> euler_of(const FbxNode* model, const std::unordered_map<std::string, std::size_t>& places) {
+  constexpr std::array<std::array<std::uint8_t, 3>, 6> orders{
+      {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
+  constexpr std::array names{"x", "y", "z"};
+  EulerTrack euler{.turns = {}, .degrees = true};
+  std::size_t order = 0;
+  if (model != nullptr && property_of(*model, "RotationActive", 1).value_or(std::array<double, 3>{})[0] != 0) {
+    const double number = property_of(*model, "RotationOrder", 1).value_or(std::array<double, 3>{})[0];
+    if (!(number >= 0 && number < static_cast<double>(orders.size()))) return std::nullopt;
+    order = static_cast<std::size_t>(number);
+    if (const auto before = property_of(*model, "PreRotation", 3)) euler.before = rotation_by_angles(*before);
+    if (const auto after = property_of(*model, "PostRotation", 3)) {
+      euler.after = rotation_by_angles(*after);
+      for (std::size_t i = 0; i < 3; ++i) euler.after[i] = -euler.after[i];
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint8_t axis = orders[order][2 - i];  // the last turn is around an axis of the parent
+    const auto place = places.find(names[axis]);
+    if (place == places.end()) return std::nullopt;
+    euler.turns[i] = {place->second, axis};
+  }
+  return euler;
+}
+
 /// A track while its channels are collected.
 struct OpenTrack {
   struct Channel {
@@ -62,6 +126,7 @@ struct OpenTrack {
   std::string layer = {};  ///< the take and the layer
   std::vector<Channel> channels = {};
   std::unordered_map<std::string, std::size_t> places = {};  ///< of the channels, by their names
+  const FbxNode* model = nullptr;                            ///< whose property it is
   std::optional<Error> failure = {};                         ///< why it is not read
 
   /// Appends a channel; one of the same name is returned.
@@ -75,19 +140,26 @@ struct OpenTrack {
   /// It changes, or is not read.
   bool is_animated() const { return failure || std::ranges::any_of(channels, &Channel::has_keys); }
 
-  Track finish() const {
+  /// The track; the keys are not kept here any more.
+  Track finish() {
     Track track{object, name};
     track.settings.preset = {std::string(spline::name_of(spline::Preset::fbx)), {"preset", {"", 1, 1}}};
     track.failure = failure;
     if (failure) return track;
-    const auto first = std::ranges::find_if(channels, &Channel::has_keys);
-    for (const Channel& channel : channels) {
-      const FbxCurve constant{{FbxKey{first->curve.keys.front().time, channel.constant}}};
+    try {
+      if (name == rotation_track) track.euler = euler_of(model, places);
+    } catch (const Error&) {
+      track.euler = std::nullopt;  // its curves of angles do not need them
+    }
+    const WrittenNumber start = std::ranges::find_if(channels, &Channel::has_keys)->curve.keys.front().time;
+    for (Channel& channel : channels) {
+      const FbxCurve constant{{FbxKey{start, channel.constant}}};
       try {
         track.channels.push_back(channel_of(channel.name, channel.has_keys() ? channel.curve : constant));
       } catch (const Error& error) {
         track.failure = error.about(path() + "/" + channel.name);
       }
+      channel.curve = {};
     }
     return track;
   }
@@ -97,7 +169,8 @@ struct OpenTrack {
 class Objects {
  public:
   /// `size`: of the file, in bytes.
-  Objects(const FbxNode& file, const FbxHead& head, std::size_t size) : head_(head), most_keys_(size) {
+  Objects(const FbxNode& file, const FbxHead& head, std::size_t size, MemoryUse& memory)
+      : head_(head), most_keys_(size), memory_(memory) {
     for (const FbxNode& objects : file.children) {
       if (objects.name != "Objects") continue;
       for (const FbxNode& object : objects.children) add(object);
@@ -113,6 +186,7 @@ class Objects {
       for (const Link& link : node->parents) {
         if (link.property.empty() || link.object->kind() == "AnimationLayer") continue;
         OpenTrack track{object_name(*link.object), track_of_property(link.property), layer_of(*node)};
+        track.model = link.object->node;
         add_channels(track, *node);
         tracks.push_back(std::move(track));
       }
@@ -144,6 +218,7 @@ class Objects {
     FbxValues values(node);
     if (values.at_end()) return;
     const std::string_view id = values.next();
+    memory_.add(2 * sizeof(Object));
     Object& object = objects_[id];
     if (object.node == nullptr && node.name == "AnimationCurveNode") curve_nodes_.push_back(&object);
     object.node = &node;
@@ -157,6 +232,7 @@ class Objects {
     const auto child = objects_.find(values.next()), parent = objects_.find(values.next());
     if (child == objects_.end() || parent == objects_.end()) return;  // the root, or what is not in the file
     const std::string_view property = values.at_end() ? "" : values.next();
+    memory_.add(4 * sizeof(Link));  // as both lists grow
     child->second.parents.push_back({&parent->second, property});
     parent->second.children.push_back({&child->second, property});
   }
@@ -190,6 +266,8 @@ class Objects {
     }
     for (const Link& link : node.children) {
       if (link.object->kind() != "AnimationCurve" || link.property.empty()) continue;
+      const FbxNode* const times = link.object->node->find("KeyTime");
+      if (times != nullptr) memory_.add(memory_of_key * values_in(*times));
       FbxCurve& curve = track.channel(link.property).curve;
       try {
         curve = read_curve(*link.object->node, head_);
@@ -209,6 +287,7 @@ class Objects {
   const FbxHead head_;
   std::size_t keys_ = 0;  ///< that were read, and constants of channels
   const std::size_t most_keys_;
+  MemoryUse& memory_;
   std::map<std::string_view, Object> objects_;  ///< by number
   std::vector<const Object*> curve_nodes_;
 };
@@ -216,7 +295,7 @@ class Objects {
 /// The takes of version 6: channels within channels of models.
 class Takes {
  public:
-  Takes(const FbxNode& file, const FbxHead& head) : file_(file), head_(head) {}
+  Takes(const FbxNode& file, const FbxHead& head, MemoryUse& memory) : file_(file), head_(head), memory_(memory) {}
 
   std::vector<OpenTrack> tracks() {
     if (const FbxNode* const takes = file_.find("Takes")) {
@@ -234,9 +313,25 @@ class Takes {
       if (model.children.empty()) continue;
       FbxValues values(model);
       if (values.at_end()) continue;
-      OpenTrack track{std::string(name_without_class(values.next())), "", std::string(name)};
+      const std::string_view full_name = values.next();
+      OpenTrack track{std::string(name_without_class(full_name)), "", std::string(name)};
+      track.model = model_called(full_name);
       for (const FbxNode& channel : model.children) read_channel(channel, track);
     }
+  }
+
+  const FbxNode* model_called(std::string_view name) {
+    if (models_.empty()) {
+      for (const FbxNode& objects : file_.children) {
+        if (objects.name != "Objects") continue;
+        for (const FbxNode& object : objects.children) {
+          FbxValues values(object);
+          if (object.name == "Model" && !values.at_end()) models_.emplace(values.next(), &object);
+        }
+      }
+    }
+    const auto found = models_.find(name);
+    return found == models_.end() ? nullptr : found->second;
   }
 
   /// A channel has keys, or channels that have keys, or is Transform with T, R and S.
@@ -247,6 +342,7 @@ class Takes {
       for (const FbxNode& channel : node.children) read_channel(channel, model);
       return;
     }
+    memory_.add(memory_of_keys(node));
     OpenTrack track = model;
     const auto row = std::ranges::find(properties, name, &PropertyRow::old_property);
     track.name = row == properties.end() ? name : row->track;
@@ -262,6 +358,16 @@ class Takes {
     tracks_.push_back(std::move(track));
   }
 
+  /// Of a channel and those in it; a key has at least three values: time, value, and kind.
+  static std::uint64_t memory_of_keys(const FbxNode& channel) {
+    const FbxNode* const keys = channel.find("Key");
+    std::uint64_t memory = sizeof(OpenTrack) + (keys == nullptr ? 0 : memory_of_key * (values_in(*keys) / 3));
+    for (const FbxNode& inner : channel.children) {
+      if (inner.name == "Channel") memory += memory_of_keys(inner);
+    }
+    return memory;
+  }
+
   void add_keys(OpenTrack& track, std::string_view name, const FbxNode& node) const {
     OpenTrack::Channel& channel = track.channel(name);
     channel.curve = read_old_curve(node, head_);
@@ -270,6 +376,8 @@ class Takes {
 
   const FbxNode& file_;
   const FbxHead head_;
+  MemoryUse& memory_;
+  std::map<std::string_view, const FbxNode*> models_;  ///< by name
   std::vector<OpenTrack> tracks_;
 };
 
@@ -310,17 +418,19 @@ void name_apart(std::vector<OpenTrack>& tracks) {
 }  // namespace
 
 Records open_fbx(const Source<std::string>& bytes, const InputOptions& options) {
-  const std::string text = whole_file(bytes);
-  const FbxNode file = parse_fbx(text);
+  MemoryUse memory(options.max_memory);
+  const std::string text = whole_file(bytes, memory);
+  const FbxNode file = parse_fbx(text, memory);
   const FbxHead head = read_head(file);
   constexpr std::int64_t first_with_connections = 7000;
-  std::vector<OpenTrack> found =
-      head.version >= first_with_connections ? Objects(file, head, text.size()).tracks() : Takes(file, head).tracks();
+  std::vector<OpenTrack> found = head.version >= first_with_connections
+                                     ? Objects(file, head, text.size(), memory).tracks()
+                                     : Takes(file, head, memory).tracks();
   std::erase_if(found, [](const OpenTrack& track) { return !track.is_animated(); });
   name_apart(found);
   std::vector<Track> tracks;
-  std::ranges::transform(found, std::back_inserter(tracks), &OpenTrack::finish);
-  return records_of_tracks(std::move(tracks), "t", options);
+  for (OpenTrack& track : found) tracks.push_back(track.finish());
+  return records_of_tracks(std::move(tracks), "t", options, true);
 }
 
 }  // namespace tcb

@@ -230,7 +230,9 @@ FbxCurve read_curve(const FbxNode& curve, const FbxHead& head) {
     set_span(key, bits, &data[first]);
     keys.push_back(std::move(key));
   }
-  if (!values.at_end() || left != 0) throw fbx_arrays_differ().at({"", curve.line, 0});
+  const bool has_all = keys.empty() ? data.empty() : first + numbers == data.size();
+  if (!values.at_end() || left != 0 || !flags.at_end() || !counts.at_end() || !has_all)
+    throw fbx_arrays_differ().at({"", curve.line, 0});
   return {keys, read_extrapolation(curve, "Pre-Extrapolation"), read_extrapolation(curve, "Post-Extrapolation")};
 }
 

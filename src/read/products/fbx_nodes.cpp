@@ -16,7 +16,7 @@ constexpr std::string_view blanks = " \t\r\n";
 
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_(text) { open_.emplace_back(); }
+  Parser(std::string_view text, MemoryUse& memory) : text_(text), memory_(memory) { open_.emplace_back(); }
 
   FbxNode parse() {
     while (skip_blanks()) {
@@ -59,6 +59,7 @@ class Parser {
     if (end == std::string_view::npos || text_[end] != ':') {
       throw unexpected_text_in_fbx(text_.substr(at_, std::min<std::size_t>(end - at_, 20))).at({"", line_, 0});
     }
+    memory_.add(2 * sizeof(FbxNode));  // as lists of children grow
     FbxNode node{text_.substr(at_, end - at_), {}, line_};
     at_ = end + 1;
     const std::size_t first = at_;
@@ -107,6 +108,7 @@ class Parser {
   }
 
   std::string_view text_;
+  MemoryUse& memory_;
   std::size_t at_ = 0;
   std::uint64_t line_ = 1;
   std::vector<FbxNode> open_;  ///< the current node and those around it
@@ -126,11 +128,29 @@ const FbxNode& FbxNode::child(std::string_view child) const {
 
 FbxValues::FbxValues(const FbxNode& node) : rest_(node.text), line_(node.line) {
   const FbxNode* const array = node.find("a");
-  if (array != nullptr) {
-    rest_ = array->text;
-    line_ = array->line;
+  if (array == nullptr) {
+    skip_blanks();
+    return;
   }
   skip_blanks();
+  const std::string_view text = rest_.substr(0, rest_.find_last_not_of(blanks) + 1);
+  const std::string_view digits = text.substr(text.starts_with('*') ? 1 : text.size());
+  std::uint64_t count = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    throw count_of_file_expected(text).at({"", line_, 0});
+  }
+  left_ = count;
+  rest_ = array->text;
+  line_ = array->line;
+  skip_blanks();
+  require_count();
+}
+
+void FbxValues::require_count() const {
+  if (!left_ || (*left_ > 0) == !rest_.empty()) return;
+  throw data_error("the array has more or fewer values than its count says; expected as many; export the file again")
+      .at({"", line_, 0});
 }
 
 void FbxValues::skip_blanks() {
@@ -153,6 +173,8 @@ std::string_view FbxValues::next() {
   skip_blanks();
   if (rest_.starts_with(',')) rest_.remove_prefix(1);
   skip_blanks();
+  if (left_) --*left_;
+  require_count();
   return value;
 }
 
@@ -173,6 +195,6 @@ std::int64_t FbxValues::next_integer() {
   return integer;
 }
 
-FbxNode parse_fbx(std::string_view text) { return Parser(text).parse(); }
+FbxNode parse_fbx(std::string_view text, MemoryUse& memory) { return Parser(text, memory).parse(); }
 
 }  // namespace tcb

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "read/memory_use.hpp"
 #include "read/written_number.hpp"
 
 namespace tcb {
@@ -27,7 +29,8 @@ struct FbxNode {
 /// The values of a node, one after the other.
 class FbxValues {
  public:
-  /// Of a node, or of its array.
+  /// Of a node, or of its array. Throws: Error (data) where the count of the array is no number; so does next() where
+  /// it is not the number of values.
   explicit FbxValues(const FbxNode& node);
 
   bool at_end() const { return rest_.empty(); }
@@ -40,12 +43,14 @@ class FbxValues {
 
  private:
   void skip_blanks();
+  void require_count() const;
 
   std::string_view rest_;
   std::uint64_t line_;
+  std::optional<std::uint64_t> left_ = {};  ///< how many values of an array are left
 };
 
 /// The nodes of a file, as the children of one without a name; they refer to the text. Throws: Error (data).
-FbxNode parse_fbx(std::string_view text);
+FbxNode parse_fbx(std::string_view text, MemoryUse& memory);
 
 }  // namespace tcb

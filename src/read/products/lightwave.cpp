@@ -22,6 +22,9 @@ namespace {
 /// The extrapolation of a behavior by its number, or nothing; reset (0) goes to the value 0.
 constexpr std::array<std::string_view, 6> behaviors{"", "hold", "repeat", "oscillate", "offset", "linear"};
 
+/// Around y, then the x that was turned, then the z.
+constexpr std::array<EulerTrack::Turn, 3> heading_pitch_bank{{{0, 1}, {1, 0}, {2, 2}}};
+
 enum class Span { tcb, hermite, bezier, linear, stepped, bezier2 };
 
 /// A key of an envelope.
@@ -32,6 +35,10 @@ struct EnvelopeKey {
   WrittenNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
   std::uint64_t line = 0;
 };
+
+/// The memory that a key takes at most, as one of an envelope and then of a channel.
+constexpr std::uint64_t memory_of_envelope_key = 2 * sizeof(EnvelopeKey) + memory_of_key;
+
 struct Envelope {
   std::vector<EnvelopeKey> keys = {};
   std::size_t before = 0, after = 0;  ///< behaviors
@@ -118,9 +125,9 @@ TrackChannel channel_of_envelope(std::string_view name, const Envelope& envelope
 }
 
 /// Reads the motions of a scene.
-class Scene {
+class Motions {
  public:
-  explicit Scene(std::string_view text) : lines_(text) {}
+  Motions(std::string_view text, MemoryUse& memory) : lines_(text), memory_(memory) {}
 
   std::vector<Track> read() {
     lines_.require_next();
@@ -188,6 +195,7 @@ class Scene {
           track.failure = error.about(fmt::format("{}/{}", object_, names[first / 3]));
         }
       }
+      if (track.name == "rotation" && !track.failure) track.euler = EulerTrack{heading_pitch_bank, version_ < 3};
       track.settings.preset = {std::string(spline::name_of(spline::Preset::lightwave)), {"preset", {"", 1, 1}}};
       tracks_.push_back(std::move(track));
     }
@@ -234,7 +242,8 @@ class Scene {
   }
 
   /// A key: value, time, span, T, C, B, and since version 3 three numbers more.
-  EnvelopeKey read_key(std::size_t first) const {
+  EnvelopeKey read_key(std::size_t first) {
+    memory_.add(memory_of_envelope_key);
     EnvelopeKey key;
     key.value = lines_.number_in(first);
     key.time = lines_.number_in(first + 1);
@@ -299,6 +308,7 @@ class Scene {
     key.continuity = lines_.number_in(3);
     key.bias = lines_.number_in(4);
     key.line = lines_.number();
+    memory_.add(memory_of_envelope_key * envelopes.size());
     for (std::size_t i = 0; i < envelopes.size(); ++i) {
       key.value = values[i];
       envelopes[i].keys.push_back(key);
@@ -306,6 +316,7 @@ class Scene {
   }
 
   TextLines lines_;
+  MemoryUse& memory_;
   std::size_t version_ = 0;
   WrittenNumber frame_rate_{30, "30"};  ///< of scenes that do not give one
   std::string object_;                  ///< the current one
@@ -316,8 +327,9 @@ class Scene {
 }  // namespace
 
 Records open_lightwave(const Source<std::string>& bytes, const InputOptions& options) {
-  const std::string text = whole_file(bytes);
-  return records_of_tracks(Scene(text).read(), "t", options);
+  MemoryUse memory(options.max_memory);
+  const std::string text = whole_file(bytes, memory);
+  return records_of_tracks(Motions(text, memory).read(), "t", options);
 }
 
 }  // namespace tcb

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -103,6 +104,8 @@ WrittenNumber number_of(float value) { return written_number(Rational(static_cas
 /// Reads the nodes of a file.
 class Nodes {
  public:
+  explicit Nodes(MemoryUse& memory) : memory_(memory) {}
+
   std::vector<Track> read(std::string_view file) {
     each_chunk(file, [this](std::uint16_t id, std::string_view content) {
       if (id == main_chunk)
@@ -157,7 +160,11 @@ class Nodes {
                                      .columns = {"axis_x", "axis_y", "axis_z", "angle"},
                                      .in_parent = true};
     }
-    for (std::uint32_t i = 0; i < count; ++i) add_key(track, bytes, is_rotation);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      memory_.add(memory_of_key * track.channels.size());
+      add_key(track, bytes, is_rotation);
+    }
+    if (bytes.left() > 0) throw chunk_too_short();
     if (count == 0) return;
     track.settings.preset = {std::string(spline::name_of(spline::Preset::lib3ds1)), {"preset", {"", 1, 0}}};
     const auto repeats = [](const TrackChannel& channel) {
@@ -171,8 +178,8 @@ class Nodes {
 
   static void add_key(Track& track, Bytes& bytes, bool is_rotation) {
     TrackKey key;
-    key.time = written_number(Rational(static_cast<double>(bytes.word(4))));
-    key.time.decimal = fmt::format("{}", key.time.value);
+    const auto frame = static_cast<std::int32_t>(bytes.word(4));
+    key.time = {static_cast<double>(frame), std::to_string(frame)};
     const std::uint32_t flags = bytes.word();
     for (unsigned bit = 0; bit < 5; ++bit) {
       if ((flags >> bit & 1U) == 0) continue;
@@ -188,6 +195,7 @@ class Nodes {
     }
   }
 
+  MemoryUse& memory_;
   std::map<std::string, std::size_t> names_;
   std::vector<Track> tracks_;
 };
@@ -195,8 +203,9 @@ class Nodes {
 }  // namespace
 
 Records open_3ds(const Source<std::string>& bytes, const InputOptions& options) {
-  const std::string file = whole_file(bytes);
-  return records_of_tracks(Nodes().read(file), "frame", options);
+  MemoryUse memory(options.max_memory);
+  const std::string file = whole_file(bytes, memory);
+  return records_of_tracks(Nodes(memory).read(file), "frame", options);
 }
 
 }  // namespace tcb

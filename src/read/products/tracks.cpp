@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "io/encoding.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
@@ -21,6 +24,7 @@
 #include "schema/columns.hpp"
 #include "schema/units.hpp"
 #include "text/glob.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -45,32 +49,85 @@ std::vector<std::string> names_of(const Track& track) {
   return names;
 }
 
-/// Removes the tracks that are not read; those that are left out without a choice are named in `facts`.
-void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns, InputFacts& facts) {
+/// A name in UTF-8, to which others are converted from Windows-1252, in which products write them. Throws: Error (data)
+/// for a name in neither encoding.
+bool make_utf8(std::string& name) {
+  if (find_invalid_utf8(name) == std::string::npos) return false;
+  std::optional<std::string> converted = in_utf8(name, Encoding::windows_1252);
+  if (!converted) {
+    throw data_error(
+        "the name {} of an object, track or channel is neither in UTF-8 nor in Windows-1252; expected UTF-8; rename it",
+        in_quotes(name));
+  }
+  name = std::move(*converted);
+  return true;
+}
+
+/// Makes the names of objects, tracks and channels UTF-8. Converted ones stay distinct.
+void make_utf8(std::vector<Track>& tracks, InputFacts& facts) {
+  bool are_converted = false;
+  for (Track& track : tracks) {
+    are_converted |= make_utf8(track.object);
+    are_converted |= make_utf8(track.name);
+    for (TrackChannel& channel : track.channels) are_converted |= make_utf8(channel.name);
+  }
+  if (!are_converted) return;
+  facts.encoding = name_of(Encoding::windows_1252);
+  std::map<std::string, std::size_t> count;
+  for (Track& track : tracks) {
+    const std::size_t nth = ++count[path_of(track)];
+    if (nth > 1) track.object += fmt::format(" ({})", nth);
+  }
+}
+
+bool is_placement(const Track& track) {
+  return std::ranges::any_of(std::array{"position", "rotation", "scale"}, [&](std::string_view name) {
+    const std::string_view found = track.name;
+    return found == name || (found.starts_with(name) && found.substr(name.size()).starts_with(" ("));  // of a layer
+  });
+}
+
+/// Removes the tracks that are not read; those that are left out are named in `facts`.
+void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns, bool first_object,
+            InputFacts& facts) {
   for (const std::string& pattern : patterns) {
     if (std::ranges::any_of(tracks, [&](const Track& track) { return is_chosen(track, pattern); })) continue;
     throw no_such_track(pattern, paths_of(tracks));
   }
-  std::vector<Track> chosen;
+  const auto moves = [](const Track& track) { return is_placement(track) && (track.failure || track.changes()); };
+  const auto first = first_object ? std::ranges::find_if(tracks, moves) : tracks.end();
+  const std::optional<std::string> object = first == tracks.end() ? std::nullopt : std::optional(first->object);
+  const auto is_wanted = [&](const Track& track) {
+    if (patterns.empty()) return !object || (track.object == *object && is_placement(track));
+    return std::ranges::any_of(patterns, [&](const std::string& pattern) { return is_chosen(track, pattern); });
+  };
+  const bool takes_constant = !patterns.empty() && std::ranges::none_of(tracks, [&](const Track& track) {
+    return is_wanted(track) && !track.is_constant();
+  });
+  std::vector<Track*> wanted;
   for (Track& track : tracks) {
-    const auto is_wanted = [&](const std::string& pattern) { return is_chosen(track, pattern); };
-    if (patterns.empty() && track.is_constant()) {
+    if (track.is_constant() && !takes_constant && (patterns.empty() || is_wanted(track))) {
       facts.constant_tracks.push_back(path_of(track));
-    } else if (patterns.empty() || std::ranges::any_of(patterns, is_wanted)) {
-      chosen.push_back(std::move(track));
+    } else if (is_wanted(track)) {
+      wanted.push_back(&track);
+    } else if (patterns.empty()) {
+      facts.other_objects.push_back(path_of(track));
     }
   }
-  for (const Track& track : chosen) {
-    if (track.failure) throw *track.failure;
+  for (const Track* const track : wanted) {
+    if (track->failure) throw *track->failure;
   }
-  const std::vector<std::string> names = chosen.empty() ? std::vector<std::string>{} : names_of(chosen.front());
-  const auto has_other_channels = [&](const Track& track) { return names_of(track) != names; };
-  for (const Track& track : chosen) {
-    if (!has_other_channels(track)) continue;
-    if (!patterns.empty()) throw tracks_differ(path_of(chosen.front()), path_of(track));
-    facts.other_tracks.push_back(path_of(track));
+  std::vector<Track> chosen;
+  std::vector<std::string> names;
+  for (Track* const track : wanted) {
+    if (chosen.empty()) names = names_of(*track);
+    if (names_of(*track) == names) {
+      chosen.push_back(std::move(*track));
+      continue;
+    }
+    if (!patterns.empty()) throw tracks_differ(path_of(chosen.front()), path_of(*track));
+    facts.other_tracks.push_back(path_of(*track));
   }
-  std::erase_if(chosen, has_other_channels);
   if (chosen.empty()) throw facts.constant_tracks.empty() ? no_tracks() : only_constant_tracks(facts.constant_tracks);
   tracks = std::move(chosen);
 }
@@ -116,6 +173,18 @@ std::string extrapolation_of(const Track& track, std::string_view TrackChannel::
     return channel.*side == rule && (has_same_range || rule == "hold");
   };
   return !rule.empty() && std::ranges::all_of(track.channels, has_rule) ? std::string(rule) : "error";
+}
+
+/// The angles of a track by the channels of its columns; nothing where one is not read.
+std::optional<EulerTrack> euler_in_columns(const Track& track, const Columns& columns) {
+  std::optional<EulerTrack> euler = track.euler;
+  if (!euler) return euler;
+  for (EulerTrack::Turn& turn : euler->turns) {
+    const auto found = std::ranges::find(columns.channels, track.channels[turn.channel].name);
+    if (found == columns.channels.end()) return std::nullopt;
+    turn.channel = static_cast<std::size_t>(found - columns.channels.begin());
+  }
+  return euler;
 }
 
 /// Adds a key for the step from the last key of a channel to the next one, which get their velocities.
@@ -301,16 +370,35 @@ void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans) {
   }
 }
 
-std::string whole_file(const Source<std::string>& bytes) {
+std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory) {
+  std::deque<std::string> parts;
+  std::size_t size = 0;
+  while (std::optional<std::string> part = bytes()) {
+    part->shrink_to_fit();
+    memory.add(part->size());
+    size += part->size();
+    parts.push_back(std::move(*part));
+  }
+  if (size == 0) throw empty_file();
   std::string file;
-  while (const std::optional<std::string> part = bytes()) file += *part;
-  if (file.empty()) throw empty_file();
+  file.reserve(size);
+  for (; !parts.empty(); parts.pop_front()) file += parts.front();
   return file;
 }
 
 bool Track::is_constant() const {
   const auto has_one_key = [](const TrackChannel& channel) { return channel.keys.size() < 2; };
   return !failure && std::ranges::all_of(channels, has_one_key);
+}
+
+bool Track::changes() const {
+  return std::ranges::any_of(channels, [](const TrackChannel& channel) {
+    const auto differs = [&](const TrackKey& key) { return key.value.value != channel.keys.front().value.value; };
+    const auto moves = [](const std::optional<WrittenNumber>& velocity) { return velocity && velocity->value != 0; };
+    return std::ranges::any_of(channel.keys, [&](const TrackKey& key) {
+      return differs(key) || moves(key.velocity_in) || moves(key.velocity_out);
+    });
+  });
 }
 
 InputOptions options_of_tracks(FormatId format, InputOptions options) {
@@ -320,9 +408,11 @@ InputOptions options_of_tracks(FormatId format, InputOptions options) {
   return options;
 }
 
-Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options) {
+Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options,
+                          bool first_object) {
   Records records;
-  choose(tracks, options.only, records.facts);
+  make_utf8(tracks, records.facts);
+  choose(tracks, options.only, first_object, records.facts);
   std::deque<KeyBlock> blocks;
   for (Track& track : tracks) {
     const std::string before = extrapolation_of(track, &TrackChannel::before);
@@ -335,6 +425,10 @@ Records records_of_tracks(std::vector<Track> tracks, const std::string& time, co
     if (blocks.empty()) records.columns = keys.columns();
     blocks.push_back(keys.build());
     blocks.back().curve_info = std::make_shared<const CurveInfo>(CurveInfo{track.settings});
+    if (const std::optional<EulerTrack> euler = euler_in_columns(track, keys.columns())) {
+      records.facts.euler_tracks.emplace(std::vector{'"' + track.object, '"' + track.name}, *euler);
+    }
+    std::vector<TrackChannel>().swap(track.channels);
   }
   records.facts.is_recording = std::ranges::all_of(tracks, &Track::is_recording);
   records.rotation = tracks.front().rotation;

@@ -15,8 +15,10 @@
 #include "numbers/rational.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
+#include "read/memory_use.hpp"
 #include "read/written_number.hpp"
 #include "schema/curve_settings.hpp"
+#include "schema/euler_track.hpp"
 #include "schema/rotation_options.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/key.hpp"
@@ -70,22 +72,31 @@ struct Track {
   bool is_recording = false;  ///< its keys are samples, between which it is straight
   CurveSettings settings = {};
   std::optional<GivenRotation> rotation = {};  ///< that channels are
+  std::optional<EulerTrack> euler = {};        ///< that channels are
   std::optional<Error> failure = {};           ///< why its curve is not read
 
   bool is_constant() const;  ///< it has a single key in each channel
+  bool changes() const;      ///< a channel has different values
 };
 
-/// All bytes of a file, as a scene is kept while it is read. Throws: Error (data) for an empty file.
-std::string whole_file(const Source<std::string>& bytes);
+/// The memory that a key of a channel takes at most while a file is read, besides the text of its numbers.
+inline constexpr std::uint64_t memory_of_key = 2 * sizeof(TrackKey);
+
+/// All bytes of a file, as a scene is kept while it is read. Throws: Error (data) for an empty file, and for one that
+/// needs too much memory.
+std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory);
 
 /// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames as in
 /// the format, unless something else is requested.
 InputOptions options_of_tracks(FormatId format, InputOptions options);
 
-/// The tracks that are chosen, as keys. Without a choice, those that are constant and those with other channels than
-/// the first are left out. `time` is the name of the times. Before and after its keys, a track has the extrapolation of
-/// all channels that change, if they have the same one. Throws: Error (data) where no track is left, where one of them
-/// is not read, where chosen ones differ in their channels, and where two keys of a channel have the same time.
-Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options);
+/// The tracks that are chosen, as keys. Those that are constant are left out unless all are; without a choice also
+/// those with other channels than the first, and with `first_object` all but the position, rotation and scale of the
+/// first object that one of them moves. `time` is the name of the times. Before and after its keys, a track has the
+/// extrapolation of all channels that change, if they have the same one. Throws: Error (data) where no track is left,
+/// where one of them is not read, where chosen ones differ in their channels, and where two keys of a channel have the
+/// same time.
+Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options,
+                          bool first_object = false);
 
 }  // namespace tcb

@@ -1,0 +1,206 @@
+// Other files: those of other products, which are neither read nor written, with what converts them to keys.
+#include "read/other_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <ranges>
+#include <string>
+
+#include "schema/formats.hpp"
+#include "text/file_ending.hpp"
+
+namespace tcb {
+namespace {
+
+using namespace std::string_view_literals;
+
+/// How a file is recognized: some bytes at a place, and texts somewhere in the first ones.
+struct Signature {
+  std::string_view bytes = {};
+  std::size_t at = 0;
+  std::array<std::string_view, 2> within = {};
+};
+
+/// A file of another product.
+struct OtherFile {
+  std::array<std::string_view, 5> endings = {};  ///< of names, none of which an output gets
+  Signature signature = {};                      ///< without bytes: it is not recognized
+  std::string_view name = {};
+  std::string_view remedy = {};
+};
+
+constexpr std::string_view
+    export_keys = "export the keys as CSV or JSON",
+    by_bvh = "convert it, as in bvh-converter FILE, which writes FILE_worldpos.csv",
+    by_fbx = "export it as ASCII, or convert it with the FBX Converter of Autodesk",
+    by_max = "export the scene from 3ds Max as ASE, 3DS or ASCII FBX",
+    by_gpsbabel = "convert it, as in gpsbabel -t -i garmin_fit -f FILE -o unicsv -F - | tcbsample",
+    by_gpx = "convert it, as in gpsbabel -t -i gpx -f FILE -o unicsv -F - | tcbsample",
+    by_maya = "export the scene from Maya as ASCII FBX",
+    by_mcap = "convert it, as in mcap cat FILE --topics TOPIC --json | tcbsample -i jsonl",
+    by_rosbag = "convert it, as in rostopic echo -b FILE -p TOPIC | tcbsample",
+    by_sqlite = "convert a table of it, as in sqlite3 -csv -header FILE 'SELECT * FROM TABLE' | tcbsample",
+    by_tar = "take a file out of it, as in tar -xOf FILE NAME | tcbsample",
+    by_zip = "take a file out of it, as in unzip -p FILE NAME | tcbsample",
+    by_npz = "take an array out of it, as in unzip -p FILE NAME.npy | tcbsample",
+    by_netcdf =
+        "convert it, as in python3 -c 'import sys, xarray; "
+        "xarray.open_dataset(sys.argv[1]).to_dataframe().to_csv(sys.stdout)' FILE | tcbsample",
+    by_hdf5 =
+        "convert a dataset of it, as in python3 -c 'import h5py, numpy, sys; numpy.savetxt(sys.stdout, "
+        "h5py.File(sys.argv[1])[sys.argv[2]])' FILE DATASET | tcbsample",
+    by_matlab =
+        "convert a matrix of it, as in python3 -c 'import numpy, scipy.io, sys; numpy.savetxt(sys.stdout, "
+        "scipy.io.loadmat(sys.argv[1])[sys.argv[2]])' FILE VARIABLE | tcbsample",
+    by_lz4 = "decompress it, as in lz4cat FILE | tcbsample", by_xz = "decompress it, as in xzcat FILE | tcbsample",
+    by_bzip2 = "decompress it, as in bzcat FILE | tcbsample",
+    by_excel =
+        "convert it, as in python3 -c 'import pandas, sys; pandas.read_excel(sys.argv[1]).to_csv(sys.stdout, "
+        "index=False)' FILE | tcbsample",
+    by_parquet =
+        "convert it, as in python3 -c 'import pandas, sys; pandas.read_parquet(sys.argv[1]).to_csv(sys.stdout, "
+        "index=False)' FILE | tcbsample",
+    by_feather =
+        "convert it, as in python3 -c 'import pandas, sys; pandas.read_feather(sys.argv[1]).to_csv(sys.stdout, "
+        "index=False)' FILE | tcbsample",
+    by_orc =
+        "convert it, as in python3 -c 'import pandas, sys; pandas.read_orc(sys.argv[1]).to_csv(sys.stdout, "
+        "index=False)' FILE | tcbsample",
+    by_pickle =
+        "convert it, as in python3 -c 'import pandas, sys; pandas.read_pickle(sys.argv[1]).to_csv(sys.stdout, "
+        "index=False)' FILE | tcbsample";
+
+constexpr std::string_view zip = "PK\x03\x04", compound = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv;
+/// The names of the streams of a compound file, which are in UTF-16.
+constexpr std::string_view class_directory = "C\0l\0a\0s\0s\0D\0i\0r\0e\0c\0t\0o\0r\0y\0"sv,
+                           workbook = "W\0o\0r\0k\0b\0o\0o\0k\0"sv, book = "B\0o\0o\0k\0"sv;
+
+/// All of them; the first that fits counts.
+constexpr OtherFile other_files[] = {
+    // Compressed files and archives.
+    {{".bz2"}, {"BZh"}, "a file compressed with bzip2", by_bzip2},
+    {{".xz"}, {"\xFD\x37zXZ\0"sv}, "a file compressed with xz", by_xz},
+    {{".lz4"}, {"\x04\x22\x4D\x18"}, "a file compressed with LZ4", by_lz4},
+    {{".7z"}, {"7z\xBC\xAF\x27\x1C"}, "a 7-Zip archive", "take a file out of it, as in 7z x -so FILE NAME | tcbsample"},
+    {{".rar"}, {"Rar!\x1A\x07"}, "a RAR archive", "take a file out of it, as in unrar p -inul FILE NAME | tcbsample"},
+    {{".tar", ".tgz"}, {"ustar", 257}, "a tar archive", by_tar},
+    {{".xlsx", ".xlsm"}, {zip, 0, {"[Content_Types].xml", "xl/"}}, "an Excel workbook (.xlsx)", by_excel},
+    {{}, {zip, 0, {"_rels/"}}, "an Excel workbook (.xlsx)", by_excel},
+    {{".ods"}, {zip, 0, {"mimetype", "opendocument"}}, "a LibreOffice document (.ods)", by_excel},
+    {{".npz"}, {zip, 0, {".npy"}}, "a NumPy archive (.npz)", by_npz},
+    {{".usdz"}, {zip, 0, {".usd"}}, "a USD scene (.usdz)", export_keys},
+    {{".zip"}, {zip}, "a ZIP archive", by_zip},
+    {{".br", ".z"}},
+    // Tables.
+    {{".parquet"}, {"PAR1"}, "a Parquet table", by_parquet},
+    {{".arrow", ".feather"}, {"ARROW1"}, "an Arrow or Feather table", by_feather},
+    {{}, {"FEA1"}, "a Feather table", by_feather},
+    {{".orc"}, {"ORC"}, "an ORC table", by_orc},
+    {{".avro"}, {"Obj\x01"}, "an Avro table", export_keys},
+    {{".pkl", ".pickle"}, {"\x80\x04\x95"}, "a pickled object of Python", by_pickle},
+    {{}, {"\x80\x05\x95"}, "a pickled object of Python", by_pickle},
+    {{".db", ".sqlite"}, {"SQLite format 3"}, "an SQLite database", by_sqlite},
+    {{".h5", ".hdf5"}, {"\x89HDF"}, "an HDF5 file", by_hdf5},
+    {{".nc"}, {"CDF\x01"}, "a NetCDF file", by_netcdf},
+    {{}, {"CDF\x02"}, "a NetCDF file", by_netcdf},
+    {{".mat"}, {"MATLAB 5.0"}, "a MATLAB file", by_matlab},
+    {{".numbers"}},
+    // Scenes and motions.
+    {{}, {compound, 0, {class_directory}}, "a 3ds Max scene (.max)", by_max},
+    {{".xls"}, {compound, 0, {workbook}}, "an Excel workbook (.xls)", by_excel},
+    {{}, {compound, 0, {book}}, "an Excel workbook (.xls)", by_excel},
+    {{},
+     {"\xD0\xCF\x11\xE0"},
+     "a compound file of Microsoft, such as a workbook (.xls) or a 3ds Max scene (.max)",
+     "export an .xls as CSV, or a .max as ASE"},
+    {{}, {"Kaydara FBX"}, "a binary FBX file", by_fbx},
+    {{".bvh"}, {"HIERARCHY"}, "a BVH motion capture file", by_bvh},
+    {{}, {"\x02P"}, "a C3D motion capture file", "convert it, as in c3d2csv FILE | tcbsample"},
+    {{}, {"Gamebryo File Format"}, "a NIF scene (.nif, .kf)", export_keys},
+    {{}, {"NetImmerse File Format"}, "a NIF scene (.nif, .kf)", export_keys},
+    {{}, {"Vocaloid Motion Data"}, "a motion of MikuMikuDance (.vmd)", export_keys},
+    {{".usda"}, {"#usda"}, "a USD scene (.usda)", export_keys},
+    {{".usdc", ".usd"}, {"PXR-USDC"}, "a USD scene (.usdc)", export_keys},
+    {{".glb"}, {"glTF"}, "a glTF scene (.glb)", export_keys},
+    {{}, {"{", 0, {"\"asset\"", "\"accessors\""}}, "a glTF scene", export_keys},
+    {{}, {"//Maya ASCII"}, "a Maya scene", by_maya},
+    {{}, {"FOR4"}, "a Maya scene (.mb)", by_maya},
+    {{}, {"FOR8"}, "a Maya scene (.mb)", by_maya},
+    {{}, {"LWO", 8}, "an object of LightWave, which has no keys", "give the scene (.lws) or a motion (.mot)"},
+    {{".blend"}, {"BLENDER"}, "a Blender file", export_keys},
+    {{".abc"}, {"Ogawa"}, "an Alembic scene", export_keys},
+    {{".dae"}, {"<", 0, {"<COLLADA"}}, "a COLLADA scene (.dae)", export_keys},
+    {{".obj"}},
+    // Recordings.
+    {{".mcap"}, {"\x89MCAP"}, "an MCAP recording", by_mcap},
+    {{".bag"}, {"#ROSBAG"}, "a ROS bag", by_rosbag},
+    {{}, {"ULog\x01"}, "a ULog of PX4", "convert it, as in ulog2csv FILE, which writes a .csv file for each topic"},
+    {{}, {".FIT", 8}, "a FIT recording of Garmin", by_gpsbabel},
+    {{}, {"<", 0, {"<gpx"}}, "a GPX track", by_gpx},
+    {{},
+     {"TDSm"},
+     "a TDMS recording of LabVIEW",
+     "convert it, as in python3 -c 'import nptdms, sys; "
+     "nptdms.TdmsFile.read(sys.argv[1]).as_dataframe().to_csv(sys.stdout)' FILE | tcbsample"},
+    {{}, {"MThd"}, "a MIDI file", "convert it with midicsv FILE, and keep the lines of one kind of event"},
+    // Others.
+    {{".pdf"}, {"%PDF"}, "a PDF document", export_keys},
+    {{".png"}, {"\x89PNG"}, "a PNG picture", export_keys},
+    {{".jpg", ".jpeg"}, {"\xFF\xD8\xFF"}, "a JPEG picture", export_keys},
+    {{".gif"}, {"GIF8"}, "a GIF picture", export_keys},
+    {{".mp4"}, {"ftyp", 4}, "a video", export_keys},
+    {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", export_keys},
+    {{".xml", ".html", ".htm"}, {"<"}, "XML or HTML", export_keys},
+    {{".toml"}},
+};
+
+/// A signature at the beginning may follow blanks.
+std::string_view without_blanks(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  return text;
+}
+
+bool fits(const Signature& signature, std::string_view beginning) {
+  if (signature.bytes.empty()) return false;
+  const std::string_view text = signature.at == 0 ? without_blanks(beginning) : beginning;
+  if (text.size() < signature.at || !text.substr(signature.at).starts_with(signature.bytes)) return false;
+  return std::ranges::all_of(signature.within, [&](auto inner) { return text.find(inner) != std::string_view::npos; });
+}
+
+}  // namespace
+
+std::optional<Error> other_file(std::string_view beginning) {
+  const auto found = std::ranges::find_if(other_files, [&](const auto& row) { return fits(row.signature, beginning); });
+  if (found == std::ranges::end(other_files)) return std::nullopt;
+  return data_error("this is {}; expected text with a key in each row, or JSON; {}", found->name, found->remedy);
+}
+
+bool may_begin_other_file(std::string_view beginning) {
+  constexpr std::size_t most_blanks = 4096, enough_of_container = 1UL << 16;
+  if (beginning.starts_with(compound) || beginning.starts_with(zip)) return beginning.size() < enough_of_container;
+  if (beginning.size() > most_blanks) return false;
+  const std::string_view text = without_blanks(beginning);
+  const bool is_binary = std::ranges::any_of(beginning, [](char c) { return c >= '\0' && c < '\t'; });
+  return std::ranges::any_of(other_files, [&](const OtherFile& row) {
+    const Signature& signature = row.signature;
+    if (signature.at > 0) return is_binary && beginning.size() < signature.at + signature.bytes.size();
+    return signature.bytes.size() > text.size() && signature.bytes.starts_with(text);
+  });
+}
+
+std::string_view other_ending(std::string_view path) {
+  path = without_compression(path);
+  for (const Format& format : formats) {
+    if (!format.can_write && has_ending(path, format.ending)) return format.ending;
+  }
+  if (has_ending(path, ".mot")) return ".mot";
+  for (const OtherFile& row : other_files) {
+    for (const std::string_view ending : row.endings) {
+      if (!ending.empty() && has_ending(path, ending)) return ending;
+    }
+  }
+  return "";
+}
+
+}  // namespace tcb
