@@ -17,11 +17,11 @@ namespace {
 using Digits = LongDecimal::Digits;
 __extension__ using SignedDigits = __int128;
 
-constexpr double low_parts_from = 1e-270;  ///< below, the low part would be subnormal
-constexpr int largest_power = 38;          ///< of ten, in 128 bits
+constexpr double low_parts_from = 1e-270;      ///< below, the low part would be subnormal
+constexpr int largest_power_in_128_bits = 38;  ///< of ten, in 128 bits
 
 constexpr auto powers = [] {
-  std::array<Digits, largest_power + 1> all{1};
+  std::array<Digits, largest_power_in_128_bits + 1> all{1};
   for (std::size_t i = 1; i < all.size(); ++i) all[i] = all[i - 1] * 10;
   return all;
 }();
@@ -197,7 +197,7 @@ Time time_of(const LongDecimal& decimal, double high) {
 
 int LongDecimal::size() const {
   int count = 0;
-  while (count < largest_power && power_of_ten(count) <= digits) ++count;
+  while (count < largest_power_in_128_bits && power_of_ten(count) <= digits) ++count;
   return count;
 }
 
@@ -223,7 +223,7 @@ LongDecimal decimal_of(const Time& time) {
 LongDecimal rounded(const LongDecimal& decimal, int decimals) {
   const int dropped = -decimal.exponent - decimals;
   if (dropped <= 0) return decimal;
-  const Digits unit = dropped <= largest_power ? power_of_ten(dropped) : 0;
+  const Digits unit = dropped <= largest_power_in_128_bits ? power_of_ten(dropped) : 0;
   LongDecimal result{unit == 0 ? 0 : decimal.digits / unit, -decimals, decimal.negative};
   const Digits rest = unit == 0 ? 0 : decimal.digits % unit * 2;
   if (rest > unit || (rest == unit && result.digits % 2 != 0)) ++result.digits;

@@ -197,11 +197,11 @@ class Legend {
   double width_;
 };
 
-constexpr double symbol_width = 28, between = 16, line_height = 20, widest_name = 200;
+constexpr double symbol_width = 28, between_entries = 16, line_height = 20, widest_name = 200;
 constexpr std::size_t most_names = 24;
 
 double width_of(std::string_view text, bool has_symbol) {
-  return (has_symbol ? symbol_width : 0) + text_width(text, text_size) + between;
+  return (has_symbol ? symbol_width : 0) + text_width(text, text_size) + between_entries;
 }
 
 std::string colour_of(std::size_t name) {
@@ -236,7 +236,7 @@ std::vector<Legend::Entry> Legend::entries(const Marks& marks, const HiddenMarks
   Pixel at;
   for (Entry& entry : all) {
     const double width = width_of(entry.text, entry.symbol != Symbol::none);
-    if (at.x > 0 && at.x + width - between > width_) at = {0, at.y + line_height};
+    if (at.x > 0 && at.x + width - between_entries > width_) at = {0, at.y + line_height};
     entry.at = at;
     at.x += width;
   }

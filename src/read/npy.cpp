@@ -24,7 +24,7 @@ namespace {
 
 constexpr char npy_delimiter = '\t';
 
-Error ends_early() {
+Error array_ends_early() {
   return data_error("the array ends early; expected as many rows as its header has; save it again");
 }
 
@@ -53,7 +53,7 @@ class NpyBytes {
   }
   std::string take_all(std::size_t size) {
     std::string taken = take(size);
-    if (taken.size() < size) throw ends_early();
+    if (taken.size() < size) throw array_ends_early();
     return taken;
   }
 
@@ -314,7 +314,7 @@ class NpyRows {
       if (more.size() < part) break;
     }
     const std::uint64_t numbers = columns_.size() / size / array_.columns.size();
-    if (array_.rows > numbers) throw ends_early();
+    if (array_.rows > numbers) throw array_ends_early();
     if (array_.rows * array_.row_size < columns_.size()) throw goes_on();
   }
   static Error goes_on() {

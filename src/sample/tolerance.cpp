@@ -27,7 +27,7 @@
 namespace tcb {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Finds row after row along a curve.
 class Walker {
@@ -139,7 +139,7 @@ class Walker {
   template <class RootOf>
   static Tried last_reached(const Tried& start, double guess, const RootOf& root_of) {
     constexpr double least = 1 - 1e-4, aim = 1 - 3e-5;  // near enough: at most a ten-thousandth more rows
-    Tried low = start, high{1, infinity}, before = start, last = high;
+    Tried low = start, high{1, unlimited}, before = start, last = high;
     const auto is_narrow = [&] {
       const double middle = low.u + (high.u - low.u) / 2;
       if (!(low.u < middle && middle < high.u)) return true;  // no double is between them
@@ -294,7 +294,7 @@ class Walker {
 /// Throws: Error (usage) where positions at a place are rounded by more than the tolerance.
 void require_resolution(const CurvePoint& place, double tolerance) {
   for (const double number : place.x) {
-    const double size = std::abs(number), rounding = (std::nextafter(size, infinity) - size) / 2;
+    const double size = std::abs(number), rounding = (std::nextafter(size, unlimited) - size) / 2;
     if (rounding <= tolerance) continue;
     throw usage_error(
         "the tolerance is too small: a position of {} at {} is rounded by up to {:.4g}; give a larger tolerance",

@@ -22,9 +22,9 @@
 namespace tcb {
 namespace {
 
-using Cells = std::vector<std::string_view>;
+using HeadCells = std::vector<std::string_view>;
 
-std::vector<std::string> texts(const Cells& cells) {
+std::vector<std::string> texts(const HeadCells& cells) {
   std::vector<std::string> result;
   std::ranges::transform(cells, std::back_inserter(result), unquoted);
   return result;
@@ -35,13 +35,13 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
   comment.remove_prefix(dialect.comment.size());
   const Chunk chunk{std::string(comment), 1, 0};
   const Dialect no_comments{dialect.delimiter, ""};
-  Cells cells;
+  HeadCells cells;
   Tokenizer(chunk, no_comments).next(cells);
   return texts(cells);
 }
 
 /// The first three records of an input, or as many as there are: enough to find header and columns.
-class FirstRecords {
+class HeadRecords {
  public:
   struct Record {
     std::vector<std::string> cells;
@@ -51,7 +51,7 @@ class FirstRecords {
     std::uint64_t line = 1;
   };
 
-  FirstRecords(const Source<Chunk>& source, const Dialect& dialect) {
+  HeadRecords(const Source<Chunk>& source, const Dialect& dialect) {
     while (records.size() < 3) {
       std::optional<Chunk> chunk = source();
       if (!chunk) break;
@@ -67,7 +67,7 @@ class FirstRecords {
     Tokenizer tokenizer(chunk, dialect);
     const std::size_t before = records.size();
     bool more = true;
-    for (Cells cells; records.size() < 3 && (more = tokenizer.next(cells));) {
+    for (HeadCells cells; records.size() < 3 && (more = tokenizer.next(cells));) {
       if (!tokenizer.comment().empty() || tokenizer.follows_blank()) comment_.clear();
       if (!tokenizer.comment().empty()) comment_ = tokenizer.comment();
       records.push_back(
@@ -97,7 +97,7 @@ bool may_be_value(std::string_view cell, const DelimitedHead& head) {
 }
 
 /// Whether a cell is text. In samples the groups, which come first, and the labels, which come last, may be text.
-bool is_header(const FirstRecords::Record& record, const DelimitedHead& head,
+bool is_header(const HeadRecords::Record& record, const DelimitedHead& head,
                const std::optional<SampleNames>& samples) {
   std::span<const std::string> cells = record.cells;
   if (samples && samples->groups.size() + samples->labels.size() < cells.size()) {
@@ -108,7 +108,7 @@ bool is_header(const FirstRecords::Record& record, const DelimitedHead& head,
 
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
 /// name.
-std::vector<bool> numeric_columns(const FirstRecords& first, std::size_t data, const std::vector<std::string>& names,
+std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, const std::vector<std::string>& names,
                                   const DelimitedHead& head) {
   const auto& one = first.records[data].cells;
   const auto& two = data + 1 < first.records.size() ? first.records[data + 1].cells : one;
@@ -170,7 +170,7 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
 }
 
 /// Throws: Error (data) if the first record has another number of cells than there are names, if there are any.
-void require_names_for_cells(const std::vector<std::string>& names, const FirstRecords::Record& row,
+void require_names_for_cells(const std::vector<std::string>& names, const HeadRecords::Record& row,
                              const DelimitedHead& head) {
   if (names.empty() || names.size() == row.cells.size()) return;
   const auto unlike = head.is_of_format ? line_unlike_format : row_unlike_header;
@@ -181,7 +181,7 @@ void require_names_for_cells(const std::vector<std::string>& names, const FirstR
 void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric,
                   const std::vector<std::string>& names) {
   Tokenizer tokenizer(data, head.dialect);
-  Cells cells;
+  HeadCells cells;
   tokenizer.next(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!head.columns.cells[i].is_text || numeric[i]) continue;
@@ -200,7 +200,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
 
 /// Throws: Error (data) if no column besides the first numbers holds numbers, but one has cells that begin like a
 /// number, such as "0,5".
-void require_numbers(const FirstRecords::Record& record, const std::vector<std::string>& names,
+void require_numbers(const HeadRecords::Record& record, const std::vector<std::string>& names,
                      const std::vector<bool>& numeric, const DelimitedHead& head) {
   if (std::ranges::count(numeric, true) > 1) return;
   for (std::size_t i = 0; i < record.cells.size(); ++i) {
@@ -215,7 +215,7 @@ void require_numbers(const FirstRecords::Record& record, const std::vector<std::
 
 /// Throws: Error (data) if the first record may be a header, or a key with a misspelt number: one of its cells is
 /// text, another a number, and none a name with a meaning.
-void require_clear_header(const FirstRecords::Record& record, const DelimitedHead& head, const ColumnOptions& options) {
+void require_clear_header(const HeadRecords::Record& record, const DelimitedHead& head, const ColumnOptions& options) {
   const auto is_number = [&](const std::string& cell) {
     return !is_missing_sign(cell, head.rules.signs) && may_be_number(cell, head);
   };
@@ -228,7 +228,7 @@ void require_clear_header(const FirstRecords::Record& record, const DelimitedHea
 }
 
 /// Throws: Error (data) where each record is one cell, with the same number of some other character that may delimit.
-void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
+void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
   const auto is_single = [](const auto& record) { return record.cells.size() == 1; };
   if (first.records.size() < 2 || !std::ranges::all_of(first.records, is_single)) return;
   for (const char c : std::string_view("|:^~!&/\x1F\x01")) {
@@ -241,14 +241,14 @@ void require_delimiter(const FirstRecords& first, const Dialect& dialect) {
 }
 
 /// Throws: Error (data) for an input of one line.
-[[noreturn]] void refuse_header_alone(const FirstRecords::Record& record) {
+[[noreturn]] void refuse_header_alone(const HeadRecords::Record& record) {
   const bool carriage_returns =
       std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
   throw(carriage_returns ? lines_end_in_carriage_returns() : header_without_rows()).at({"", record.line, 1});
 }
 
 /// The rotation that both of the first two records may have.
-std::optional<spline::RotationForm> likely_rotation_of(const FirstRecords& first, const NumberMarks& marks) {
+std::optional<spline::RotationForm> likely_rotation_of(const HeadRecords& first, const NumberMarks& marks) {
   if (first.records.size() < 2) return std::nullopt;
   std::array<std::optional<spline::RotationForm>, 2> found;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -273,7 +273,7 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
 DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
                         std::vector<Chunk>& rest) {
   const ColumnOptions& columns = options.columns;
-  FirstRecords first(chunks, dialect);
+  HeadRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.head.empty();
   if (first.records.size() == (head.is_of_format ? 1U : 0U)) throw columns.samples ? empty_samples() : empty_input();

@@ -17,8 +17,8 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-constexpr std::array<std::string_view, 9> settings{"preset",   "tangents", "ends",   "closed", "period",
-                                                   "channels", "keys",     "curves", "id"};
+constexpr std::array<std::string_view, 9> known_members{"preset",   "tangents", "ends",   "closed", "period",
+                                                        "channels", "keys",     "curves", "id"};
 
 /// Options that are not members.
 constexpr std::array options_only{option::equal_speed,     option::parameter, option::metric,
@@ -42,7 +42,7 @@ class SettingsReader {
 
  private:
   void read(std::size_t value) {
-    const bool is_setting = std::ranges::count(settings, member_) > 0;
+    const bool is_setting = std::ranges::count(known_members, member_) > 0;
     require_no_loss();
     if (!is_setting) return read_other(value);
     if (!settings_.insert(member_).second) {
@@ -54,7 +54,7 @@ class SettingsReader {
 
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
   void read_other(std::size_t value) {
-    const std::string nearest = nearest_name(member_, settings);
+    const std::string nearest = nearest_name(member_, known_members);
     if (!nearest.empty()) throw at(name_, data_error("there is no such setting; did you mean {}?", nearest));
     bool has_number = false;
     for (std::size_t i = value; i < tape_[value].next; ++i) has_number = has_number || tape_.kind(i) == Kind::number;

@@ -9,10 +9,10 @@
 namespace tcb {
 namespace {
 
-constexpr std::size_t longest_record = 64UL * 1024 * 1024;
+constexpr std::size_t longest_json_record = 64UL * 1024 * 1024;
 constexpr std::size_t longest_text = 1024UL * 1024 * 1024;  // that is read whole
 
-Error ends_early() {
+Error text_ends_early() {
   return data_error("not JSON: the text ends too early; expected the rest of the last value; complete it");
 }
 
@@ -107,7 +107,7 @@ Chunk JsonSplitter::take(std::size_t end) {
 
 bool JsonSplitter::read_more() {
   const bool is_record = stage_ == Stage::list || stage_ == Stage::values;
-  if (is_record && text_.size() > longest_record) {
+  if (is_record && text_.size() > longest_json_record) {
     throw here(data_error("a key is longer than 64 MiB; expected a shorter one; remove what it does not need"));
   }
   if (text_.size() > longest_text) {
@@ -396,7 +396,7 @@ std::optional<JsonPart> JsonSplitter::cut_rest() {
     stage_ = Stage::unclosed;
     if (!is_json_blank(std::string_view(text_).substr(1))) return cut_list(text_.size());
     (void)take(text_.size());
-    throw here(ends_early());
+    throw here(text_ends_early());
   }
   if (stage_ == Stage::between_curves) end_curves();
   const Stage stage = std::exchange(stage_, Stage::end);
@@ -411,7 +411,7 @@ std::optional<JsonPart> JsonSplitter::cut_rest() {
 std::optional<JsonPart> JsonSplitter::next() {
   if (stage_ == Stage::unclosed) {
     (void)take(text_.size());
-    throw here(ends_early());
+    throw here(text_ends_early());
   }
   while (stage_ != Stage::end) {
     const bool more = scan();
