@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spline/allocations.hpp"
 #include "example_keys.hpp"
+#include "spline/allocations.hpp"
 
 namespace tcb::spline {
 namespace {
