@@ -12,12 +12,13 @@
 namespace tcb {
 namespace {
 
-using Exact = Float<200>;
+using ExactAngle = Float<200>;
 
-Exact middle_of(const Ball& ball) { return Exact(ball.middle().hi) + Exact(ball.middle().lo); }
+ExactAngle middle_of_angle(const Ball& ball) { return ExactAngle(ball.middle().hi) + ExactAngle(ball.middle().lo); }
 
-void expect_held(const Exact& number, const Ball& ball, double largest_radius, const char* what) {
-  EXPECT_LE(Exact(abs(number - middle_of(ball))), Exact(ball.radius())) << what << " " << ball.middle().hi;
+void expect_angle_held(const ExactAngle& number, const Ball& ball, double largest_radius, const char* what) {
+  EXPECT_LE(ExactAngle(abs(number - middle_of_angle(ball))), ExactAngle(ball.radius()))
+      << what << " " << ball.middle().hi;
   EXPECT_LE(ball.radius(), largest_radius) << what << " " << ball.middle().hi;
 }
 
@@ -31,10 +32,11 @@ TEST(BallAngle, holds_sines_and_cosines) {
                                      : std::ldexp(unit(random), -static_cast<int>(random() % 200));
     const auto middle = spline::DoubleDouble::normalized(high, unit(random) * std::abs(high) * 0x1p-54);
     const double radius = i % 2 == 0 ? 0 : std::abs(high) * 0x1p-90;
-    const Exact angle = Exact(middle.hi) + Exact(middle.lo) + Exact(unit(random)) * Exact(radius);
+    const ExactAngle angle =
+        ExactAngle(middle.hi) + ExactAngle(middle.lo) + ExactAngle(unit(random)) * ExactAngle(radius);
     const auto [sine, cosine] = sine_cosine(Ball(middle, radius));
-    expect_held(sin(angle), sine, 2 * radius + 0x1p-88 * std::min(1.0, std::abs(high)), "sine");
-    expect_held(cos(angle), cosine, 2 * radius + 0x1p-90, "cosine");
+    expect_angle_held(sin(angle), sine, 2 * radius + 0x1p-88 * std::min(1.0, std::abs(high)), "sine");
+    expect_angle_held(cos(angle), cosine, 2 * radius + 0x1p-90, "cosine");
     if (HasFailure()) return;
   }
 }
@@ -48,7 +50,7 @@ TEST(BallAngle, holds_angles_of_vectors) {
     const double x = i % 5 == 0 ? unit(random) * 0x1p-60 : unit(random);
     if (y == 0) continue;
     const auto angle = angle_of(Ball(y * scale), Ball(x * scale));
-    expect_held(atan2(Exact(y * scale), Exact(x * scale)), angle, 0x1p-90 * angle.middle().hi, "angle");
+    expect_angle_held(atan2(ExactAngle(y * scale), ExactAngle(x * scale)), angle, 0x1p-90 * angle.middle().hi, "angle");
     if (HasFailure()) return;
   }
 }
@@ -57,7 +59,7 @@ TEST(BallAngle, has_exact_cases) {
   EXPECT_TRUE(sine_cosine(Ball()).sine.is_zero());
   EXPECT_TRUE(sine_cosine(Ball()).cosine == Ball(1.0));
   EXPECT_TRUE(angle_of(Ball(), Ball(2.0)).is_zero());
-  expect_held(atan2(Exact(0), Exact(-1)), angle_of(Ball(), Ball(-1.0)), 0x1p-104, "pi");
+  expect_angle_held(atan2(ExactAngle(0), ExactAngle(-1)), angle_of(Ball(), Ball(-1.0)), 0x1p-104, "pi");
 }
 
 TEST(BallAngle, refuses_what_it_cannot_bound) {

@@ -12,13 +12,13 @@
 namespace tcb {
 namespace {
 
-using Exact = Float<80>;
+using ExactLength = Float<80>;
 
-Exact middle_of(const Ball& ball) { return Exact(ball.middle().hi) + Exact(ball.middle().lo); }
+ExactLength middle_of_length(const Ball& ball) { return ExactLength(ball.middle().hi) + ExactLength(ball.middle().lo); }
 
-void expect_held(const Exact& number, const Ball& ball, const char* what) {
-  EXPECT_LE(Exact(abs(number - middle_of(ball))), Exact(ball.radius()) + Exact("1e-60"))
-      << what << " " << ball.middle().hi << " by " << static_cast<double>(Exact(number - middle_of(ball)));
+void expect_length_held(const ExactLength& number, const Ball& ball, const char* what) {
+  EXPECT_LE(ExactLength(abs(number - middle_of_length(ball))), ExactLength(ball.radius()) + ExactLength("1e-60"))
+      << what << " " << ball.middle().hi << " by " << static_cast<double>(ExactLength(number - middle_of_length(ball)));
 }
 
 /// A segment at a scalar: from 0 to p1, with the local tangents `out` and `in`, in each channel.
@@ -36,18 +36,18 @@ std::vector<spline::Cubic<S>> segment(const std::vector<Channel>& channels) {
 
 void expect_lengths(const std::vector<Channel>& channels, double largest_radius, std::mt19937_64& random) {
   const auto in_balls = segment<Ball>(channels);
-  const auto exact = segment<Exact>(channels);
+  const auto exact = segment<ExactLength>(channels);
   spline::SegmentLength<Ball> balls;
   balls.assign(in_balls, {}, {});
-  const spline::ArcLength<Exact> arc(exact, {});
+  const spline::ArcLength<ExactLength> arc(exact, {});
   const Ball total = balls.total().value;
-  expect_held(arc.total().value, total, "length");
+  expect_length_held(arc.total().value, total, "length");
   EXPECT_LE(total.radius(), largest_radius * total.middle().hi);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 6; ++i) {
     const double u = unit(random);
     const spline::LocalParameter<Ball> at{Ball(u), Ball(u) - Ball(1.0)};
-    expect_held(arc.to({Exact(u), Exact(u) - 1}).value, balls.to(at).value, "length to");
+    expect_length_held(arc.to({ExactLength(u), ExactLength(u) - 1}).value, balls.to(at).value, "length to");
     const Ball s = Ball(unit(random) * total.middle().hi);
     spline::LocalParameter<Ball> place;
     try {
@@ -55,8 +55,9 @@ void expect_lengths(const std::vector<Channel>& channels, double largest_radius,
     } catch (const Undecided&) {
       continue;
     }
-    const Exact where = spline::ArcInverse<Exact>(arc, Exact(0), arc.total().value).at(middle_of(s)).u;
-    expect_held(where, place.u, "place");
+    const ExactLength where =
+        spline::ArcInverse<ExactLength>(arc, ExactLength(0), arc.total().value).at(middle_of_length(s)).u;
+    expect_length_held(where, place.u, "place");
   }
 }
 

@@ -64,7 +64,7 @@ TEST(Encoding, the_text_before_other_bytes_comes_first) {
   }
 }
 
-TEST(Encoding, texts_of_spreadsheets_are_Encoding::windows_1252) {
+TEST(Encoding, texts_of_spreadsheets_are_windows_1252) {
   EXPECT_EQ(in_utf8("H\xF6he \x80", Encoding::windows_1252), "H\u00F6he \u20AC");
   EXPECT_FALSE(in_utf8("\x81", Encoding::windows_1252));  // which has no character there
 }

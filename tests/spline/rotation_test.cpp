@@ -245,7 +245,12 @@ TEST(Rotation, whole_turns_run_along_a_great_circle) {
   window.keys.turns = {{}, turns, {}};
   auto rules = rules_with<double>(TangentRule::uniform, RotationCurve::squad, EndRule::chord);
   rules.rotations[0].turn = 0;
-  const auto curve = rotation_segments(window, rules);
+  const auto rotations_of = [&] {
+    Segments<double> segments;
+    set_rotations(segments, window, rules);
+    return segments.rotations;
+  };
+  const auto curve = rotations_of();
   const auto expect_at = [&](std::size_t segment, double u, const std::array<double, 4>& expected) {
     const auto [x, y, z, w] = curve[segment].at(place<double>(u));
     EXPECT_NEAR(x, expected[0], 1e-12) << u;
@@ -259,7 +264,7 @@ TEST(Rotation, whole_turns_run_along_a_great_circle) {
   expect_at(0, .95, {.31749309676401, .62325559810495, .62032294924918, .35489439495834});
   expect_at(1, .5, {.1816192270224, .64493766010493, .71536246161996, -.19830889909228});
   rules.rotation_rules.curve = RotationCurve::slerp;
-  const auto at_one_rate = rotation_segments(window, rules)[0];
+  const auto at_one_rate = rotations_of()[0];
   for (const double u : {0.0, .25, .7, .99}) {
     const auto rate = at_one_rate.rate(place<double>(u));
     EXPECT_NEAR(std::sqrt(rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2]), 5 * pi, 1e-13) << u;
