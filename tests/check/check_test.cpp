@@ -97,7 +97,7 @@ class Line {
   SamplingRequest request_;
 };
 
-TEST(Places, are_times_on_the_curve) {
+TEST(PlacesOfSamples, are_times_on_the_curve) {
   const Line line("t,x\n1,3\n-1,0\n2.5,0\n2,6\n");
   const Places places = line.places();
   EXPECT_THAT(places.rows, ElementsAre(0, 3));
@@ -106,14 +106,14 @@ TEST(Places, are_times_on_the_curve) {
             "rows outside the curve: 2; the first, in line 3, has time -1; the nearest time of the curve is 0");
 }
 
-TEST(Places, a_missing_arc_length_is_on_no_curve) {
+TEST(PlacesOfSamples, a_missing_arc_length_is_on_no_curve) {
   const Places places = Line("s,x\n,0\n5,3\n").places();
   EXPECT_THAT(places.rows, ElementsAre(1));
   ASSERT_TRUE(places.off_curve);
   EXPECT_THAT(*places.off_curve, testing::StartsWith("rows without a time or arc length: "));
 }
 
-TEST(Places, near_an_end_within_the_limits_are_that_end) {
+TEST(PlacesOfSamples, near_an_end_within_the_limits_are_that_end) {
   const Line line("t,x\n2.001,6\n");
   EXPECT_TRUE(line.places({1e-4, {}, {}}).off_curve);
   const Places near = line.places({1e-2, {}, {}});
@@ -121,13 +121,13 @@ TEST(Places, near_an_end_within_the_limits_are_that_end) {
   EXPECT_EQ(near.places.at(0).hi, 2);
 }
 
-TEST(Places, outside_the_curve_are_allowed_by_extrapolation) {
+TEST(PlacesOfSamples, outside_the_curve_are_allowed_by_extrapolation) {
   const Places places = Line("t,x\n-1,0\n7,6\n", "hold").places();
   EXPECT_THAT(places.rows, ElementsAre(0, 1));
   EXPECT_EQ(places.places[1].hi, 7) << "it stays where it is";
 }
 
-TEST(Places, by_arc_length_end_with_the_length) {
+TEST(PlacesOfSamples, by_arc_length_end_with_the_length) {
   const Line line("s,x\n5,3\n10.5,6\n");
   const Places places = line.places();
   EXPECT_THAT(places.rows, ElementsAre(0));

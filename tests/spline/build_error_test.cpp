@@ -96,7 +96,7 @@ TEST(BuildError, numbers_must_be_finite_and_ease_within_0_and_1) {
     const auto position = error_with([&](auto& keys, auto&) { keys.positions[3] = bad; });
     EXPECT_EQ(position.code, position_not_finite);
     EXPECT_EQ(position.message(),
-              "the position of key 3 in channel 0 is infinity; expected a finite number, or NaN if it is missing "
+              "the position of key 3 in channel 0 is infinite; expected a finite number, or NaN if it is missing "
               "(keys and channels count from 0)");
   }
   for (const double bad : {no_number, infinity, -infinity}) {
