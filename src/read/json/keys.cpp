@@ -265,8 +265,7 @@ class KeyReader {
       std::size_t index = 0;
       tape_.for_each_element(value, [&](std::size_t inner) { return read(fmt::format("[{}]", index++), inner, true); });
     } else {
-      add_value_fault(value, data_error("this is not an object or an array; expected one, as in the first key; correct "
-                                        "it"));
+      refuse_unknown(value);  // what a key needs is missing
     }
   }
 

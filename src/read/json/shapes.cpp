@@ -324,14 +324,13 @@ Records open_tables(std::vector<JsonTable> tables, const InputOptions& options) 
   return records;
 }
 
-/// A text that is one object, if its members are those of a key; else nothing, or the reason.
+/// A text that is one object, if its members are those of a key; else the reason.
 std::optional<Records> open_one_key(const std::shared_ptr<const WholeJson>& text, const InputOptions& options,
                                     std::optional<Error>& reason) {
   JsonPart part{JsonPart::Kind::values, text->part.chunk};
   part.chunk.path = "keys";
   try {
     const auto columns = std::make_shared<const JsonColumns>(columns_of(part, false, options, {}));
-    if (!columns->columns.has(Role::time) && !options.columns.timeless) return std::nullopt;
     Source<Task> task = [task = std::optional(Task{std::move(part), columns})]() mutable {
       return std::exchange(task, std::nullopt);
     };
@@ -347,13 +346,16 @@ Records open_whole(JsonPart part, const InputOptions& options) {
   const auto text = std::make_shared<const WholeJson>(std::move(part));
   if (!options.records.empty()) return open_tables(find_tables(text, options.records), options);
   std::optional<Error> reason;
+  std::optional<Records> key;
   if (text->tape.kind(0) == Kind::object) {
     auto table = JsonTable::find(text, 0, "", true);
     if (table && table->size() > 0) return open_table(*std::move(table), options, true);
-    if (auto records = open_one_key(text, options, reason)) return *std::move(records);
+    key = open_one_key(text, options, reason);
+    if (key && (key->columns.has(Role::time) || options.columns.timeless)) return *std::move(key);
   }
   std::vector<JsonTable> tables = find_tables(text, "");
   if (!tables.empty()) return open_tables(std::move(tables), options);
+  if (key) return *std::move(key);
   if (reason) throw *reason;
   throw data_error(
       "found no list of keys; expected an array of objects or of rows, or an object of columns; give {} if it is there",

@@ -233,7 +233,6 @@ bool JsonSplitter::scan_after_first_object() {
   if (!skip_blanks()) return false;
   shape_ = JsonShape::lines;
   stage_ = Stage::values;
-  boundary_ = at_;
   ++records_;
   return true;
 }

@@ -225,6 +225,7 @@ void JsonTable::read_columns() {
   layout_ = Layout::columns;
   std::unordered_map<std::string_view, std::uint32_t> rows;
   tape.for_each_member(value_, [&](std::size_t column, std::size_t values) {
+    if (tape[values].next == values + 1) return true;
     tape.for_each_member(values, [&](std::size_t name, std::size_t value) {
       const auto [row, is_new] = rows.emplace(tape.text(name), static_cast<std::uint32_t>(rows.size()));
       if (is_new) index_.push_back(static_cast<std::uint32_t>(name));
