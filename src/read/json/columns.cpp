@@ -103,6 +103,7 @@ class FirstRecord {
   FirstRecord(const JsonTape& tape, const FirstRecords& records, const InputOptions& options)
       : tape_(tape), records_(records), signs_(options.keys.signs) {
     for (const RoleRequest& role : options.columns.roles) {
+      if (role.role == Role::position) positions_.insert(role.columns.begin(), role.columns.end());
       if (role.role == Role::group || role.role == Role::carry || role.role == Role::unused) {
         texts_.insert(role.columns.begin(), role.columns.end());
       }
@@ -190,12 +191,12 @@ class FirstRecord {
       if (role == Role::time) return count(member, in_array);
     }
     const bool is_number = is_quoted && !is_sign && parse_number(text);
-    if (is_number && (in_array || !is_requested_text)) {
+    if (is_number && (in_array ? positions_.contains(member.name) : !is_requested_text)) {
       if (!in_array) member.value = text;
       return count(member, in_array);
     }
     if (role != Role::position && is_sign && !in_array && !is_requested_text) return count(member, in_array);
-    const bool needs_number = role != Role::position || holds_tcb(member.name) || (!is_sign && looks_numeric(text));
+    const bool needs_number = role != Role::position || (!is_sign && looks_numeric(text));
     if (!in_array && !is_requested_text && needs_number) {
       throw at(value, data_error("{} is not a number; expected a number; correct it, or give {} ignore={}",
                                  in_quotes(text), option::columns, member.name));
@@ -244,7 +245,8 @@ class FirstRecord {
   const JsonTape& tape_;
   const FirstRecords& records_;
   const std::vector<std::string>& signs_;
-  std::unordered_set<std::string> texts_;  ///< members that are requested as texts
+  std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
+  std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
   std::unordered_set<std::string> names_;
   std::vector<Found> members_;
 };
@@ -608,15 +610,17 @@ bool has_both_time_parts(const std::vector<Found>& found, std::string_view name)
 /// For each cell, whether it holds a number that may have a role or be a position.
 std::vector<bool> numeric_cells(const std::vector<Found>& found, const std::vector<Cells>& cells,
                                 const std::vector<std::string>& header, const Arrays& arrays) {
-  const bool has_array =
-      std::ranges::any_of(found, [&](const auto& member) { return arrays.has(member) && !arrays.is_rotation(member); });
+  const auto is_in_position = [](const Found& member) { return member.is_of_whole && member.route[0] == "position"; };
+  const bool has_array = std::ranges::any_of(found, [&](const auto& member) {
+    return is_in_position(member) || (arrays.has(member) && !arrays.is_rotation(member));
+  });
   const bool lacks_time = std::ranges::none_of(found, [](const Found& member) {
     return !time_part_of(member.name) && (role_of_name(member.name) == Role::time || is_usual_time(member.name));
   });
   std::vector<bool> numeric;
   for (std::size_t i = 0; i < found.size(); ++i) {
     // Where there is an array of positions, no other number is a position.
-    const bool is_single = !found[i].array && !arrays.has(found[i]);
+    const bool is_single = !found[i].array && !arrays.has(found[i]) && !is_in_position(found[i]);
     const bool is_time = lacks_time && has_both_time_parts(found, found[i].name);
     const bool is_other = has_array && is_single && !is_time && role_of_name(found[i].name) == Role::position;
     const bool is_number = !found[i].text && (!is_other || is_of_channel_in(found[i].name, header));

@@ -58,16 +58,17 @@ class KeyReader {
   }
   void skip_record() { ++number_; }
 
-  /// Reads a record: an object, a row in an array, or null, which breaks the curve if `may_break`.
+  /// Reads a record: an object, a row in an array, or null, which breaks the curve and counts as one in a list.
   /// Throws: Error (data) for another value.
-  void read_record(std::size_t record, bool may_break) {
+  void read_record(std::size_t record, bool is_in_list) {
     const Kind kind = tape_.kind(record);
     const bool is_row = !columns_.row_names.empty();
     if (kind == Kind::object && !is_row) return read_object(record);
     if (kind == Kind::array && is_row) return read_row(record);
-    if (kind == Kind::null && tape_.written(record) == "null" && may_break) {
+    if (kind == Kind::null && tape_.written(record) == "null") {
       keys_.break_curve();
-      return skip_record();
+      if (is_in_list) skip_record();
+      return;
     }
     throw not_a_record(tape_, record, is_row);
   }

@@ -74,7 +74,7 @@ JsonColumns columns_of(const JsonPart& part, bool are_rows, const InputOptions& 
   for (const std::size_t value : values) {
     if (tape.kind(value) == (are_rows ? Kind::array : Kind::object)) {
       keys.push_back(value);
-    } else if (keys.empty() && (tape.kind(value) != Kind::null || part.kind != JsonPart::Kind::list)) {
+    } else if (keys.empty() && tape.kind(value) != Kind::null) {
       throw not_a_record(tape, value, are_rows);
     }
   }
