@@ -159,8 +159,8 @@ void JsonTable::read_split() {
   if (!index) return;
   if (tape.kind(*index) == Kind::array) index_ = tape.elements(*index);
   if (index_.size() != size_) {
-    throw data_error("the index of the table has {} values; expected {}, one for each row of \"data\"; correct it",
-                     index_.size(), size_)
+    throw data_error("the index of the table has {} value{}; expected {}, one for each row of \"data\"; correct it",
+                     index_.size(), index_.size() == 1 ? "" : "s", size_)
         .at(tape.position(*index));
   }
 }
