@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "option_names.hpp"
-#include "sample/cells.hpp"
+#include "sample/fields.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
-#include "sample/cells.hpp"
+#include "sample/fields.hpp"
 
 namespace tcb {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/values.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
-#include "keys/without_faults.hpp"
+#include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "keys/rotation_forms.hpp"
+#include "keys/rotations.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
 #include "sample/extrapolation.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "keys/parameterize.hpp"
+#include "keys/prepare.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/large_rational.hpp"
 #include "numbers/print_number.hpp"

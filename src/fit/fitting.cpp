@@ -15,7 +15,6 @@
 #include "keys/rotations.hpp"
 #include "option_names.hpp"
 #include "sample/build.hpp"
-#include "sample/errors.hpp"
 #include "sample/grid.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/angle.hpp"
@@ -104,7 +103,12 @@ FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules,
   }
   fitted.groups = groups_of(fitted.names, kinds, options);
   if (!options.angle) return fitted;
-  if (rotations.empty()) throw tolerance_without_rotation().about(option::fit);
+  if (rotations.empty()) {
+    throw data_error(
+        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
+        option::rotation)
+        .about(option::fit);
+  }
   for (const auto& [columns, given, names] : schema.rotations) {
     if (!given.notation.is_quaternion()) {
       throw data_error(
@@ -246,7 +250,12 @@ Schema curve_of_fit(const Input& samples, const CurveSettings& rules, const FitO
         samples.facts.roles[0], option::fit, option::columns);
   }
   const FittedChannels fitted = fitted_channels(samples.schema, rules, options);
-  if (fitted.names.empty()) throw only_rotations();
+  if (fitted.names.empty()) {
+    throw data_error(
+        "there are only rotations or angles, which have no length; expected a position; give {} rotation to measure "
+        "angles, or {} none to take the numbers as positions",
+        option::metric, option::rotation);
+  }
   Schema schema = with_channels(samples.schema, fitted.names);
   for (const FitGroup& group : fitted.groups) {
     if (!group.angle) continue;

@@ -7,9 +7,11 @@
 #include <tuple>
 #include <utility>
 
-#include "keys/errors.hpp"
+#include "error.hpp"
+#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "tcb/spline/angle.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -23,7 +25,10 @@ class AngleChain {
     for (std::size_t key = 0; key < block.size(); ++key) {
       const double value = block.keys.position(key)[angle_.channel];
       const std::uint64_t line = block.line(key);
-      if (std::isnan(value)) throw angle_missing(name_).at({"", line, 0});
+      if (std::isnan(value))
+        throw data_error("the angle {} is missing; expected a number at every key; fill it in, or remove the row",
+                         in_quotes(name_))
+            .at({"", line, 0});
       require_angle(value, angle_.degrees, false, name_, line);
       if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);
       require_turn(value, line, line_);
@@ -42,7 +47,12 @@ class AngleChain {
     const spline::DoubleDouble chord = spline::exact_difference(value, before_);
     const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
     const bool is_half_turn = std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
-    if (is_half_turn) throw half_turn_between_angles(name_, other).at({"", line, 0});
+    if (is_half_turn)
+      throw data_error(
+          "the angle {} is exactly half a turn from the angle on line {}, so its direction is undefined; expected a "
+          "smaller difference; add a key between them",
+          in_quotes(name_), other)
+          .at({"", line, 0});
   }
 
   AngleColumn angle_;
@@ -58,7 +68,14 @@ void require_angle(double angle, bool degrees, bool makes_turns, const std::stri
   constexpr double turn = 6.283185307179586, most_turns = 1e4;
   if (std::abs(angle) <= (degrees ? 360 * most_turns : makes_turns ? turn * most_turns : turn)) return;
   const bool counts_turns = degrees || makes_turns;
-  throw(counts_turns ? angle_too_large(name, angle) : angle_over_one_turn(name, angle)).at({"", line, 0});
+  throw(counts_turns
+            ? data_error(
+                  "{} has an angle of {}; expected at most 10000 turns; check its column, and its unit with {} or {}",
+                  in_quotes(name), angle, option::angles, option::angle)
+            : data_error("{} has an angle of {} radians; expected at most one turn, 6.2832; give degrees as its unit "
+                         "with {} or {}, or subtract whole turns",
+                         in_quotes(name), angle, option::angles, option::angle))
+      .at({"", line, 0});
 }
 
 Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,

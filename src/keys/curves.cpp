@@ -2,20 +2,148 @@
 #include "keys/curves.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "error.hpp"
 #include "keys/angles.hpp"
-#include "keys/errors.hpp"
 #include "keys/grouping.hpp"
-#include "keys/joined_segments.hpp"
-#include "keys/without_faults.hpp"
+#include "numbers/print_number.hpp"
+#include "option_names.hpp"
+#include "schema/errors.hpp"
 
 namespace tcb {
 namespace {
 
+/// Takes the faults of a block, in the order of their positions.
+void gather(std::vector<Error>& faults, KeyBlock& block) {
+  std::ranges::stable_sort(block.faults.errors, {}, [](const Error& fault) {
+    return std::pair(fault.position().line, fault.position().column);
+  });
+  std::ranges::move(block.faults.errors, std::back_inserter(faults));
+}
+
+/// Throws: Error (data) with all of them, at most ten. Requires: there is at least one.
+[[noreturn]] void refuse(std::vector<Error> faults) {
+  if (faults.size() > most_faults) faults.erase(faults.begin() + most_faults, faults.end());
+  Error first = faults[0];
+  for (std::size_t i = 1; i < faults.size(); ++i) first.add(std::move(faults[i]));
+  throw first;
+}
+
+/// The stage of joined_segments(). Keys come in pairs: the start of a segment, and its end.
+class Joiner {
+ public:
+  explicit Joiner(Source<KeyBlock> ends) : ends_(std::move(ends)) {}
+
+  std::optional<KeyBlock> next() {
+    std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : ends_();
+    if (!held_.empty() && (!block || block->begins_curve(0))) {
+      waiting_ = std::move(block);
+      return std::exchange(held_, {});
+    }
+    if (!block || block->empty()) return block;
+    return keys_of(std::move(*block));
+  }
+
+ private:
+  /// The keys of a block but the last one, which the next block may continue.
+  KeyBlock keys_of(KeyBlock block) {
+    std::vector<std::size_t> kept, breaks;
+    const bool continues = !held_.empty();
+    for (std::size_t start = 0; start < block.size(); start += 2) {
+      const bool begins = start == 0 ? !continues : block.has_break_before(start);
+      if (begins && start > 0) kept.push_back(start - 1);
+      if (block.has_break_before(start)) breaks.push_back(kept.size());
+      if (!begins) join(start == 0 ? held_ : block, start == 0 ? 0 : start - 1, block, start);
+      kept.push_back(start);
+      require_duration(block, start);
+    }
+    KeyBlock result = block.selected(kept);
+    if (!result.decimals.empty()) result.decimals = joined_decimals(block, kept);
+    result.take_block_data(block);
+    result.breaks.before = std::move(breaks);
+    held_ = block.range(block.size() - 1, block.size());
+    return result;
+  }
+
+  /// Gives the start of a segment the incoming velocities of the end before it. Throws: Error (data) if they are apart.
+  void join(const KeyBlock& before, std::size_t end, KeyBlock& block, std::size_t start) const {
+    const Time &from = block.keys.times[start], &to = before.keys.times[end];
+    const double distance = std::abs((from - to).hi);
+    if (!(distance <= 0x1p-51 * std::max(size_, std::abs(from.hi)))) {
+      throw data_error(
+          "this segment starts at {}, but the segment before it ends at {}; expected segments without gaps, in order; "
+          "correct them, or divide the curves with {}",
+          time_text(from), time_text(to), option::group)
+          .at(block.text_position(start));
+    }
+    const std::size_t channels = block.keys.channels;
+    for (std::size_t i = 0; i < channels; ++i) {
+      const double here = block.keys.position(start)[i], there = before.keys.position(end)[i];
+      if (here != there)
+        throw data_error(
+            "this segment starts at the position {}, but the segment before it ends at {}; expected the same position; "
+            "correct one of the two",
+            here, there)
+            .at(block.text_position(start));
+      block.keys.velocities[start * channels + i].in = before.keys.velocities[end * channels + i].in;
+    }
+  }
+
+  /// Sets the size of the times of a segment, to which their rounding errors are relative.
+  void require_duration(const KeyBlock& block, std::size_t start) {
+    const Time &from = block.keys.times[start], &to = block.keys.times[start + 1];
+    const double duration = (to - from).hi;
+    if (!(from < to)) throw segment_without_duration(duration).at(block.text_position(start));
+    size_ = std::max(std::abs(from.hi), duration);
+  }
+
+  /// The numbers of the keys as written, with the incoming velocities of the ends that they are joined to.
+  Texts joined_decimals(const KeyBlock& block, const std::vector<std::size_t>& kept) const {
+    Texts texts;
+    const std::size_t per_key = block.decimals.size() / block.size(), channels = block.keys.channels;
+    const std::size_t first = NumberOfKey::of_channel(NumberOfKey::velocity_in_of, 0, channels);
+    for (const std::size_t key : kept) {
+      const bool is_start = key % 2 == 0;
+      for (std::size_t i = 0; i < per_key; ++i) {
+        const bool is_incoming = is_start && i >= first && i < first + channels;
+        const Texts& from = is_incoming && key == 0 ? held_.decimals : block.decimals;
+        const std::size_t owner = !is_incoming ? key : key == 0 ? 0 : key - 1;
+        texts.add(from.empty() ? std::string_view() : from[owner * per_key + i]);
+      }
+    }
+    return texts;
+  }
+
+  Source<KeyBlock> ends_;
+  KeyBlock held_;                    ///< the end of the last segment
+  std::optional<KeyBlock> waiting_;  ///< a block that begins a curve
+  double size_ = 0;                  ///< of the times of the last segment
+};
+
+/// The keys of segments, whose ends are two keys each: where a segment begins at the end of the one before it, both are
+/// one key, with the velocities of both. Throws: Error (data) with the line of a segment that does not begin there.
+Source<KeyBlock> joined_segments(Source<KeyBlock> ends) {
+  const auto joiner = std::make_shared<Joiner>(std::move(ends));
+  return [joiner] { return joiner->next(); };
+}
+
 void require_times(const CurveOptions& options) {
-  if (options.sort) throw sort_without_times();
-  if (options.duplicates != Duplicates::error) throw duplicates_without_times();
+  if (options.sort)
+    throw data_error(
+        "{} orders rows by time, but there is no time column; remove it, or name the column with {} time=NAME",
+        option::sort, option::columns);
+  if (options.duplicates != Duplicates::error)
+    throw data_error(
+        "{} is about equal times, but there is no time column; remove it, or name the column with {} time=NAME",
+        option::duplicates, option::columns);
 }
 
 /// The keys in order, without faults; `midnights` is as for past_midnight().
@@ -27,7 +155,9 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
   const bool is_grouped = traits.has_whole_curves && !options.sort;
   const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
-  if (traits.are_segments && options.sort) throw sort_of_segments();
+  if (traits.are_segments && options.sort)
+    throw data_error("{} orders keys, but the rows are segments; expected segments in order; remove {}", option::sort,
+                     option::sort);
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks), false),
                      {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves,
@@ -43,6 +173,26 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
 }
 
 }  // namespace
+
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
+  return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (!block || block->faults.errors.empty()) return block;
+    std::vector<Error> faults;
+    for (bool more = true; more;) {
+      gather(faults, *block);
+      more = faults.size() < most_faults && !block->faults.unreadable && !live;
+      try {
+        if (more) block = blocks();
+      } catch (const Error& error) {
+        faults.push_back(error);
+        more = false;
+      }
+      more = more && block;
+    }
+    refuse(std::move(faults));
+  };
+}
 
 /// Splits blocks of keys where curves begin.
 class Curves::Splitter {
@@ -123,10 +273,10 @@ class Curves::Splitter {
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
     : splitter_(std::make_shared<Splitter>(schema, keys, options, live)) {}
 
-std::optional<CurveKeys> Curves::next() {
+std::optional<InputCurve> Curves::next() {
   if (!splitter_->begin()) return std::nullopt;
-  return CurveKeys{splitter_->group(), splitter_->curve_info(),
-                   [splitter = splitter_] { return splitter->next_keys(); }};
+  return InputCurve{splitter_->group(), splitter_->curve_info(),
+                    [splitter = splitter_] { return splitter->next_keys(); }};
 }
 
 std::uint64_t Curves::skipped() const { return splitter_->skipped(); }

@@ -16,6 +16,10 @@
 
 namespace tcb {
 
+/// Passes keys on until one has a fault; then reads on to collect up to ten faults, unless the input is live, and
+/// throws an Error (data) with all of them.
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
+
 /// How the keys of an input make curves.
 struct CurveOptions {
   Duplicates duplicates = Duplicates::error;
@@ -24,7 +28,7 @@ struct CurveOptions {
 };
 
 /// The keys of one curve.
-struct CurveKeys {
+struct InputCurve {
   std::vector<std::string> group;  ///< the texts that identify the curve, one for each of the input's groups
   std::shared_ptr<const CurveInfo> curve_info;
   Source<KeyBlock> keys;
@@ -38,7 +42,7 @@ class Curves {
 
   /// The next curve. It ends the previous one, whose remaining keys are skipped.
   /// Throws: Error (data) with all faults of the keys.
-  std::optional<CurveKeys> next();
+  std::optional<InputCurve> next();
 
   /// Number of keys that were skipped so far.
   std::uint64_t skipped() const;

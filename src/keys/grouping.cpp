@@ -14,8 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "keys/errors.hpp"
+#include "error.hpp"
 #include "numbers/decimal_time.hpp"
+#include "option_names.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -168,7 +170,12 @@ class Groups {
         if (runs == 0 || mark != before) ++runs;
         seen.insert(before = mark);
       }
-      if (runs > seen.size()) throw sort_mixes_curves(grouping_.marks[i].column);
+      if (runs > seen.size())
+        throw data_error(
+            "{} would mix rows with different values of {} in one curve; expected the rows of one curve; give {} {} "
+            "for one curve per value, or {} carry={} if the values do not distinguish curves",
+            option::sort, in_quotes(grouping_.marks[i].column), option::group, grouping_.marks[i].column,
+            option::columns, grouping_.marks[i].column);
     }
   }
 

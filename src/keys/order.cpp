@@ -2,19 +2,46 @@
 #include "keys/order.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "keys/errors.hpp"
+#include <fmt/format.h>
+
+#include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
+#include "schema/usual_names.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+/// The value of a key in a column; nothing if it distinguishes no curves.
+using Label = std::function<std::optional<std::size_t>(std::size_t key)>;
+
+/// Whether times increase for each value of a column, and there are several values, some of several keys.
+bool distinguishes(const KeyBlock& block, const Label& label) {
+  std::unordered_map<std::size_t, Time> before;
+  for (std::size_t key = 0; key < block.size(); ++key) {
+    const auto value = label(key);
+    if (!value) return false;
+    const Time time = block.keys.times[key];
+    const auto [found, is_first] = before.emplace(*value, time);
+    if (!is_first && !is_earlier(found->second, time)) return false;
+    found->second = time;
+  }
+  return before.size() > 1 && before.size() < block.size();
+}
 
 /// Where a key is in its input, for messages about later keys.
 struct KeyLocation {
@@ -22,7 +49,13 @@ struct KeyLocation {
   std::uint64_t line = 0;
   std::string list_position;  ///< as KeyBlock::list_position()
 
-  ShownKey shown() const { return {time_text(time), line, list_position}; }
+  /// "keys[3]: " where a key is in a list; its line is the position of the error elsewhere.
+  std::string beginning() const { return list_position.empty() ? "" : list_position + ": "; }
+  /// As in "2 on line 5", or "2 of keys[3]".
+  std::string time_and_position() const {
+    if (!list_position.empty()) return fmt::format("{} of {}", time_text(time), list_position);
+    return fmt::format("{} on line {}", time_text(time), line);
+  }
 };
 
 /// The stage of in_order().
@@ -103,11 +136,31 @@ class Order {
   }
 
   Error fault(const KeyBlock& block, std::size_t key, bool equal) const {
-    const ShownKey shown = location(block, key).shown(), before = before_->shown();
-    const Error error = !column_.empty() ? curves_interleaved(shown, before, column_)
-                        : equal          ? equal_times(shown, before)
-                                         : decreasing_times(shown, before, labels_.channels.empty());
-    return error.at(block.text_position(key));
+    const KeyLocation here = location(block, key);
+    const auto text_position = block.text_position(key);
+    const std::string beginning = here.beginning(), time = time_text(here.time), before = before_->time_and_position();
+    if (!column_.empty()) {
+      return data_error(
+                 "{}time {} does not follow the time {}, but the times increase for each value of {}; expected the "
+                 "keys "
+                 "of one curve; give {} {} for one curve per value",
+                 beginning, time, before, in_quotes(column_), option::group, column_)
+          .at(text_position);
+    }
+    if (equal) {
+      return data_error(
+                 "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give {} first, "
+                 "last or break",
+                 beginning, time, before, option::duplicates)
+          .at(text_position);
+    }
+    const std::string or_none = labels_.channels.empty()
+                                    ? fmt::format(", or give {} uniform if the keys have no times", option::parameter)
+                                    : "";
+    return data_error(
+               "{}time {} is less than the time {}; expected increasing times; sort the keys by time, or give {}{}",
+               beginning, time, before, option::sort, or_none)
+        .at(text_position);
   }
 
   Source<KeyBlock> blocks_;
@@ -120,6 +173,26 @@ class Order {
 };
 
 }  // namespace
+
+std::string CurveLabels::distinguishing(const KeyBlock& block, bool texts) const {
+  const std::size_t per_key = block.marks_per_key();
+  for (std::size_t i = 0; i < std::min(per_key, marks.size()); ++i) {
+    if (!marks[i].is_text && (texts || !is_usual_label(marks[i].column))) continue;
+    if (distinguishes(block, [&](std::size_t key) { return std::optional(block.marks[key * per_key + i]); })) {
+      return marks[i].column;
+    }
+  }
+  const auto number = [&](std::size_t key, std::size_t channel) -> std::optional<std::size_t> {
+    const double value = block.keys.positions[key * block.keys.channels + channel];
+    if (!(std::abs(value) < 0x1p53) || value != std::trunc(value)) return std::nullopt;
+    return static_cast<std::size_t>(static_cast<std::int64_t>(value));
+  };
+  for (std::size_t i = 0; i < channels.size() && !texts; ++i) {
+    const auto label = [&](std::size_t key) { return number(key, i); };
+    if (is_usual_label(channels[i]) && distinguishes(block, label)) return channels[i];
+  }
+  return "";
+}
 
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
   return [blocks = std::move(blocks), broken = false, any = false]() mutable -> std::optional<KeyBlock> {

@@ -4,15 +4,27 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "keys/curve_labels.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
+#include "schema/columns.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+/// The columns that may distinguish curves.
+struct CurveLabels {
+  std::vector<Mark> marks = {};            ///< of keys
+  std::vector<std::string> channels = {};  ///< names of channels, if they have any; only those of whole numbers count
+
+  /// The name of a column such that times increase within each of its values, if they do not increase overall; empty:
+  /// there is none. `texts`: only columns of text.
+  std::string distinguishing(const KeyBlock& block, bool texts) const;
+};
 
 /// The treatment of keys with equal times.
 enum class Duplicates { error, first, last, break_curve };

@@ -1,17 +1,43 @@
-// Rotations among keys: checks of quaternions, and their signs.
+// Rotations of keys: the quaternions of those in other forms, checks, and signs.
 #pragma once
 
-#include "keys/rotation_forms.hpp"
+#include <cstddef>
+#include <vector>
+
 #include "schema/key_block.hpp"
+#include "schema/rotation_options.hpp"
+#include "schema/schema.hpp"
 #include "stream/source.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 
-/// The keys of a curve with the quaternions of all rotations: of those in other forms as with_converted_rotations()
-/// makes them, of the others as keys give them. A quaternion is negated where that makes its dot product with the one
-/// before positive, so that signs are continuous.
-/// Throws: Error (data), at its line, as with_converted_rotations(), for a quaternion that is zero or not of the norm
-/// 1, for half a turn between two, and for velocities of some numbers alone or with the curve slerp.
+/// What the keys of an input have for rotations.
+struct RotationsOfKeys {
+  std::vector<RotationSchema> rotations;
+  std::vector<std::size_t> sources = {};  ///< as in Schema; empty: the channels are those that are read
+  spline::RotationCurve curve = spline::RotationCurve::squad;
+  bool in_parent = false;  ///< a relative rotation turns in the frame outside that of the key before
+  bool closed = false;     ///< the first key follows the last one
+};
+
+/// How keys give a rotation that is no quaternion.
+struct ConvertedRotation {
+  RotationColumns columns;
+  spline::RotationNotation notation;
+  bool relative;  ///< to the rotation of the key before
+  bool in_parent;
+};
+
+/// The rotations that are converted, in the order of KeyBlock::given_rotations.
+std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations);
+
+/// The keys of a curve with the quaternions of all rotations, in blocks that have a channel for each of their numbers;
+/// those in other forms are converted. A key may lack all numbers of a rotation. A quaternion is negated where that
+/// makes its dot product with the one before positive, so that signs are continuous.
+/// Throws: Error (data), at its line, for a rotation that is not whole, an angle beyond what its unit allows, an axis
+/// of zero, a matrix that is no rotation, a quaternion that is zero or not of the norm 1, half a turn between two, and
+/// velocities of some numbers alone, of a rotation in another form, or with the curve slerp.
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
 
 }  // namespace tcb

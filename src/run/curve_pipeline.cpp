@@ -8,14 +8,10 @@
 
 #include "error.hpp"
 #include "exact/precision_levels.hpp"
-#include "keys/key_checks.hpp"
-#include "keys/parameterize.hpp"
-#include "keys/velocities.hpp"
+#include "keys/prepare.hpp"
 #include "option_names.hpp"
+#include "sample/anywhere.hpp"
 #include "sample/build.hpp"
-#include "sample/curve_errors.hpp"
-#include "sample/errors.hpp"
-#include "sample/look_up.hpp"
 #include "sample/tolerance.hpp"
 #include "text/utf8.hpp"
 
@@ -300,7 +296,7 @@ std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
   std::vector<Rational> places = request_.places;
   if (request_.mode == Mode::at) {
     for (std::size_t i = 0; request_.key_times && i < places.size(); ++i) {
-      require_extended_to(option::at, places[i], {before_first_key, first}, {after_last_key, last});
+      require_extended_to(option::at, places[i], {End::first_key, first}, {End::last_key, last});
     }
     return places;
   }

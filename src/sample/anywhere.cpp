@@ -1,10 +1,36 @@
-// Anywhere: locators of rows in any order, at times that may be outside the curve, or at arc lengths.
+// Anywhere: rows in any order on a kept curve, at times that may be outside it, or at arc lengths.
 #include "sample/anywhere.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <utility>
+
 #include "option_names.hpp"
-#include "sample/errors.hpp"
 
 namespace tcb {
+namespace {
+
+/// Rows in blocks; `find` gives the number of a row's segment. Neighbouring rows on one segment are located together.
+Source<SampleBlock> blocks(std::shared_ptr<const ShownCurve> curve, std::uint64_t rows, spline::Side side,
+                           std::function<std::uint64_t(std::uint64_t)> find) {
+  return [curve = std::move(curve), rows, side, find = std::move(find),
+          row = std::uint64_t{0}]() mutable -> std::optional<SampleBlock> {
+    if (row == rows) return std::nullopt;
+    SampleBlock block{curve, {}, row == 0};
+    const std::uint64_t end = row + std::min(SampleBlock::most_rows, rows - row);
+    for (; row < end; ++row) {
+      const std::uint64_t number = find(row);
+      if (block.parts.empty() || block.parts.back().segment.number != number) {
+        block.parts.push_back({curve->segment(number), row, row});
+        block.parts.back().segment.side = side;
+      }
+      block.parts.back().last = row + 1;
+    }
+    return block;
+  };
+}
+
+}  // namespace
 
 Time AnywhereInTime::on_curve(std::uint64_t row) const {
   const Time t = place_of(row);
@@ -49,6 +75,19 @@ void AnywhereInLength::locate(const CurveSegment& segment, std::uint64_t first, 
   located.coordinates.clear();
   for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place_of(row));
   locate_lengths(segment, located);
+}
+
+Source<SampleBlock> look_up(const std::shared_ptr<const ShownCurve>& curve,
+                            const std::shared_ptr<const AnywhereInTime>& rows, spline::Side side) {
+  return blocks(curve, rows->size(), side,
+                [curve, rows, side](std::uint64_t row) { return curve->curve().find_time(rows->on_curve(row), side); });
+}
+
+Source<SampleBlock> look_up(const std::shared_ptr<const ShownCurve>& curve,
+                            const std::shared_ptr<const AnywhereInLength>& rows, spline::Side side) {
+  return blocks(curve, rows->size(), side, [curve, rows, side](std::uint64_t row) {
+    return curve->curve().find_length(rows->on_curve(row), side);
+  });
 }
 
 }  // namespace tcb

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
-#include "keys/parameterize.hpp"
+#include "error.hpp"
+#include "keys/prepare.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
-#include "sample/curve_errors.hpp"
-#include "sample/errors.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/closing.hpp"
 #include "tcb/spline/curve_keys.hpp"
@@ -26,7 +26,10 @@ void measure(SegmentBlock& block, const Rules& rules) {
   block.lengths = spline::lengths_of<double>(block.segments, rules.metric);
   for (std::size_t i = 0; i < block.segments.size(); ++i) {
     if (std::isfinite(block.lengths[i].value)) continue;
-    throw tangents_beyond_doubles(time_text(block.segments.times[i]), time_text(block.segments.times[i + 1]));
+    throw data_error(
+        "the curve from time {} to {} has tangents beyond the range of doubles; expected less than 1.8e308 in size; "
+        "scale the keys down",
+        time_text(block.segments.times[i]), time_text(block.segments.times[i + 1]));
   }
 }
 
@@ -99,6 +102,56 @@ SegmentBlock sparse_segments(const KeyStore& keys, const std::optional<Time>& en
 
 }  // namespace
 
+Error curve_error(const spline::BuildError& error, const KeyStore& keys, const std::vector<std::string>& channels) {
+  using enum spline::BuildErrorCode;
+  const TextPosition last{"", keys.last_line(), 0};
+  switch (error.code) {
+    case channel_without_positions:
+      return data_error(
+          "no key has a number in channel \"{}\"; expected at least one; fill one in, or leave the column out with {}",
+          channels[error.channel], option::columns);
+    case ease_with_missing_positions:
+      return data_error(
+          "some numbers were skipped by {} skip-cell, but ease_in and ease_out need a number in every channel; fill "
+          "them in, or give {}",
+          option::missing, option::no_ease);
+    case closed_too_few_keys: return data_error("a closed curve needs at least two distinct keys; add keys");
+    case period_missing:
+      return data_error(
+          "the period of the closed curve is unknown; give {}, or add a last row that repeats the first position",
+          option::period);
+    case period_not_finite:
+    case period_too_short:
+      return data_error("the period ends before the last key, at time {}; give a longer period",
+                        time_text(keys.key(error.key).times[0]));
+    case period_contradicted:
+      return data_error(
+                 "this key repeats the position of line {}, so it ends the period, but the given period differs; "
+                 "remove the key or the period",
+                 keys.first_line())
+          .at(last);
+    case seam_tcb_differs:
+      return data_error(
+                 "this key closes the curve at the position of line {}, but has a different tension, continuity or "
+                 "bias; expected the same numbers; correct one of the two keys",
+                 keys.first_line())
+          .at(last);
+    case seam_velocity_differs:
+      return data_error(
+                 "this key closes the curve at the position of line {}, but the velocity differs; expected the same; "
+                 "correct one of the two keys, or leave the incoming velocity of the first key and the outgoing "
+                 "velocity of the last key empty",
+                 keys.first_line())
+          .at(last);
+    case seam_velocity_missing:
+      return data_error(
+          "a velocity of channel \"{}\" is missing where the closed curve returns to its first key; expected the "
+          "incoming velocity of the first key and the outgoing velocity of the last key; fill them in",
+          channels[error.channel]);
+    default: throw std::logic_error(error.message());  // the stages before find every other fault
+  }
+}
+
 Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::vector<std::string>& channels) {
   const Keys first = keys.key(0);
   const Keys last = spline::with_signs_of(first, keys.key(keys.size() - 1), spec.rules.rotations);
@@ -154,7 +207,10 @@ spline::Curve<double> kept_curve(const Source<SegmentBlock>& segments, const Rul
 
 void require_length(const DoubleDouble& length, const Time& end) {
   if (std::isfinite(length.hi)) return;
-  throw length_beyond_doubles(time_text(end));
+  throw data_error(
+      "the length of the curve up to time {} is beyond the range of doubles; expected less than 1.8e308; scale the "
+      "keys down",
+      time_text(end));
 }
 
 Lengths all_lengths(const Source<SegmentBlock>& measured) {

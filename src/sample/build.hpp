@@ -35,6 +35,9 @@ struct SegmentOptions {
   std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 };
 
+/// The error for a fault that the library found in keys, by their lines and channels.
+Error curve_error(const spline::BuildError& error, const KeyStore& keys, const std::vector<std::string>& channels);
+
 /// When a closed curve is back at its first key. A last key that repeats the first one is dropped: it only gives that
 /// time. `timed`: the input has times. Throws: Error (data) for keys that make no closed curve.
 Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::vector<std::string>& channels);

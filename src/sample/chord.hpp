@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "sample/bernstein.hpp"
 #include "sample/curve_segment.hpp"
 
 namespace tcb {

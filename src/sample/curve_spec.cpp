@@ -11,15 +11,28 @@
 #include "error.hpp"
 #include "numbers/parse_number.hpp"
 #include "option_names.hpp"
-#include "sample/errors.hpp"
 #include "sample/fields.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
 
 using spline::EndChoice;
+
+/// An error about a setting of the command line or of the input.
+template <class... Arguments>
+Error setting_error(const SettingOrigin& setting, fmt::format_string<Arguments...> message, Arguments&&... arguments) {
+  return Error(setting.exit(), fmt::format(message, std::forward<Arguments>(arguments)...))
+      .about(setting.subject)
+      .at(setting.position);
+}
+
+Error too_many_rules(const SettingOrigin& setting, std::size_t rules) {
+  return setting_error(setting, "there are {} rules; expected one for both ends, or one for each end; remove some",
+                       rules);
+}
 
 /// The row with the name that a setting gives.
 template <class Table>
@@ -28,7 +41,8 @@ const typename Table::value_type& named(const SettingOrigin& origin, const Table
   if (found != table.end()) return *found;
   std::vector<std::string_view> known;
   std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
-  throw unknown_rule(origin, name, known);
+  throw setting_error(origin, "unknown name {}; expected one of {}{}", in_quotes(name), listed(known),
+                      did_you_mean(name, known));
 }
 
 /// The row with the name that is a setting.
@@ -44,12 +58,17 @@ EndChoice<double> end_choice(std::string_view text, const SettingOrigin& origin)
   EndChoice<double> choice{row.id, {}};
   const bool takes_velocity = row.takes_velocity;
   if (takes_velocity != (equals < text.size())) {
-    throw takes_velocity ? end_velocity_missing(origin, text) : end_velocity_unexpected(origin, text);
+    throw takes_velocity
+        ? setting_error(origin, "{} has no velocity; expected a number for each channel, as in velocity=1:0",
+                        in_quotes(text))
+        : setting_error(origin, "{} has a value; expected only a rule; remove it", in_quotes(text));
   }
   if (!takes_velocity) return choice;
   for (const std::string_view part : split(text.substr(equals + 1), ':')) {
     const auto value = parse_number(part);
-    if (!value) throw end_velocity_not_a_number(origin, text, part);
+    if (!value)
+      throw setting_error(origin, "{} in {} is not a number; expected a number for each channel, as in velocity=1:0",
+                          in_quotes(part), in_quotes(text));
     choice.velocity.push_back(*value);
   }
   return choice;
@@ -66,7 +85,7 @@ void set_ends(spline::CurveRules<double>& rules, const TextSetting& setting) {
       ends.emplace_back(part);
     }
   }
-  if (ends.size() > 2) throw too_many_end_rules(setting.origin, ends.size());
+  if (ends.size() > 2) throw too_many_rules(setting.origin, ends.size());
   rules.start = end_choice(ends.front(), setting.origin);
   rules.end = end_choice(ends.back(), setting.origin);
 }
@@ -93,14 +112,14 @@ double parse_exponent(const TextSetting& setting) {
   constexpr std::array exponents{Named{"uniform", 0}, Named{"chordal", 1}, Named{"centripetal", 0.5}};
   if (const auto value = parse_number(text); value && *value >= 0 && *value <= 16) return *value;
   const bool is_number = !text.empty() && (text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
-  if (is_number) throw exponent_out_of_range(setting.origin, text);
+  if (is_number) throw setting_error(setting.origin, "the exponent is {}; expected 0 to 16", text);
   return row_of(setting, exponents).exponent;
 }
 
 /// RULE or RULE,RULE.
 Extrapolations parse_extrapolations(const TextSetting& setting) {
   const std::vector<std::string_view> rules = split(setting.value, ',');
-  if (rules.size() > 2) throw too_many_end_rules(setting.origin, rules.size());
+  if (rules.size() > 2) throw too_many_rules(setting.origin, rules.size());
   const auto kind = [&](std::string_view rule) { return named(setting.origin, extrapolations, rule).kind; };
   return {kind(rules.front()), kind(rules.back())};
 }
@@ -108,8 +127,12 @@ Extrapolations parse_extrapolations(const TextSetting& setting) {
 Rational parse_period(const TextSetting& setting) {
   const auto& [text, origin] = setting;
   const std::optional<Rational> duration = read_duration(text), period = duration ? duration : parse_rational(text);
-  if (!period || *period <= 0) throw period_not_positive(origin, text);
-  if (!within_doubles(*period)) throw period_beyond_doubles(origin, text);
+  if (!period || *period <= 0)
+    throw setting_error(origin, "{} is not a period; expected a decimal or a ratio above 0, such as 7.5",
+                        in_quotes(text));
+  if (!within_doubles(*period))
+    throw setting_error(origin, "{} is too large; expected at most 1.7976931348623157e308, the largest double",
+                        in_quotes(text));
   return *period;
 }
 
@@ -157,12 +180,19 @@ CurveSpec make_spec(const CurveSettings& settings) {
   }
   set_rotation_rules(spec.rules, preset, settings);
   const bool is_open = settings.closed && !settings.closed->value;
-  if (settings.period && is_open) throw period_of_open_curve(settings.closed->origin);
+  if (settings.period && is_open)
+    throw setting_error(settings.closed->origin,
+                        "the curve is open, but has a period; expected a closed curve; close it, or remove the period");
   spec.closed = settings.period || (settings.closed && settings.closed->value);
   spec.rules.timing = settings.timing.value_or(preset.timing);
   if (settings.ends && spec.closed) {
     const SettingOrigin& closed = settings.closed ? settings.closed->origin : settings.period->origin;
-    throw ends_of_closed_curve(settings.ends->origin, closed);
+    const SettingOrigin& ends = settings.ends->origin;
+    const bool is_in_file = ends.exit() == Exit::data && closed.exit() == Exit::data;
+    throw Error(is_in_file ? Exit::data : Exit::usage,
+                fmt::format("a closed curve has no ends; remove {} or {}", ends.subject, closed.subject))
+        .about(ends.subject)
+        .at(ends.position);
   }
   if (settings.ends) {
     set_ends(spec.rules, *settings.ends);
@@ -199,17 +229,30 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
   }
   const auto& [text, origin] = *settings.metric;
   if (text == "rotation" && !find_channel("rotation", channels)) {
-    if (rotations.empty()) throw metric_without_rotations(origin);
+    if (rotations.empty())
+      throw setting_error(origin, "there is no rotation to measure; name its columns with {}, or measure channels",
+                          option::rotation);
     metric = {spline::turn_metric};
     return;
   }
   for (const std::string_view part : split(text, ',')) {
     const std::string name(part);
     const auto channel = find_channel(name, channels);
-    if (!channel) throw no_channel_of_metric(origin, name, channels);
-    if (spline::is_in_rotation(rotations, *channel)) throw rotation_in_metric(origin, channels[*channel]);
-    if (is_angle(*channel)) throw angle_in_metric(origin, channels[*channel]);
-    if (std::ranges::count(metric, *channel) > 0) throw repeated_metric_channel(origin, name);
+    if (!channel)
+      throw setting_error(origin, "there is no channel {}; expected some of {}, by name or by number from 1{}",
+                          in_quotes(name), listed(channels), did_you_mean(name, channels));
+    if (spline::is_in_rotation(rotations, *channel))
+      throw setting_error(origin,
+                          "channel \"{}\" belongs to a rotation, which has no length; expected positions; give {} none "
+                          "to take it as a position",
+                          channels[*channel], option::rotation);
+    if (is_angle(*channel))
+      throw setting_error(origin,
+                          "channel \"{}\" is an angle, which has no length; expected positions; leave it out, or take "
+                          "it as a position by leaving it out of {}",
+                          channels[*channel], option::angle);
+    if (std::ranges::count(metric, *channel) > 0)
+      throw setting_error(origin, "channel {} is repeated; expected each channel once; remove one", in_quotes(name));
     metric.push_back(*channel);
   }
 }
@@ -226,10 +269,20 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   set_metric(spec, settings, channels);
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
-    if (spec.rules.timing == spline::Timing::monotone) throw end_velocity_with_timing(settings.ends->origin);
-    if (!rotations.empty()) throw end_velocity_of_rotation(settings.ends->origin);
+    if (spec.rules.timing == spline::Timing::monotone)
+      throw setting_error(settings.ends->origin,
+                          "the rule velocity gives a velocity, which a preset with monotone timing would change; "
+                          "expected a different end rule; change it, or give another {}",
+                          option::preset);
+    if (!rotations.empty())
+      throw setting_error(settings.ends->origin,
+                          "the rule velocity does not apply to rotations; expected a different end rule; change it, or "
+                          "give {} none to take rotations as plain channels",
+                          option::rotation);
     if (end->velocity.size() == channels.size()) continue;
-    throw end_velocity_of_other_size(settings.ends->origin, end->velocity.size(), channels);
+    throw setting_error(settings.ends->origin,
+                        "the velocity has {} numbers; expected {}, one for each of {}; correct it",
+                        end->velocity.size(), channels.size(), listed(channels));
   }
   return spec;
 }
@@ -242,18 +295,33 @@ std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
 }
 
 void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {
-  if (spec.lacks_metric && use != MetricUse::nothing) throw only_rotations();
+  if (spec.lacks_metric && use != MetricUse::nothing) {
+    throw data_error(
+        "there are only rotations or angles, which have no length; expected a position; give {} rotation to measure "
+        "angles, or {} none to take the numbers as positions",
+        option::metric, option::rotation);
+  }
   if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
-    throw path_of_rotations();
+    throw usage_error(
+        "{} rotation measures angles, so there are arc lengths, but no distances, speeds or shapes of a path; leave "
+        "these out, or give the field angular_speed",
+        option::metric);
   }
   const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.is_quaternion(); };
-  if (emits && !spec.rules.angles.empty()) throw pieces_of_angles();
+  if (emits && !spec.rules.angles.empty())
+    throw data_error("the pieces of an angle would lie in different turns; expected no angles; remove {} or {}",
+                     option::angle, option::emit);
   if (emits && curve == spline::RotationCurve::components && !std::ranges::all_of(spec.rotations, is_quaternion)) {
-    throw pieces_of_other_form();
+    throw data_error(
+        "the pieces of a rotation are cubics of its quaternion; expected rotations as quaternions; give {} quaternion",
+        option::rotation_output);
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
-    throw pieces_of_rotations(name_of(curve));
+    throw data_error(
+        "the rotation curve {} has no cubics to print as pieces; expected components; give {} components, {} none, or "
+        "samples instead, as with {}",
+        name_of(curve), option::rotation_curve, option::rotation, option::count);
   }
 }
 
@@ -262,14 +330,23 @@ void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& ch
   const auto of_rotations =
       std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
   if (!has_rotations && of_rotations != chosen.end()) {
-    throw field_without_rotations(fields()[*of_rotations].name).about(option::fields);
+    throw data_error("{} needs a rotation, and there is none; name its columns with {}, or remove the field",
+                     fields()[*of_rotations].name, option::rotation)
+        .about(option::fields);
   }
   if (!has_rotations && request.tolerance.limits_angle()) {
-    throw tolerance_without_rotation().about(option::tolerance);
+    throw data_error(
+        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
+        option::rotation)
+        .about(option::tolerance);
   }
   const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
   if (has_rotations && spec.lacks_metric && is_near_path) {
-    throw tolerance_of_rotations().about(option::tolerance);
+    throw data_error(
+        "the tolerance has a distance, but there are only rotations or angles, which have none; give an angle alone, "
+        "as in 0.5deg, or {} none to take the numbers as positions",
+        option::rotation)
+        .about(option::tolerance);
   }
 }
 

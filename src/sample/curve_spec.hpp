@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "keys/key_checks.hpp"
+#include "keys/prepare.hpp"
 #include "numbers/rational.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"

@@ -9,7 +9,6 @@
 
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
-#include "sample/errors.hpp"
 #include "tcb/spline/double_pair.hpp"
 
 namespace tcb {
@@ -56,12 +55,34 @@ std::string shown(const Rational& rows) {
   return fmt::format("{}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
 }
 
+/// A request beyond an end.
+Error outside(End end, const std::string& value, const std::string& limit) {
+  switch (end) {
+    case End::first_key:
+      return usage_error("time {} is before the first key, at {}; give a time on the curve, or {}", value, limit,
+                         option::extrapolate);
+    case End::last_key:
+      return usage_error("time {} is after the last key, at {}; give a time on the curve, or {}", value, limit,
+                         option::extrapolate);
+    case End::first_piece:
+      return usage_error("time {} is before the first key, at {}; give a time on the curve", value, limit);
+    case End::last_piece:
+      return usage_error("time {} is after the last key, at {}; give a time on the curve", value, limit);
+    case End::least_length:
+      return usage_error("arc length {} is below {}, that of the first key; give a length within the curve", value,
+                         limit);
+    case End::length: break;
+  }
+  return usage_error("arc length {} is beyond the length of the curve, {}; give a length within the curve", value,
+                     limit);
+}
+
 /// A value that is rounded to the bound is shown as a ratio.
 [[noreturn]] void refuse(std::string_view option, const Rational& value, const Bound& bound) {
   const std::string limit = text(bound.value);
   std::string shown = text(value);
   if (shown == limit) shown = whole_text(numerator(value)) + "/" + whole_text(denominator(value));
-  throw bound.fault(shown, limit).about(option);
+  throw outside(bound.end, shown, limit).about(option);
 }
 
 }  // namespace
@@ -168,8 +189,13 @@ Rational steps_between(const Rational& from, const Rational& to, const Rational&
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least, std::optional<TimeUnit> likely_unit) {
   const Rational rows = floor(steps) + 1;
   if (rows <= max_rows) return;
-  if (likely_unit) throw too_many_rows_of_unit(shown(rows), max_rows, row_of(*likely_unit).name);
-  throw too_many_rows(shown(rows), max_rows, at_least);
+  if (likely_unit)
+    throw usage_error(
+        "{} rows are requested, as the unit of the times is unknown, but they seem to be {} since 1970; expected at "
+        "most {}; give {} {}, with which rates and durations such as 0.1s are in seconds",
+        shown(rows), row_of(*likely_unit).name, max_rows, option::time_unit, row_of(*likely_unit).name);
+  throw usage_error("{}{} rows are requested; expected at most {}; request fewer, or raise {}",
+                    at_least ? "at least " : "", shown(rows), max_rows, option::max_rows);
 }
 
 void SamplingRequest::convert_seconds(const Rational& units) {
@@ -193,16 +219,22 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   const Rational from = request.from.value_or(arc ? Rational(0) : request.exact(extent.first));
   std::optional<Rational> to = request.to;
   if (to && *to < from) {  // a start that was given is before it
-    throw end_before_start(text(*to), text(from)).about(option::to);
+    throw usage_error("{} is before {}, where samples begin without {}; give a later end, or {}", text(*to), text(from),
+                      option::from, option::from)
+        .about(option::to);
   }
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
   if (!to && !arc && extent.last) to = request.exact(*extent.last);
   if (to && *to < from && request.count != 1) {
     if (arc) require_not_after(option::from, from, curve_length(*extent.length));
-    throw start_after_end(text(from), text(*to)).about(option::from);
+    throw usage_error("{} is after {}, where samples end without {}; give an earlier start, or {}", text(from),
+                      text(*to), option::to, option::to)
+        .about(option::from);
   }
   if (to && !std::isfinite(nearest_double(*to - from))) {
-    throw samples_beyond_doubles();
+    throw data_error(
+        "the distance from the first sample to the last is beyond the range of doubles; expected less than 1.8e308; "
+        "scale the keys down");
   }
   if (request.mode == Mode::step || request.mode == Mode::arc_step) {
     if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
@@ -229,10 +261,10 @@ std::string text(const Rational& value) {
   return time.lo == 0 ? fmt::format("{}", time.hi) : whole_text(Rational(time.hi) + Rational(time.lo));
 }
 
-Bound first_key(const Time& time) { return {before_first_key, exact_time(time)}; }
-Bound last_key(const Time& time) { return {after_last_key, exact_time(time)}; }
-Bound curve_start() { return {below_length, 0}; }
-Bound curve_length(double length) { return {beyond_length, exact_time({length})}; }
+Bound first_key(const Time& time) { return {End::first_key, exact_time(time)}; }
+Bound last_key(const Time& time) { return {End::last_key, exact_time(time)}; }
+Bound curve_start() { return {End::least_length, 0}; }
+Bound curve_length(double length) { return {End::length, exact_time({length})}; }
 
 void require_not_before(std::string_view option, const Rational& value, const Bound& bound) {
   if (value < bound.value) refuse(option, value, bound);
@@ -244,7 +276,8 @@ void require_not_after(std::string_view option, const Rational& value, const Bou
 
 void require_resolution(const Grid& grid, const Time& end, int decimals) {
   if (grid.resolves(end, decimals)) return;
-  throw step_too_small(text(grid.step()), text(exact_time(end)));
+  throw usage_error("the step {} is too small: two rows near {} would coincide; give a larger step", text(grid.step()),
+                    text(exact_time(end)));
 }
 
 }  // namespace tcb

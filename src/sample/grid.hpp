@@ -94,9 +94,10 @@ void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least =
 /// A rational for people: a decimal of 31 digits at most in full, otherwise the nearest double, shortest.
 std::string text(const Rational& value);
 
-/// An end of the curve, in time or in arc length.
+/// An end of the curve, or of its pieces, in time; or an end of the curve in arc length.
+enum class End { first_key, last_key, first_piece, last_piece, least_length, length };
 struct Bound {
-  Error (*fault)(std::string_view value, std::string_view bound);  ///< of a request outside
+  End end;
   Rational value;
 };
 

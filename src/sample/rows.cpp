@@ -9,7 +9,6 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "sample/errors.hpp"
 
 namespace tcb {
 namespace {
@@ -100,7 +99,12 @@ class Placer {
 
 }  // namespace
 
-void refuse_overflow(const Sample& sample) { throw row_beyond_doubles(time_text(sample.t)); }
+void refuse_overflow(const Sample& sample) {
+  throw data_error(
+      "the row at time {} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the keys "
+      "down",
+      time_text(sample.t));
+}
 
 std::uint64_t SampleBlock::rows() const {
   std::uint64_t rows = 0;

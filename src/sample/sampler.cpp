@@ -1,13 +1,13 @@
-// Samplers: on a grid of times or of arc lengths, and at equal intervals within every segment.
+// Samplers: on a grid of times or of arc lengths, at equal intervals within every segment, and pieces.
 #include "sample/sampler.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
+#include "error.hpp"
+#include "numbers/print_number.hpp"
 #include "option_names.hpp"
-#include "sample/errors.hpp"
-#include "sample/piece_sampler.hpp"
 #include "tcb/spline/arc_inverse.hpp"
 
 namespace tcb {
@@ -72,8 +72,8 @@ class ByTime : public OnGrid {
 
  protected:
   Range range(const CurveSegment& segment) const override { return {segment.start, segment.end}; }
-  Bound lower(const Range& range) const override { return {before_first_key, exact(range.start)}; }
-  Bound upper(const Range& range) const override { return {after_last_key, exact(range.end)}; }
+  Bound lower(const Range& range) const override { return {End::first_key, exact(range.start)}; }
+  Bound upper(const Range& range) const override { return {End::last_key, exact(range.end)}; }
   int decimals(const CurveSegment& segment) const override { return segment.decimals; }
 };
 
@@ -248,6 +248,75 @@ void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::u
   });
 }
 
+/// A row for each segment, or for the piece of it that lies in the range of the request.
+class PieceSampler : public Sampler {
+ public:
+  explicit PieceSampler(const SamplingRequest& request) : request_(request) {}
+
+  SegmentRows place(const CurveSegment& segment) override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+  bool done() const override { return done_; }
+
+ private:
+  struct Range {
+    Time start, end;
+  };
+
+  /// The part of the segment in the range of the request; it has no duration where there is none.
+  Range range(const CurveSegment& segment) const {
+    const auto bound = [&](const std::optional<Rational>& given, const Time& key) {
+      return given ? std::clamp(nearest_time(*given, segment.decimals), segment.start, segment.end) : key;
+    };
+    return {bound(request_.from, segment.start), bound(request_.to, segment.end)};
+  }
+
+  void require_bounds(const CurveSegment& segment) const;
+
+  SamplingRequest request_;
+  std::uint64_t rows_ = 0;
+  bool done_ = false;
+};
+
+/// Throws: Error where the range leaves the curve.
+void PieceSampler::require_bounds(const CurveSegment& segment) const {
+  const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
+    if (!given) return;
+    const Bound first{End::first_piece, request_.exact(segment.start)};
+    const Bound last{End::last_piece, request_.exact(segment.end)};
+    if (segment.number == 0) require_not_before(option, *given, first);
+    if (segment.last) require_not_after(option, *given, last);
+  };
+  require(option::from, request_.from);
+  require(option::to, request_.to);
+}
+
+SegmentRows PieceSampler::place(const CurveSegment& segment) {
+  if (segment.number == 0 || segment.last) require_bounds(segment);
+  const auto [start, end] = range(segment);
+  done_ = request_.to && nearest_time(*request_.to, segment.decimals) <= segment.end;
+  const bool has_row = start < end;
+  if (has_row && !segment.warp.is_identity()) {
+    throw data_error(
+        "segment {}, from the key at time {} to the key at {}, has ease, so it is not cubic in time; expected keys "
+        "without ease; give {}, or a sampling option instead of {}",
+        segment.number, time_text(segment.start), time_text(segment.end), option::no_ease, option::emit);
+  }
+  if (has_row && ++rows_ > request_.max_rows) require_rows(Rational(rows_ - 1), request_.max_rows, !segment.last);
+  if (rows_ == 0 && (done_ || segment.last))
+    throw usage_error("no part of the curve lies between {0} and {1}; expected a longer range; correct {0} or {1}",
+                      option::from, option::to);
+  return {segment.number, segment.number + (has_row ? 1 : 0)};
+}
+
+void PieceSampler::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                          Located& located) const {
+  const spline::TimeMap<double> locate = segment.time_map();
+  const auto [start, end] = range(segment);
+  const auto at = [&](const Time& t) -> Sample { return {t, locate(segment.precise(t))}; };
+  fill(located, first, last, [&, start = start](std::uint64_t) { return at(start); });
+  located.ends.assign(last - first, at(end));
+}
+
 }  // namespace
 
 void locate_lengths(const CurveSegment& segment, Located& located) {
@@ -263,7 +332,7 @@ void locate_lengths(const CurveSegment& segment, Located& located) {
 
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {
   if (request.mode == Mode::per_segment) return std::make_unique<PerSegment>(request);
-  if (request.mode == Mode::emit) return make_piece_sampler(request);
+  if (request.mode == Mode::emit) return std::make_unique<PieceSampler>(request);
   if (by_length(request.mode)) return std::make_unique<ByLength>(request, spacing(request, extent));
   return std::make_unique<ByTime>(request, spacing(request, extent));
 }

@@ -11,7 +11,7 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
-#include "sample/cells.hpp"
+#include "sample/fields.hpp"
 #include "schema/errors.hpp"
 #include "schema/pose_formats.hpp"
 #include "text/suggest.hpp"

@@ -13,7 +13,7 @@
 #include "error.hpp"
 #include "invariant.hpp"
 #include "io/terminal.hpp"
-#include "keys/without_faults.hpp"
+#include "keys/curves.hpp"
 #include "read/reader.hpp"
 
 namespace tcb::fuzz {

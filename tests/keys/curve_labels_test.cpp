@@ -1,5 +1,5 @@
 // Curve labels: the column that distinguishes curves.
-#include "keys/curve_labels.hpp"
+#include "keys/order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Key checks: the ease and the number of keys.
-#include "keys/key_checks.hpp"
+#include "keys/prepare.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Parameterize: times from distances.
-#include "keys/parameterize.hpp"
+#include "keys/prepare.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Velocities: which of those that are given may be missing.
-#include "keys/velocities.hpp"
+#include "keys/prepare.hpp"
 
 #include <gtest/gtest.h>
 

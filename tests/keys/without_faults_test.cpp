@@ -1,10 +1,10 @@
 // Keys without faults: the faults of all blocks in one error.
-#include "keys/without_faults.hpp"
+#include "keys/curves.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "keys/errors.hpp"
+#include "error.hpp"
 
 namespace tcb {
 namespace {
@@ -12,10 +12,10 @@ namespace {
 /// Blocks with faults on these lines.
 Source<KeyBlock> blocks(std::vector<std::vector<std::uint64_t>> lines, bool ends_badly = false) {
   return [lines, ends_badly, next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
-    if (next == lines.size() && ends_badly) throw sort_without_times().at({"", 99, 1});
+    if (next == lines.size() && ends_badly) throw data_error("ends").at({"", 99, 1});
     if (next == lines.size()) return std::nullopt;
     KeyBlock block;
-    for (const std::uint64_t line : lines[next]) block.faults.errors.push_back(sort_of_segments().at({"", line, 1}));
+    for (const std::uint64_t line : lines[next]) block.faults.errors.push_back(data_error("fault").at({"", line, 1}));
     ++next;
     return block;
   };

@@ -1,5 +1,5 @@
 // Errors of curves: faults of the library with the names of channels and the lines of keys.
-#include "sample/curve_errors.hpp"
+#include "sample/build.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
-// Parameterize: times for keys without any, from the distances between them.
+// Prepare: the keys of a curve on their way to it: times for those without any, and checks of their numbers.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "schema/key_block.hpp"
@@ -11,6 +12,28 @@
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {
+
+/// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
+/// from key to key, up to the thousandth: then it may be the time.
+Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
+
+/// The scale on which a product shows tension, continuity and bias, where it is not from -1 to 1.
+enum class ShownTcbScale { from_0_to_50, percent };
+
+/// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
+/// scale on which the product shows them.
+Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
+
+/// Passes keys on. Throws: Error (data) about keys with ease, velocities or missing positions, which monotone timing
+/// does not have.
+Source<KeyBlock> with_rules_alone(Source<KeyBlock> blocks);
+
+/// The keys without their ease.
+Source<KeyBlock> without_ease(Source<KeyBlock> blocks);
+
+/// Passes keys on, and checks that there are at least `least` of them, 1 or 2, and that their ease is in [0, 1].
+/// Requires: increasing times. Throws: Error (data) with the line of the key.
+Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least);
 
 /// Adds times to keys without any: t[i+1] = t[i] + |P[i+1] - P[i]|^exponent, which is t[i] + 1 for exponent
 /// 0. `metric`: the channels that count for distances; empty: all. Throws: Error (data) if two positions are equal,
@@ -51,5 +74,9 @@ S parameter_step(std::span<const P> a, std::span<const P> b, double exponent, st
   for (std::size_t i = 0; i < channels; ++i) distance.add_square(a[channel(i)], b[channel(i)]);
   return distance.power(exponent);
 }
+
+/// Passes keys on. Throws: Error (data) with the line of a key where a given velocity is missing, except before a
+/// channel's first key and after its last; and about `equal_speed`, which would change them.
+Source<KeyBlock> with_complete_velocities(Source<KeyBlock> blocks, std::vector<std::string> channels, bool equal_speed);
 
 }  // namespace tcb

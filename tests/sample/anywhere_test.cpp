@@ -1,5 +1,5 @@
 // Look up: the segments of rows in any order, from either side of a key.
-#include "sample/look_up.hpp"
+#include "sample/anywhere.hpp"
 
 #include <gtest/gtest.h>
 
