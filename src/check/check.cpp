@@ -45,6 +45,37 @@ SampleRows concatenated(const std::vector<SampleRows>& parts) {
   return all;
 }
 
+/// Divides rows at the gaps of the keys, so that each part of a curve has its own; rows in a gap belong to the part
+/// before it. Requires: the rows have times.
+void divide_at_gaps(const KeptCurves& kept, SampleTable& table) {
+  const std::vector<KeptCurve>& curves = kept.curves;
+  const auto is_first_part = [](const KeptCurve& curve) { return curve.part->number == 0; };
+  if (std::ranges::count_if(curves, is_first_part) == 1) table.curves = {concatenated(table.curves)};
+  std::vector<SampleRows> divided;
+  std::size_t next = 0;  // of the first part of a curve
+  for (SampleRows& rows : table.curves) {
+    if (next == curves.size()) {
+      divided.push_back(std::move(rows));
+      continue;
+    }
+    const std::size_t width = rows.size() == 0 ? 0 : rows.numbers.size() / rows.size();
+    std::vector<bool> taken(rows.size());
+    do {
+      const std::optional<Time> end = curves[next].part->next();
+      SampleRows& part = divided.emplace_back(SampleRows{rows.group, {}, {}, {}});
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (taken[row] || (end && rows.times[row] >= *end)) continue;
+        taken[row] = true;
+        part.times.push_back(rows.times[row]);
+        part.lines.push_back(rows.lines[row]);
+        const auto first = rows.numbers.begin() + static_cast<std::ptrdiff_t>(row * width);
+        part.numbers.insert(part.numbers.end(), first, first + static_cast<std::ptrdiff_t>(width));
+      }
+    } while (++next < curves.size() && curves[next].part->number > 0);
+  }
+  table.curves = std::move(divided);
+}
+
 Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
   const std::vector<std::string>& names = kept.schema.groups;
   Pairs result;
@@ -75,6 +106,7 @@ Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
 }  // namespace
 
 Pairs pair_up(const KeptCurves& kept, SampleTable& table) {
+  if (!kept.curves.empty() && kept.curves[0].part && table.timed) divide_at_gaps(kept, table);
   if (!kept.curves.empty() && has_content(kept.curves[0].group) && !table.curves.empty() &&
       has_content(table.curves[0].group)) {
     return pairs_by_group(kept, table);
@@ -247,7 +279,7 @@ std::vector<Time> expected_places(const ExpectedSamples& expected, const Compari
                              .fields = fields,
                              .threads = inputs.threads};
   CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info);
-  const PlacedCurve placed = pipeline.place(curve.keys());
+  const PlacedCurve placed = pipeline.place(curve.keys(), curve.part);
   std::vector<Time> places;
   while (const std::optional<SampleBlock> block = placed.blocks()) {
     const Table rows = placed.evaluate(*block, fields);

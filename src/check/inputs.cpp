@@ -74,7 +74,7 @@ SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes
   const Schema& schema = input.schema;
   SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};
   Curves curves(schema, input.keys, {.any_order = true}, false);
-  while (const std::optional<CurveKeys> curve = curves.next()) {
+  while (const std::optional<InputCurve> curve = curves.next()) {
     SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
     while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
   }
@@ -302,9 +302,11 @@ KeptCurves keep_curves(const Comparison& comparison, Source<std::string> bytes) 
   const Input input = open_input(comparison.keys_file, std::move(bytes), options);
   KeptCurves kept{input.schema, input.keys.traits, {}};
   Curves curves(input.schema, input.keys, comparison.keys.curves, false);
-  while (const std::optional<CurveKeys> curve = curves.next()) {
+  while (const std::optional<InputCurve> curve = curves.next()) {
     KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
     while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
+    if (curve->part)
+      one.part = {curve->part->number, curve->part->origin, [next = curve->part->next()] { return next; }};
   }
   return kept;
 }

@@ -13,6 +13,7 @@
 
 #include "check/comparison.hpp"
 #include "error.hpp"
+#include "keys/curves.hpp"
 #include "read/earlier_output.hpp"
 #include "run/progress.hpp"
 #include "sample/fields.hpp"
@@ -89,6 +90,7 @@ struct KeptCurve {
   std::vector<std::string> group;
   std::shared_ptr<const CurveInfo> curve_info;
   std::vector<KeyBlock> blocks;
+  std::optional<CurvePart> part = {};  ///< of a curve that gaps divide
 
   /// The curve must outlive the source.
   Source<KeyBlock> keys() const;

@@ -149,8 +149,9 @@ constexpr OptionRow option_rows[] = {
        of.disable(sampling_options, reason_of_reports);
        disable_options_of_samples(of);
        disable_options_of_rows(of);
-       of.disable({option::preset, option::tangents, option::ends, option::equal_speed, option::side},
-                  ", which tries all rules on positions");
+       of.disable(
+           {option::preset, option::tangents, option::ends, option::equal_speed, option::no_overshoot, option::side},
+           ", which tries all rules on positions");
      }},
 
     {option::input_format, "-i", "FORMAT", input_group,
@@ -295,13 +296,26 @@ constexpr OptionRow option_rows[] = {
      "POLICY",
      input_group,
      "What happens to keys with equal times: error rejects them; first or last keeps that one; break begins a new "
-     "curve with the second",
+     "curve with the second; spread gives them equal parts of the step to the next time",
      "error",
      name,
      recorded,
      [](Typed& to, Text text) { to.keys.curves.duplicates = named_row(duplicates_names, text).value; },
      {},
      names_in<duplicates_names>},
+    {option::max_gap, "", "D", input_group,
+     "Begins a new curve where keys are further apart in time than D, a number or a duration such as 2s; rows at steps "
+     "stay on the grid of the first key",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       const std::optional<Rational> duration = read_duration(text);
+       to.keys.curves.max_gap = duration ? *duration : positive_ratio(text);
+       to.keys.curves.is_max_gap_in_seconds = duration.has_value();
+     },
+     [](const Conflicts& of) {
+       of.exclude({option::closed, option::period});
+       of.exclude({option::identify}, ", which tries rules on whole curves");
+     }},
     {option::sort, "", "", input_group, "Sorts keys by time before use; keys with equal times keep their order", "",
      flag, recorded, [](Typed& to, Text) { to.keys.curves.sort = true; }},
 
@@ -359,6 +373,9 @@ constexpr OptionRow option_rows[] = {
     {option::equal_speed, "", "", curve_group,
      "Makes the speeds on both sides of a key equal, even if the continuity is not 0", "", flag, recorded,
      [](Typed& to, Text) { to.keys.rules.equal_speed = true; }},
+    {option::no_overshoot, "", "", curve_group,
+     "Keeps each channel between the positions of two neighbouring keys, by smaller tangents where it would leave them",
+     "", flag, recorded, [](Typed& to, Text) { to.keys.rules.no_overshoot = true; }},
     {option::parameter,
      "",
      "NAME",
@@ -525,14 +542,14 @@ constexpr OptionRow option_rows[] = {
      "", other, recorded, [](Typed& to, Text text) { std::tie(to.fit.tolerances, to.fit.angle) = fit_limits(text); },
      [](const Conflicts& of) {
        of.exclude(sampling_options);
-       of.disable({option::tcb,         option::tcb_scale,      option::rotation_output,
-                   option::preset,      option::tangents,       option::ends,
-                   option::closed,      option::period,         option::equal_speed,
-                   option::parameter,   option::rotation_curve, option::no_ease,
-                   option::extrapolate, option::from,           option::to,
-                   option::end,         option::keys,           option::max_rows,
-                   option::fields,      option::side,           option::golden,
-                   option::exact_input, option::rename},
+       of.disable({option::tcb,          option::tcb_scale,   option::rotation_output,
+                   option::preset,       option::tangents,    option::ends,
+                   option::closed,       option::period,      option::equal_speed,
+                   option::no_overshoot, option::parameter,   option::rotation_curve,
+                   option::no_ease,      option::extrapolate, option::from,
+                   option::to,           option::end,         option::keys,
+                   option::max_rows,     option::fields,      option::side,
+                   option::golden,       option::exact_input, option::rename},
                   ", which prints keys with the default rules");
        of.disable({option::digits, option::fixed}, ", whose numbers have the digits that the tolerance needs");
        of.exclude({option::plot, option::explain});

@@ -77,7 +77,7 @@ class FitRun {
   /// The samples of each recording.
   Source<Samples> samples(const Schema& schema, Curves& curves) {
     return [this, &schema, &curves, expected = 0.0]() mutable -> std::optional<Samples> {
-      std::optional<CurveKeys> curve = curves.next();
+      std::optional<InputCurve> curve = curves.next();
       if (!curve) return std::nullopt;
       const Format& format = format_of(job_.rows.format);
       if (expected > 0 && curve->group.empty() && format.family == FormatFamily::delimited && format.delimiter != ' ') {
@@ -190,7 +190,7 @@ FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
   picture.begin(keys, all, "keys", shown_name(path));
   FitReport report;
   Curves curves(input.schema, input.keys, job.keys.curves, false);
-  while (const std::optional<CurveKeys> curve = curves.next()) {
+  while (const std::optional<InputCurve> curve = curves.next()) {
     const Samples samples = recorded_samples(*curve, input.schema, job.keys.rules, job.options);
     const FitResult result = fitted(samples, job.options);
     report.add(rows_of(samples, result, job.options).report);

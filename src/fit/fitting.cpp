@@ -212,7 +212,7 @@ void unwrap(Recording& recording, std::size_t channel, bool degrees) {
 }
 
 /// The times of a curve that are to have keys.
-const std::vector<Rational>& kept_times_of(const CurveKeys& curve, const Schema& schema, const FitOptions& options) {
+const std::vector<Rational>& kept_times_of(const InputCurve& curve, const Schema& schema, const FitOptions& options) {
   if (options.grouped_kept_times.empty()) return options.kept_times;
   return places_of_group(options.grouped_kept_times, option::keep_times, curve, schema);
 }
@@ -273,7 +273,7 @@ Schema keys_of_fit(const Input& samples, const CurveSettings& rules, const FitOp
   return with_channels(samples.schema, std::move(channels));
 }
 
-Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const CurveSettings& rules,
+Samples recorded_samples(const InputCurve& curve, const Schema& schema, const CurveSettings& rules,
                          const FitOptions& options) {
   if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
     const auto& [name, place] = curve.curve_info->places[0];

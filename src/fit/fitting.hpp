@@ -73,7 +73,7 @@ Schema keys_of_fit(const Input& samples, const CurveSettings& rules, const FitOp
 
 /// The samples of a curve. Throws: Error (data) for missing numbers, fewer than two samples, a tolerance near the
 /// spacing of doubles, and a time to keep that no sample has.
-Samples recorded_samples(const CurveKeys& curve, const Schema& schema, const CurveSettings& rules,
+Samples recorded_samples(const InputCurve& curve, const Schema& schema, const CurveSettings& rules,
                          const FitOptions& options);
 
 /// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.

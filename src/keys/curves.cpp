@@ -17,6 +17,7 @@
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "schema/errors.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -140,6 +141,10 @@ void require_times(const CurveOptions& options) {
     throw data_error(
         "{} orders rows by time, but there is no time column; remove it, or name the column with {} time=NAME",
         option::sort, option::columns);
+  if (options.max_gap) {
+    throw data_error("{} is about times, but there is no time column; remove it, or name the column with {} time=NAME",
+                     option::max_gap, option::columns);
+  }
   if (options.duplicates != Duplicates::error)
     throw data_error(
         "{} is about equal times, but there is no time column; remove it, or name the column with {} time=NAME",
@@ -168,6 +173,7 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
     blocks = past_midnight(std::move(blocks), schema.time.notation, schema.time.frame_rate.value_or(1), midnights);
   }
   if (traits.are_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
+  if (is_ordered && options.duplicates == Duplicates::spread) blocks = spread_out(std::move(blocks));
   if (is_ordered) blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels});
   return without_faults(std::move(blocks), live);
 }
@@ -200,7 +206,9 @@ class Curves::Splitter {
   Splitter(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
       : angles_(schema),
         blocks_(angles_.observe(arranged(schema, keys, options, live, midnights_))),
-        may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve),
+        may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve ||
+                   options.max_gap),
+        max_gap_(max_gap(schema.time, options)),
         groups_(keys.traits.own_curves ? 0 : schema.groups.size()),
         curve_info_(std::make_shared<const CurveInfo>(keys.curve_info)),
         own_curves_(keys.traits.own_curves) {}
@@ -213,17 +221,31 @@ class Curves::Splitter {
     const bool any = fill();
     if (!any && !first_) return false;
     first_ = false;
+    const bool continues = any && has_gap(at_);
     if (any && block_->curve_info != nullptr && at_ == 0) curve_info_ = std::exchange(block_->curve_info, nullptr);
     started_ = true;
+    part_ = continues ? part_ + 1 : 0;
+    if (part_ > 0) {
+      ++gaps_;
+      largest_gap_ = std::max(largest_gap_, (block_->keys.times[at_] - *last_).hi);
+    } else if (any && max_gap_) {
+      origin_ = block_->keys.times[at_];
+    }
+    last_.reset();
     return true;
   }
 
   /// The next keys of the current curve.
   std::optional<KeyBlock> next_keys() {
-    if (!fill() || (!started_ && block_->begins_curve(at_))) return std::nullopt;
+    if (!fill() || (!started_ && (block_->begins_curve(at_) || has_gap(at_)))) return std::nullopt;
     started_ = false;
     const auto next = std::ranges::upper_bound(block_->breaks.before, at_);
-    const std::size_t end = next == block_->breaks.before.end() ? block_->size() : *next;
+    std::size_t end = next == block_->breaks.before.end() ? block_->size() : *next;
+    if (max_gap_) {
+      std::size_t key = at_;
+      for (last_ = block_->keys.times[key++]; key < end && !has_gap(key); ++key) last_ = block_->keys.times[key];
+      end = key;
+    }
     if (at_ == 0 && end == block_->size()) {
       std::optional<KeyBlock> whole = std::exchange(block_, std::nullopt);
       whole->breaks.before.clear();
@@ -242,9 +264,44 @@ class Curves::Splitter {
   std::shared_ptr<const CurveInfo> curve_info() const { return curve_info_; }
   std::uint64_t skipped() const { return skipped_; }
   std::uint64_t midnights() const { return *midnights_; }
+  std::uint64_t gaps() const { return gaps_; }
+  double largest_gap() const { return largest_gap_; }
+  std::optional<CurvePart> part(const std::shared_ptr<Splitter>& self) const {
+    if (!max_gap_) return std::nullopt;
+    return CurvePart{part_, origin_, [self] { return self->next_part(); }};
+  }
   std::vector<NamedAngle> likely_angles() const { return angles_.found(); }
 
  private:
+  /// The largest gap within a curve, in the unit of the times.
+  static std::optional<Rational> max_gap(const TimeSchema& time, const CurveOptions& options) {
+    std::optional<Rational> gap = options.max_gap;
+    if (gap && options.is_max_gap_in_seconds) {
+      if (time.unit == TimeUnit::frames) {
+        throw data_error("the times in {} are frames, whose duration is unknown; give {} as a number of frames, or {}",
+                         in_quotes(time.name), option::max_gap, option::input_fps);
+      }
+      if (time.unit) *gap *= units_per_second(*time.unit);
+    }
+    return gap;
+  }
+
+  /// Whether the next key is further from the last key of the curve than a curve allows.
+  bool has_gap(std::size_t key) const {
+    if (!max_gap_ || !last_ || block_->begins_curve(key)) return false;
+    const Time& time = block_->keys.times[key];
+    const double step = (time - *last_).hi, most = nearest_double(*max_gap_);
+    const double doubt = 0x1p-50 * (std::abs(time.hi) + std::abs(last_->hi) + most);
+    if (std::abs(step - most) > doubt) return step > most;
+    return exact_time(time) - exact_time(*last_) > *max_gap_;
+  }
+
+  /// The time of the first key of the next part.
+  std::optional<Time> next_part() {
+    if (!fill() || !has_gap(at_)) return std::nullopt;
+    return block_->keys.times[at_];
+  }
+
   /// Reads blocks until there is a next key; whether there is one.
   bool fill() {
     while (!block_ || at_ == block_->size()) {
@@ -260,14 +317,20 @@ class Curves::Splitter {
   LikelyAngles angles_;
   Source<KeyBlock> blocks_;
   bool may_break_;
+  std::optional<Rational> max_gap_;  ///< in the unit of the times
   std::size_t groups_;
   std::shared_ptr<const CurveInfo> curve_info_;
   bool own_curves_;
   std::optional<KeyBlock> block_;  ///< holds the next key
   std::size_t at_ = 0;             ///< its index
   std::uint64_t skipped_ = 0;
-  bool first_ = true;     ///< no curve has begun
-  bool started_ = false;  ///< the next key is the first of the current curve
+  bool first_ = true;         ///< no curve has begun
+  bool started_ = false;      ///< the next key is the first of the current curve
+  std::optional<Time> last_;  ///< the time of the last key that was handed out of the current curve
+  Time origin_;               ///< the time of the first key of the first part of the current curve
+  std::size_t part_ = 0;      ///< of the curve that gaps divide
+  std::uint64_t gaps_ = 0;
+  double largest_gap_ = 0;
 };
 
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
@@ -276,11 +339,13 @@ Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& 
 std::optional<InputCurve> Curves::next() {
   if (!splitter_->begin()) return std::nullopt;
   return InputCurve{splitter_->group(), splitter_->curve_info(),
-                    [splitter = splitter_] { return splitter->next_keys(); }};
+                    [splitter = splitter_] { return splitter->next_keys(); }, splitter_->part(splitter_)};
 }
 
 std::uint64_t Curves::skipped() const { return splitter_->skipped(); }
 std::vector<NamedAngle> Curves::likely_angles() const { return splitter_->likely_angles(); }
 std::uint64_t Curves::midnights() const { return splitter_->midnights(); }
+std::uint64_t Curves::gaps() const { return splitter_->gaps(); }
+double Curves::largest_gap() const { return splitter_->largest_gap(); }
 
 }  // namespace tcb

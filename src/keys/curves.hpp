@@ -1,7 +1,9 @@
 // Curves: the keys of an input, arranged and split into curves.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +26,17 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
 struct CurveOptions {
   Duplicates duplicates = Duplicates::error;
   bool sort = false;
-  bool any_order = false;  ///< keys stay in the order of the input, whatever their times
+  std::optional<Rational> max_gap = {};  ///< where keys are further apart in time, a new curve begins
+  bool is_max_gap_in_seconds = false;    ///< it is a duration, not in the unit of the times
+  bool any_order = false;                ///< keys stay in the order of the input, whatever their times
+};
+
+/// A part of a curve that gaps divide, which has a curve of its own.
+struct CurvePart {
+  std::size_t number = 0;  ///< of the part, from 0
+  Time origin;             ///< the time of the first key of the first part
+  /// The time of the first key of the next part, once all keys of this one are read; nothing: it is the last one.
+  std::function<std::optional<Time>()> next;
 };
 
 /// The keys of one curve.
@@ -32,6 +44,7 @@ struct InputCurve {
   std::vector<std::string> group;  ///< the texts that identify the curve, one for each of the input's groups
   std::shared_ptr<const CurveInfo> curve_info;
   Source<KeyBlock> keys;
+  std::optional<CurvePart> part = {};  ///< where gaps divide curves
 };
 
 /// The curves of an input, in order of first appearance.
@@ -50,6 +63,9 @@ class Curves {
   std::vector<NamedAngle> likely_angles() const;
   /// How often times of day passed midnight so far.
   std::uint64_t midnights() const;
+  /// How many gaps divided curves so far, and the largest one.
+  std::uint64_t gaps() const;
+  double largest_gap() const;
 
  private:
   class Splitter;

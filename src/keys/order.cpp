@@ -130,6 +130,7 @@ class Order {
       case Duplicates::first: return Placement::dropped;
       case Duplicates::last: return Placement::replaces_last;
       case Duplicates::break_curve: return Placement::begins_curve;
+      case Duplicates::spread:
       case Duplicates::error: break;
     }
     return Placement::repeats;
@@ -169,6 +170,82 @@ class Order {
   std::string column_;                 ///< that distinguishes curves, if one does
   std::optional<KeyLocation> before_;  ///< of the last key that remained
   KeyBlock held_;                      ///< that key, where the next one may replace it
+  std::optional<KeyBlock> waiting_;
+};
+
+/// The stage of spread_out().
+class Spreader {
+ public:
+  explicit Spreader(Source<KeyBlock> blocks) : blocks_(std::move(blocks)) {}
+
+  std::optional<KeyBlock> next() {
+    std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : blocks_();
+    if (!held_.empty() && (!block || block->begins_curve(0))) {
+      waiting_ = std::move(block);
+      end_curve(held_, 0, held_.size());
+      return std::exchange(held_, {});
+    }
+    if (!block || block->empty()) return block;
+    return spread(std::move(*block));
+  }
+
+ private:
+  /// The keys whose next time is known; those of the last time are held.
+  KeyBlock spread(KeyBlock block) {
+    KeyBlock all = std::exchange(held_, {});
+    const std::size_t held = all.size();
+    auto curve_info = held > 0 ? std::move(all.curve_info) : std::move(block.curve_info);
+    std::vector<std::size_t> breaks = all.breaks.before;
+    for (const std::size_t key : block.breaks.before) breaks.push_back(held + key);
+    all.append(block, 0, block.size());
+    std::size_t group = 0;  // the first key with the current time
+    for (std::size_t key = 1; key < all.size(); ++key) {
+      if (std::ranges::binary_search(breaks, key)) {
+        end_curve(all, std::exchange(group, key), key);
+      } else if (all.keys.times[key] != all.keys.times[group]) {
+        step_ = exact_time(all.keys.times[key]) - exact_time(all.keys.times[group]);
+        divide(all, group, key);
+        group = key;
+      }
+    }
+    const auto first_held = std::ranges::lower_bound(breaks, group);
+    held_ = all.range(group, all.size());
+    if (first_held != breaks.end()) held_.breaks.before = {0};
+    KeyBlock result = all.range(0, group);
+    result.breaks.before.assign(breaks.begin(), first_held);
+    result.faults = std::move(block.faults);
+    (group > 0 ? result : held_).curve_info = std::move(curve_info);
+    return result;
+  }
+
+  /// The last keys of a curve.
+  void end_curve(KeyBlock& block, std::size_t first, std::size_t last) {
+    divide(block, first, last);
+    step_.reset();
+  }
+
+  /// Gives keys with the same time equal parts of the step. Where there is none, or they go back, they stay.
+  void divide(KeyBlock& block, std::size_t first, std::size_t last) const {
+    if (last - first < 2 || !step_ || *step_ <= 0) return;
+    const std::size_t per_key = block.decimals.size() / block.size();
+    const Rational start = exact_time(block.keys.times[first]), part = *step_ / (last - first);
+    Texts decimals;
+    for (std::size_t key = 0; key < block.size(); ++key) {
+      const bool is_moved = key > first && key < last;
+      const Rational time = is_moved ? start + part * (key - first) : Rational(0);
+      if (is_moved) block.keys.times[key] = nearest_time(time);
+      for (std::size_t i = 0; i < per_key; ++i) {
+        const bool is_time = is_moved && i == NumberOfKey::time;
+        decimals.add(is_time ? whole_text(numerator(time)) + "/" + whole_text(denominator(time))
+                             : std::string(block.decimals[key * per_key + i]));
+      }
+    }
+    if (per_key > 0) block.decimals = std::move(decimals);
+  }
+
+  Source<KeyBlock> blocks_;
+  KeyBlock held_;                 ///< keys with one time
+  std::optional<Rational> step_;  ///< between the last two times of the curve
   std::optional<KeyBlock> waiting_;
 };
 
@@ -223,6 +300,11 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
     block->breaks.at_end = false;
     return block;
   };
+}
+
+Source<KeyBlock> spread_out(Source<KeyBlock> blocks) {
+  const auto spreader = std::make_shared<Spreader>(std::move(blocks));
+  return [spreader] { return spreader->next(); };
 }
 
 Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels) {

@@ -27,7 +27,7 @@ struct CurveLabels {
 };
 
 /// The treatment of keys with equal times.
-enum class Duplicates { error, first, last, break_curve };
+enum class Duplicates { error, first, last, break_curve, spread };
 
 struct DuplicatesName {
   std::string_view name;
@@ -35,7 +35,8 @@ struct DuplicatesName {
 };
 inline constexpr std::array duplicates_names{
     DuplicatesName{"error", Duplicates::error}, DuplicatesName{"first", Duplicates::first},
-    DuplicatesName{"last", Duplicates::last}, DuplicatesName{"break", Duplicates::break_curve}};
+    DuplicatesName{"last", Duplicates::last}, DuplicatesName{"break", Duplicates::break_curve},
+    DuplicatesName{"spread", Duplicates::spread}};
 
 /// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
 /// whole numbers; from there on each is its decimal.
@@ -48,6 +49,10 @@ Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, c
 
 /// The keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
+
+/// The keys, where those with the same time get equal parts of the step to the next time of the curve, the last ones of
+/// a curve of the step before. Holds the keys of one time.
+Source<KeyBlock> spread_out(Source<KeyBlock> blocks);
 
 /// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are
 /// faults of the block, which name the column that distinguishes curves, if one does. Duplicates::last delays one key

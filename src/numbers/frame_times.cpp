@@ -9,7 +9,8 @@ namespace tcb {
 namespace {
 
 constexpr std::int64_t parts_of_frame = 1000;
-constexpr std::int64_t most = std::int64_t{1} << 40;  ///< so that a quotient of double-doubles has the nearest double
+constexpr std::int64_t most_ticks = std::int64_t{1}
+                                    << 40;  ///< so that a quotient of double-doubles has the nearest double
 
 /// The decimal of a time: that of a double is its shortest one.
 LongDecimal named(const Time& time) { return decimal_of(with_all_digits(time)); }
@@ -56,7 +57,7 @@ FrameTimes FrameTimes::decimals() {
 
 FrameTimes::FrameTimes(const Rational& rate) {
   const Rational parts = rate * parts_of_frame;
-  if (numerator(parts) > most || denominator(parts) > most) return;
+  if (numerator(parts) > most_ticks || denominator(parts) > most_ticks) return;
   ticks_ = nearest_double(numerator(parts));
   seconds_ = nearest_double(denominator(parts));
 }

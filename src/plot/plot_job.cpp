@@ -141,6 +141,7 @@ std::string short_rules(const RuleFacts& facts) {
   }
   if (spec.closed) words.emplace_back("closed");
   if (rules.equal_speed) words.emplace_back("equal speed");
+  if (rules.no_overshoot) words.emplace_back("no overshoot");
   if (!rules.rotations.empty()) append_rotation_rules(words, facts, preset->rotations);
   if (!timed) words.push_back(fmt::format("parameter {}", spec.parameter_name.value_or("uniform")));
   return fmt::format("{}", fmt::join(words, ", "));
@@ -266,11 +267,11 @@ class Picture final : public BatchOutput {
     notes.add_input(input, job_.keys, job_.samples.request);
     Curves curves(input.schema, input.keys, job_.keys.curves, live);  // group, order, split into curves
     std::uint64_t rows = 0;
-    for (bool is_first = true; const std::optional<CurveKeys> curve = curves.next(); is_first = false) {
+    for (bool is_first = true; const std::optional<InputCurve> curve = curves.next(); is_first = false) {
       CurvePipeline pipeline = pipeline_of(input, *curve, options.threads);
       const RuleFacts rules = pipeline.facts();
       if (is_first) drawing_.begin(file.path, input.schema, rules);
-      StoredCurve stored = pipeline.stored(curve->keys);  // segments, measure, place
+      StoredCurve stored = pipeline.stored(curve->keys, true, curve->part);  // segments, measure, place
       std::optional<PlacedCurve>& placed = stored.placed;
       if (placed) placed->blocks = progress->observe_rows(std::move(placed->blocks), placed->expected_rows, rows);
       drawing_.add(curve->group, stored, short_rules(rules));  // evaluate, draw
@@ -283,7 +284,7 @@ class Picture final : public BatchOutput {
   void commit() override { drawing_.commit(); }
 
  private:
-  CurvePipeline pipeline_of(const Input& input, const CurveKeys& curve, unsigned threads) const {
+  CurvePipeline pipeline_of(const Input& input, const InputCurve& curve, unsigned threads) const {
     const CurveRequest request{.samples = job_.samples.of(curve, input.schema),
                                .rules = job_.keys.rules,
                                .fields = {field_of("time"), field_of("position")},

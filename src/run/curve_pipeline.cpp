@@ -30,6 +30,15 @@ CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const S
   return make_spec(merged(settings, of_input), schema.channels, rotations, schema.angles);
 }
 
+PlacedCurve no_samples(const Time& first_key) {
+  PlacedCurve none;
+  none.first_key = first_key;
+  none.blocks = []() -> std::optional<SampleBlock> { return std::nullopt; };
+  none.expected_rows = [] { return 0.0; };
+  none.limited_tangents = [] { return std::size_t{0}; };
+  return none;
+}
+
 /// The times that the texts of rows name: where these are times in words, or frames; nothing: they are numbers.
 std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSchema& time) {
   if (!time.is_given) return std::nullopt;
@@ -111,14 +120,41 @@ Source<KeyBlock> CurvePipeline::recorded(Source<KeyBlock> blocks, const std::sha
   });
 }
 
-PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks) {
-  blocks = prepared(std::move(blocks), 2);
+/// Takes the origin of a part's grid. Returns how many keys it needs: where rows are at steps or given times, a key
+/// between two gaps is enough.
+std::size_t CurvePipeline::set_part(const std::optional<CurvePart>& part) {
+  if (!part) return 2;
+  request_.origin = request_.exact(part->origin);
+  return request_.mode == Mode::step || request_.mode == Mode::at ? 1 : 2;
+}
+
+/// Leaves the places that are on a part of a curve, and those after it up to the next part. Throws: Error (usage) for a
+/// time in the gap after it, where nothing extends the curve. Requires: its keys were read to the end.
+bool CurvePipeline::takes_places_of(const CurvePart& part, const Extent& extent) {
+  const std::optional<Time> next = part.next();
+  const Rational first = request_.exact(extent.first), last = request_.exact(*extent.last);
+  std::erase_if(request_.places, [&](const Rational& place) {
+    const bool is_before = part.number > 0 && place < first, is_after = next && place >= exact_time(*next);
+    return is_before || is_after;
+  });
+  for (const Rational& place : request_.places) {
+    if (!next || place <= last || spec_.extrapolations.after != Extrapolation::error) continue;
+    throw usage_error("time {} is in the gap from {} to {}; give a time on the curve, or {}", text(place), text(last),
+                      time_text(*next), option::extrapolate)
+        .about(option::at);
+  }
+  return !request_.places.empty();
+}
+
+PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks, const std::optional<CurvePart>& part) {
+  blocks = prepared(std::move(blocks), set_part(part));
   if (!needs_.all_keys) return place_as_read(std::move(blocks));
   const auto exact =
       std::make_shared<ExactKeys>(golden_ && golden_->decimal, converted_rotations(rotations_), spec_.frames);
   if (golden_) blocks = recorded(std::move(blocks), exact);
   KeyStore keys(blocks);
   const Extent range = extent(keys);
+  if (part && request_.mode == Mode::at && !takes_places_of(*part, range)) return no_samples(range.first);
   if (has_exact_times()) set_key_times(keys, range, *exact);
   return place_stored(keys, range, *exact);
 }
@@ -175,9 +211,18 @@ Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent&
 PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent,
                                           std::shared_ptr<const RowEstimate> estimate) const {
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
+  const auto limited = std::make_shared<std::size_t>(0);
+  if (spec_.rules.no_overshoot) {
+    segments = mapped(std::move(segments), [limited](SegmentBlock block) {
+      *limited += block.segments.limited_tangents;
+      return block;
+    });
+  }
   Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels(), request_.side());
   const auto expected = [estimate = std::move(estimate)] { return estimate->rows(); };
-  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected, {}, extent.first};
+  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected, {}, extent.first, [limited] {
+            return *limited;
+          }};
 }
 
 /// The first and the last time of the curve.
@@ -204,9 +249,11 @@ WholeCurve CurvePipeline::whole(Source<KeyBlock> blocks) {
   return {shown(keys, range), range, spec_.extrapolations};
 }
 
-StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled) {
+StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled, const std::optional<CurvePart>& part) {
+  (void)set_part(part);
   KeyStore keys(prepared(std::move(blocks), 1));
   const Extent range = extent(keys);
+  if (part && sampled && request_.mode == Mode::at) sampled = takes_places_of(*part, range);
   const auto again = [pipeline = *this, keys, range] { return pipeline.segments(keys, range, false); };
   StoredCurve curve{keys, again, spec_.closed, {}};
   if (sampled && (keys.size() > 1 || needs_.single_key)) curve.placed = place_stored(keys, range, ExactKeys(false));
@@ -255,6 +302,7 @@ PlacedCurve CurvePipeline::place_on_grid(const KeyStore& keys, Extent& extent) c
 /// The times of a grid that may leave the curve.
 std::vector<Time> CurvePipeline::grid_times(const Extent& extent) const {
   const auto spacing = tcb::spacing(request_, extent);
+  if (spacing.rows == 0) return {};
   const bool single = spacing.grid.step() == 0;
   const int digits = extent.decimals;
   const Time end = nearest_time(*spacing.end, digits);
@@ -302,6 +350,7 @@ std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
   }
   const Spacing spacing = tcb::spacing(request_, extent);
   const Rational &from = spacing.grid.start(), &step = spacing.grid.step(), &to = *spacing.end;
+  if (spacing.rows == 0) return {};
   const bool is_counted = spacing.rows != Spacing::unlimited;
   const std::uint64_t rows = is_counted ? spacing.rows : whole_number(floor(steps_between(from, to, step))) + 1;
   for (std::uint64_t row = 0; row < rows; ++row) places.push_back(from + step * row);
@@ -323,7 +372,7 @@ void CurvePipeline::require_extended_to(std::string_view option, const Rational&
 /// Rows at places in any order, also outside the curve. `exact`: their times, or nothing.
 PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& extent,
                                           const std::vector<Rational>& exact) const {
-  if (spec_.extrapolations.extend_curve() && may_leave_curve(request_)) {
+  if (spec_.extrapolations.extend_curve() && may_leave_curve(request_) && !request_.origin) {
     const Bound first = first_key(extent.first), last = last_key(*extent.last);
     if (request_.from) require_extended_to(option::from, *request_.from, first, last);
     if (request_.to) require_extended_to(option::to, *request_.to, first, last);
@@ -338,6 +387,7 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
   if (facts.least_rows) facts.rows = rows;
   const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
   const auto expected = [rows] { return static_cast<double>(rows); };
+  const auto limited = [curve] { return curve->curve().limited_tangents(); };
   if (request_.mode == Mode::arc_at) {
     const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->curve().length().value);
     return {look_up(curve, locator, request_.side()),
@@ -347,7 +397,8 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
             fast_rows(locator),
             expected,
             {},
-            extent.first};
+            extent.first,
+            limited};
   }
   const Time& end = *extent.last;
   const auto locator =
@@ -359,7 +410,8 @@ PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& ex
           fast_rows(locator),
           expected,
           {},
-          extent.first};
+          extent.first,
+          limited};
 }
 
 /// Evaluates rows exactly, and rounds each number once.

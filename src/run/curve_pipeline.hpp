@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "keys/angles.hpp"
+#include "keys/curves.hpp"
 #include "keys/key_store.hpp"
 #include "keys/rotations.hpp"
 #include "run/curve_needs.hpp"
@@ -65,6 +66,7 @@ struct PlacedCurve {
   std::function<double()> expected_rows = {};  ///< about the number of rows, by the segments that were made so far
   std::shared_ptr<ExactRows> golden = {};      ///< null: rows are not exact
   Time first_key = {};                         ///< its time
+  std::function<std::size_t()> limited_tangents = {};  ///< so that it does not overshoot, of the segments made so far
 
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
@@ -94,11 +96,12 @@ class CurvePipeline {
   // From the keys of a curve. Throws: Error (data) for keys that make no curve.
 
   /// The samples of the request, in constant memory if it does not need all keys.
-  PlacedCurve place(Source<KeyBlock> blocks);
+  /// `part`: of a curve that gaps divide.
+  PlacedCurve place(Source<KeyBlock> blocks, const std::optional<CurvePart>& part = {});
   /// The curve itself, for samples that the request does not have; it may have a single key.
   WholeCurve whole(Source<KeyBlock> blocks);
   /// The curve as it is drawn, and unless it is not `sampled`, its samples; it may have a single key.
-  StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true);
+  StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true, const std::optional<CurvePart>& part = {});
 
   RuleFacts facts() const { return {spec_, timed_}; }
   const CurveNeeds& needs() const { return needs_; }
@@ -116,6 +119,8 @@ class CurvePipeline {
   Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
   PlacedCurve place_as_read(Source<KeyBlock> blocks);
   void set_origin(const Time& first);
+  std::size_t set_part(const std::optional<CurvePart>& part);
+  bool takes_places_of(const CurvePart& part, const Extent& extent);
   bool has_exact_times() const { return golden_ && golden_->decimal && time_exponent() == 0; }
   Rational exact_end(const ExactKeys& exact, std::size_t keys, const Time& end) const;
   void set_key_times(const KeyStore& keys, const Extent& extent, const ExactKeys& exact);

@@ -129,7 +129,7 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
 }
 
 /// The group of a curve, as in "curve id=a", or its number.
-std::string title(const Schema& schema, const CurveKeys& curve, std::size_t number) {
+std::string title(const Schema& schema, const InputCurve& curve, std::size_t number) {
   if (schema.groups.empty()) return fmt::format("curve {}", number);
   return fmt::format("curve {}", fmt::join(group_title(schema.groups, curve.group), " "));
 }
@@ -141,7 +141,8 @@ struct CurveOutcome {
   std::optional<Time> first, last;    ///< times of the keys, where they are known
   PlacementFacts facts;
   std::optional<Rational> remainder;
-  bool ends_at_key = true;  ///< the end of the range is the last key
+  bool ends_at_key = true;                  ///< the end of the range is the last key
+  std::optional<std::size_t> limited = {};  ///< tangents, so that the curve does not overshoot
 
   void add(const KeyBlock& block) {
     keys += block.size();
@@ -152,23 +153,26 @@ struct CurveOutcome {
 };
 
 /// Places the samples of a curve if they are requested, and reads its keys to the end.
-CurveOutcome outcome_of(CurvePipeline& pipeline, const CurveKeys& curve, bool has_samples) {
+CurveOutcome outcome_of(CurvePipeline& pipeline, const InputCurve& curve, bool has_samples) {
   CurveOutcome outcome;
+  const bool no_overshoot = pipeline.facts().spec.rules.no_overshoot;
   const Source<KeyBlock> observed = mapped(curve.keys, [&outcome](KeyBlock block) {
     outcome.add(block);
     return block;
   });
   if (!has_samples) {
-    const Extent extent = pipeline.whole(observed).extent;
-    outcome.first = extent.first;
-    outcome.last = extent.last;
+    const WholeCurve whole = pipeline.whole(observed);
+    outcome.first = whole.extent.first;
+    outcome.last = whole.extent.last;
+    if (no_overshoot) outcome.limited = whole.curve->curve().limited_tangents();
     return outcome;
   }
-  const PlacedCurve placed = pipeline.place(observed);
+  const PlacedCurve placed = pipeline.place(observed, curve.part);
   outcome.rows = 0;
   while (const auto block = placed.blocks()) *outcome.rows += block->rows();
   while (observed()) {
   }
+  if (no_overshoot) outcome.limited = placed.limited_tangents();
   outcome.facts = placed.facts;
   outcome.remainder = placed.remainder();
   if (placed.facts.first) outcome.first = placed.facts.first;
@@ -186,6 +190,7 @@ Facts lines_of(const CurveOutcome& outcome) {
   if (outcome.first) lines.emplace_back("curve", range_text(outcome));
   if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
   if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
+  if (outcome.limited) lines.emplace_back("limited tangents", fmt::format("{}", *outcome.limited));
   if (outcome.rows) lines.emplace_back("rows", fmt::format("{}", *outcome.rows));
   if (outcome.remainder)
     lines.emplace_back("note", remainder_note(nearest_time(*outcome.remainder).hi, outcome.ends_at_key).text);
@@ -202,6 +207,7 @@ std::string line_of(const CurveOutcome& outcome) {
   if (outcome.first) text += ", " + range_text(outcome);
   if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
   if (outcome.facts.step) text += ", step " + time_text(*outcome.facts.step);
+  if (outcome.limited) text += ", " + counted(*outcome.limited, "limited tangent");
   return outcome.rows ? text + ", " + counted(*outcome.rows, "row") : text;
 }
 
@@ -210,7 +216,7 @@ class Explainer {
  public:
   Explainer(const Input& input, const ExplainJob& job) : input_(input), job_(job) {}
 
-  void add(const CurveKeys& curve) {
+  void add(const InputCurve& curve) {
     const CurveRequest request{job_.samples.of(curve, input_.schema), job_.keys.rules, job_.fields, job_.golden};
     CurvePipeline pipeline(request, input_.schema, input_.keys.traits, *curve.curve_info);
     if (count_ == 0) {
@@ -250,7 +256,7 @@ class Explainer {
   static void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
 
   /// The last curve, in one line, with an extrapolation that the input alone decides.
-  std::string line(const CurveKeys& curve) const {
+  std::string line(const InputCurve& curve) const {
     const std::optional<TextSetting>& extrapolation = curve.curve_info->settings.extrapolate;
     const bool is_decided = extrapolation && !job_.keys.rules.extrapolate;
     return line_of(last_) + (is_decided ? ", extrapolation " + extrapolation->value : "");
@@ -282,7 +288,7 @@ std::string explanation(const std::string& path, const ExplainJob& job) {
   const Input input = open_input(path, read_file(path), job.keys.input);
   Curves curves(input.schema, input.keys, job.keys.curves, is_live(path));
   Explainer explainer(input, job);
-  while (const std::optional<CurveKeys> curve = curves.next()) explainer.add(*curve);
+  while (const std::optional<InputCurve> curve = curves.next()) explainer.add(*curve);
   Facts lines{{"file", shown_name(path)}};
   const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };
   append(input_facts(input));

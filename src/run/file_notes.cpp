@@ -120,6 +120,7 @@ void FileNotes::end(const Curves& curves) {
   if (rows_ > 0) add(rows_within(rows_, least_rows_));
   if (rounded_.by_bounds + rounded_.exactly + rounded_.by_floats > 0) add(rounded_numbers(rounded_));
   if (curves.skipped() > 0) add(skipped_rows(curves.skipped()));
+  if (curves.gaps() > 0) add(gaps_divide(curves.gaps(), curves.largest_gap()));
   if (curves.midnights() > 0) add(midnights_passed(time_name_));
   if (const auto angles = curves.likely_angles(); !angles.empty()) add(angles_note(angles));
 }

@@ -22,6 +22,7 @@ Facts rules_in_words(const RuleFacts& facts) {
   }
   if (rules.timing != spline::Timing::even) words.emplace_back("timing", std::string(name_of(rules.timing)));
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
+  if (rules.no_overshoot) words.emplace_back("overshoot", "none");
   if (facts.spec.extrapolations.extend_curve()) {
     const auto& [before, after] = facts.spec.extrapolations;
     words.emplace_back("extrapolation", before == after ? std::string(name_of(before))

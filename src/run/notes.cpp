@@ -148,6 +148,12 @@ Note rounded_numbers(const LevelCounts& counts) {
   return {text, by_floats > 0};
 }
 
+Note gaps_divide(std::uint64_t gaps, double largest) {
+  return {fmt::format("{} between keys {} a new curve; the largest is {}",
+                      gaps == 1 ? "1 gap" : fmt::format("{} gaps", gaps), gaps == 1 ? "begins" : "begin", largest),
+          true};
+}
+
 Note step_is(std::string_view step) { return {fmt::format("the step is {}", step)}; }
 
 Note skipped_rows(std::uint64_t rows) { return {fmt::format("rows skipped for missing numbers: {}", rows)}; }

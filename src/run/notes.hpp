@@ -58,6 +58,8 @@ Note more_remainders(std::uint64_t curves);
 Note rows_within(std::uint64_t rows, std::uint64_t least);
 /// How the numbers of golden rows were rounded.
 Note rounded_numbers(const LevelCounts& counts);
+/// Gaps divide the curves.
+Note gaps_divide(std::uint64_t gaps, double largest);
 Note step_is(std::string_view step);
 Note skipped_rows(std::uint64_t rows);
 /// An input changed after its last byte was read, or only its links, name or mode did.

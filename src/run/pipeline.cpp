@@ -43,13 +43,18 @@ class FileRun {
     notes_.add_input(input, job_.keys, job_.samples.request);
     Curves curves(input.schema, input.keys, job_.keys.curves, live_);  // group, order, split into curves
     std::uint64_t rows = 0;
-    while (const std::optional<CurveKeys> curve = curves.next()) {
+    while (const std::optional<InputCurve> curve = curves.next()) {
       begin(input, *curve);
       const auto labels = labels_of(input);
       Source<KeyBlock> keys = provenance.observe_keys(curve->keys);
       if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
-      PlacedCurve placed = pipeline_->place(std::move(keys));  // segments, measure, place
+      PlacedCurve placed = pipeline_->place(std::move(keys), curve->part);  // segments, measure, place
       writer_.set_first_time(placed.first_key);
+      if (curve->part && !has_rows(placed)) {  // the range does not meet it
+        provenance.end_curve();
+        continue;
+      }
+      begin_rows(input, *curve);
       placed.blocks = progress_->observe_rows(std::move(placed.blocks), placed.expected_rows, rows);
       placed.blocks = provenance.observe_rows(std::move(placed.blocks));
       writer_.write(printed(placed, labels));  // evaluate, print
@@ -63,8 +68,8 @@ class FileRun {
 
  private:
   /// Begins the rows of the next curve. Curves with the same information share their rules.
-  void begin(const Input& input, const CurveKeys& curve) {
-    if (curve.curve_info != curve_info_ || !job_.samples.grouped_places.empty()) {
+  void begin(const Input& input, const InputCurve& curve) {
+    if (curve.curve_info != curve_info_ || !job_.samples.grouped_places.empty() || curve.part) {
       const CurveRequest request{job_.samples.of(curve, input.schema),
                                  job_.keys.rules,
                                  job_.rows.fields,
@@ -80,6 +85,9 @@ class FileRun {
       if (const auto frames = played_frames(input, *curve.curve_info)) writer_.set_frames(*frames);
     }
     curve_info_ = curve.curve_info;
+  }
+
+  void begin_rows(const Input& input, const InputCurve& curve) {
     const auto euler = input.facts.euler_tracks.find(curve.group);
     writer_.begin_curve(curve.group,
                         euler == input.facts.euler_tracks.end() ? std::nullopt : std::optional(euler->second));
@@ -93,6 +101,15 @@ class FileRun {
     const bool is_even = !request.keys && (request.end == EndPolicy::drop || request.end == EndPolicy::keep);
     if (request.mode != Mode::step || !is_even) return std::nullopt;
     return PlayedFrames{units_per_second(input.schema.time.unit.value_or(TimeUnit::s)) / request.step};
+  }
+
+  /// Whether a curve has rows. Reads its blocks up to the first one with some.
+  static bool has_rows(PlacedCurve& placed) {
+    std::optional<SampleBlock> block = placed.blocks();
+    while (block && block->parts.empty()) block = placed.blocks();
+    if (!block) return false;
+    placed.blocks = preceded_by(std::move(*block), std::move(placed.blocks));
+    return true;
   }
 
   /// The labels of a curve, which are the texts of its keys after those of groups; null if there are none.

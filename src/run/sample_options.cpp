@@ -9,7 +9,7 @@
 namespace tcb {
 
 const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::string_view option,
-                                             const CurveKeys& curve, const Schema& schema) {
+                                             const InputCurve& curve, const Schema& schema) {
   const auto found = places.find(contents(curve.group));
   if (found == places.end())
     throw data_error("the file has no rows for the curve {}; expected rows for each curve; add some",
@@ -18,7 +18,7 @@ const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::s
   return found->second;
 }
 
-SamplingRequest SampleOptions::of(const CurveKeys& curve, const Schema& schema) const {
+SamplingRequest SampleOptions::of(const InputCurve& curve, const Schema& schema) const {
   SamplingRequest own = request;
   if (takes_frames()) {
     const std::optional<ViewerFrames>& frames = curve.curve_info->frames;

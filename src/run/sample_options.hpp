@@ -20,7 +20,7 @@ using GroupedPlaces = std::map<std::vector<std::string>, std::vector<Rational>>;
 
 /// The places of a curve's group, which `option` lists. Throws: Error (data) for a group without places.
 const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::string_view option,
-                                             const CurveKeys& curve, const Schema& schema);
+                                             const InputCurve& curve, const Schema& schema);
 
 /// The samples that are requested of each curve.
 struct SampleOptions {
@@ -31,7 +31,7 @@ struct SampleOptions {
   bool takes_frames() const { return unless_frames.has_value(); }
 
   /// The request for one curve. Throws: Error (data) for a group without places.
-  SamplingRequest of(const CurveKeys& curve, const Schema& schema) const;
+  SamplingRequest of(const InputCurve& curve, const Schema& schema) const;
 };
 
 }  // namespace tcb

@@ -40,7 +40,7 @@ Bernstein<Size> bernstein(std::array<double, Size> power) {
 
 /// The parts of a polynomial before and after `s`, each over [0, 1] again: de Casteljau's algorithm.
 template <std::size_t Size>
-std::pair<Bernstein<Size>, Bernstein<Size>> split(Bernstein<Size> whole, double s) {
+std::pair<Bernstein<Size>, Bernstein<Size>> divided_at(Bernstein<Size> whole, double s) {
   std::pair<Bernstein<Size>, Bernstein<Size>> parts;
   for (std::size_t left = Size; left-- > 0;) {
     parts.first[Size - 1 - left] = whole[0];
@@ -101,7 +101,7 @@ double upper_bound(const Bernstein<Size>& p, double known, int& parts) {
   if (!(*top > known * (1 + 1e-10))) return std::max(known, *top);
   if (--parts <= 0) return *top;
   const double middle = static_cast<double>(top - p.begin()) / static_cast<double>(Size - 1);
-  const auto [before, after] = split(p, stationary_place(p, middle));
+  const auto [before, after] = divided_at(p, stationary_place(p, middle));
   return upper_bound(after, upper_bound(before, known, parts), parts);
 }
 
@@ -184,10 +184,10 @@ struct Distances {
     if (is_between(0, length)) least = std::min(least, std::ranges::max(line));
     if (least <= limit) return least;
     if (--parts <= 0) return infinity;
-    const auto [line0, line1] = split(line, 0.5);
-    const auto [first0, first1] = split(first, 0.5);
-    const auto [last0, last1] = split(last, 0.5);
-    const auto [along0, along1] = split(along, 0.5);
+    const auto [line0, line1] = divided_at(line, 0.5);
+    const auto [first0, first1] = divided_at(first, 0.5);
+    const auto [last0, last1] = divided_at(last, 0.5);
+    const auto [along0, along1] = divided_at(along, 0.5);
     const Distances before{line0, first0, last0, along0}, after{line1, first1, last1, along1};
     if (!(after.at_start(length) <= limit)) return infinity;
     const double half = before.bound(length, limit, parts);

@@ -200,6 +200,7 @@ CurveSpec make_spec(const CurveSettings& settings) {
     spec.rules.start = spec.rules.end = {preset.ends, {}};
   }
   spec.rules.equal_speed = settings.equal_speed;
+  spec.rules.no_overshoot = settings.no_overshoot;
   if (settings.period) spec.period = parse_period(*settings.period);
   if (settings.period) spec.is_period_in_seconds = read_duration(settings.period->value).has_value();
   if (settings.parameter) spec.parameter = parse_exponent(*settings.parameter);
@@ -267,6 +268,12 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   spec.angles = angles;
   spec.rules.angles.assign(angles.begin(), angles.end());
   set_metric(spec, settings, channels);
+  if (settings.no_overshoot && !rotations.empty()) {
+    throw data_error(
+        "{} keeps channels between their keys, which a rotation has no order for; expected no rotations; remove it, or "
+        "give {} none to take their numbers as plain channels",
+        option::no_overshoot, option::rotation);
+  }
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
     if (spec.rules.timing == spline::Timing::monotone)

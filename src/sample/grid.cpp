@@ -214,8 +214,30 @@ Rational SamplingRequest::exact(const Time& time) const {
   return frame ? *frame : exact_time(time);
 }
 
+namespace {
+
+/// The grid of rows by time on a part of a curve that gaps divide; no rows where the range does not meet it.
+Spacing spacing_of_part(const SamplingRequest& request, const Extent& extent) {
+  const Rational first = request.exact(extent.first);
+  const bool steps = request.mode == Mode::step;
+  Rational from = request.from.value_or(steps ? *request.origin : first);
+  if (from < first) from = steps ? from - floor((from - first) / request.step) * request.step : first;
+  std::optional<Rational> to = request.to;
+  if (extent.last) to = std::min(to.value_or(request.exact(*extent.last)), request.exact(*extent.last));
+  if (to && *to < from) return {Grid(from, steps ? request.step : Rational(0)), 0, to};
+  if (to && *to == from && !steps) return {Grid(from, 0), 1, to};
+  SamplingRequest own = request;
+  own.origin.reset();
+  own.from = from;
+  own.to = to;
+  return spacing(own, extent);
+}
+
+}  // namespace
+
 Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   const bool arc = by_length(request.mode);
+  if (request.origin && !arc) return spacing_of_part(request, extent);
   const Rational from = request.from.value_or(arc ? Rational(0) : request.exact(extent.first));
   std::optional<Rational> to = request.to;
   if (to && *to < from) {  // a start that was given is before it

@@ -66,6 +66,10 @@ struct SamplingRequest {
   std::uint64_t max_rows = 1'000'000'000;
   std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 
+  /// Of a part of a curve that gaps divide: rows at steps are on the grid of this time, the first one of the curve, and
+  /// a range that leaves the part is no error.
+  std::optional<Rational> origin = {};
+
   /// The exact times of keys by their rounded times, where keys have more digits than these.
   std::shared_ptr<const std::map<Time, Rational>> key_times = {};
 

@@ -117,6 +117,7 @@ OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
       near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
 
 void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
+  if (request_.origin && !by_length(request_.mode)) return;
   const Rational& from = spacing_.grid.start();
   if (segment.number == 0) require_not_before(option::from, from, lower(on));
   if (!segment.last) return;
@@ -291,7 +292,7 @@ void PieceSampler::require_bounds(const CurveSegment& segment) const {
 }
 
 SegmentRows PieceSampler::place(const CurveSegment& segment) {
-  if (segment.number == 0 || segment.last) require_bounds(segment);
+  if (!request_.origin && (segment.number == 0 || segment.last)) require_bounds(segment);
   const auto [start, end] = range(segment);
   done_ = request_.to && nearest_time(*request_.to, segment.decimals) <= segment.end;
   const bool has_row = start < end;
@@ -302,7 +303,7 @@ SegmentRows PieceSampler::place(const CurveSegment& segment) {
         segment.number, time_text(segment.start), time_text(segment.end), option::no_ease, option::emit);
   }
   if (has_row && ++rows_ > request_.max_rows) require_rows(Rational(rows_ - 1), request_.max_rows, !segment.last);
-  if (rows_ == 0 && (done_ || segment.last))
+  if (rows_ == 0 && (done_ || segment.last) && !request_.origin)
     throw usage_error("no part of the curve lies between {0} and {1}; expected a longer range; correct {0} or {1}",
                       option::from, option::to);
   return {segment.number, segment.number + (has_row ? 1 : 0)};

@@ -44,6 +44,7 @@ struct CurveSettings {
   std::optional<spline::Preset> rotation_preset = {};  ///< whose rules of rotations replace tangents and ends for these
   std::optional<spline::Timing> timing = {};           ///< nothing: that of the preset
   bool equal_speed = false;
+  bool no_overshoot = false;
   bool no_ease = false;
 };
 

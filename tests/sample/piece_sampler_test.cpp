@@ -99,10 +99,14 @@ TEST(Pieces, no_segment_after_the_range_is_read) {
 TEST(Pieces, a_range_outside_the_curve_or_without_duration_is_refused) {
   const std::string none =
       "no part of the curve lies between --from and --to; expected a longer range; correct --from or --to";
-  EXPECT_EQ(refusal(request("0.5"), {1, 2, 4}), "--from: time 0.5 is before the first key, at 1; give a time on the curve");
-  EXPECT_EQ(refusal(request("", "0.5"), {1, 2, 4}), "--to: time 0.5 is before the first key, at 1; give a time on the curve");
-  EXPECT_EQ(refusal(request("4.5"), {1, 2, 4}), "--from: time 4.5 is after the last key, at 4; give a time on the curve");
-  EXPECT_EQ(refusal(request("", "4.5"), {1, 2, 4}), "--to: time 4.5 is after the last key, at 4; give a time on the curve");
+  EXPECT_EQ(refusal(request("0.5"), {1, 2, 4}),
+            "--from: time 0.5 is before the first key, at 1; give a time on the curve");
+  EXPECT_EQ(refusal(request("", "0.5"), {1, 2, 4}),
+            "--to: time 0.5 is before the first key, at 1; give a time on the curve");
+  EXPECT_EQ(refusal(request("4.5"), {1, 2, 4}),
+            "--from: time 4.5 is after the last key, at 4; give a time on the curve");
+  EXPECT_EQ(refusal(request("", "4.5"), {1, 2, 4}),
+            "--to: time 4.5 is after the last key, at 4; give a time on the curve");
   EXPECT_EQ(refusal(request("4"), {1, 2, 4}), none);
   EXPECT_EQ(refusal(request("", "1"), {1, 2, 4}), none);
   EXPECT_EQ(refusal(request("3", "3"), {1, 2, 4}), none);
@@ -121,7 +125,8 @@ TEST(Pieces, more_than_the_largest_number_of_rows_are_refused) {
   two.max_rows = 2;
   EXPECT_EQ(refusal(two, {1, 2, 4}), "");
   EXPECT_EQ(refusal(two, {1, 2, 4, 5}), "3 rows are requested; expected at most 2; request fewer, or raise --max-rows");
-  EXPECT_EQ(refusal(two, {1, 2, 4, 5, 6}), "at least 3 rows are requested; expected at most 2; request fewer, or raise --max-rows");
+  EXPECT_EQ(refusal(two, {1, 2, 4, 5, 6}),
+            "at least 3 rows are requested; expected at most 2; request fewer, or raise --max-rows");
 }
 
 }  // namespace

@@ -96,6 +96,9 @@ class Curve {
   /// The number of segments: one less than keys, or as many if closed. A single key has one, without duration.
   std::size_t segment_count() const { return segments_.size(); }
 
+  /// How many tangents were made smaller so that it does not overshoot.
+  std::size_t limited_tangents() const { return segments_.limited_tangents; }
+
   /// Segment number i, from 0. Requires: i < segment_count().
   Segment<S> segment(std::size_t i) const {
     const bool measured = is_measured();

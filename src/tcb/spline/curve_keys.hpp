@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -62,7 +63,7 @@ class ChannelKeys {
         const Time<S>&start = own.segments.times[i], &end = own.segments.times[i + 1];
         cubics.push_back(part(own.segments[i][channel_ ? 0 : channel], start, end, times[number], times[number + 1]));
       } else {
-        const S rest = keys_.position(nearest_number(at))[channel];
+        const S rest = resting_number(nearest_number(at), channel);
         cubics.push_back(cubic<S>(rest, rest, working_t<S>(0), working_t<S>(0)));
       }
     }
@@ -108,6 +109,19 @@ class ChannelKeys {
   }
   /// The key of the curve whose position an open curve keeps where there is no segment.
   std::size_t nearest_number(std::ptrdiff_t at) const { return at < 0 ? numbers_.front() : numbers_.back(); }
+
+  /// The number of a channel at a key; that of a rotation is one of a unit quaternion.
+  S resting_number(std::size_t key, std::size_t channel) const {
+    if constexpr (has_roots<S>) {
+      if (!channel_) {
+        const RotationChannels& channels = rules_.rotations[0].channels;
+        const auto [x, y, z, w] = rotation_of<S>(keys_.position(key), channels);
+        return std::array{x, y, z,
+                          w}[static_cast<std::size_t>(std::ranges::find(channels, channel) - channels.begin())];
+      }
+    }
+    return keys_.position(key)[channel];
+  }
 
   /// The segments that cover those between the keys `first` and `to` of the curve.
   Own own_between(std::size_t first, std::size_t to) const {

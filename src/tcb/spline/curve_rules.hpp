@@ -34,6 +34,9 @@ struct CurveRules {
   RotationRules rotation_rules = {};
   std::vector<AngleChannel> angles = {};
   Timing timing = Timing::even;  ///< of all channels
+  /// Each channel, but the numbers of rotations, stays between the positions of two neighbouring keys. See
+  /// tangents.hpp.
+  bool no_overshoot = false;
 };
 
 /// Whether a channel is neither an angle nor a number of a rotation.
@@ -90,7 +93,7 @@ CurveRules<To> converted(const CurveRules<From>& rules, Number number) {
     return result;
   };
   return {rules.tangents,  end(rules.start),     end(rules.end), rules.equal_speed, rules.metric,
-          rules.rotations, rules.rotation_rules, rules.angles,   rules.timing};
+          rules.rotations, rules.rotation_rules, rules.angles,   rules.timing,      rules.no_overshoot};
 }
 
 /// The rules that give the tangents of one rotation, whose numbers are then all channels.
@@ -100,6 +103,7 @@ CurveRules<S> rules_of_rotations(CurveRules<S> rules) {
   rules.metric.clear();
   rules.rotations.clear();
   rules.angles.clear();
+  rules.no_overshoot = false;
   if (own.tangents) rules.tangents = *own.tangents;
   if (own.ends) rules.start = rules.end = {*own.ends, {}};
   return rules;

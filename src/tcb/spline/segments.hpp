@@ -24,6 +24,7 @@ struct Segments {
   std::vector<Cubic<S>> cubics;
   std::vector<Warp<S>> warps;
   std::vector<RotationSegment<S>> rotations = {};
+  std::size_t limited_tangents = 0;  ///< of their cubics, so that they do not overshoot
 
   std::size_t size() const { return times.empty() ? 0 : times.size() - 1; }
   std::span<const Cubic<S>> operator[](std::size_t segment) const {
@@ -60,6 +61,7 @@ void append(Segments<S>& to, const Segments<S>& next) {
   to.cubics.insert(to.cubics.end(), next.cubics.begin(), next.cubics.end());
   to.warps.insert(to.warps.end(), next.warps.begin(), next.warps.end());
   to.rotations.insert(to.rotations.end(), next.rotations.begin(), next.rotations.end());
+  to.limited_tangents += next.limited_tangents;
 }
 
 /// The number of the segment at time t: of two that meet there, the one on that side. Before the first segment it is

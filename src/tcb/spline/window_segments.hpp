@@ -28,6 +28,7 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
       result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], chord(key, i),
                                        tangents.outgoing(key)[i], tangents.incoming(key + 1)[i]));
     }
+    result.limited_tangents += tangents.limited(key);
     if (!keys.eases.empty()) result.warps.emplace_back(keys.eases[key].out, keys.eases[key + 1].in);
     if (rules.timing == Timing::monotone) result.warps.push_back(time_slopes.warp(key));
   }

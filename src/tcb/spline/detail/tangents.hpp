@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,34 @@
 #include "tcb/spline/window.hpp"
 
 namespace tcb::spline {
+
+/// The factor by which a key's two tangents in a channel are scaled so that the cubics beside it stay between their
+/// keys: 1 where each tangent lies between 0 and three times the chord on its side. Otherwise the largest factor that
+/// brings both there, less a part of 2^-50, so that no rounding leads beyond: a key with one direction keeps it. A side
+/// without a segment has two zeros.
+/// Source: F. N. Fritsch, R. E. Carlson, "Monotone piecewise cubic interpolation", doi:10.1137/0717021, section 3.
+template <class S>
+working_t<S> overshoot_factor(const working_t<S>& in, const working_t<S>& chord_before, const working_t<S>& out,
+                              const working_t<S>& chord_after) {
+  using W = working_t<S>;
+  const auto size = [](const W& value) { return value < W(0) ? -value : value; };
+  [[maybe_unused]] W near(0);  // what counts as 0: the rounding errors of double-doubles
+  if constexpr (std::is_same_v<S, double>) near = W(0x1p-90) * (size(chord_before) + size(chord_after));
+  W factor(1);
+  const auto limit = [&](const W& tangent, const W& chord) {
+    if (size(tangent) <= near) return;
+    const W most = W(3) * chord;
+    if (tangent < W(0) ? !(chord < W(0)) : !(chord > W(0))) {
+      factor = W(0);
+    } else if (size(tangent) > size(most) + near) {
+      const W needed = most / tangent * (W(1) - W(0x1p-50));
+      if (needed < factor) factor = needed;
+    }
+  };
+  limit(in, chord_before);
+  limit(out, chord_after);
+  return factor;
+}
 
 /// The tangents at the keys of a window, `channels` numbers per key, in local units, from the chords between the keys.
 template <class S, class Chord = PositionChord<S>>
@@ -42,6 +71,7 @@ class Tangents {
     if (window.starts) set_end(0, 1, rules.start);
     if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, rules.end);
     if (!keys_.velocities.empty()) set_given();
+    if (rules.no_overshoot) limit(window);
   }
 
   std::span<const W> incoming(std::size_t key) const {
@@ -49,6 +79,13 @@ class Tangents {
   }
   std::span<const W> outgoing(std::size_t key) const {
     return std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
+  }
+
+  /// How many tangents of the segment after a key were scaled so that it does not overshoot.
+  std::size_t limited(std::size_t key) const {
+    if (limited_.empty()) return 0;
+    const auto first = limited_.begin() + static_cast<std::ptrdiff_t>(key * keys_.channels);
+    return static_cast<std::size_t>(std::count(first, first + static_cast<std::ptrdiff_t>(2 * keys_.channels), true));
   }
 
  private:
@@ -84,6 +121,23 @@ class Tangents {
       W tangent = weights.chord * chord_(first, i) + weights.other * others[inner * keys_.channels + i];
       if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
       tangents[key * keys_.channels + i] = tangent;
+    }
+  }
+
+  /// Scales the tangents by which a channel would leave the range of two neighbouring keys.
+  void limit(const Window<S>& window) {
+    limited_.assign(outgoing_.size(), false);
+    for (std::size_t key = window.first_key(); key <= window.last_key(); ++key) {
+      const bool has_before = key > 0, has_after = key + 1 < keys_.size();
+      for (std::size_t i = 0; i < keys_.channels; ++i) {
+        W &in = incoming_[key * keys_.channels + i], &out = outgoing_[key * keys_.channels + i];
+        const W factor = overshoot_factor<S>(has_before ? in : W(0), has_before ? chord_(key - 1, i) : W(0),
+                                             has_after ? out : W(0), has_after ? chord_(key, i) : W(0));
+        if (factor == W(1)) continue;
+        limited_[key * keys_.channels + i] = true;
+        in = in * factor;
+        out = out * factor;
+      }
     }
   }
 
@@ -152,6 +206,7 @@ class Tangents {
   Chord chord_;
   std::vector<std::size_t> metric_;  ///< of equal speed; empty: all channels
   std::vector<W> incoming_, outgoing_;
+  std::vector<bool> limited_ = {};  ///< of each key and channel; empty: none are
 };
 
 }  // namespace tcb::spline
