@@ -280,13 +280,12 @@ class CameraPathReader {
   LinePosition counted_position_;  ///< and its position
 };
 
-PathOfCameras read_camera_path(const Source<std::string>& bytes) {
+PathOfCameras read_camera_path(const Source<std::string>& bytes, std::uint64_t max_memory) {
   TextBytes text_bytes(bytes);
   JsonPart part{JsonPart::Kind::whole, {}};
-  while (text_bytes.append_to(part.chunk.text, {1, 1})) {
-  }
+  while (text_bytes.append_to(part.chunk.text, {1, 1})) MemoryUse(max_memory).add(part.chunk.text.size());
   if (std::ranges::all_of(part.chunk.text, is_json_blank)) throw no_keyframes();
-  const JsonTape tape(part);
+  const JsonTape tape(part, max_memory);
   return CameraPathReader(tape).read();
 }
 
@@ -413,7 +412,7 @@ InputOptions options_of_camera_path(InputOptions options) {
 
 Records open_camera_path(Source<std::string> bytes, const InputOptions& options) {
   refuse_options_of_text(options);
-  PathOfCameras path = read_camera_path(bytes);
+  PathOfCameras path = read_camera_path(bytes, options.max_memory);
   const std::vector<std::string> names = names_of(path);
   Records records;
   records.columns = at_position(path.position, [&] {

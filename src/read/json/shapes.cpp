@@ -130,8 +130,18 @@ TextPosition position_of_channels(const JsonCurveInfo& members) {
   return found == places.end() ? members.position : found->second;
 }
 
+/// The memory of the numbers and the places of keys.
+std::uint64_t bytes_of(const KeyBlock& block) {
+  constexpr std::uint64_t of_places = 20;
+  const std::uint64_t numbers = block.keys.positions.size() + 2 * block.keys.times.size() + 3 * block.keys.tcbs.size() +
+                                2 * block.keys.velocities.size();
+  return numbers * sizeof(double) + block.size() * of_places;
+}
+
 /// Reads to the end of a list of keys and of the object around it; nothing at the end of the input.
-std::optional<Curve> read_curve(const Source<Parsed>& parts) {
+/// Throws: Error (data) for more memory than is allowed, in bytes.
+std::optional<Curve> read_curve(const Source<Parsed>& parts, std::uint64_t max_memory) {
+  MemoryUse memory(max_memory);
   Curve curve;
   SharedColumns columns;
   while (std::optional<Parsed> part = parts()) {
@@ -144,6 +154,7 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts) {
       return curve;
     }
     const bool unreadable = part->keys.faults.unreadable;
+    memory.add(bytes_of(part->keys));
     curve.path = part->keys.text_positions.path;
     curve.blocks.push_back(std::move(part->keys));
     if (!unreadable) continue;
@@ -204,11 +215,12 @@ std::deque<KeyBlock> marked(Curve curve) {
 }
 
 /// The keys of all curves, each held until the members around them are known.
-Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first) {
+Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first, std::uint64_t max_memory) {
   const Columns columns = first.columns.columns;
-  return [parts = std::move(parts), left = marked(std::move(first)), columns]() mutable -> std::optional<KeyBlock> {
+  return [parts = std::move(parts), left = marked(std::move(first)), columns,
+          max_memory]() mutable -> std::optional<KeyBlock> {
     while (left.empty()) {
-      std::optional<Curve> curve = read_curve(parts);
+      std::optional<Curve> curve = read_curve(parts, max_memory);
       if (!curve || is_around_curves(*curve)) return std::nullopt;
       if (!curve->blocks.empty()) require_same_columns(columns, curve->columns.columns, curve->path);
       left = marked(std::move(*curve));
@@ -245,9 +257,9 @@ void require_no_groups(const Columns& columns) {
 }
 
 /// An object with keys, or with curves. Keys are held until the members around them are known.
-Records open_objects(Source<Task> source, JsonShape shape, unsigned threads) {
-  Source<Parsed> parts = ordered_map(std::move(source), parse_part, threads);
-  std::optional<Curve> curve = read_curve(parts);
+Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& options) {
+  Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
+  std::optional<Curve> curve = read_curve(parts, options.max_memory);
   if (!curve) throw no_text();
   if (curve->columns.members.empty()) throw no_keys(curve->members);
   Records records = records_of(curve->columns, shape);
@@ -261,7 +273,7 @@ Records open_objects(Source<Task> source, JsonShape shape, unsigned threads) {
   require_no_groups(records.columns);
   records.columns.groups = {"id"};
   records.keys.traits.own_curves = true;
-  records.keys.blocks = keys_of_curves(std::move(parts), std::move(*curve));
+  records.keys.blocks = keys_of_curves(std::move(parts), std::move(*curve), options.max_memory);
   return records;
 }
 
@@ -343,7 +355,7 @@ std::optional<Records> open_one_key(const std::shared_ptr<const WholeJson>& text
 
 /// A text of any shape: a table, one key, or the lists in it.
 Records open_whole(JsonPart part, const InputOptions& options) {
-  const auto text = std::make_shared<const WholeJson>(std::move(part));
+  const auto text = std::make_shared<const WholeJson>(std::move(part), options.max_memory);
   if (!options.records.empty()) return open_tables(find_tables(text, options.records), options);
   std::optional<Error> reason;
   std::optional<Records> key;
@@ -373,8 +385,8 @@ bool holds_table_in_first(const JsonPart& part) {
   }
 }
 
-JsonPart whole_text(Source<std::string> bytes) {
-  JsonSplitter splitter(std::move(bytes));
+JsonPart whole_text(Source<std::string> bytes, std::uint64_t max_memory) {
+  JsonSplitter splitter(std::move(bytes), max_memory);
   return splitter.whole({JsonPart::Kind::list, {"]"}});
 }
 
@@ -391,8 +403,8 @@ void refuse_options_of_text(const InputOptions& options) {
 
 Records open_json(Source<std::string> bytes, const InputOptions& options) {
   refuse_options_of_text(options);
-  if (!options.records.empty()) return open_whole(whole_text(std::move(bytes)), options);
-  const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes));
+  if (!options.records.empty()) return open_whole(whole_text(std::move(bytes), options.max_memory), options);
+  const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes), options.max_memory);
   std::optional<JsonPart> first = splitter->next();
   if (!first) throw no_text();
   const JsonShape shape = splitter->shape();
@@ -408,7 +420,7 @@ Records open_json(Source<std::string> bytes, const InputOptions& options) {
   }
   Source<Task> source = tasks(*std::move(first), std::move(columns), splitter, options);
   const bool is_object = shape == JsonShape::object || shape == JsonShape::curves;
-  return is_object ? open_objects(std::move(source), shape, options.threads)
+  return is_object ? open_objects(std::move(source), shape, options)
                    : open_list(std::move(source), shape, options.threads);
 }
 

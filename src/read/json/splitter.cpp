@@ -10,7 +10,6 @@ namespace tcb {
 namespace {
 
 constexpr std::size_t longest_json_record = 64UL * 1024 * 1024;
-constexpr std::size_t longest_text = 1024UL * 1024 * 1024;  // that is read whole
 
 Error text_ends_early() {
   return data_error("not JSON: the text ends too early; expected the rest of the last value; complete it");
@@ -110,11 +109,7 @@ bool JsonSplitter::read_more() {
   if (is_record && text_.size() > longest_json_record) {
     throw here(data_error("a key is longer than 64 MiB; expected a shorter one; remove what it does not need"));
   }
-  if (text_.size() > longest_text) {
-    throw here(data_error(
-        "the text around the keys, or of this shape, is longer than 1 GiB; expected less, or an array of keys; remove "
-        "what it does not need"));
-  }
+  if (!is_record) MemoryUse(max_memory_).add(text_.size());
   return bytes_.append_to(text_, {line_, column_});
 }
 

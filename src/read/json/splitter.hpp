@@ -15,6 +15,7 @@
 #include "error.hpp"
 #include "read/chunk.hpp"
 #include "read/input.hpp"
+#include "read/memory_use.hpp"
 #include "read/text_bytes.hpp"
 #include "stream/source.hpp"
 
@@ -43,10 +44,13 @@ struct JsonPart {
 /// every fault.
 class JsonSplitter {
  public:
-  explicit JsonSplitter(Source<std::string> bytes) : bytes_(std::move(bytes)) {}
+  /// `max_memory`: of a text that is kept as a whole, in bytes.
+  explicit JsonSplitter(Source<std::string> bytes, std::uint64_t max_memory = default_max_memory)
+      : bytes_(std::move(bytes)), max_memory_(max_memory) {}
 
   /// The next part: keys, or the object around the keys before. Nothing at the end.
-  /// Throws: Error (data) for text after an array, for an array that is not closed, and for a record that is too long.
+  /// Throws: Error (data) for text after an array, for an array that is not closed, for a record that is too long, and
+  /// for more memory than is allowed.
   std::optional<JsonPart> next();
 
   /// The whole text, of which one part was taken. Requires: that was the first one, a list.
@@ -87,6 +91,7 @@ class JsonSplitter {
   Error here(const Error& error) const { return error.at({"", line_, column_}); }
 
   TextBytes bytes_;
+  std::uint64_t max_memory_;
   std::string text_;                     ///< read and not yet cut off
   std::size_t at_ = 0;                   ///< scanned up to here
   std::uint64_t line_ = 1, column_ = 1;  ///< of the first character

@@ -20,7 +20,8 @@ namespace tcb {
 
 /// A text that is read whole.
 struct WholeJson {
-  explicit WholeJson(JsonPart whole) : part(std::move(whole)), tape(part) {}
+  explicit WholeJson(JsonPart whole, std::uint64_t max_memory = default_max_memory)
+      : part(std::move(whole)), tape(part, max_memory) {}
   JsonPart part;
   JsonTape tape;
 };

@@ -91,6 +91,7 @@ class JsonTape::Events {
   bool add(Kind kind, std::size_t size) {
     const auto first = static_cast<std::uint32_t>(begin() - text_.data());
     now_ += size;
+    if (tape_.nodes_.size() == tape_.nodes_.capacity()) tape_.require_memory();
     tape_.nodes_.push_back(
         {first, first + static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(tape_.nodes_.size() + 1), kind});
     last_ = Last::value;
@@ -225,7 +226,7 @@ class JsonTape::Events {
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
 };
 
-JsonTape::JsonTape(const JsonPart& part) : part_(part) {
+JsonTape::JsonTape(const JsonPart& part, std::uint64_t max_memory) : part_(part), max_memory_(max_memory) {
   if (part.kind != JsonPart::Kind::values) parse(0, true);
 }
 
@@ -244,6 +245,11 @@ void JsonTape::parse(std::size_t first, bool is_one) {
   if (!events.at_nan()) return;
   without_nan_ = without_nan(part_.chunk.text);
   parse(first, is_one);
+}
+
+/// Throws: Error (data) if the text and twice as many nodes need more memory than is allowed.
+void JsonTape::require_memory() const {
+  MemoryUse(max_memory_).add(part_.chunk.text.size() + 2 * nodes_.capacity() * sizeof(JsonNode));
 }
 
 bool JsonTape::read_next(bool keeps_last) {

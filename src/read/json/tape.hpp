@@ -35,7 +35,8 @@ class JsonTape {
 
   /// Parses the part: a text, or the first of several values, which read_next() continues.
   /// Requires: `part` outlives the tape. Throws: Error (data) at what is not JSON, or is nested too deeply.
-  explicit JsonTape(const JsonPart& part);
+  /// Throws: Error (data) for more memory than is allowed, in bytes.
+  explicit JsonTape(const JsonPart& part, std::uint64_t max_memory = default_max_memory);
 
   /// Parses the next one of several values, in place of the last one or after it; false at the end.
   /// Throws: Error (data); then the next call continues after the faulty value.
@@ -91,7 +92,10 @@ class JsonTape {
 
   void parse(std::size_t first, bool is_one);
 
+  void require_memory() const;
+
   const JsonPart& part_;
+  std::uint64_t max_memory_;
   std::vector<JsonNode> nodes_;
   std::unordered_map<std::uint32_t, std::string> unescaped_;  ///< by the places of strings with escapes
   std::size_t end_ = 0;                                       ///< of the last value that was read
