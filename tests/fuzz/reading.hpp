@@ -126,7 +126,7 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
     const std::string refusal = error_text(error.in("f"));
     require_refusal(refusal, "f");
     const bool there = !lines || (error.position().line <= *lines + 1 && error.position().column <= text.size() + 1);
-    require(there, "a place that is not there", refusal);
+    require(there, "a place that is not there", fmt::format("{}\n{}", refusal, text));
     return {refusal, "", true};
   }
 }
