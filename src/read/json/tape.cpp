@@ -188,7 +188,9 @@ class JsonTape::Events {
       throw at(last, data_error("no key before or after a comma; expected an object; remove the comma"));
     }
     if (is_end) {
-      throw at(last, data_error("not JSON: the text ends too early; expected the rest of the last value; complete it"));
+      const std::size_t end = text_.size() - (is_list_ ? 1 : 0);  // without the bracket that the splitter adds
+      throw at(std::min(last, end),
+               data_error("not JSON: the text ends too early; expected the rest of the last value; complete it"));
     }
     std::string_view token = text_.substr(begin, last + 1 - begin);
     if (token.starts_with('"')) {
