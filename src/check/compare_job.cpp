@@ -104,8 +104,8 @@ Exit compare(const CompareJob& job) {
   Report report(job.verbosity);
   report.expect(1, 0);
   const auto progress = report.begin_file(job.comparison.keys_file, 0);
-  const bool as_json = job.format == FormatId::json;
-  if (format_of(job.format).family == FormatFamily::picture) return draw(job, progress.get());
+  const bool as_json = job.format->has_reports;
+  if (job.format->is_picture) return draw(job, progress.get());
   if (job.identify) {
     const Identification result = identify(job.comparison, read_positions(job.comparison, progress.get()));
     return write(job, as_json ? json(result) : text(result), result.fits());

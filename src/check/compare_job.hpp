@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 
 namespace tcb {
 
@@ -17,7 +17,7 @@ struct CompareJob {
   Comparison comparison;
   bool identify = false;  ///< rank the conventions by their agreement with the samples; otherwise check these
   std::string output = "-";
-  FormatId format = FormatId::csv;  ///< JSON or a picture; others: the report is text
+  const Format* format = nullptr;  ///< JSON or a picture; others: the report is text
   PictureOptions picture;
   Verbosity verbosity;
   std::vector<std::string> other_inputs = {};  ///< files that were read before; the output replaces none

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "error.hpp"
+#include "formats/open_input.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "option_names.hpp"
-#include "read/reader.hpp"
 #include "stream/source.hpp"
 #include "text/suggest.hpp"
 
@@ -53,7 +53,7 @@ void append(SampleRows& rows, const KeyBlock& block) {
 SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes, const Schema& keys,
                          std::optional<std::size_t> time_place) {
   bytes = decompressed(std::move(bytes));
-  EarlierOutputReader provenance;
+  EarlierOutputReader provenance(comparison.keys.input.max_memory);
   if (comparison.recorded) {
     bytes = mapped(std::move(bytes), [&provenance](std::string text) {
       provenance.add(text);
@@ -67,6 +67,7 @@ SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes
   options.keys.missing = Missing::skip_cell;
   options.columns.timeless = !time_place;
   options.threads = comparison.threads.count();
+  options.max_memory = comparison.keys.input.max_memory;
   const UnitOptions& units = comparison.keys.input.units;
   options.units = {.frame_rate = units.frame_rate, .date_order = units.date_order, .are_optional = true};
   options.delimited.marks.decimal = decimal_mark_of(beginning, comparison.keys.input.delimited.marks.decimal);

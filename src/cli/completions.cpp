@@ -12,8 +12,8 @@
 #include "cli/completion_scripts.hpp"
 #include "cli/help.hpp"
 #include "cli/options.hpp"
+#include "formats/open_input.hpp"
 #include "io/input_file.hpp"
-#include "read/reader.hpp"
 #include "schema/roles.hpp"
 #include "text/utf8.hpp"
 

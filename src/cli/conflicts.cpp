@@ -9,7 +9,7 @@
 #include "numbers/print_number.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 
 namespace tcb {
 
@@ -54,7 +54,7 @@ void require_no_conflict(const TypedOptions& typed) {
 
 namespace {
 
-const Format& output_of(const TypedOptions& typed) { return format_of(typed.output.format); }
+const Format& output_of(const TypedOptions& typed) { return *typed.output.format; }
 
 bool is_comparison(const TypedOptions& typed) { return typed.has(option::check) || typed.has(option::identify); }
 
@@ -72,7 +72,7 @@ bool needs_all_channels(const TypedOptions& typed) {
 }  // namespace
 
 bool has_other_input_than_delimited(const TypedOptions& typed) {
-  return typed.keys.input.format && format_of(*typed.keys.input.format).family != FormatFamily::delimited;
+  return typed.keys.input.format != nullptr && !typed.keys.input.format->has_marks;
 }
 
 bool has_one_comma_for_two(const TypedOptions& typed) {
@@ -138,23 +138,23 @@ bool has_no_sampling_option(const TypedOptions& typed) {
 }
 
 bool has_no_format_of_reports(const TypedOptions& typed) {
-  return typed.output.format != FormatId::json && !has_picture(typed);
+  return !output_of(typed).has_reports && !has_picture(typed);
 }
 
-bool has_picture(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::picture; }
+bool has_picture(const TypedOptions& typed) { return output_of(typed).is_picture; }
 bool has_no_picture(const TypedOptions& typed) { return !has_picture(typed); }
-bool has_poses(const TypedOptions& typed) { return has_pose_rows(output_of(typed)); }
-bool has_scene(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::scene; }
+bool has_poses(const TypedOptions& typed) { return output_of(typed).poses != nullptr; }
+bool has_scene(const TypedOptions& typed) { return output_of(typed).has_nodes; }
 bool has_scene_of_other_form(const TypedOptions& typed) {
   return has_scene(typed) && typed.form && *typed.form != field_of("hermite");
 }
-bool has_pieces(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::pieces; }
+bool has_pieces(const TypedOptions& typed) { return output_of(typed).has_pieces; }
 bool has_samples_in_pieces(const TypedOptions& typed) {
   return has_pieces(typed) && (typed.sampling.mode != Mode::emit || *typed.form != field_of("poly8"));
 }
-bool has_binary_output(const TypedOptions& typed) { return output_of(typed).family == FormatFamily::array; }
-bool has_no_header(const TypedOptions& typed) { return output_of(typed).family != FormatFamily::delimited; }
-bool has_fixed_delimiter(const TypedOptions& typed) { return typed.output.format != FormatId::csv; }
+bool has_binary_output(const TypedOptions& typed) { return output_of(typed).is_binary; }
+bool has_no_header(const TypedOptions& typed) { return !output_of(typed).has_marks; }
+bool has_fixed_delimiter(const TypedOptions& typed) { return !output_of(typed).has_any_delimiter; }
 bool has_no_provenance(const TypedOptions& typed) { return !output_of(typed).has_provenance; }
 
 }  // namespace tcb

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "formats/formats.hpp"
 #include "option_names.hpp"
-#include "schema/formats.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

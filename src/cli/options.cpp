@@ -8,6 +8,7 @@
 #include "cli/places.hpp"
 #include "cli/rotation_values.hpp"
 #include "cli/values.hpp"
+#include "formats/formats.hpp"
 #include "option_names.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
@@ -624,7 +625,8 @@ constexpr OptionRow option_rows[] = {
     {option::plot, "", "", output_group,
      "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally spaced "
      "in time",
-     "", flag, unrecorded, [](Typed& to, Text) { to.output.format = FormatId::svg; }, disable_options_without_picture},
+     "", flag, unrecorded, [](Typed& to, Text) { to.output.format = find_format("svg"); },
+     disable_options_without_picture},
     {option::fields, "", "FIELD,...", output_group,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
      "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "

@@ -5,18 +5,18 @@
 #include <string>
 
 #include "cli/errors.hpp"
+#include "formats/formats.hpp"
+#include "formats/other_files.hpp"
 #include "option_names.hpp"
-#include "read/other_files.hpp"
-#include "schema/formats.hpp"
 
 namespace tcb {
 namespace {
 
 /// The format that the ending of an output names, if it does. Throws: Error (usage) for the ending of other files.
-std::optional<FormatId> format_by_ending(const std::string& path) {
-  const std::optional<FormatId> named = find_output_format(path);
+const Format* format_by_ending(const std::string& path) {
+  const Format* const named = find_output_format(path);
   const std::string other(other_ending(path));
-  if (!named && !other.empty()) throw output_not_written(path, other);
+  if (named == nullptr && !other.empty()) throw output_not_written(path, other);
   return named;
 }
 
@@ -25,16 +25,15 @@ std::optional<FormatId> format_by_ending(const std::string& path) {
 void set_output_format(TypedOptions& typed, bool earlier) {
   const std::string& path = typed.text(option::output);
   const bool is_report = typed.has(option::check) || typed.has(option::identify);
-  const std::optional<FormatId> named = format_by_ending(path);
-  if (!named || (is_report && *named != FormatId::json)) return;
-  const std::string_view name = format_of(*named).name, chosen = format_of(typed.output.format).name;
+  const Format* const named = format_by_ending(path);
+  if (named == nullptr || (is_report && !named->has_reports)) return;
+  const std::string_view name = named->name, chosen = typed.output.format->name;
   if (typed.has(option::output_format) || typed.has(option::plot) || earlier) {
-    if (format_of(*named).ending != format_of(typed.output.format).ending)
-      throw output_of_other_format(path, name, chosen);
+    if (named->ending != typed.output.format->ending) throw output_of_other_format(path, name, chosen);
     return;
   }
-  if (*named == formats[0].id) return;  // as without the ending
-  typed.output.format = *named;
+  if (named == &formats().front()) return;  // as without the ending
+  typed.output.format = named;
   typed.set_text(option::output_format, std::string(name));
 }
 

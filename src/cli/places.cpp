@@ -11,6 +11,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/values.hpp"
+#include "formats/open_input.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
@@ -18,7 +19,6 @@
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "read/csv/splitter.hpp"
-#include "read/reader.hpp"
 #include "read/text_bytes.hpp"
 #include "schema/missing.hpp"
 #include "text/suggest.hpp"

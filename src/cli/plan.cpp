@@ -11,8 +11,10 @@
 #include "cli/provenance_options.hpp"
 #include "cli/read_options.hpp"
 #include "cli/values.hpp"
+#include "formats/formats.hpp"
 #include "io/system.hpp"
 #include "option_names.hpp"
+#include "read/input_format.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 #include "schema/pose_formats.hpp"
@@ -95,7 +97,7 @@ bool may_have_frames(const TypedOptions& typed) {
   for (const std::string_view option : {option::fit, option::from, option::to, option::end, option::keys}) {
     if (typed.has(option)) return false;
   }
-  if (typed.keys.input.format) return typed.keys.input.format == FormatId::nerfstudio;
+  if (typed.keys.input.format != nullptr) return typed.keys.input.format->input->has_frames;
   return !typed.files.files.empty() && std::ranges::all_of(typed.files.files, [](std::string_view path) {
     return without_compression(path).ends_with(".json");
   });
@@ -114,8 +116,8 @@ void require_samples(const TypedOptions& typed) {
 InputListOptions files_of(const TypedOptions& typed) {
   InputListOptions files = typed.files;
   if (files.files.empty() && files.list.empty()) files.files = {"-"};
-  if (!typed.keys.input.format) files.endings = input_endings();
-  files.outputs.ending = format_of(typed.output.format).ending;
+  if (typed.keys.input.format == nullptr) files.endings = input_endings();
+  files.outputs.ending = typed.output.format->ending;
   return files;
 }
 
@@ -126,7 +128,7 @@ KeyOptions keys_of(const TypedOptions& typed) {
   keys.input.columns.timeless = keys.rules.parameter.has_value();
   keys.input.keys.keeps_decimals = typed.has(option::exact_input);
   if (has_poses(typed)) {
-    keys.input.rotation.shown = {.form = pose_format(typed.output.format).form};
+    keys.input.rotation.shown = {.form = typed.output.format->poses->form};
     keys.input.rotation.shown_by_format = true;
   }
   if (has_scene(typed)) {
@@ -152,7 +154,7 @@ bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& cho
 /// The fields of rows.
 std::vector<std::size_t> fields_of(const TypedOptions& typed) {
   if (has_poses(typed)) {
-    const bool has_times = pose_format(typed.output.format).has_time_in_rows();
+    const bool has_times = typed.output.format->poses->has_times;
     return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
   }
   if (has_pieces(typed)) return {field_of("duration"), field_of("poly8")};
@@ -174,7 +176,7 @@ SampleOptions samples_of(const TypedOptions& typed) {
   if (has_no_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
     samples.request.mode = Mode::segments;
     samples.request.count = 50;
-    const bool is_drawn = format_of(typed.output.format).family == FormatFamily::picture || typed.has(option::explain);
+    const bool is_drawn = typed.output.format->is_picture || typed.has(option::explain);
     if (!is_drawn && may_have_frames(typed)) samples.unless_frames = no_sampling_option(sampling_options);
   }
   return samples;
@@ -189,7 +191,7 @@ std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
 WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   const bool to_terminal =
       typed.files.outputs.file == "-" && !typed.files.outputs.folder && system::is_terminal(system::standard_output);
-  if (to_terminal && format_of(typed.output.format).family == FormatFamily::array) {
+  if (to_terminal && typed.output.format->is_binary) {
     throw binary_to_terminal();
   }
   WriterOptions rows = typed.output;
@@ -286,7 +288,7 @@ Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provena
   require_samples(typed);
   if (typed.has(option::explain)) return explain_job(typed);
   if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
-  if (format_of(typed.output.format).family == FormatFamily::picture) return plot_job(typed);
+  if (typed.output.format->is_picture) return plot_job(typed);
   return resample_job(typed, std::move(provenance));
 }
 

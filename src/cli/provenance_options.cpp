@@ -74,7 +74,7 @@ ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
   ProvenanceRequest request;
   request.from = from;
   in_file(shown_name(from), [&] {
-    EarlierOutput earlier = read_earlier_output(decompressed(read_file(from)));
+    EarlierOutput earlier = read_earlier_output(decompressed(read_file(from)), typed.keys.input.max_memory);
     request.earlier.program = std::move(earlier.program);
     request.earlier.options = std::move(earlier.options);
     request.earlier.inputs = std::move(earlier.inputs);

@@ -10,6 +10,7 @@
 
 #include "check/comparison.hpp"
 #include "fit/fit_options.hpp"
+#include "formats/formats.hpp"
 #include "io/input_list.hpp"
 #include "io/terminal.hpp"
 #include "picture/picture.hpp"
@@ -47,7 +48,7 @@ struct TypedOptions {
   PlacesOption places;
   FitOptions fit;
   Comparison comparison;
-  WriterOptions output;
+  WriterOptions output{.format = &formats().front()};
   PictureOptions picture;
   ThreadOptions threads;
   std::optional<Generated> generated;

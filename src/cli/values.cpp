@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/errors.hpp"
+#include "formats/formats.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/fields.hpp"
@@ -24,21 +25,21 @@ std::optional<Int> in_digits(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-std::vector<std::string_view> format_names(bool Format::*capability) {
+std::vector<std::string_view> format_names(bool (Format::*capability)() const) {
   std::vector<std::string_view> names;
-  for (const Format& format : formats) {
-    if (format.*capability) names.push_back(format.name);
+  for (const Format& format : formats()) {
+    if ((format.*capability)()) names.push_back(format.name);
   }
   return names;
 }
 
 /// Throws: Error (usage) for a name that is not one of the formats that have the capability.
-FormatId named_format(const std::string& text, bool Format::*capability) {
+const Format* named_format(const std::string& text, bool (Format::*capability)() const) {
   const auto names = format_names(capability);
   if (std::ranges::count(names, text) == 0) {
     throw unknown_value(text, names);
   }
-  return *find_format(text);
+  return find_format(text);
 }
 
 /// The radians of a positive angle with its unit, as in 0.5deg.
@@ -309,8 +310,8 @@ PictureSize picture_size(const std::string& text) {
   return size;
 }
 
-FormatId input_format(const std::string& text) { return named_format(text, &Format::can_read); }
-FormatId output_format(const std::string& text) { return named_format(text, &Format::can_write); }
+const Format* input_format(const std::string& text) { return named_format(text, &Format::can_read); }
+const Format* output_format(const std::string& text) { return named_format(text, &Format::can_write); }
 std::vector<std::string_view> input_format_names() { return format_names(&Format::can_read); }
 std::vector<std::string_view> output_format_names() { return format_names(&Format::can_write); }
 

@@ -14,7 +14,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/typed_options.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 
 namespace tcb {
 
@@ -119,8 +119,8 @@ std::string name_part(const std::string& text);
 std::vector<std::string> axis_names(const std::string& text);
 /// Width and height with an x between them.
 PictureSize picture_size(const std::string& text);
-FormatId input_format(const std::string& text);
-FormatId output_format(const std::string& text);
+const Format* input_format(const std::string& text);
+const Format* output_format(const std::string& text);
 
 /// The names of the formats that can be read or written, and of the fields.
 std::vector<std::string_view> input_format_names();

@@ -11,13 +11,13 @@
 
 #include "error.hpp"
 #include "fit/fitting.hpp"
+#include "formats/open_input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
 #include "picture/differences.hpp"
-#include "read/reader.hpp"
 #include "run/batch.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
@@ -26,7 +26,7 @@
 #include "sample/anywhere.hpp"
 #include "sample/fields.hpp"
 #include "sample/rows.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
 
@@ -79,8 +79,8 @@ class FitRun {
     return [this, &schema, &curves, expected = 0.0]() mutable -> std::optional<Samples> {
       std::optional<InputCurve> curve = curves.next();
       if (!curve) return std::nullopt;
-      const Format& format = format_of(job_.rows.format);
-      if (expected > 0 && curve->group.empty() && format.family == FormatFamily::delimited && format.delimiter != ' ') {
+      const Format& format = *job_.rows.format;
+      if (expected > 0 && curve->group.empty() && format.has_marks && format.delimiter != ' ') {
         throw data_error(
             "there are several curves, and {} does not show where one curve ends; give {} ssv or json, or name a "
             "column "
@@ -238,7 +238,7 @@ Exit draw_fit(const FitJob& job) {
 }  // namespace
 
 Exit fit(const FitJob& job) {
-  if (format_of(job.rows.format).family == FormatFamily::picture) return draw_fit(job);
+  if (job.rows.format->is_picture) return draw_fit(job);
   Report report(job.verbosity);
   warn_of_other_program(report, job.rows.provenance);
   return convert_files(job.files, job.fail_fast, job.threads, report,

@@ -99,9 +99,9 @@ Source<std::string> decoded(Source<std::string> bytes) {
 }  // namespace
 
 Compression compression_of(std::string_view path) {
-  const std::string_view ending = compression_ending(path);
-  if (ending.empty()) return Compression::none;
-  return ending == ".gz" ? Compression::gzip : Compression::zstandard;
+  const std::string_view named = compression_ending(path);
+  if (named.empty()) return Compression::none;
+  return named == ".gz" ? Compression::gzip : Compression::zstandard;
 }
 
 namespace {

@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "error.hpp"
+#include "formats/open_input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "option_names.hpp"
 #include "picture/picture.hpp"
 #include "picture/scene.hpp"
-#include "read/reader.hpp"
 #include "run/batch.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "read/errors.hpp"
+#include "error.hpp"
+#include "option_names.hpp"
 #include "read/json/provenance.hpp"
 
 namespace tcb {
@@ -44,6 +45,7 @@ void read_lines(EarlierOutput& output, std::string& text) {
 }  // namespace
 
 void EarlierOutputReader::add(std::string_view bytes) {
+  MemoryUse(max_memory_).add(text_.size() + bytes.size());
   text_ += bytes;
   if (!begun_) json_ = text_.starts_with('{') || text_.starts_with('[');
   begun_ = true;
@@ -61,11 +63,14 @@ std::optional<EarlierOutput> EarlierOutputReader::end() {
   return std::move(output_);
 }
 
-EarlierOutput read_earlier_output(const Source<std::string>& bytes) {
-  EarlierOutputReader reader;
+EarlierOutput read_earlier_output(const Source<std::string>& bytes, std::uint64_t max_memory) {
+  EarlierOutputReader reader(max_memory);
   while (const std::optional<std::string> more = bytes()) reader.add(*more);
   std::optional<EarlierOutput> output = reader.end();
-  if (!output) throw no_provenance();
+  if (!output) {
+    throw data_error("this file has no provenance; expected an output that was made with {}; give such a file",
+                     option::meta);
+  }
   return std::move(*output);
 }
 

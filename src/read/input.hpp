@@ -9,7 +9,7 @@
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
 #include "schema/euler_track.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
 
@@ -20,7 +20,7 @@ enum class JsonShape { list, object, curves, lines, table, table_by_index, any }
 
 /// What was found at the beginning of an input.
 struct InputFacts {
-  FormatId format = FormatId::csv;
+  const Format* format = nullptr;
   std::string encoding = {};                      ///< from which text was converted to UTF-8; empty: none
   bool names_quaternion = false;                  ///< as in DelimitedHead
   JsonShape shape = JsonShape::list;              ///< of JSON

@@ -10,7 +10,7 @@
 #include "read/memory_use.hpp"
 #include "schema/column_options.hpp"
 #include "schema/columns.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 #include "schema/key_rules.hpp"
 #include "schema/rotation_options.hpp"
 #include "schema/units.hpp"
@@ -30,7 +30,7 @@ struct DelimitedOptions {
 
 /// Options of the reading of an input.
 struct InputOptions {
-  std::optional<FormatId> format = {};  ///< nothing: by ending or content
+  const Format* format = nullptr;  ///< null: by ending or content
   DelimitedOptions delimited = {};
   ColumnOptions columns = {};
   KeyRules keys = {};

@@ -1,6 +1,9 @@
 // NumPy arrays: the rows of .npy files as lines of delimited text.
-#include "read/npy.hpp"
-
+//
+// An array of two dimensions has columns by number, and a structured one of one dimension columns by name. Numbers are
+// floats of 32 and 64 bits, integers and booleans, in either order of bytes. Each becomes the shortest decimal of its
+// double, or a whole number.
+// Source: NumPy, "numpy.lib.format", versions 1.0 to 3.0 of the format.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,12 +19,15 @@
 
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
+#include "read/csv/csv_reader.hpp"
+#include "read/input_format.hpp"
 #include "read/memory_use.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
 
+constexpr std::string_view npy_magic = "\x93NUMPY";
 constexpr char npy_delimiter = '\t';
 
 Error array_ends_early() {
@@ -332,17 +338,15 @@ class NpyRows {
   std::uint64_t row_ = 0;
 };
 
-}  // namespace
-
+/// The text of an array, and in `options` how it is delimited. An array in Fortran order is kept while it is read.
 Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options) {
   NpyBytes input(std::move(bytes));
-  constexpr std::size_t magic = 6;
-  const std::string head = input.take_all(magic + 2);
-  if (!head.starts_with("\x93NUMPY")) {
+  const std::string head = input.take_all(npy_magic.size() + 2);
+  if (!head.starts_with(npy_magic)) {
     throw data_error("the file is no array of NumPy; expected one that numpy.save wrote; give another {}",
                      option::input_format);
   }
-  const auto version = static_cast<unsigned char>(head[magic]);
+  const auto version = static_cast<unsigned char>(head[npy_magic.size()]);
   if (version < 1 || version > 3) throw unknown_header(std::to_string(version));
   const std::string length = input.take_all(version == 1 ? 2 : 4);
   std::size_t size = 0;
@@ -362,5 +366,16 @@ Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options
   Source<std::string> rows = NpyRows(std::move(array), std::move(input), options.max_memory);
   return names.empty() ? rows : preceded_by(names + "\n", std::move(rows));
 }
+
+Records open_npy(const Format&, Source<std::string> bytes, InputOptions options) {
+  bytes = text_of_npy(std::move(bytes), options);
+  return open_delimited(std::move(bytes), options);
+}
+
+bool begins_npy(std::string_view beginning) { return beginning.starts_with(npy_magic); }
+
+}  // namespace
+
+extern const InputFormat npy_input{.open = open_npy, .begins = begins_npy, .takes_delimiters = false};
 
 }  // namespace tcb

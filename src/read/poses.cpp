@@ -1,6 +1,4 @@
 // Poses: options by which lines of poses are read as delimited text.
-#include "read/poses.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "read/csv/csv_reader.hpp"
 #include "read/csv/splitter.hpp"
+#include "read/input_format.hpp"
 #include "schema/pose_formats.hpp"
 
 namespace tcb {
@@ -51,11 +51,10 @@ std::size_t columns_in(std::string_view record, char delimiter) {
   return columns;
 }
 
-}  // namespace
-
-InputOptions options_of_poses(FormatId format, Source<std::string>& bytes, InputOptions options) {
-  const PoseFormat& poses = pose_format(format);
-  const char delimiter = format_of(format).delimiter;
+/// The options with the columns of a format of poses, its rotation and its unit of times, unless others are requested.
+InputOptions options_of_poses(const Format& format, Source<std::string>& bytes, InputOptions options) {
+  const PoseFormat& poses = *format.poses;
+  const char delimiter = format.delimiter;
   std::vector<std::string> names(poses.columns.begin(), poses.columns.end());
   const std::size_t columns = columns_in(first_record(bytes), delimiter);
   const std::size_t more = columns > names.size() ? std::min(columns - names.size(), poses.others.size()) : 0;
@@ -77,5 +76,9 @@ InputOptions options_of_poses(FormatId format, Source<std::string>& bytes, Input
   if (!poses.unit) options.columns.timeless = true;
   return options;
 }
+
+}  // namespace
+
+extern const InputFormat poses_input{.open = open_lines, .options = options_of_poses, .has_own_columns = true};
 
 }  // namespace tcb

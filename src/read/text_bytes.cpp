@@ -3,14 +3,16 @@
 
 #include <optional>
 
-#include "read/errors.hpp"
+#include "error.hpp"
 
 namespace tcb {
 
 bool TextBytes::append_to(std::string& text, LinePosition position) {
   if (at_nul_) {
     const LinePosition nul = position_after(text, position);
-    throw nul_in_text().at({"", nul.line, nul.column});
+    throw data_error(
+        "this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8")
+        .at({"", nul.line, nul.column});
   }
   const std::optional<std::string> more = bytes_();
   if (!more) return false;

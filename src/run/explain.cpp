@@ -9,10 +9,10 @@
 #include <memory>
 #include <utility>
 
+#include "formats/open_input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
-#include "read/reader.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/in_words.hpp"
 #include "run/notes.hpp"
@@ -53,7 +53,7 @@ Facts input_facts(const Input& input) {
                               "a table",
                               "a table whose index is the time",
                               "a list in another one"};
-  const Format& format = format_of(input.facts.format);
+  const Format& format = *input.facts.format;
   Facts facts{{"format", std::string(format.name)}};
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
   const auto list = [&](std::string_view name, const std::vector<std::string>& values) {
@@ -65,9 +65,8 @@ Facts input_facts(const Input& input) {
     add("delimiter", delimiter == '\t' ? "tab" : delimiter == ' ' ? "blanks" : std::string(1, delimiter));
     add("comment", input.facts.comment.empty() ? "none" : input.facts.comment);
     add("decimal", std::string(1, marks->decimal));
-    const bool is_of_format = format_of(input.facts.format).family == FormatFamily::poses;
-    add("header", input.schema.named && !is_of_format ? "yes" : "no");
-  } else if (format.family == FormatFamily::json) {
+    add("header", input.schema.named && format.poses == nullptr ? "yes" : "no");
+  } else if (format.is_json) {
     add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
   }
   if (!input.keys.traits.own_curves) list("group", input.schema.groups);
@@ -122,9 +121,9 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
   std::vector<std::string_view> names;
   for (const std::size_t field : job.fields) names.push_back(fields()[field].name);
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
-  const Format& output = format_of(job.format);
+  const Format& output = *job.format;
   const std::string_view header = job.header.value_or(schema.named) ? " with a header" : " without a header";
-  add("output", fmt::format("{}{}", output.name, output.family == FormatFamily::delimited ? header : ""));
+  add("output", fmt::format("{}{}", output.name, output.has_marks ? header : ""));
   return facts;
 }
 
@@ -280,8 +279,6 @@ std::string as_object(const Facts& lines) {
   return out + "}\n";
 }
 
-bool is_json(FormatId format) { return format_of(format).family == FormatFamily::json; }
-
 }  // namespace
 
 std::string explanation(const std::string& path, const ExplainJob& job) {
@@ -295,7 +292,7 @@ std::string explanation(const std::string& path, const ExplainJob& job) {
   append(explainer.lines());
   if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
   if (!explainer.needs().empty()) lines.emplace_back("needs", explainer.needs());
-  if (is_json(job.format)) return as_object(lines);
+  if (job.format->is_json) return as_object(lines);
   std::string out;
   for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, printable(value));
   return out;

@@ -10,7 +10,7 @@
 #include "io/input_list.hpp"
 #include "run/job.hpp"
 #include "run/sample_options.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 
 namespace tcb {
 
@@ -22,7 +22,7 @@ struct ExplainJob {
   bool has_samples = true;  ///< the samples are requested, so the explanation has them
   std::optional<GoldenOptions> golden;
   std::vector<std::size_t> fields;  ///< of the rows, as indices into fields()
-  FormatId format = FormatId::csv;  ///< of the output; the explanation is JSON if that is
+  const Format* format = nullptr;   ///< of the output; the explanation is JSON if that is
   std::optional<bool> header;       ///< of the output; nothing: as the input has one
 };
 

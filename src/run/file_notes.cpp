@@ -9,6 +9,7 @@
 #include "io/encoding.hpp"
 #include "io/input_file.hpp"
 #include "numbers/decimal_time.hpp"
+#include "read/input_format.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
@@ -38,10 +39,7 @@ Note angles_note(const std::vector<NamedAngle>& angles) {
 /// columns of its own needs no names.
 std::vector<std::string> found_by_elimination(const Input& input) {
   const Schema& schema = input.schema;
-  const FormatFamily family = format_of(input.facts.format).family;
-  const bool has_own_columns =
-      family == FormatFamily::poses || family == FormatFamily::cameras || family == FormatFamily::tracks;
-  if (has_own_columns || !schema.named) return {};
+  if (input.facts.format->input->has_own_columns || !schema.named) return {};
   std::vector<bool> is_of_rotation(schema.channels.size());
   for (const RotationSchema& rotation : schema.rotations) {
     for (const std::size_t channel : rotation.columns.channels) is_of_rotation[channel] = true;

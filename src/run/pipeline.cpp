@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "formats/open_input.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
-#include "read/reader.hpp"
 #include "run/batch.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"

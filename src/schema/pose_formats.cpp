@@ -1,7 +1,6 @@
 // Pose formats: the columns of lines of poses, as recordings of robots and benchmarks of odometry have them.
 #include "schema/pose_formats.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace tcb {
@@ -19,14 +18,6 @@ constexpr std::array<std::string_view, 13> camera_columns{"r11", "r12", "r13", "
                                                           "y",   "r31", "r32", "r33", "z",   "fov"};
 constexpr std::array<std::string_view, 1> camera_others{"render_time"};
 
-constexpr std::array pose_formats{
-    PoseFormat{FormatId::tum, tum_columns, {}, spline::RotationForm::quaternion, TimeUnit::s, ""},
-    PoseFormat{FormatId::euroc, euroc_columns, euroc_others, spline::RotationForm::quaternion, TimeUnit::ns,
-               "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"},
-    PoseFormat{FormatId::nerfstudio, camera_columns, camera_others, spline::RotationForm::matrix, std::nullopt, ""},
-    PoseFormat{FormatId::kitti, kitti_columns, {}, spline::RotationForm::matrix, std::nullopt, ""},
-};
-
 /// The names of the numbers of a rotation, in their order.
 std::span<const std::string_view> numbers_of(spline::RotationForm form) {
   static constexpr std::array<std::string_view, 4> quaternion{"qx", "qy", "qz", "qw"};
@@ -38,7 +29,13 @@ std::span<const std::string_view> numbers_of(spline::RotationForm form) {
 
 }  // namespace
 
-const PoseFormat& pose_format(FormatId format) { return *std::ranges::find(pose_formats, format, &PoseFormat::format); }
+constexpr PoseFormat tum_poses{tum_columns, {}, spline::RotationForm::quaternion, TimeUnit::s};
+constexpr PoseFormat euroc_poses{
+    euroc_columns, euroc_others, spline::RotationForm::quaternion, TimeUnit::ns,
+    "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"};
+constexpr PoseFormat kitti_poses{kitti_columns, {}, spline::RotationForm::matrix, std::nullopt, "", false};
+constexpr PoseFormat nerfstudio_poses{camera_columns, camera_others, spline::RotationForm::matrix, std::nullopt, "",
+                                      true,           true};
 
 std::vector<std::string_view> rotation_columns_of(const PoseFormat& format) {
   const auto numbers = numbers_of(format.form);

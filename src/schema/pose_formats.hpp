@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "numbers/time_notation.hpp"
-#include "schema/formats.hpp"
 #include "schema/rotation_options.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
@@ -18,19 +17,16 @@ namespace tcb {
 /// The columns of a format of poses: a time unless it has none, a position x, y, z, a rotation, and other channels by
 /// their names.
 struct PoseFormat {
-  FormatId format;
   std::span<const std::string_view> columns;  ///< names, in order
   std::span<const std::string_view> others;   ///< names of columns that may follow; of lines, none is read
   spline::RotationForm form;                  ///< of the rotation
   std::optional<TimeUnit> unit;               ///< of the times; nothing: there are none
-  std::string_view head;                      ///< the line above the rows of an output; empty: none
-
-  /// Rows have a time, which cameras need for their rate.
-  bool has_time_in_rows() const { return unit || format == FormatId::nerfstudio; }
+  std::string_view head = {};                 ///< the line above the rows of an output; empty: none
+  bool has_times = true;                      ///< in rows of an output, as cameras have them for their rate
+  bool has_others = false;                    ///< channels besides the position and the rotation
 };
 
-/// Requires: the family of the format is that of poses.
-const PoseFormat& pose_format(FormatId format);
+extern const PoseFormat tum_poses, euroc_poses, kitti_poses, nerfstudio_poses;
 
 /// The names of the columns of its rotation, in the order of the rotation's numbers.
 std::vector<std::string_view> rotation_columns_of(const PoseFormat& format);

@@ -8,6 +8,7 @@
 
 #include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
+#include "write/output_format.hpp"
 
 namespace tcb {
 namespace {
@@ -53,7 +54,10 @@ std::string CameraPath::tail(const Rational& unit) const {
                      nearest_double(frames.seconds.value_or(Rational(rows_) / frames.rate)));
 }
 
-Layout camera_layout(const std::vector<OutputColumn>& columns) {
+namespace {
+
+/// The rows, each the 12 numbers of the first three rows of the matrix, and the field of view.
+Layout camera_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
   Layout layout;
   layout.before.assign(columns.size(), ",");
   layout.before.front() = "{\"camera_to_world\":[";
@@ -68,5 +72,10 @@ Layout camera_layout(const std::vector<OutputColumn>& columns) {
   layout.no_rows = "]";
   return layout;
 }
+
+}  // namespace
+
+extern const OutputFormat camera_path_output{
+    .layout = camera_layout, .has_groups = false, .has_labels = false, .has_cameras = true};
 
 }  // namespace tcb

@@ -48,7 +48,4 @@ class CameraPath {
   std::optional<PlayedFrames> frames_;
 };
 
-/// The rows, each the 12 numbers of the first three rows of the matrix, and the field of view.
-Layout camera_layout(const std::vector<OutputColumn>& columns);
-
 }  // namespace tcb

@@ -11,6 +11,7 @@
 #include "option_names.hpp"
 #include "schema/pose_formats.hpp"
 #include "text/utf8.hpp"
+#include "write/output_format.hpp"
 
 namespace tcb {
 namespace {
@@ -35,38 +36,27 @@ std::vector<std::string> OutputColumns::names() const {
 
 Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
     : options_(options),
-      marks_(options.marks.value_or(TextMarks{format_of(options.format).delimiter})),
-      nested_(format_of(options.format).nests && !columns.groups.empty()),
+      marks_(options.marks),
+      nested_(options.format->nests && !columns.groups.empty()),
       groups_(columns.groups.size()),
       numbers_(columns.numbers.size()) {
-  if (format_of(options.format).family == FormatFamily::array && groups_ + columns.labels.size() > 0) {
-    throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
-                                format_of(options.format).name);
-  }
-  const bool is_pieces = format_of(options.format).family == FormatFamily::pieces;
-  if (is_pieces && groups_ + columns.labels.size() > 0) {
-    throw text_in_binary_format(groups_ > 0 ? columns.groups.front() : columns.labels.front(),
-                                format_of(options.format).name);
-  }
-  const bool is_scene = format_of(options.format).family == FormatFamily::scene;
-  if (is_scene && !columns.labels.empty()) {
-    throw text_in_binary_format(columns.labels.front(), format_of(options.format).name);
-  }
-  if (has_pose_rows(format_of(options.format)) && groups_ + columns.labels.size() > 0) {
+  const Format& format = *options.format;
+  for (const bool is_group : {true, false}) {
+    const std::vector<std::string>& texts = is_group ? columns.groups : columns.labels;
+    if (texts.empty() || (is_group ? format.output->has_groups : format.output->has_labels)) continue;
+    if (format.poses == nullptr) throw text_in_binary_format(texts.front(), format.name);
     throw data_error(
         "column {} holds text, but {} holds only times and poses; expected rows without text; give another format, "
         "such as csv, to {}",
-        in_quotes(groups_ > 0 ? columns.groups.front() : columns.labels.front()), format_of(options.format).name,
-        option::output_format);
+        in_quotes(texts.front()), format.name, option::output_format);
   }
   std::vector<OutputColumn> all;
   for (const std::string& name : columns.names()) all.push_back({name});
-  const auto layout = output_format(options.format).layout;
+  const auto layout = format.output->layout;
   all_ = layout(all, marks_, options.header);
   if (options.cameras != nullptr) options.cameras->complete(all_);
   head_ = nested_ ? "{\"curves\":[\n" : (options.has_member ? "{\"rows\":" : "") + all_.head;
-  if (is_scene) head_.clear();
-  if (format_of(options.format).family == FormatFamily::poses) head_ = pose_format(options.format).head;
+  if (format.poses != nullptr && !format.output->has_cameras) head_ = format.poses->head;
   rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, marks_, options.header) : all_;
   const auto labels_begin = rows_.before.begin() + signed_size(numbers_ + (nested_ ? 0 : groups_));
   rows_.before.assign(rows_.before.begin() + signed_size(nested_ ? 0 : groups_), labels_begin);
@@ -74,7 +64,7 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
 }
 
 std::string Frame::begin(std::span<const std::string> group, bool divided) {
-  const OutputFormat& format = output_format(options_.format);
+  const OutputFormat& format = *options_.format->output;
   const bool follows = std::exchange(any_curves_, true);
   std::string cells;
   for (std::size_t i = 0; i < group.size(); ++i) cells += all_.before[i] + format.text(group[i], marks_.delimiter);
@@ -89,13 +79,13 @@ std::string Frame::begin(std::span<const std::string> group, bool divided) {
     throw data_error(
         "there is more than one curve, but {} holds one table of rows; expected one curve; give another format, such "
         "as csv, to {}",
-        format_of(options_.format).name, option::output_format);
+        options_.format->name, option::output_format);
   }
   return all_.between_rows + all_.divider;
 }
 
 std::string Frame::row_end(std::span<const std::string_view> labels) const {
-  const OutputFormat& format = output_format(options_.format);
+  const OutputFormat& format = *options_.format->output;
   std::string text;
   for (std::size_t i = 0; i < labels.size(); ++i)
     text += all_.before[groups_ + numbers_ + i] + format.text(labels[i], marks_.delimiter);
@@ -103,7 +93,7 @@ std::string Frame::row_end(std::span<const std::string_view> labels) const {
 }
 
 std::string Frame::counted_head(std::uint64_t bytes) const {
-  const auto head = output_format(options_.format).counted_head;
+  const auto head = options_.format->output->counted_head;
   return head == nullptr ? "" : head(numbers_, bytes / (numbers_ * sizeof(double)));
 }
 

@@ -11,7 +11,7 @@
 
 #include "numbers/print_number.hpp"
 #include "sample/fields.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 #include "write/camera_path.hpp"
 #include "write/layout.hpp"
 
@@ -29,11 +29,11 @@ struct OutputColumns {
 
 /// The options of a frame besides the columns.
 struct FrameOptions {
-  FormatId format = FormatId::csv;
+  const Format* format = nullptr;
   bool header = true;
   Notation notation = {};
   bool has_member = false;              ///< in JSON: the output is an object, with another member after the rows
-  std::optional<TextMarks> marks = {};  ///< of delimited text; nothing: those of the format
+  TextMarks marks = {};                 ///< of delimited text
   const CameraPath* cameras = nullptr;  ///< of a camera path
 };
 

@@ -23,6 +23,7 @@
 #include "tcb/spline/rotation_notation.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
+#include "write/output_format.hpp"
 
 namespace tcb {
 namespace {
@@ -445,5 +446,15 @@ std::string GltfScene::text() {
   buffer.describe(file);
   return file.dump() + "\n";
 }
+
+/// Rows come as the bytes of doubles.
+extern const OutputFormat gltf_output{
+    .layout =
+        [](const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header) {
+          Layout layout = npy_layout(columns, marks, header);
+          layout.head.clear();
+          return layout;
+        },
+    .has_labels = false};
 
 }  // namespace tcb

@@ -12,19 +12,13 @@
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "schema/key_block.hpp"
-#include "write/camera_path.hpp"
+#include "schema/units.hpp"
+#include "text/suggest.hpp"
+#include "write/output_format.hpp"
 
 namespace tcb {
 
 namespace {
-
-Layout json_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return json_layout(columns); }
-Layout jsonl_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return jsonl_layout(columns); }
-Layout camera_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return camera_layout(columns); }
-Layout piece_rows(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool) {
-  return piece_layout(columns, marks);
-}
-Layout npy_rows(const std::vector<OutputColumn>& columns, const TextMarks&, bool) { return npy_layout(columns); }
 
 std::string delimited_cell(std::string_view text, char delimiter) {
   return text.empty() && delimiter == ' ' ? "NA" : delimited_text(content(text), delimiter);
@@ -35,34 +29,7 @@ std::string json_cell(std::string_view text, char) {
   return is_string(text) ? json_text(content(text)) : std::string(text);
 }
 
-/// In the order of FormatId.
-constexpr std::array<OutputFormat, formats.size()> output_formats{{
-    {delimited_layout, delimited_cell},
-    {delimited_layout, delimited_cell},
-    {delimited_layout, delimited_cell},
-    {json_rows, json_cell},
-    {jsonl_rows, json_cell},
-    {delimited_layout, delimited_cell},
-    {delimited_layout, delimited_cell},
-    {delimited_layout, delimited_cell},
-    {camera_rows, nullptr},
-    {},  // tracks are not written
-    {},
-    {},
-    {},
-    {npy_rows, nullptr},
-    {piece_rows, delimited_cell},
-    {npy_rows, nullptr, npy_head},
-    {},  // a picture has no rows
-}};
-static_assert(std::ranges::all_of(formats, [](const Format& format) {
-  const bool has_rows = format.can_write && format.family != FormatFamily::picture;
-  return has_rows == (output_formats[static_cast<std::size_t>(format.id)].layout != nullptr);
-}));
-
 }  // namespace
-
-const OutputFormat& output_format(FormatId format) { return output_formats[static_cast<std::size_t>(format)]; }
 
 std::string npy_head(std::size_t columns, std::uint64_t rows) {
   constexpr std::size_t size = 128;  // a multiple of 64, as the format requires
@@ -75,7 +42,7 @@ std::string npy_head(std::size_t columns, std::uint64_t rows) {
   return head + '\n';
 }
 
-Layout npy_layout(const std::vector<OutputColumn>& columns) {
+Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
   Layout layout;
   layout.head = npy_head(columns.size(), 0);
   layout.before.resize(columns.size());
@@ -215,7 +182,7 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMark
   return layout;
 }
 
-Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks) {
+Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool) {
   constexpr std::size_t coefficients = 8, with_yaw = 1 + 4 * coefficients;
   Layout layout = delimited_layout(columns, marks, true);
   if (columns.size() == with_yaw) return layout;
@@ -231,12 +198,47 @@ Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& m
   return layout;
 }
 
-Layout json_layout(const std::vector<OutputColumn>& columns) {
+Layout json_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
   return {"[\n", members(columns), "}", "null", ",\n", "\n]", "]", "\n", "null"};
 }
 
-Layout jsonl_layout(const std::vector<OutputColumn>& columns) {
+Layout jsonl_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
   return {"", members(columns), "}\n", "null", "", "", "", "", "null\n"};
 }
+
+namespace {
+
+/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
+void require_path_with_yaw(const Schema& schema) {
+  const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
+  if ((schema.channels.size() != 3 && !has_yaw) || !schema.rotations.empty()) {
+    throw data_error(
+        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with {}, as in "
+        "position=x:y:z:yaw",
+        listed(schema.channels), option::columns);
+  }
+  const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
+  if (unit != TimeUnit::s) {
+    throw data_error(
+        "the times are in {}, but the durations of polynomials are in seconds; expected times in seconds; convert "
+        "them, or give {} where they are frames",
+        row_of(unit).name, option::input_fps);
+  }
+}
+
+}  // namespace
+
+extern const OutputFormat delimited_output{.layout = delimited_layout, .text = delimited_cell};
+extern const OutputFormat json_output{.layout = json_layout, .text = json_cell};
+extern const OutputFormat jsonl_output{.layout = jsonl_layout, .text = json_cell};
+extern const OutputFormat pose_output{
+    .layout = delimited_layout, .text = delimited_cell, .has_groups = false, .has_labels = false};
+extern const OutputFormat piece_output{.layout = piece_layout,
+                                       .text = delimited_cell,
+                                       .require = require_path_with_yaw,
+                                       .has_groups = false,
+                                       .has_labels = false};
+extern const OutputFormat npy_output{
+    .layout = npy_layout, .counted_head = npy_head, .has_groups = false, .has_labels = false};
 
 }  // namespace tcb

@@ -9,7 +9,6 @@
 
 #include "numbers/print_number.hpp"
 #include "sample/fields.hpp"
-#include "schema/formats.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {
@@ -49,31 +48,19 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMark
 
 /// Lines of a duration and eight coefficients for each of x, y, z and yaw, which is 0 where there is no such channel.
 /// Source: the class Trajectory of Crazyswarm, which reads such files.
-Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks);
+Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
 
 /// An array of objects, one per line.
-Layout json_layout(const std::vector<OutputColumn>& columns);
+Layout json_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
 
 /// An object per line.
-Layout jsonl_layout(const std::vector<OutputColumn>& columns);
-
-/// The functions that write a format.
-struct OutputFormat {
-  Layout (*layout)(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header);
-  /// A cell from a text as in schema/texts.hpp; null: cells are numbers only.
-  std::string (*text)(std::string_view text, char delimiter);
-  /// The head with the number of rows, written in place of the layout's head of the same size; null: not needed.
-  std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;
-};
-
-/// Requires: the format can be written, and is no picture.
-const OutputFormat& output_format(FormatId format);
+Layout jsonl_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
 
 /// The head of a NumPy file of doubles, rows x columns in C order. Promises: the size is the same for all numbers.
 /// Source: NumPy, "numpy.lib.format", version 1.0 of the format.
 std::string npy_head(std::size_t columns, std::uint64_t rows);
 
 /// Rows of doubles, the lowest byte first, after such a head with 0 rows.
-Layout npy_layout(const std::vector<OutputColumn>& columns);
+Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
 
 }  // namespace tcb

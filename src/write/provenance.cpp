@@ -50,17 +50,17 @@ std::string json_member(const Provenance& provenance) {
 
 }  // namespace
 
-std::string text_before_rows(const Provenance& provenance, FormatId format) {
-  if (format_of(format).family != FormatFamily::delimited) return "";
+std::string text_before_rows(const Provenance& provenance, const Format& format) {
+  if (!format.has_marks) return "";
   std::string out = fmt::format("# {}\n", provenance.program);
   for (const auto& [name, value] : provenance.rules) out += line(name, value);
   for (const std::string& option : provenance.options) out += line("option", option);
   return out + "#\n";  // so that the comment directly above a row is empty, and not taken for a header
 }
 
-std::string text_after_rows(const Provenance& provenance, FormatId format) {
-  if (format_of(format).nests) return json_member(provenance);
-  if (format_of(format).family != FormatFamily::delimited) return "{" + json_member(provenance) + "}\n";
+std::string text_after_rows(const Provenance& provenance, const Format& format) {
+  if (format.nests) return json_member(provenance);
+  if (!format.has_marks) return "{" + json_member(provenance) + "}\n";
   std::string out;
   for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
     out += line("input", printable(provenance.inputs[i].first)) + line("sha256", provenance.inputs[i].second);
@@ -174,11 +174,11 @@ void ProvenanceRecorder::end_input() {
   tally_->provenance.inputs.back().second = tally_->sha256.digest();
 }
 
-std::string ProvenanceRecorder::before_rows(FormatId format) const {
+std::string ProvenanceRecorder::before_rows(const Format& format) const {
   return tally_ == nullptr ? "" : text_before_rows(tally_->provenance, format);
 }
 
-std::string ProvenanceRecorder::after_rows(FormatId format) const {
+std::string ProvenanceRecorder::after_rows(const Format& format) const {
   if (tally_ == nullptr) return "";
   if (tally_->provenance.inputs.size() < request_->earlier.inputs.size()) {
     throw usage_error("there are fewer key files than {} was made from; expected {}; add the rest", request_->from,

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sample/rows.hpp"
-#include "schema/formats.hpp"
+#include "schema/format.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
@@ -33,8 +33,8 @@ struct Provenance {
 
 /// The provenance as text before and after the rows. In nested formats, the text after them is a member of the outer
 /// object.
-std::string text_before_rows(const Provenance& provenance, FormatId format);
-std::string text_after_rows(const Provenance& provenance, FormatId format);
+std::string text_before_rows(const Provenance& provenance, const Format& format);
+std::string text_after_rows(const Provenance& provenance, const Format& format);
 
 /// The requested provenance.
 struct ProvenanceRequest {
@@ -66,9 +66,9 @@ class ProvenanceRecorder {
   void end_input();
 
   /// The two texts, or empty ones without a request.
-  std::string before_rows(FormatId format) const;
+  std::string before_rows(const Format& format) const;
   /// Throws: Error (usage) if there were fewer inputs than the earlier output has.
-  std::string after_rows(FormatId format) const;
+  std::string after_rows(const Format& format) const;
 
  private:
   struct Tally;

@@ -16,6 +16,7 @@
 #include "schema/pose_formats.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
+#include "write/output_format.hpp"
 
 namespace tcb {
 
@@ -53,29 +54,12 @@ Error dates_from_time_zero() {
                      option::time_zero, option::time_format);
 }
 
-/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
-void require_path_with_yaw(const Schema& schema) {
-  const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
-  if ((schema.channels.size() != 3 && !has_yaw) || !schema.rotations.empty()) {
-    throw data_error(
-        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with {}, as in "
-        "position=x:y:z:yaw",
-        listed(schema.channels), option::columns);
-  }
-  const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
-  if (unit != TimeUnit::s)
-    throw data_error(
-        "the times are in {}, but the durations of polynomials are in seconds; expected times in seconds; convert "
-        "them, or give {} where they are frames",
-        row_of(unit).name, option::input_fps);
-}
-
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
 /// The names of channels besides the position that a format has: those that it needs, and those that may follow.
 std::vector<std::string_view> other_channels(const PoseFormat& format) {
   std::vector<std::string_view> channels;
-  if (format_of(format.format).family != FormatFamily::cameras) return channels;
+  if (!format.has_others) return channels;
   const std::vector<std::string_view> numbers = rotation_columns_of(format);
   for (const std::string_view column : format.columns) {
     if (std::ranges::count(axes, column) + std::ranges::count(numbers, column) == 0) channels.push_back(column);
@@ -85,11 +69,11 @@ std::vector<std::string_view> other_channels(const PoseFormat& format) {
 }
 
 /// The names of the cells of a row in the format.
-std::vector<std::string_view> names_of_cells(const PoseFormat& format, const Schema& schema) {
+std::vector<std::string_view> names_of_cells(const PoseFormat& format, std::string_view name, const Schema& schema) {
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
   const std::vector<std::string_view> numbers = rotation_columns_of(format), others = other_channels(format);
   std::vector<std::string_view> names;
-  if (format.has_time_in_rows()) names.emplace_back("t");
+  if (format.has_times) names.emplace_back("t");
   std::size_t positions = 0;
   for (const PositionCell& cell : position_cells(schema.channels.size(), rotations)) {
     if (cell.rotation != PositionCell::none) {
@@ -105,8 +89,7 @@ std::vector<std::string_view> names_of_cells(const PoseFormat& format, const Sch
     throw data_error(
         "each row of {} is a pose, but the curve has channels of position: {}, rotations: {}; expected 3 channels and "
         "1 rotation; choose them with {} and {}, or give another format, such as csv, to {}",
-        format_of(format.format).name, positions, rotations.size(), option::columns, option::rotation,
-        option::output_format);
+        name, positions, rotations.size(), option::columns, option::rotation, option::output_format);
   }
   return names;
 }
@@ -114,8 +97,9 @@ std::vector<std::string_view> names_of_cells(const PoseFormat& format, const Sch
 /// For each column of the format, the number of the cell in rows of a time, if the format has one, and a position.
 /// Requires: rotations are shown in the form of the format. Throws: Error (data) unless the rows have a position of
 /// three channels, one rotation, and the other channels of the format.
-std::vector<std::size_t> pose_cells(const PoseFormat& format, const Schema& schema) {
-  const std::vector<std::string_view> names = names_of_cells(format, schema);
+std::vector<std::size_t> pose_cells(const Format& of, const Schema& schema) {
+  const PoseFormat& format = *of.poses;
+  const std::vector<std::string_view> names = names_of_cells(format, of.name, schema);
   std::vector<std::size_t> order;
   const auto find = [&](std::string_view column) {
     const auto found = std::ranges::find(names, column);
@@ -127,7 +111,7 @@ std::vector<std::size_t> pose_cells(const PoseFormat& format, const Schema& sche
       throw data_error(
           "no channel is {}, which every row of {} has; expected a column of that name; add one, or give another "
           "format to {}",
-          in_quotes(column), format_of(format.format).name, option::output_format);
+          in_quotes(column), of.name, option::output_format);
   }
   if (!other_channels(format).empty()) std::ranges::for_each(format.others, find);
   return order;
@@ -143,7 +127,7 @@ TextMarks Writer::marks_for(const Schema& schema) const {
           option::like_input);
     return *schema.marks;
   }
-  return {options_.delimiter.value_or(format_of(options_.format).delimiter), options_.decimal};
+  return {options_.delimiter.value_or(options_.format->delimiter), options_.decimal};
 }
 
 void Writer::begin(const Schema& schema, bool live, Facts rules, const std::string& file) {
@@ -152,8 +136,8 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     add_file_column(columns, *options_.file_column, file);
     file_ = '"' + file;
   }
-  const Format& format = format_of(options_.format);
-  if (format.family == FormatFamily::scene) {
+  const Format& format = *options_.format;
+  if (format.has_nodes) {
     if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
     if (scene_ == nullptr) {
       scene_ = std::make_unique<GltfScene>(std::ranges::count(options_.fields, field_of("time")) == 0);
@@ -161,11 +145,11 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     scene_->begin(schema);
     columns.groups.clear();
   }
-  if (format.family == FormatFamily::pieces) require_path_with_yaw(schema);
-  const bool is_pose = has_pose_rows(format);
+  if (format.output->require != nullptr) format.output->require(schema);
+  const bool is_pose = format.poses != nullptr;
   cells_ = columns.numbers.size();
   if (is_pose) {
-    order_ = pose_cells(pose_format(format.id), schema);
+    order_ = pose_cells(format, schema);
     std::vector<OutputColumn> numbers;
     for (const std::size_t cell : order_) numbers.push_back(columns.numbers[cell]);
     columns.numbers = std::move(numbers);
@@ -174,11 +158,11 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     columns_ = std::move(columns);
     marks_ = marks_for(schema);
     set_times(schema);
-    if (format.family == FormatFamily::cameras) cameras_ = std::make_unique<CameraPath>(schema.camera_path);
-    frame_ = Frame(columns_, {format.id, !is_pose && options_.header.value_or(schema.named), options_.notation,
+    if (format.output->has_cameras) cameras_ = std::make_unique<CameraPath>(schema.camera_path);
+    frame_ = Frame(columns_, {&format, !is_pose && options_.header.value_or(schema.named), options_.notation,
                               format.nests && options_.provenance.has_value(), marks_, cameras_.get()});
     recorder_.set_rules(std::move(rules));
-    const std::string provenance = recorder_.before_rows(format.id);
+    const std::string provenance = recorder_.before_rows(format);
     output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + frame_.head());
   } else if (columns.names() != columns_.names()) {
     throw data_error(
@@ -198,10 +182,10 @@ void Writer::begin_curve(std::vector<std::string> group, const std::optional<Eul
 
 TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time) {
   const auto given = options.time_notation;
-  const Format& format = format_of(options.format);
-  if (has_pose_rows(format) || format.family == FormatFamily::scene) return TimeNotation::seconds;
+  const Format& format = *options.format;
+  if (format.poses != nullptr || format.has_nodes) return TimeNotation::seconds;
   if (!given) {
-    const bool are_numbers = format.family == FormatFamily::array || (options.time_zero && is_date(time.notation));
+    const bool are_numbers = format.is_binary || (options.time_zero && is_date(time.notation));
     return are_numbers ? TimeNotation::seconds : time.notation;
   }
   const bool drops = given == TimeNotation::smpte && time.notation == TimeNotation::drop_frame;
@@ -209,7 +193,7 @@ TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& t
 }
 
 void Writer::set_times(const Schema& schema) {
-  if (has_pose_rows(format_of(options_.format))) return set_times_of_poses(schema.time);
+  if (options_.format->poses != nullptr) return set_times_of_poses(schema.time);
   if (options_.time_zero && options_.time_notation && is_date(*options_.time_notation)) throw dates_from_time_zero();
   notation_ = notation_of_times(options_, schema.time);
   if (!options_.time_notation) {
@@ -222,7 +206,7 @@ void Writer::set_times(const Schema& schema) {
 
 /// The times of poses are numbers in the unit of their format. Those without a known unit are taken as seconds.
 void Writer::set_times_of_poses(const TimeSchema& time) {
-  const PoseFormat& format = pose_format(options_.format);
+  const PoseFormat& format = *options_.format->poses;
   if (!format.unit && cameras_ == nullptr) return;
   if (time.unit == TimeUnit::frames) throw times_without_rate(time.name);
   whole_times_ = format.unit == TimeUnit::ns;
@@ -230,7 +214,7 @@ void Writer::set_times_of_poses(const TimeSchema& time) {
     throw data_error(
         "the times in column {} have no known unit, but those of {} are in nanoseconds; expected a unit; give {} s if "
         "they are seconds",
-        in_quotes(time.name), format_of(options_.format).name, option::time_unit);
+        in_quotes(time.name), options_.format->name, option::time_unit);
   }
   unit_ = units_per_second(format.unit.value_or(TimeUnit::s)) / units_per_second(time.unit.value_or(TimeUnit::s));
 }
@@ -245,7 +229,7 @@ std::vector<std::string> Writer::texts(const Table& table) const {
   texts.resize(table.cells.size());
   const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
   const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
-  const bool in_quotes = format_of(options_.format).family == FormatFamily::json;
+  const bool in_quotes = options_.format->is_json;
   for (std::size_t i = 0; i < table.cells.size(); ++i) {
     if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
     const Rational seconds = exact_time(table.cells[i]) * unit_, rate = options_.frame_rate.value_or(1);
@@ -355,8 +339,8 @@ std::vector<std::string> Writer::channels_in_extras() const {
 
 void Writer::commit() {
   if (scene_ != nullptr) output_.write(scene_->text());
-  const std::string provenance = recorder_.after_rows(options_.format);
-  const bool is_member = format_of(options_.format).nests;
+  const std::string provenance = recorder_.after_rows(*options_.format);
+  const bool is_member = options_.format->nests;
   output_.write(is_member ? frame_.tail(provenance)
                           : frame_.tail() + (cameras_ == nullptr ? "" : cameras_->tail(unit_)) +
                                 (marks_.crlf ? with_crlf(provenance) : provenance));

@@ -28,7 +28,7 @@ struct TimeZero {
 
 /// The form of an output.
 struct WriterOptions {
-  FormatId format = FormatId::csv;
+  const Format* format = nullptr;   ///< one that has rows
   std::optional<bool> header;       ///< nothing: as the input has one
   std::optional<char> delimiter;    ///< nothing: that of the format
   char decimal = '.';               ///< the decimal mark
@@ -50,9 +50,7 @@ class Writer {
  public:
   /// Requires: the options outlive the writer.
   Writer(const WriterOptions& options, std::string path)
-      : options_(options),
-        output_(std::move(path), format_of(options.format).family == FormatFamily::array),
-        recorder_(options.provenance) {}
+      : options_(options), output_(std::move(path), options.format->is_binary), recorder_(options.provenance) {}
 
   /// The recorder of the output's provenance, to be attached to the sources of its rows.
   ProvenanceRecorder& recorder() { return recorder_; }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "comparing.hpp"
+#include "formats/formats.hpp"
 
 namespace tcb {
 namespace {
@@ -28,7 +29,7 @@ std::string drawn(const Comparing& files) {
   CompareJob job;
   job.comparison = files.comparison;
   job.output = files.path("report");
-  job.format = FormatId::svg;
+  job.format = find_format("svg");
   compare(job);
   return report_of(files);
 }
@@ -40,7 +41,7 @@ TEST(Compare, returns_whether_the_samples_agree) {
   job.output = files.path("report");
   EXPECT_EQ(compare(job), Exit::done);
   std::ofstream(files.path("rows.csv")) << "t,x\n0,0\n1,2\n";
-  job.format = FormatId::json;
+  job.format = find_format("json");
   EXPECT_EQ(compare(job), Exit::data);
   EXPECT_THAT(report_of(files), testing::StartsWith("{\"passed\":false,"));
 }

@@ -2,6 +2,7 @@
 #include "cli/plan.hpp"
 
 #include "cli/command_line.hpp"
+#include "formats/formats.hpp"
 #include "sample/fields.hpp"
 #include "schema/columns.hpp"
 
@@ -19,7 +20,7 @@ TEST(Plan, without_options_but_a_step_all_is_default) {
   EXPECT_FALSE(job.samples.request.from || job.samples.request.to);
   EXPECT_TRUE(job.samples.request.from_left) << "no field differs between the sides of a key";
   EXPECT_THAT(job.rows.fields, ElementsAre(0, 1));
-  EXPECT_EQ(job.rows.format, FormatId::csv);
+  EXPECT_EQ(job.rows.format, find_format("csv"));
   EXPECT_FALSE(job.rows.header || job.files.outputs.folder || job.golden || job.rows.provenance);
   EXPECT_EQ(job.files.outputs.file, "-");
   EXPECT_FALSE(job.keys.input.format || job.keys.input.delimited.delimiter || job.keys.input.delimited.header);
@@ -80,7 +81,7 @@ TEST(Plan, the_range_is_exact_and_goes_forward) {
 }
 
 TEST(Plan, options_about_the_input_have_their_meaning) {
-  EXPECT_EQ(stepped({"-i", "jsonl"}).keys.input.format, FormatId::jsonl);
+  EXPECT_EQ(stepped({"-i", "jsonl"}).keys.input.format, find_format("jsonl"));
   EXPECT_EQ(stepped({"--comment", "//"}).keys.input.delimited.comment, "//");
   EXPECT_EQ(stepped({"--comment", "none"}).keys.input.delimited.comment, "");
   EXPECT_EQ(stepped({"--header"}).keys.input.delimited.header, true);
@@ -151,8 +152,8 @@ TEST(Plan, a_comparison_has_its_file_and_all_columns_unless_fields_are_given) {
 }
 
 TEST(Plan, each_product_has_a_job_of_its_own) {
-  EXPECT_EQ(job_of<ExplainJob>({"--plot", "--explain"}).format, FormatId::svg);
-  EXPECT_EQ(job_of<FitJob>({"--fit", "0.1", "-f", "svg"}).rows.format, FormatId::svg);
+  EXPECT_EQ(job_of<ExplainJob>({"--plot", "--explain"}).format, find_format("svg"));
+  EXPECT_EQ(job_of<FitJob>({"--fit", "0.1", "-f", "svg"}).rows.format, find_format("svg"));
   const auto fit = job_of<FitJob>({"--fit", "0.1,x=2", "--keep-times", "1,2", "--fit-keys", "hermite"});
   EXPECT_EQ(fit.options.tolerances.size(), 2U);
   EXPECT_THAT(fit.options.kept_times, ElementsAre(Rational(1), Rational(2)));

@@ -3,6 +3,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/help.hpp"
+#include "formats/formats.hpp"
 
 namespace tcb {
 namespace {
@@ -14,7 +15,7 @@ TEST(CommandLine, options_and_files_come_in_any_order) {
   const ResampleJob job = job_of({"a.csv", "-s", "0.5", "-", "--output-format=json", "b.csv"});
   EXPECT_THAT(job.files.files, ElementsAre("a.csv", "-", "b.csv"));
   EXPECT_EQ(job.samples.request.step, Rational(1, 2));
-  EXPECT_EQ(job.rows.format, FormatId::json);
+  EXPECT_EQ(job.rows.format, find_format("json"));
 }
 
 TEST(CommandLine, two_dashes_end_the_options) {

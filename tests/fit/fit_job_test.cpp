@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "formats/formats.hpp"
+
 namespace tcb {
 namespace {
 
@@ -20,7 +22,7 @@ class FitPicture : public testing::Test {
     std::ofstream(path_) << "t,x,y\n0,0,1\n1,2,1\n2,4,1\n3,6,1\n";
     job_.files.files = {path_};
     job_.files.outputs.file = picture_;
-    job_.rows.format = FormatId::svg;
+    job_.rows.format = find_format("svg");
     job_.options.tolerances = {{"", 0.1}};
     job_.verbosity.quiet = true;
   }

@@ -11,10 +11,11 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "formats/formats.hpp"
+#include "formats/open_input.hpp"
 #include "invariant.hpp"
 #include "io/terminal.hpp"
 #include "keys/curves.hpp"
-#include "read/reader.hpp"
 
 namespace tcb::fuzz {
 
@@ -103,14 +104,14 @@ struct Reading {
 };
 
 inline Reading read(std::string_view text, const InputOptions& options, std::size_t piece) {
-  const bool is_binary = options.format == FormatId::studio_3ds || options.format == FormatId::npy;
+  const bool is_binary = options.format == find_format("3ds") || options.format == find_format("npy");
   std::optional<std::uint64_t> lines;
   if (!is_binary) lines = static_cast<std::uint64_t>(std::ranges::count(text, '\n')) + 1;
   try {
     const Input input = open_input("f", pieces(text, piece), options);
     std::string found;
     const char delimiter = input.schema.marks.value_or(TextMarks{}).delimiter;
-    found += fmt::format("{} {} {}\n", format_of(input.facts.format).name, delimiter, input.schema.named);
+    found += fmt::format("{} {} {}\n", input.facts.format->name, delimiter, input.schema.named);
     for (const auto& names : {input.schema.groups,
                               {input.schema.time.name},
                               input.schema.channels,

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "error.hpp"
+#include "formats/open_input.hpp"
 #include "io/terminal.hpp"
 #include "keys/curves.hpp"
-#include "read/reader.hpp"
 
 namespace tcb {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "error.hpp"
+#include "formats/formats.hpp"
 
 namespace tcb {
 namespace {
@@ -19,7 +20,8 @@ std::string written(const std::string& format, const std::vector<CurveRows>& cur
   OutputColumns names{{}, {{"x"}}, {}};
   if (!curves.empty()) names.groups.assign(curves[0].group.size(), "id");
   if (labelled) names.labels = {"label"};
-  Frame frame(names, {*find_format(format), true, {}, !member.empty()});
+  const Format* const chosen = find_format(format);
+  Frame frame(names, {chosen, true, {}, !member.empty(), {chosen->delimiter}});
   std::string out = frame.head();
   std::optional<std::vector<std::string>> before;
   for (const CurveRows& curve : curves) {

@@ -10,8 +10,10 @@
 #include <limits>
 
 #include "error.hpp"
+#include "formats/formats.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "read/reading.hpp"
+#include "write/output_format.hpp"
 
 namespace tcb {
 
@@ -20,9 +22,9 @@ namespace {
 TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
   const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
   for (const Format& format : formats) {
-    const bool has_names = format.family == FormatFamily::delimited || format.family == FormatFamily::json;
+    const bool has_names = format.has_marks || format.is_json;
     if (!format.can_read || !format.can_write || !has_names) continue;
-    const Layout layout = output_format(format.id).layout(columns, {format.delimiter}, true);
+    const Layout layout = format.output->layout(columns, {format.delimiter}, true);
     std::string text = layout.head;
     append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);
     text += layout.tail + layout.end;

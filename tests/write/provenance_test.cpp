@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "formats/formats.hpp"
 #include "keys.hpp"
 #include "read/earlier_output.hpp"
 
@@ -41,26 +42,27 @@ void expect_example(const EarlierOutput& meta) {
 }
 
 TEST(Provenance, is_in_comments_around_the_rows) {
-  EXPECT_EQ(text_before_rows(example(), FormatId::csv),
+  EXPECT_EQ(text_before_rows(example(), *find_format("csv")),
             "# tcbsample 1.2.3\n# tangents: uniform\n# option: --step=1/24\n# option: "
             "--columns=position=\"a\\b\":# c\n#\n");
-  EXPECT_EQ(text_after_rows(example(), FormatId::csv),
+  EXPECT_EQ(text_after_rows(example(), *find_format("csv")),
             "# input: k.csv\n# sha256: 0a\n# curves: 1\n# keys: 5\n# rows: 25\n");
 }
 
 TEST(Provenance, is_read_back_from_lines) {
-  expect_example(
-      read(text_before_rows(example(), FormatId::csv) + "t,x\n0,1\n" + text_after_rows(example(), FormatId::csv)));
-  std::string carriage = text_before_rows(example(), FormatId::csv) + text_after_rows(example(), FormatId::csv);
+  expect_example(read(text_before_rows(example(), *find_format("csv")) + "t,x\n0,1\n" +
+                      text_after_rows(example(), *find_format("csv"))));
+  std::string carriage =
+      text_before_rows(example(), *find_format("csv")) + text_after_rows(example(), *find_format("csv"));
   for (std::size_t at = 0; (at = carriage.find('\n', at)) != std::string::npos; at += 2) carriage.insert(at, "\r");
   expect_example(read(carriage));
 }
 
 TEST(Provenance, is_read_back_from_json_of_every_shape) {
-  const std::string object = text_after_rows(example(), FormatId::json);
+  const std::string object = text_after_rows(example(), *find_format("json"));
   expect_example(read("{\"rows\":[{\"meta\":{\"program\":\"no\"}}],\n" + object + "}\n"));
   expect_example(read("{" + object + ",\"curves\":[{\"id\":1,\"rows\":[]}]}"));
-  expect_example(read("{\"t\":0,\"x\":1}\n{\"t\":1,\"x\":1}\n" + text_after_rows(example(), FormatId::jsonl)));
+  expect_example(read("{\"t\":0,\"x\":1}\n{\"t\":1,\"x\":1}\n" + text_after_rows(example(), *find_format("jsonl"))));
 }
 
 TEST(Provenance, is_an_error_where_there_is_none) {
@@ -95,8 +97,8 @@ TEST(ProvenanceRecorder, counts_what_is_read_and_the_rest) {
   (void)recorder.observe_keys(keys_of("0 1\n1 2\n2 3\n", 1))();
   recorder.end_curve();
   recorder.end_input();
-  EXPECT_EQ(recorder.after_rows(FormatId::csv), "# input: k.csv\n# sha256: 0a\n# input: abc.csv\n# sha256: " +
-                                                    std::string(abc) + "\n# curves: 2\n# keys: 8\n# rows: 25\n");
+  EXPECT_EQ(recorder.after_rows(*find_format("csv")), "# input: k.csv\n# sha256: 0a\n# input: abc.csv\n# sha256: " +
+                                                          std::string(abc) + "\n# curves: 2\n# keys: 8\n# rows: 25\n");
 }
 
 TEST(ProvenanceRecorder, without_a_request_adds_nothing) {
@@ -104,7 +106,7 @@ TEST(ProvenanceRecorder, without_a_request_adds_nothing) {
   ProvenanceRecorder recorder(none);
   EXPECT_EQ(recorder.observe_bytes("a", bytes_of("abc"))(), "abc");
   recorder.end_input();
-  EXPECT_EQ(recorder.before_rows(FormatId::csv) + recorder.after_rows(FormatId::csv), "");
+  EXPECT_EQ(recorder.before_rows(*find_format("csv")) + recorder.after_rows(*find_format("csv")), "");
 }
 
 TEST(ProvenanceRecorder, requires_the_inputs_of_the_earlier_output) {
@@ -112,10 +114,11 @@ TEST(ProvenanceRecorder, requires_the_inputs_of_the_earlier_output) {
   request.earlier.inputs = {{"first.csv", abc}};
   const std::optional<ProvenanceRequest> made_from_one(request);
   ProvenanceRecorder recorder(made_from_one);
-  EXPECT_THAT(message_of([&] { (void)recorder.after_rows(FormatId::csv); }), testing::StartsWith("there are fewer"));
+  EXPECT_THAT(message_of([&] { (void)recorder.after_rows(*find_format("csv")); }),
+              testing::StartsWith("there are fewer"));
   EXPECT_EQ(recorder.observe_bytes("other name.csv", bytes_of("abc"))(), "abc");
   recorder.end_input();
-  EXPECT_THAT(recorder.after_rows(FormatId::csv), testing::StartsWith("# input: first.csv\n"));
+  EXPECT_THAT(recorder.after_rows(*find_format("csv")), testing::StartsWith("# input: first.csv\n"));
   EXPECT_THAT(message_of([&] { (void)recorder.observe_bytes("second.csv", bytes_of("abc")); }),
               testing::StartsWith("there are more"));
   ProvenanceRecorder another(made_from_one);

@@ -14,6 +14,7 @@
 #include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "read/errors.hpp"
+#include "read/input_format.hpp"
 #include "read/key_builder.hpp"
 #include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
@@ -232,5 +233,13 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       dialect.delimiter == ' ' || dialect.divided || options.keys.missing == Missing::break_curve;
   return records;
 }
+
+Records open_lines(const Format& format, Source<std::string> bytes, InputOptions options) {
+  std::optional<char>& delimiter = options.delimited.delimiter;
+  if (!delimiter && !format.has_any_delimiter) delimiter = format.delimiter;
+  return open_delimited(std::move(bytes), options);
+}
+
+extern const InputFormat delimited_input{.open = open_lines, .fit = [](std::string_view) { return std::optional(1); }};
 
 }  // namespace tcb

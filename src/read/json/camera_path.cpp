@@ -292,7 +292,7 @@ PathOfCameras read_camera_path(const Source<std::string>& bytes, std::uint64_t m
 /// The names of the columns of keys.
 std::vector<std::string> names_of(const PathOfCameras& path) {
   std::vector<std::string> names{"t", "x", "y", "z"};
-  for (const std::string_view name : rotation_columns_of(pose_format(FormatId::nerfstudio))) names.emplace_back(name);
+  for (const std::string_view name : rotation_columns_of(nerfstudio_poses)) names.emplace_back(name);
   names.emplace_back("fov");
   if (path.has_render_times) names.emplace_back("render_time");
   return names;
@@ -404,7 +404,7 @@ std::optional<bool> begins_camera_path(std::string_view beginning) {
 
 InputOptions options_of_camera_path(InputOptions options) {
   if (options.rotation.requests.empty() && !options.rotation.none) {
-    options.rotation.requests.push_back(rotation_of(pose_format(FormatId::nerfstudio)));
+    options.rotation.requests.push_back(rotation_of(nerfstudio_poses));
   }
   if (!options.units.time && !options.units.frame_rate) options.units.time = TimeUnit::s;
   return options;

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "formats/formats.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -36,7 +37,7 @@ TEST(Json, a_channel_that_is_not_a_name_is_an_error) {
 
 TEST(Json, an_input_without_keys_is_an_error) {
   InputOptions json;
-  json.format = FormatId::json;
+  json.format = find_format("json");
   for (const char* text : {"", " \n", "[]", "[ ]\n"}) {
     EXPECT_EQ(read(text, json), "f: error: the input has no keys; expected a JSON object for each key; see --help");
   }

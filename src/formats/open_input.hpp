@@ -1,4 +1,4 @@
-// Reader: opens an input in its format.
+// Opening of inputs: their bytes as text, and their format.
 #pragma once
 
 #include <string>

@@ -1,8 +1,9 @@
 // Reader: how the format of an input is found, and what may precede its first byte.
-#include "read/reader.hpp"
+#include "formats/open_input.hpp"
 
 #include <gtest/gtest.h>
 
+#include "formats/formats.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
@@ -28,9 +29,9 @@ TEST(OpenInput, without_an_ending_the_first_byte_that_is_not_blank_does) {
 
 TEST(OpenInput, a_given_format_has_priority) {
   InputOptions options;
-  options.format = FormatId::csv;
+  options.format = find_format("csv");
   EXPECT_EQ(read(csv_text, options, 1, "keys.json"), csv_keys);
-  options.format = FormatId::tsv;
+  options.format = find_format("tsv");
   EXPECT_EQ(read("t\ta,b\n0\t1\n", options, 1, "keys.csv"), "t a,b\n2: 0 1\n");
 }
 

@@ -1,6 +1,10 @@
 // FBX: the animation of a scene in an ASCII file of FBX (versions 6 and 7) as keys.
-#include "read/products/fbx.hpp"
-
+//
+// An animation curve node of version 7, or a channel of a model of version 6, is a track of the object that it drives:
+// position, rotation (x, y, z in degrees), scale, or another property. Its animation curves are the channels; a channel
+// without keys has the constant that the node gives it. Where several takes or layers drive a property, each is a track
+// with their names. Layers are not blended. Times are converted to seconds. The preset is fbx.
+// Source: the documentation of the FBX SDK, and files of MotionBuilder, Maya and 3ds Max.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,10 +17,11 @@
 #include <utility>
 #include <vector>
 
-#include "read/products/errors.hpp"
-#include "read/products/fbx_curve.hpp"
-#include "read/products/fbx_nodes.hpp"
-#include "read/products/tracks.hpp"
+#include "option_names.hpp"
+#include "read/input_format.hpp"
+#include "read/scenes/fbx_curve.hpp"
+#include "read/scenes/fbx_nodes.hpp"
+#include "read/scenes/tracks.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
@@ -281,7 +286,11 @@ class Objects {
   /// Bounds the memory of a file whose curves have many connections. Throws: Error (data).
   void count_keys(std::size_t keys, const OpenTrack& track) {
     keys_ += keys;
-    if (keys_ > most_keys_) throw fbx_curves_repeat().about(track.path());
+    if (keys_ > most_keys_)
+      throw data_error(
+          "the animation curves have so many connections that their keys are more than the bytes of the file; expected "
+          "one connection of each curve; export the file again")
+          .about(track.path());
   }
 
   const FbxHead head_;
@@ -383,13 +392,18 @@ class Takes {
 
 FbxHead read_head(const FbxNode& file) {
   const FbxNode* const node = file.find("FBXHeaderExtension");
-  if (node == nullptr || node->find("FBXVersion") == nullptr) throw not_an_fbx().at({"", 1, 1});
+  if (node == nullptr || node->find("FBXVersion") == nullptr)
+    throw data_error(
+        "the text is no FBX file; expected the node FBXHeaderExtension with an FBXVersion; give another {}",
+        option::input_format)
+        .at({"", 1, 1});
   FbxHead head;
   const FbxNode& version = node->child("FBXVersion");
   head.version = FbxValues(version).next_integer();
   constexpr std::int64_t first_version = 6000, last_version = 7999;
   if (head.version < first_version || head.version > last_version) {
-    throw no_such_fbx_version(head.version).at({"", version.line, 0});
+    throw data_error("the FBX file is of version {}; expected 6000 to 7999; export it as FBX 7.4", head.version)
+        .at({"", version.line, 0});
   }
   // Source: the definition of time codes in the FBX SDK 2020. Files without it have the default.
   constexpr std::int64_t first_header = 1004, default_definition = 127, ticks_of_others = 141'120'000;
@@ -415,9 +429,8 @@ void name_apart(std::vector<OpenTrack>& tracks) {
   }
 }
 
-}  // namespace
-
-Records open_fbx(const Source<std::string>& bytes, const InputOptions& options) {
+/// The file is kept while it is read.
+Records open_fbx(const Format&, Source<std::string> bytes, InputOptions options) {
   MemoryUse memory(options.max_memory);
   const std::string text = whole_file(bytes, memory);
   const FbxNode file = parse_fbx(text, memory);
@@ -432,5 +445,18 @@ Records open_fbx(const Source<std::string>& bytes, const InputOptions& options) 
   for (OpenTrack& track : found) tracks.push_back(track.finish());
   return records_of_tracks(std::move(tracks), "t", options, true);
 }
+
+bool begins_fbx(std::string_view beginning) { return beginning.starts_with("; FBX"); }
+
+}  // namespace
+
+extern const InputFormat fbx_input{
+    .open = open_fbx,
+    .options = options_of_tracks,
+    .begins = begins_fbx,
+    .has_tracks = true,
+    .takes_delimiters = false,
+    .has_own_columns = true,
+};
 
 }  // namespace tcb

@@ -1,5 +1,5 @@
 // Other files: those of other products, which are neither read nor written, with what converts them to keys.
-#include "read/other_files.hpp"
+#include "formats/other_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <ranges>
 #include <string>
 
-#include "schema/formats.hpp"
+#include "formats/formats.hpp"
 #include "text/file_ending.hpp"
 
 namespace tcb {
@@ -192,8 +192,8 @@ bool may_begin_other_file(std::string_view beginning) {
 
 std::string_view other_ending(std::string_view path) {
   path = without_compression(path);
-  for (const Format& format : formats) {
-    if (!format.can_write && has_ending(path, format.ending)) return format.ending;
+  for (const Format& format : formats()) {
+    if (!format.can_write() && has_ending(path, format.ending)) return format.ending;
   }
   if (has_ending(path, ".mot")) return ".mot";
   for (const OtherFile& row : other_files) {

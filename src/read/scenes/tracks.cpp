@@ -1,5 +1,5 @@
 // Tracks: the animated values of a file with several objects, as keys of curves.
-#include "read/products/tracks.hpp"
+#include "read/scenes/tracks.hpp"
 
 #include <fmt/format.h>
 
@@ -19,15 +19,25 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "read/key_builder.hpp"
-#include "read/products/errors.hpp"
 #include "schema/columns.hpp"
 #include "schema/units.hpp"
 #include "text/glob.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error track_number_too_large(std::string_view number) {
+  return data_error("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file", number);
+}
+
+Error times_of_track_repeat(std::string_view time) {
+  return data_error("the key at {} seconds is not after the one before it; expected increasing times; correct the file",
+                    time);
+}
 
 constexpr std::string_view object_name = "object", track_name = "track";
 
@@ -92,7 +102,10 @@ void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns
             InputFacts& facts) {
   for (const std::string& pattern : patterns) {
     if (std::ranges::any_of(tracks, [&](const Track& track) { return is_chosen(track, pattern); })) continue;
-    throw no_such_track(pattern, paths_of(tracks));
+    throw usage_error(
+        "no object or track is {}; expected one of {}; correct it, where * is any text and ? any character",
+        in_quotes(pattern), listed(paths_of(tracks)))
+        .about(option::only);
   }
   const auto moves = [](const Track& track) { return is_placement(track) && (track.failure || track.changes()); };
   const auto first = first_object ? std::ranges::find_if(tracks, moves) : tracks.end();
@@ -125,10 +138,21 @@ void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns
       chosen.push_back(std::move(*track));
       continue;
     }
-    if (!patterns.empty()) throw tracks_differ(path_of(chosen.front()), path_of(*track));
+    if (!patterns.empty())
+      throw usage_error(
+          "{} has other channels than {}; expected tracks with the same channels; choose one kind, such as */position",
+          in_quotes(path_of(*track)), in_quotes(path_of(chosen.front())))
+          .about(option::only);
     facts.other_tracks.push_back(path_of(*track));
   }
-  if (chosen.empty()) throw facts.constant_tracks.empty() ? no_tracks() : only_constant_tracks(facts.constant_tracks);
+  if (chosen.empty() && facts.constant_tracks.empty()) {
+    throw data_error("the file has no tracks; expected an object with keys");
+  }
+  if (chosen.empty()) {
+    throw data_error(
+        "no track has more than one key; expected one that changes; choose one of {} with {} to read it all the same",
+        listed(facts.constant_tracks), option::only);
+  }
   tracks = std::move(chosen);
 }
 
@@ -195,7 +219,11 @@ void add_step(TrackChannel& channel, TrackKey& second, TrackSpan::Kind kind) {
   const Rational from = exact_number(first.time), to = exact_number(second.time);
   const Rational between(holds_first ? std::nextafter(nearest_double(to), -infinity)
                                      : std::nextafter(nearest_double(from), infinity));
-  if (between <= from || between >= to) throw step_too_short().at({"", second.line, 0});
+  if (between <= from || between >= to)
+    throw data_error(
+        "the step to the key is shorter than doubles can distinguish; expected keys that are farther apart; remove one "
+        "of them")
+        .at({"", second.line, 0});
   const Rational jump = exact_number(second.value) - exact_number(first.value);
   const WrittenNumber none, velocity = written_number(jump / (holds_first ? to - between : between - from));
   TrackKey middle = holds_first ? first : second;
@@ -268,7 +296,12 @@ class TrackKeys {
           if (const WrittenNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role)) {
             add_number(column, *number, *key);
           } else if (!keys_.miss(column)) {
-            throw channel_without_key(columns_.channels[column.channel]).about(path_of(track_)).at({"", line, 0});
+            throw data_error(
+                "channel {} has no key at this time, where other channels have one; expected a key in every channel; "
+                "give {} skip-cell",
+                in_quotes(columns_.channels[column.channel]), option::missing)
+                .about(path_of(track_))
+                .at({"", line, 0});
           }
           break;
         }
@@ -339,6 +372,20 @@ class TrackKeys {
 
 }  // namespace
 
+Error number_of_track_not_finite() {
+  return data_error("a number of a key is infinite or no number; expected finite numbers; export the file again");
+}
+
+Error file_ends_early() { return data_error("the file ends within an object; expected the rest; copy the file again"); }
+
+Error number_of_file_expected(std::string_view found) {
+  return data_error("{} is no number of a key or a rate; expected a number; correct the file", in_quotes(found));
+}
+
+Error count_of_file_expected(std::string_view found) {
+  return data_error("{} is no count; expected a whole number; correct the file", in_quotes(found));
+}
+
 WrittenNumber written_number(const Rational& exact) {
   if (!within_doubles(exact)) throw track_number_too_large(ratio_text(exact));
   return {nearest_double(exact), ratio_text(exact)};
@@ -379,7 +426,7 @@ std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory) {
     size += part->size();
     parts.push_back(std::move(*part));
   }
-  if (size == 0) throw empty_file();
+  if (size == 0) throw data_error("the file is empty; expected an object with keys; copy the file again");
   std::string file;
   file.reserve(size);
   for (; !parts.empty(); parts.pop_front()) file += parts.front();
@@ -401,11 +448,14 @@ bool Track::changes() const {
   });
 }
 
-InputOptions options_of_tracks(FormatId format, InputOptions options) {
-  const bool has_seconds = format != FormatId::studio_3ds;
-  if (has_seconds && !options.units.time && !options.units.frame_rate) options.units.time = TimeUnit::s;
+InputOptions options_of_frames(const Format&, Source<std::string>&, InputOptions options) {
   if (options.keys.missing == Missing::error) options.keys.missing = Missing::skip_cell;
   return options;
+}
+
+InputOptions options_of_tracks(const Format& format, Source<std::string>& bytes, InputOptions options) {
+  if (!options.units.time && !options.units.frame_rate) options.units.time = TimeUnit::s;
+  return options_of_frames(format, bytes, std::move(options));
 }
 
 Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options,

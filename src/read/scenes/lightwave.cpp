@@ -1,6 +1,15 @@
 // LightWave: the motions of scenes (.lws) and of motion files (.mot) as keys.
-#include "read/products/lightwave.hpp"
-
+//
+// A motion has the tracks position (x, y, z), rotation (x, y, z: heading, pitch, bank; in radians, before version 3 in
+// degrees) and scale. A span is the segment that ends at a key:
+//   TCB     tangents by the preset lightwave
+//   Hermite, Bezier 1D   the tangents of the key, per segment
+//   linear  the chord
+//   stepped the value of the key before, up to the last time before the key
+// Where all keys of a channel are TCB, the rules of the preset apply; otherwise the file decides all its velocities.
+// Bezier 2D is no cubic in time, and is refused.
+// Source: the documentation of the scene format and the samples of the LightWave SDK; files of LightWave, for the
+//   tangents at the ends and the numbers of Hermite spans.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,13 +20,32 @@
 #include <utility>
 #include <vector>
 
-#include "read/products/errors.hpp"
-#include "read/products/text_lines.hpp"
-#include "read/products/tracks.hpp"
+#include "option_names.hpp"
+#include "read/input_format.hpp"
+#include "read/scenes/text_lines.hpp"
+#include "read/scenes/tracks.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error no_such_span(std::size_t number) {
+  return data_error(
+      "the span of the key is of type {}; expected 0 to 4 (TCB, Hermite, Bezier 1D, linear, stepped), in version 2 no "
+      "Hermite; correct the file",
+      number);
+}
+
+Error scene_key_count(std::size_t found, std::size_t expected) {
+  return data_error("there are {} keys or values; expected {}, the count above them; correct the file", found,
+                    expected);
+}
+
+Error scene_word_expected(std::string_view word, std::string_view found) {
+  return data_error("{} is here; expected {}, as in a motion of LightWave; correct the file", in_quotes(found),
+                    in_quotes(word));
+}
 
 /// The extrapolation of a behavior by its number, or nothing; reset (0) goes to the value 0.
 constexpr std::array<std::string_view, 6> behaviors{"", "hold", "repeat", "oscillate", "offset", "linear"};
@@ -112,7 +140,11 @@ TrackChannel channel_of_envelope(std::string_view name, const Envelope& envelope
   if (std::ranges::all_of(keys, [](const EnvelopeKey& key) { return key.span == Span::tcb; })) return channel;
   if (keys.size() < 2) return channel;
   const auto bezier = std::ranges::find(keys, Span::bezier2, &EnvelopeKey::span);
-  if (bezier != keys.end()) throw bezier_2d_span().at({"", bezier->line, 0});
+  if (bezier != keys.end())
+    throw data_error(
+        "the span of the key is a Bezier 2D curve, which is no cubic in time; expected TCB, Hermite, Bezier 1D, linear "
+        "or stepped; change the key's curve in LightWave")
+        .at({"", bezier->line, 0});
   const Velocities velocities(keys);
   std::vector<TrackSpan> spans;
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
@@ -132,7 +164,10 @@ class Motions {
   std::vector<Track> read() {
     lines_.require_next();
     const bool is_motion = lines_.word(0) == "LWMO";
-    if (!is_motion && lines_.word(0) != "LWSC") throw lines_.at(not_a_scene());
+    if (!is_motion && lines_.word(0) != "LWSC")
+      throw lines_.at(
+          data_error("the text is no scene of LightWave; expected LWSC or LWMO in its first line; give another {}",
+                     option::input_format));
     lines_.require_next();
     version_ = lines_.count_in(0);
     if (is_motion) name_object("motion");
@@ -237,7 +272,11 @@ class Motions {
 
   std::size_t behavior_in(std::size_t word) const {
     const std::size_t number = lines_.count_in(word);
-    if (number >= behaviors.size()) throw lines_.at(no_such_behavior(number));
+    if (number >= behaviors.size())
+      throw lines_.at(
+          data_error("the behavior of the envelope is of type {}; expected 0 to 5 (reset, constant, repeat, oscillate, "
+                     "offset repeat, linear); correct the file",
+                     number));
     return number;
   }
 
@@ -324,12 +363,26 @@ class Motions {
   std::vector<Track> tracks_;
 };
 
-}  // namespace
-
-Records open_lightwave(const Source<std::string>& bytes, const InputOptions& options) {
+/// The file is kept while it is read.
+Records open_lightwave(const Format&, Source<std::string> bytes, InputOptions options) {
   MemoryUse memory(options.max_memory);
   const std::string text = whole_file(bytes, memory);
   return records_of_tracks(Motions(text, memory).read(), "t", options);
 }
+
+bool begins_lightwave(std::string_view beginning) {
+  return beginning.starts_with("LWSC") || beginning.starts_with("LWMO");
+}
+
+}  // namespace
+
+extern const InputFormat lightwave_input{
+    .open = open_lightwave,
+    .options = options_of_tracks,
+    .begins = begins_lightwave,
+    .has_tracks = true,
+    .takes_delimiters = false,
+    .has_own_columns = true,
+};
 
 }  // namespace tcb

@@ -1,6 +1,10 @@
 // 3D Studio: the keyframe tracks of .3ds files as keys.
-#include "read/products/studio_3ds.hpp"
-
+//
+// Each node has the tracks position, rotation, scale, field of view, roll, color, hotspot and falloff; a target has the
+// track target. Times are frames. Rotations are relative to the key before, by an axis in the parent's frame and
+// a left-handed angle, whose sign is changed here. Positions, rotations and scales are relative to
+// the parent of the node. A track that loops is closed if its last key repeats the first one. The preset is lib3ds1.
+// Source: the behaviour of lib3ds, which reads and writes such files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +19,16 @@
 #include <utility>
 #include <vector>
 
-#include "read/products/errors.hpp"
-#include "read/products/tracks.hpp"
+#include "read/input_format.hpp"
+#include "read/scenes/tracks.hpp"
 
 namespace tcb {
 namespace {
+
+Error chunk_too_short() {
+  return data_error(
+      "a chunk of the file is longer or shorter than its content; expected a whole .3ds file; copy or export it again");
+}
 
 /// The numbers of chunks.
 enum ChunkId : std::uint16_t {
@@ -200,12 +209,27 @@ class Nodes {
   std::vector<Track> tracks_;
 };
 
-}  // namespace
-
-Records open_3ds(const Source<std::string>& bytes, const InputOptions& options) {
+/// The file is kept while it is read.
+Records open_3ds(const Format&, Source<std::string> bytes, InputOptions options) {
   MemoryUse memory(options.max_memory);
   const std::string file = whole_file(bytes, memory);
   return records_of_tracks(Nodes(memory).read(file), "frame", options);
 }
+
+bool begins_3ds(std::string_view beginning) {
+  constexpr std::size_t high_byte_of_size = 5;  // 0 below 16 MiB
+  return beginning.starts_with("MM") && beginning.size() > high_byte_of_size && beginning[high_byte_of_size] == '\0';
+}
+
+}  // namespace
+
+extern const InputFormat studio_3ds_input{
+    .open = open_3ds,
+    .options = options_of_frames,
+    .begins = begins_3ds,
+    .has_tracks = true,
+    .takes_delimiters = false,
+    .has_own_columns = true,
+};
 
 }  // namespace tcb

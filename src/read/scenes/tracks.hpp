@@ -25,6 +25,12 @@
 
 namespace tcb {
 
+// Faults of files.
+Error number_of_track_not_finite();
+Error file_ends_early();
+Error number_of_file_expected(std::string_view found);
+Error count_of_file_expected(std::string_view found);
+
 /// The number nearest to a ratio. Throws: Error (data) beyond the doubles.
 WrittenNumber written_number(const Rational& exact);
 
@@ -86,9 +92,10 @@ inline constexpr std::uint64_t memory_of_key = 2 * sizeof(TrackKey);
 /// needs too much memory.
 std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory);
 
-/// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames as in
-/// the format, unless something else is requested.
-InputOptions options_of_tracks(FormatId format, InputOptions options);
+/// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames, unless
+/// something else is requested.
+InputOptions options_of_tracks(const Format& format, Source<std::string>& bytes, InputOptions options);
+InputOptions options_of_frames(const Format& format, Source<std::string>& bytes, InputOptions options);
 
 /// The tracks that are chosen, as keys. Those that are constant are left out unless all are; without a choice also
 /// those with other channels than the first, and with `first_object` all but the position, rotation and scale of the

@@ -1,6 +1,9 @@
 // ASE: the controllers of objects in the ASCII export of 3ds Max as keys.
-#include "read/products/ase.hpp"
-
+//
+// Each object has the tracks position, rotation and scale that its controllers give, by TCB keys, linear keys or
+// samples; between linear keys and between samples the curve is straight. Times are converted from ticks to seconds.
+// Rotations are as in .3ds files. The preset is 3dsmax. Bezier keys have no documented unit of their tangents, and are
+// refused. Source: the exporter among the samples of the 3ds Max SDK.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,9 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "read/products/errors.hpp"
-#include "read/products/text_lines.hpp"
-#include "read/products/tracks.hpp"
+#include "option_names.hpp"
+#include "read/input_format.hpp"
+#include "read/scenes/text_lines.hpp"
+#include "read/scenes/tracks.hpp"
 
 namespace tcb {
 namespace {
@@ -55,7 +59,10 @@ class AseExport {
 
   std::vector<Track> read() {
     lines_.require_next();
-    if (lines_.word(0) != "*3DSMAX_ASCIIEXPORT") throw lines_.at(not_an_ase());
+    if (lines_.word(0) != "*3DSMAX_ASCIIEXPORT")
+      throw lines_.at(data_error(
+          "the text is no ASCII export of 3ds Max; expected *3DSMAX_ASCIIEXPORT in its first line; give another {}",
+          option::input_format));
     while (lines_.next()) read_line();
     end_track();
     return std::move(tracks_);
@@ -71,7 +78,10 @@ class AseExport {
     } else if (word == "*NODE_NAME") {
       name_object();
     } else if (word.find("BEZIER") != std::string_view::npos && word.ends_with("_KEY")) {
-      throw lines_.at(bezier_controller()).about(object_);
+      throw lines_
+          .at(data_error("the controller has Bezier keys, whose tangents have no documented unit; expected TCB or "
+                         "linear keys, or samples; change the controller in 3ds Max, or export samples"))
+          .about(object_);
     } else if (word.starts_with("*CONTROL_") && lines_.words().back() == "{") {
       end_track();  // the keys of a controller follow
     } else if (const auto line = std::ranges::find(key_lines, word, &AseKeyLine::word); line != key_lines.end()) {
@@ -160,12 +170,24 @@ class AseExport {
   std::vector<Track> tracks_;
 };
 
-}  // namespace
-
-Records open_ase(const Source<std::string>& bytes, const InputOptions& options) {
+/// The file is kept while it is read.
+Records open_ase(const Format&, Source<std::string> bytes, InputOptions options) {
   MemoryUse memory(options.max_memory);
   const std::string text = whole_file(bytes, memory);
   return records_of_tracks(AseExport(text, memory).read(), "t", options);
 }
+
+bool begins_ase(std::string_view beginning) { return beginning.starts_with("*3DSMA"); }
+
+}  // namespace
+
+extern const InputFormat ase_input{
+    .open = open_ase,
+    .options = options_of_tracks,
+    .begins = begins_ase,
+    .has_tracks = true,
+    .takes_delimiters = false,
+    .has_own_columns = true,
+};
 
 }  // namespace tcb

@@ -1,12 +1,12 @@
 // Text lines: the lines of a text as words, and numbers in them with their decimals.
-#include "read/products/text_lines.hpp"
+#include "read/scenes/text_lines.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <string>
 
 #include "numbers/parse_number.hpp"
-#include "read/products/errors.hpp"
+#include "read/scenes/tracks.hpp"
 
 namespace tcb {
 

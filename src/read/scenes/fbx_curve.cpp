@@ -1,5 +1,5 @@
 // FBX curves: the keys of an animation curve of FBX as keys of a channel.
-#include "read/products/fbx_curve.hpp"
+#include "read/scenes/fbx_curve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,30 @@
 #include <string>
 #include <utility>
 
-#include "read/products/errors.hpp"
+#include "read/scenes/tracks.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error no_old_fbx_tangent(std::string_view letter) {
+  return data_error(
+      "the key has the type {}, which is not documented; expected TCB, user, linear and constant keys; export the file "
+      "as FBX 7",
+      in_quotes(letter));
+}
+
+Error fbx_tangents_with_weights() {
+  return data_error(
+      "the tangents of the key have weights, so the curve is no cubic in time; expected tangents without weights; "
+      "remove them in the program that made the file, or bake the animation and export it again");
+}
+
+Error fbx_arrays_differ() {
+  return data_error(
+      "the numbers of keys, values, flags and tangents of the animation curve differ; expected as many as there are "
+      "keys; export the file again");
+}
 
 /// The flags of a key. Source: the class FbxAnimCurveDef of the FBX SDK. 0x10000000 and 0x20000000 show velocities,
 /// which are in slopes and weights too.
@@ -58,7 +78,11 @@ void set_span(FbxKey& key, std::uint32_t flags, const float* data) {
     return;
   }
   if ((flags & flag::linear) != 0) return;
-  if ((flags & flag::cubic) == 0) throw fail(no_fbx_interpolation(flags));
+  if ((flags & flag::cubic) == 0)
+    throw fail(
+        data_error("the interpolation of the key has the flags 0x{:x}; expected constant (0x2), linear (0x4) or cubic "
+                   "(0x8); change it in the program that made the file",
+                   flags));
   if ((flags & flag::tcb) != 0) {
     key.span = FbxSpan::tcb;
     key.tension = number_of(data[0], key.line);
@@ -131,7 +155,11 @@ class Tangents {
       return automatic(i, has_bias ? -exact_number(previous.next_left) : Rational(0));
     }
     // The number is in the place of the continuity of a TCB key before.
-    if (previous.span == FbxSpan::tcb) throw fbx_slope_after_tcb().at({"", key.line, 0});
+    if (previous.span == FbxSpan::tcb)
+      throw data_error(
+          "the key follows a TCB key, so the file has no slope for its left side; expected a TCB or an automatic "
+          "tangent; change one of the two keys")
+          .at({"", key.line, 0});
     return exact_number(previous.next_left);
   }
 
@@ -152,7 +180,11 @@ class Tangents {
     const FbxKey& key = keys_[i];
     constexpr int most_percent = 500;  // above it, the slope has another rule
     if (percent < -most_percent || percent > most_percent) {
-      throw fbx_bias_too_large(most_percent).at({"", key.line, 0});
+      throw data_error(
+          "the bias of the automatic tangent is beyond {} percent; expected no more; change the tangent to a user "
+          "tangent",
+          most_percent)
+          .at({"", key.line, 0});
     }
     if (is_end(i)) {
       if (key.clamps_progressively) return Rational(0);

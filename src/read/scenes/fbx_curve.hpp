@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "read/products/fbx_nodes.hpp"
-#include "read/products/tracks.hpp"
+#include "read/scenes/fbx_nodes.hpp"
+#include "read/scenes/tracks.hpp"
 
 namespace tcb {
 

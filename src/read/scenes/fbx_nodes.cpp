@@ -1,5 +1,5 @@
 // FBX nodes: the text of an FBX file as a tree.
-#include "read/products/fbx_nodes.hpp"
+#include "read/scenes/fbx_nodes.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,10 +7,16 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
-#include "read/products/errors.hpp"
+#include "read/scenes/tracks.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error unexpected_text_in_fbx(std::string_view text) {
+  return data_error("{} is here; expected the name of a node and a colon, or the end of a node; export the file again",
+                    in_quotes(text));
+}
 
 constexpr std::string_view blanks = " \t\r\n";
 
@@ -66,7 +72,9 @@ class Parser {
     const std::size_t last = skip_values();
     node.text = text_.substr(first, last - first);
     constexpr std::size_t most_levels = 64;
-    if (open_.size() > most_levels) throw too_many_levels_in_fbx(most_levels).at({"", line_, 0});
+    if (open_.size() > most_levels)
+      throw data_error("nodes are within more than {} others; expected fewer; export the file again", most_levels)
+          .at({"", line_, 0});
     const bool has_children = at_ < text_.size() && text_[at_] == '{';
     if (has_children) {
       ++at_;
@@ -123,7 +131,7 @@ const FbxNode* FbxNode::find(std::string_view child) const {
 
 const FbxNode& FbxNode::child(std::string_view child) const {
   if (const FbxNode* const found = find(child)) return *found;
-  throw missing_in_fbx(child).at({"", line, 0});
+  throw data_error("the node has no child {}; expected one; export the file again", in_quotes(child)).at({"", line, 0});
 }
 
 FbxValues::FbxValues(const FbxNode& node) : rest_(node.text), line_(node.line) {

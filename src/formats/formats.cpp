@@ -1,0 +1,119 @@
+// Formats: the list of all of them, with their halves that read and write.
+#include "formats/formats.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "schema/pose_formats.hpp"
+#include "text/file_ending.hpp"
+
+namespace tcb {
+
+// The halves, each in the file of its name.
+extern const InputFormat delimited_input, json_input, camera_path_input, poses_input, npy_input, lightwave_input,
+    studio_3ds_input, ase_input, fbx_input;
+extern const OutputFormat delimited_output, json_output, jsonl_output, pose_output, camera_path_output, npy_output,
+    gltf_output, piece_output;
+
+namespace {
+
+/// To add a format: a row here, and the halves that it names.
+constexpr std::array list{
+    Format{.name = "csv",
+           .ending = ".csv",
+           .input = &delimited_input,
+           .output = &delimited_output,
+           .delimiter = ',',
+           .has_marks = true,
+           .has_any_delimiter = true,
+           .has_provenance = true},
+    Format{.name = "tsv",
+           .ending = ".tsv",
+           .input = &delimited_input,
+           .output = &delimited_output,
+           .delimiter = '\t',
+           .has_marks = true,
+           .has_provenance = true},
+    Format{.name = "ssv",
+           .ending = ".ssv",
+           .input = &delimited_input,
+           .output = &delimited_output,
+           .delimiter = ' ',
+           .has_marks = true,
+           .has_provenance = true},
+    Format{.name = "json",
+           .ending = ".json",
+           .input = &json_input,
+           .output = &json_output,
+           .is_json = true,
+           .nests = true,
+           .has_provenance = true,
+           .has_reports = true},
+    Format{.name = "jsonl",
+           .ending = ".jsonl",
+           .input = &json_input,
+           .output = &jsonl_output,
+           .is_json = true,
+           .has_provenance = true},
+    Format{.name = "tum",
+           .ending = ".tum",
+           .input = &poses_input,
+           .output = &pose_output,
+           .delimiter = ' ',
+           .poses = &tum_poses},
+    Format{.name = "euroc",
+           .ending = ".euroc",
+           .input = &poses_input,
+           .output = &pose_output,
+           .delimiter = ',',
+           .poses = &euroc_poses},
+    Format{.name = "kitti",
+           .ending = ".kitti",
+           .input = &poses_input,
+           .output = &pose_output,
+           .delimiter = ' ',
+           .poses = &kitti_poses},
+    Format{.name = "nerfstudio",
+           .ending = ".json",
+           .input = &camera_path_input,
+           .output = &camera_path_output,
+           .poses = &nerfstudio_poses},
+    Format{.name = "lws", .ending = ".lws", .input = &lightwave_input},
+    Format{.name = "3ds", .ending = ".3ds", .input = &studio_3ds_input},
+    Format{.name = "ase", .ending = ".ase", .input = &ase_input},
+    Format{.name = "fbx", .ending = ".fbx", .input = &fbx_input},
+    Format{.name = "gltf", .ending = ".gltf", .output = &gltf_output, .has_nodes = true},
+    Format{.name = "crazyswarm", .ending = ".csv", .output = &piece_output, .delimiter = ',', .has_pieces = true},
+    Format{.name = "npy", .ending = ".npy", .input = &npy_input, .output = &npy_output, .is_binary = true},
+    Format{.name = "svg", .ending = ".svg", .is_picture = true},
+};
+
+/// The endings of formats with a capability.
+std::vector<std::string_view> endings(bool (Format::*can)() const) {
+  std::vector<std::string_view> found;
+  for (const Format& format : list) {
+    if ((format.*can)() && std::ranges::count(found, format.ending) == 0) found.push_back(format.ending);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::span<const Format> formats() { return list; }
+
+const Format* find_format(std::string_view name) {
+  const auto found = std::ranges::find(list, name, &Format::name);
+  return found == list.end() ? nullptr : &*found;
+}
+
+const Format* find_output_format(std::string_view path) {
+  path = without_compression(path);
+  const auto names = [&](const Format& format) { return format.can_write() && has_ending(path, format.ending); };
+  const auto found = std::ranges::find_if(list, names);
+  return found == list.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> input_endings() { return endings(&Format::can_read); }
+std::vector<std::string_view> output_endings() { return endings(&Format::can_write); }
+
+}  // namespace tcb

@@ -1,0 +1,140 @@
+// Opening of inputs: their bytes as text, and their format.
+#include "formats/open_input.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "formats/formats.hpp"
+#include "formats/other_files.hpp"
+#include "io/compression.hpp"
+#include "io/encoding.hpp"
+#include "option_names.hpp"
+#include "read/csv/splitter.hpp"
+#include "read/input_format.hpp"
+#include "schema/rotation_columns.hpp"
+#include "text/file_ending.hpp"
+#include "text/utf8.hpp"
+
+namespace tcb {
+namespace {
+
+Error at_first_byte(const Error& error) { return error.at({"", 1, 1}); }
+
+/// The text in UTF-8 without a byte order mark; `encoding` gets the name of another encoding. Throws: Error (data) for
+/// two marks.
+Source<std::string> without_mark(Source<std::string> bytes, std::string& encoding) {
+  std::string beginning;
+  constexpr std::size_t enough = 6;  // for format_of()
+  while (beginning.size() < enough || may_begin_other_file(beginning)) {
+    auto more = bytes();
+    if (!more) break;
+    beginning += *more;
+  }
+  if (const std::optional<Error> error = other_file(beginning)) throw at_first_byte(*error);
+  const Encoding by_mark = encoding_of_mark(beginning);
+  if (by_mark != Encoding::utf8) {
+    encoding = name_of(by_mark);
+    return in_utf8(preceded_by(std::move(beginning), std::move(bytes)), by_mark);
+  }
+  if (beginning.starts_with(byte_order_mark)) beginning.erase(0, byte_order_mark.size());
+  if (beginning.starts_with(byte_order_mark)) {
+    throw at_first_byte(data_error("the text begins with two byte order marks; expected at most one; remove one"));
+  }
+  return preceded_by(std::move(beginning), std::move(bytes));
+}
+
+/// Whether further bytes decide how well a format fits.
+bool is_undecided(std::string_view beginning) {
+  return std::ranges::any_of(formats(), [&](const Format& format) {
+    return format.can_read() && format.input->fit != nullptr && !format.input->fit(beginning);
+  });
+}
+
+/// The format by the first bytes, by the file's ending, or by how well it fits.
+const Format& format_of(std::string_view path, std::string_view beginning) {
+  path = without_compression(path);
+  const auto names = [&](const Format& format) { return format.can_read() && path.ends_with(format.ending); };
+  const bool is_named = std::ranges::any_of(formats(), names);
+  const Format* best = nullptr;
+  int best_fit = -1;
+  for (const Format& format : formats()) {
+    if (!format.can_read()) continue;
+    const InputFormat& input = *format.input;
+    if (input.begins != nullptr && input.begins(beginning)) return format;
+    if (is_named && !names(format)) continue;
+    const int fit = input.fit == nullptr ? 0 : input.fit(beginning).value_or(0);
+    if (fit > best_fit) best = &format;
+    best_fit = std::max(fit, best_fit);
+  }
+  return *best;
+}
+
+/// The options, with what the format decides unless it is requested.
+InputOptions options_of(const Format& format, Source<std::string>& bytes, const InputOptions& given) {
+  const InputFormat& input = *format.input;
+  if (!input.has_tracks && !given.only.empty()) {
+    throw usage_error(
+        "a file in the format {} has no tracks of several objects; expected a scene, such as .lws; remove the option, "
+        "or choose columns with {}",
+        format.name, option::columns)
+        .about(option::only);
+  }
+  if (!input.takes_delimiters && given.delimited != DelimitedOptions{}) {
+    throw usage_error("{}, {}, {}, {}, {} and {} have no effect on an input in the format {}; remove them",
+                      option::delimiter, option::header, option::no_header, option::comment, option::decimal,
+                      option::thousands, format.name);
+  }
+  return input.options == nullptr ? given : input.options(format, bytes, given);
+}
+
+}  // namespace
+
+Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& given) {
+  std::string encoding;
+  bytes = without_mark(decompressed(std::move(bytes)), encoding);
+  constexpr std::size_t most_before_list = 1UL << 20;  // of JSON
+  std::string beginning;
+  for (bool blank = true; blank || is_undecided(beginning);) {
+    auto more = bytes();
+    if (!more) break;
+    blank = blank && more->find_first_not_of(" \t\r\n") == std::string::npos;
+    beginning += *more;
+    if (blank && beginning.size() > longest_record) {
+      throw at_first_byte(
+          data_error("the first 64 MiB are blank; expected keys; remove the blank lines, or check whether the file is "
+                     "the right one"));
+    }
+    if (!blank && beginning.size() > most_before_list) break;
+  }
+  const Format& format = given.format != nullptr ? *given.format : format_of(path, beginning);
+  bytes = preceded_by(std::move(beginning), std::move(bytes));
+  const InputOptions options = options_of(format, bytes, given);
+  Records records = format.input->open(format, std::move(bytes), options);
+  const Columns& columns = records.columns;
+  Input input{schema_of(columns, records.time_notation, records.dates), std::move(records.facts),
+              std::move(records.keys)};
+  RotationOptions rotation = options.rotation;
+  if (records.rotation && rotation.requests.empty() && !rotation.none) rotation.requests.push_back(*records.rotation);
+  if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, rotation);
+  input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
+  if (!input.schema.time.unit) input.schema.time.epoch_unit = records.epoch_unit;
+  input.schema.marks = records.marks;
+  input.schema.camera_path = std::move(records.camera_path);
+  input.facts.format = &format;
+  if (!encoding.empty()) input.facts.encoding = encoding;
+  if (!input.facts.is_recording) input.facts.roles = columns.shape_roles();
+  input.facts.ignored = columns.ignored;
+  input.facts.likely_rotation = columns.likely_rotation;
+  KeyTraits& traits = input.keys.traits;
+  traits.are_segments = columns.are_segments;
+  traits.may_miss = options.keys.missing == Missing::skip_cell;
+  traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
+  traits.marks = columns.marks;
+  if (columns.named) traits.channels = columns.channels;
+  return input;
+}
+
+}  // namespace tcb
