@@ -38,6 +38,19 @@ TEST(FrameTimes, elapsed_times_do_not_depend_on_how_far_from_0_frames_are) {
   }
 }
 
+TEST(FrameTimes, decimals_are_what_their_texts_name) {
+  const FrameTimes all = FrameTimes::decimals();
+  EXPECT_EQ(*all.exact(0.1), Rational(1, 10));
+  const FrameTimes late = all.from(1714564800.0), early = all.from(0.0);
+  for (const double part : {0.1, 0.25, 0.7, 3.000001}) {
+    EXPECT_EQ(late.elapsed(1714564800.0 + part), early.elapsed(part)) << part;
+    EXPECT_EQ(late.key_time(late.elapsed(1714564800.0 + part)), Time(1714564800.0 + part));
+  }
+  const Time nanoseconds = *parse_long_time("1714564800.123456789", 1714564800.123456789);
+  EXPECT_EQ(late.elapsed(nanoseconds), early.elapsed(0.123456789));
+  EXPECT_EQ(late.key_time(late.elapsed(nanoseconds)), nanoseconds);
+}
+
 TEST(FrameTimes, times_between_frames_are_doubles) {
   const FrameTimes frames = FrameTimes(ntsc_rate).from(nearest_double(Rational(107892) / ntsc_rate));
   const Time between = 3600.123456789;

@@ -29,8 +29,9 @@ TEST(CurveRules, converted_rules_have_every_member) {
   rules.rotation_rules = {RotationCurve::slerp, TangentRule::uniform, EndRule::mirror};
   rules.angles = {{5, true}};
   rules.timing = Timing::monotone;
+  rules.no_overshoot = true;
   const auto halves = [](double value) { return static_cast<float>(value / 2); };
-  const auto& [tangents, start, end, equal_speed, metric, rotations, own, angles, timing] =
+  const auto& [tangents, start, end, equal_speed, metric, rotations, own, angles, timing, no_overshoot] =
       converted<float>(rules, halves);
   EXPECT_EQ(tangents, TangentRule::synfig);
   EXPECT_EQ(start.rule, EndRule::velocity);
@@ -47,6 +48,7 @@ TEST(CurveRules, converted_rules_have_every_member) {
   EXPECT_EQ(angles[0].channel, 5U);
   EXPECT_TRUE(angles[0].degrees);
   EXPECT_EQ(timing, Timing::monotone);
+  EXPECT_TRUE(no_overshoot);
 }
 
 }  // namespace

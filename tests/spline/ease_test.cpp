@@ -40,6 +40,21 @@ TEST(Warp, inverse_and_derivatives_agree_with_differences) {
   }
 }
 
+TEST(Warp, parts_are_told_at_their_ends_by_the_side) {
+  const Warp<double> warp(0.25, 0.5);
+  const auto part = [&](double u, Side side) { return warp.part(u, side); };
+  EXPECT_EQ(part(0.25, Side::left), EasePart::first);
+  EXPECT_EQ(part(0.25, Side::right), EasePart::middle);
+  EXPECT_EQ(part(0.5, Side::left), EasePart::middle);
+  EXPECT_EQ(part(0.5, Side::right), EasePart::last);
+  EXPECT_EQ(Warp<double>(1, 0).part(1.0, Side::right), EasePart::first) << "the end of the segment";
+  EXPECT_EQ(Warp<double>(0, 1).part(0.0, Side::left), EasePart::last);
+  EXPECT_EQ(Warp<double>(0, 0.5).part(0.0, Side::left), EasePart::middle);
+  const double third = 1.0 / 3;  // 3 third is not 1, but the product is exact
+  EXPECT_EQ(Warp<double>(third, 0).part(1, 2, 3, Side::left), EasePart::middle);
+  EXPECT_EQ(Warp<double>(third, 0).part(DoubleDouble(third) * DoubleDouble(3), 2, 3, Side::left), EasePart::first);
+}
+
 TEST(CubicWarp, has_the_values_of_its_polynomial) {
   const auto warp = Warp<double>::cubic(1.5, 0.25);
   EXPECT_EQ(warp.at(0.5, 0.5).u, 0.65625);  // u (a + u (3 - 2a - b + u (a + b - 2)))
