@@ -98,7 +98,9 @@ TEST(JsonTape, nan_is_null_by_its_text) {
 }
 
 TEST(JsonTape, nesting_is_limited) {
-  const auto nested = [](int levels) { return list_of(std::string(levels - 1, '[') + std::string(levels - 1, ']')); };
+  const auto nested = [](std::size_t levels) {
+    return list_of(std::string(levels - 1, '[') + std::string(levels - 1, ']'));
+  };
   EXPECT_EQ(refusal(nested(100)), "no error");
   EXPECT_EQ(refusal(nested(101)), "f:1:101: error: this is nested deeper than 100 brackets; expected fewer; remove it");
   EXPECT_EQ(refusal(list_of(std::string(1000000, '['))),
